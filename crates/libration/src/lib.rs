@@ -2,5 +2,9 @@
 
 mod double_double;
 
+pub mod algebra;
+mod series;
+
 pub mod quantity;
 pub mod pendulum;
+pub mod period_formulas;
