@@ -1,0 +1,4 @@
+//! The evidence, one file per kind.
+#![expect(clippy::unwrap_used, reason = "a test may fail")]
+
+mod quantity;
