@@ -2,5 +2,6 @@
 
 mod double_double;
 
+pub mod measurement;
 pub mod quantity;
 pub mod pendulum;

@@ -11,7 +11,7 @@ use dashu::integer::UBig;
 use dashu::rational::RBig;
 
 use super::decimal::{Decimal, LONGEST_TEXT};
-use super::error::excerpt;
+use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
 use super::{Angle, QuantityError};
 

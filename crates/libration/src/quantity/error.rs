@@ -65,13 +65,3 @@ pub enum QuantityError {
         dimension: Dimension,
     },
 }
-
-/// The text as a message may show it: no control characters, at most 40 characters.
-pub(super) fn excerpt(text: &str) -> String {
-    const SHOWN: usize = 40;
-    let mut shown: String = text.chars().take(SHOWN).flat_map(char::escape_debug).collect();
-    if text.chars().nth(SHOWN).is_some() {
-        shown.push('…');
-    }
-    shown
-}

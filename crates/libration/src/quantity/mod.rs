@@ -10,6 +10,7 @@ mod angle;
 mod angle_text;
 mod decimal;
 mod error;
+mod excerpt;
 mod physical;
 mod pi_combination;
 mod range;
@@ -17,6 +18,7 @@ mod unit;
 
 pub use angle::Angle;
 pub use error::QuantityError;
+pub(crate) use excerpt::excerpt;
 pub use physical::{Quantity, parse};
 pub use range::{AngleRange, NumberRange, RangeError, angles, numbers};
 pub use unit::Dimension;

@@ -6,7 +6,7 @@ use dashu::base::{Abs, Signed};
 use dashu::rational::RBig;
 
 use super::decimal::{Decimal, LONGEST_TEXT, exponent_length};
-use super::error::excerpt;
+use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
 use super::unit::Unit;
 use super::{Dimension, QuantityError};

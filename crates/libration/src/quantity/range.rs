@@ -8,7 +8,7 @@ use dashu::rational::RBig;
 
 use super::angle_text::exact_angle;
 use super::decimal::Decimal;
-use super::error::excerpt;
+use super::excerpt::excerpt;
 use super::physical::ExactQuantity;
 use super::pi_combination::PiCombination;
 use super::{Angle, Dimension, QuantityError};
