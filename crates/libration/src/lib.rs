@@ -1,7 +1,11 @@
 //! The large-amplitude pendulum: period, motion, harmonics and published formulas, each with its error.
 
+mod dispatch;
 mod double_double;
+mod elementary;
 
+pub mod elliptic;
+pub mod fit;
 pub mod measurement;
-pub mod quantity;
 pub mod pendulum;
+pub mod quantity;
