@@ -1,4 +1,6 @@
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-//! The evidence, one file per subject.
+//! The evidence, one file per kind.
+#![expect(clippy::unwrap_used, reason = "a test may fail")]
 
+mod measurement;
+mod quantity;
 mod series;

@@ -1,0 +1,67 @@
+//! What can be wrong with a quantity, as a number or as text.
+
+use super::Dimension;
+
+/// Why a text is not the quantity it should be, or a number not an angle.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// Not finite, or too large for its turns to be counted.
+    #[error("{0} is not a usable angle: give a finite angle of at most 2^53 rad")]
+    NotAnAngle(f64),
+    /// Not within [0, π].
+    #[error("{0} is not the complement of an angle: give a number of radians from 0 to pi")]
+    NotAComplement(f64),
+    /// Text that does not follow the grammar of angles.
+    #[error("cannot read `{text}` as an angle: {hint}")]
+    UnreadableAngle {
+        /// The text, shortened.
+        text: String,
+        /// What would do.
+        hint: &'static str,
+    },
+    /// Text of an angle that is too large, or too near zero or the top without being there.
+    #[error("the angle `{text}` is out of range: {hint}")]
+    AngleOutOfRange {
+        /// The text, shortened.
+        text: String,
+        /// What would do.
+        hint: &'static str,
+    },
+    /// Text that is no number with a unit.
+    #[error("cannot read `{text}` as {dimension}: write {}", .dimension.examples())]
+    UnreadableQuantity {
+        /// The text, shortened.
+        text: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A unit that is not known.
+    #[error("`{unit}` in `{text}` is no unit of {dimension}: write {}", .dimension.examples())]
+    UnknownUnit {
+        /// The text, shortened.
+        text: String,
+        /// The unit, shortened.
+        unit: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A known unit of something else.
+    #[error("`{text}` is {found}, not {dimension}: write {}", .dimension.examples())]
+    WrongDimension {
+        /// The text, shortened.
+        text: String,
+        /// What the unit says.
+        found: Dimension,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A value or an uncertainty beyond the range of `f64`, or an uncertainty below zero.
+    #[error("`{text}` is out of range for {dimension}: write {}", .dimension.examples())]
+    QuantityOutOfRange {
+        /// The text, shortened.
+        text: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
+}

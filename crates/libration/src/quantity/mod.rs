@@ -1,0 +1,27 @@
+//! Angles, and physical quantities from text.
+//!
+//! An [`Angle`] is kept as whole turns, an angle in the turn and its complement to the upright position, each
+//! in two words, because near the top π − θ is the number that matters and θ alone has lost it.
+//!
+//! What text means: radians are the nearest `f64`; degrees, and the δ of `pi-δ`, are the decimal itself,
+//! converted exactly and rounded to two words.
+
+mod angle;
+mod angle_text;
+mod decimal;
+mod error;
+mod excerpt;
+mod physical;
+mod pi_combination;
+mod range;
+mod unit;
+
+pub use angle::Angle;
+pub use error::QuantityError;
+pub(crate) use excerpt::excerpt;
+pub use physical::{Quantity, parse};
+pub use range::{AngleRange, NumberRange, RangeError, angles, numbers};
+pub use unit::Dimension;
+
+#[cfg(test)]
+mod tests;
