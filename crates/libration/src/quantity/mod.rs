@@ -11,6 +11,7 @@ mod angle_text;
 mod decimal;
 mod error;
 mod excerpt;
+mod fraction;
 mod physical;
 mod pi_combination;
 mod range;

@@ -192,7 +192,8 @@ impl Progression {
         stop: &PiCombination,
         step: PiCombination,
     ) -> Result<Self, RangeError> {
-        let (distance, stride) = (stop.value() - start.value(), step.value());
+        let (distance, stride) =
+            (stop.value().to_rational() - start.value().to_rational(), step.value().to_rational());
         if stride.is_zero() {
             return Err(RangeError::ZeroStep(excerpt(text)));
         }
