@@ -14,6 +14,7 @@ mod excerpt;
 mod fraction;
 mod physical;
 mod pi_combination;
+mod progression;
 mod range;
 mod unit;
 
