@@ -4,3 +4,4 @@
 mod fit;
 mod measurement;
 mod quantity;
+mod series;
