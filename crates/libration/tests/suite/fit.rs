@@ -7,7 +7,8 @@ use libration::fit::{
     small_angle_period,
 };
 use libration::measurement::{Column, Options as ReadOptions, Table};
-use libration::quantity::{Dimension, parse};
+use libration::pendulum::Amplitude;
+use libration::quantity::{Angle, Dimension, parse};
 
 const SYNTHETIC: &[u8] = include_bytes!("../../../../examples/period_table_synthetic.csv");
 
@@ -120,6 +121,16 @@ fn the_slope_of_the_exact_law_is_its_closed_form() {
         assert!(close(exact.slope_at(amplitude), slope(amplitude), tolerance), "{amplitude}");
     }
     assert_eq!(exact.slope_at(0.0).to_bits(), 0);
+}
+
+#[test]
+fn the_slope_of_the_exact_law_is_the_condition_number_of_the_period() {
+    for k in 1..=62 {
+        let amplitude = f64::from(k) * 0.05;
+        let exact = Amplitude::new(Angle::from_radians(amplitude).unwrap()).unwrap();
+        let slope = exact.period_ratio() * exact.condition() / amplitude;
+        assert!(close(Law::exact().slope_at(amplitude), slope, 1e-8), "{amplitude}");
+    }
 }
 
 /// A linear congruential generator and the sum of twelve uniforms: normal enough for second moments.
