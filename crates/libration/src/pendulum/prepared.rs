@@ -252,27 +252,45 @@ struct Evaluated<'a> {
     velocity: f64,
 }
 
+/// A place on the orbit: segments gone, and the rest in segments.
+#[derive(Clone, Copy)]
+struct Place {
+    gone: f64,
+    rest: f64,
+}
+
+impl Place {
+    #[inline(always)]
+    fn new(clock: &PhaseClock, time: f64) -> Self {
+        let product = two_prod(time, clock.frequency.hi);
+        let sum = two_sum(product.hi, clock.offset.hi);
+        let lo = time.mul_add(clock.frequency.lo, product.lo) + (sum.lo + clock.offset.lo);
+        let gone = nearest_integer(sum.hi);
+        Self { gone, rest: (sum.hi - gone) + lo }
+    }
+
+    /// Whether the segments gone have been counted exactly; not for NaN.
+    #[inline(always)]
+    fn is_counted(&self) -> bool {
+        self.gone.abs() < MOST_GONE
+    }
+}
+
 impl Table {
     #[inline(always)]
-    fn evaluate(&self, time: f64) -> Option<Evaluated<'_>> {
-        let product = two_prod(time, self.clock.frequency.hi);
-        let sum = two_sum(product.hi, self.clock.offset.hi);
-        let lo = time.mul_add(self.clock.frequency.lo, product.lo) + (sum.lo + self.clock.offset.lo);
-        if !(sum.hi.abs() < MOST_GONE) {
-            return None;
-        }
-        let whole = nearest_integer(sum.hi);
-        let y = (sum.hi - whole) + lo;
-        let index = nearest_integer_bits(sum.hi) & (self.segments.len() - 1);
+    fn evaluate(&self, place: Place) -> Evaluated<'_> {
+        let index = nearest_integer_bits(place.gone) & (self.segments.len() - 1);
         let segment = &self.segments[index];
-        let (mut value, mut slope) = (segment.coefficients[DEGREE], 0f64);
-        for coefficient in segment.coefficients[..DEGREE].iter().rev() {
+        let c = &segment.coefficients;
+        let y = place.rest;
+        let (mut value, mut slope) = (y.mul_add(c[DEGREE], c[DEGREE - 1]), c[DEGREE]);
+        for coefficient in c[..DEGREE - 1].iter().rev() {
             slope = slope.mul_add(y, value);
             value = value.mul_add(y, *coefficient);
         }
         #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
-        let start = whole - index as f64;
-        Some(Evaluated { segment, start, away: value, velocity: slope * self.clock.frequency.hi })
+        let start = place.gone - index as f64;
+        Evaluated { segment, start, away: value, velocity: slope * self.clock.frequency.hi }
     }
 
     #[inline(always)]
@@ -335,10 +353,12 @@ impl<U: Unwrap> Kernel for One<'_, U> {
     type Output = State;
     #[inline(always)]
     fn run(self) -> State {
-        match self.table.evaluate(self.time) {
-            Some(at) => self.table.state(&at, self.unwrap.angle(&at)),
-            None => self.motion.state_at(self.time),
+        let place = Place::new(&self.table.clock, self.time);
+        if !place.is_counted() {
+            return self.motion.state_at(self.time);
         }
+        let at = self.table.evaluate(place);
+        self.table.state(&at, self.unwrap.angle(&at))
     }
 }
 
@@ -351,21 +371,45 @@ struct Each<'a, U> {
     velocities: &'a mut [f64],
 }
 
+/// How many times are placed on the orbit together.
+const BLOCK: usize = 64;
+
 impl<U: Unwrap> Kernel for Each<'_, U> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        for ((time, angle), velocity) in self.times.iter().zip(self.angles).zip(self.velocities) {
-            (*angle, *velocity) = match self.table.evaluate(*time) {
-                Some(at) => (self.unwrap.angle(&at), at.velocity),
-                None => out_of_table(self.motion, *time),
-            };
+        let Self { table, unwrap, motion, times, angles, velocities } = self;
+        let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
+        for ((times, angles), velocities) in blocks {
+            let (mut gone, mut rest) = ([0.0; BLOCK], [0.0; BLOCK]);
+            for ((gone, rest), time) in gone.iter_mut().zip(&mut rest).zip(times) {
+                let place = Place::new(&table.clock, *time);
+                (*gone, *rest) = (place.gone, place.rest);
+            }
+            if !gone.iter().all(|gone| Place { gone: *gone, rest: 0.0 }.is_counted()) {
+                one_by_one(table, unwrap, motion, times, angles, velocities);
+                continue;
+            }
+            for (((gone, rest), angle), velocity) in gone.iter().zip(&rest).zip(angles).zip(velocities) {
+                let at = table.evaluate(Place { gone: *gone, rest: *rest });
+                (*angle, *velocity) = (unwrap.angle(&at), at.velocity);
+            }
         }
     }
 }
 
+/// A block in which some time is beyond the table's count.
 #[cold]
-fn out_of_table(motion: &Motion, time: f64) -> (f64, f64) {
-    let state = motion.state_at(time);
-    (state.angle, state.velocity)
+fn one_by_one<U: Unwrap>(
+    table: &Table,
+    unwrap: U,
+    motion: &Motion,
+    times: &[f64],
+    angles: &mut [f64],
+    velocities: &mut [f64],
+) {
+    for ((time, angle), velocity) in times.iter().zip(angles).zip(velocities) {
+        let state = One { table, unwrap, motion, time: *time }.run();
+        (*angle, *velocity) = (state.angle, state.velocity);
+    }
 }
