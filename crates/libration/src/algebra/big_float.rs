@@ -23,7 +23,8 @@ impl BigFloat {
 
     pub(crate) fn from_rational(value: &Rational, precision: usize) -> Self {
         let (numerator, denominator) = value.parts();
-        Self::from_big(numerator.clone(), precision) / Self::from_big(IBig::from(denominator.clone()), precision)
+        Self::from_big(numerator.clone(), precision)
+            / Self::from_big(IBig::from(denominator.clone()), precision)
     }
 
     /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for

@@ -24,7 +24,7 @@ pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64
     let mut i = N;
     while i > 0 {
         i -= 1;
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             even = y.mul_add(even, coefficients[i]);
         } else {
             odd = y.mul_add(odd, coefficients[i]);

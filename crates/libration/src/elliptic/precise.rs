@@ -44,7 +44,7 @@ impl PreciseQuotients {
     pub(crate) fn at(&self, turns: f64) -> PreciseJacobi {
         let quarter = (4.0 * turns).round_ties_even();
         let rest = turns - 0.25 * quarter;
-        let odd = quarter.rem_euclid(2.0) == 1.0;
+        let odd = quarter.rem_euclid(2.0) > 0.5;
         let sign = if quarter.rem_euclid(4.0) < 2.0 { 1.0 } else { -1.0 };
         let [first, second, third, fourth] = self.theta(rest);
         let (beside, other) = match self.expansion {
@@ -89,6 +89,11 @@ impl PreciseQuotients {
         let square = (y2 - q2) * q;
         let even = DoubleDouble::ONE + q2 * (y2 - q2.scaled(2.0)) + q4 * q4 * q4 * y2.square();
         let slope = y + q4 * q2 * (y2 * y - q2 * y * 3.0);
-        [sine * (common - odd - q9 * (cube + square)), cosine * (common + odd + q9 * (cube - square)), even + slope, even - slope]
+        [
+            sine * (common - odd - q9 * (cube + square)),
+            cosine * (common + odd + q9 * (cube - square)),
+            even + slope,
+            even - slope,
+        ]
     }
 }

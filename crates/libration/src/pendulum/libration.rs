@@ -5,7 +5,9 @@ use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+};
 
 /// A libration, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +65,8 @@ impl Libration {
 
     /// (8ω0/π)·(E − k′²K).
     pub(super) fn action(&self) -> f64 {
-        (self.modulus.second_less_scaled_first() * self.angular_frequency.scaled(8.0) / DoubleDouble::PI).to_f64()
+        (self.modulus.second_less_scaled_first() * self.angular_frequency.scaled(8.0) / DoubleDouble::PI)
+            .to_f64()
     }
 
     /// ω0 and the turns of 4K gone at t = 0 since the passage of the bottom upwards.

@@ -94,8 +94,12 @@ impl PreparedMotion {
     pub fn state_at(&self, time: f64) -> State {
         let motion = &self.motion;
         match &self.table {
-            Some(table @ Table { cycle: None, .. }) => dispatch(One { table, unwrap: Swinging, motion, time }),
-            Some(table @ Table { cycle: Some(cycle), .. }) => dispatch(One { table, unwrap: *cycle, motion, time }),
+            Some(table @ Table { cycle: None, .. }) => {
+                dispatch(One { table, unwrap: Swinging, motion, time })
+            }
+            Some(table @ Table { cycle: Some(cycle), .. }) => {
+                dispatch(One { table, unwrap: *cycle, motion, time })
+            }
             None => motion.state_at(time),
         }
     }
@@ -104,7 +108,12 @@ impl PreparedMotion {
     ///
     /// # Errors
     /// The slices have different lengths.
-    pub fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) -> Result<(), LengthMismatch> {
+    pub fn states_at(
+        &self,
+        times: &[f64],
+        angles: &mut [f64],
+        velocities: &mut [f64],
+    ) -> Result<(), LengthMismatch> {
         let Some(table) = &self.table else {
             return self.motion.states_at(times, angles, velocities);
         };
@@ -190,7 +199,9 @@ fn segments(modulus: &Modulus, half_periods: f64) -> Option<f64> {
 
 /// 0, 1/count, 2/count …, `number` of them.
 fn fractions(number: f64, count: f64) -> impl Iterator<Item = f64> {
-    std::iter::successors(Some(0.0), |i| Some(i + 1.0)).take_while(move |i| *i < number).map(move |i| i / count)
+    std::iter::successors(Some(0.0), |i| Some(i + 1.0))
+        .take_while(move |i| *i < number)
+        .map(move |i| i / count)
 }
 
 impl Segment {

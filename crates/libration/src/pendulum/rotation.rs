@@ -4,7 +4,9 @@ use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped, whole_turns};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+};
 
 /// A rotation, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
