@@ -1,0 +1,14 @@
+//! The evidence for the library: golden tables, published numbers, identities and the map of its modules.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
+
+mod golden;
+mod promises;
+mod random;
+mod ulp;
+
+mod accuracy;
+mod architecture;
+mod elliptic;
+mod fourier;
+mod motion;
+mod period;
