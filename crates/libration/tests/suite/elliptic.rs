@@ -94,10 +94,10 @@ fn am_has_the_sine_sn_and_the_cosine_cn() {
 fn incomplete_first_inverts_am() {
     sweep(6, |modulus, u| {
         let j = modulus.jacobi(u);
-        // An ulp of am is worth 1/dn in u.
+        // An ulp of am is worth 1/dn in u; where dn is below an ulp, a rounded am says nothing of u.
         let slack = 4.0 * ulp(u) + 8.0 * ulp(j.am) / j.dn;
         let back = modulus.incomplete_first(j.am);
-        assert!((back - u).abs() <= slack, "{modulus:?} {u}: {back}");
+        assert!(j.dn < 1e-9 || (back - u).abs() <= slack, "{modulus:?} {u}: {back}");
     });
 }
 
