@@ -30,8 +30,9 @@ pub(crate) fn sinh_cosh(z: DoubleDouble) -> (f64, f64) {
     let r_lo = (-n).mul_add(DoubleDouble::LN_2.lo, z.lo);
     let x = r * r;
     let sinh = r + (r * x).mul_add(polynomial(x, &SINH), 0.5f64.mul_add(x, 1.0) * r_lo);
-    let cosh = 1.0 + (x * x).mul_add(polynomial(x, &COSH), r.mul_add(r_lo, 0.5 * x));
+    // cosh r − 1, so that what is multiplied by 2ⁿ is rounded below the leading term.
+    let cosh = (x * x).mul_add(polynomial(x, &COSH), r.mul_add(r_lo, 0.5 * x));
     let (up, down) = (0.5 * power_of_two(n), 0.5 * power_of_two(-n));
     let (difference, sum) = (up - down, up + down);
-    (difference.mul_add(cosh, sum * sinh), sum.mul_add(cosh, difference * sinh))
+    (difference + difference.mul_add(cosh, sum * sinh), sum + sum.mul_add(cosh, difference * sinh))
 }

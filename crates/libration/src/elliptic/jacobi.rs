@@ -53,16 +53,16 @@ impl Quotients {
             Expansion::Hyperbolic => first / complementary_first,
         };
         let exponent = DoubleDouble::FRAC_PI_2 * ratio;
-        let root = if exponent.hi < 740.0 { two_word::exp(-exponent).to_f64() } else { 0.0 };
-        let series = ThetaSeries::new(root * root);
+        let root = if exponent.hi < 740.0 { two_word::exp(-exponent) } else { DoubleDouble::ZERO };
+        let series = ThetaSeries::new(root.square().to_f64());
         let scale = match expansion {
             Expansion::Circular => DoubleDouble::PI.scaled(2.0),
             Expansion::Hyperbolic => exponent.scaled(4.0),
         };
         let frequency = first.scaled(4.0).recip();
         let clock = PhaseClock { frequency, offset: DoubleDouble::ZERO };
-        let factors = factors(expansion, root, &series.zero);
-        Self { expansion, clock, scale, root, series, factors, degenerate: complementary.hi == 0.0 }
+        let factors = factors(expansion, root, ThetaZero::in_two_words(root.square()));
+        Self { expansion, clock, scale, root: root.to_f64(), series, factors, degenerate: complementary.hi == 0.0 }
     }
 
     pub(crate) fn root_of_nome(&self) -> f64 {
@@ -78,27 +78,26 @@ impl Quotients {
     }
 }
 
-/// The factors of the quotients in the notes beside [`Quotients::quotients`].
-fn factors(expansion: Expansion, root: f64, zero: &ThetaZero) -> [Factors; 2] {
-    let ThetaZero { second, third, fourth } = *zero;
-    match expansion {
+/// The factors of the quotients in the notes beside [`Quotients::jacobi`], each rounded once.
+fn factors(expansion: Expansion, root: DoubleDouble, zero: ThetaZero<DoubleDouble>) -> [Factors; 2] {
+    let ThetaZero { second, third, fourth } = zero;
+    let words = match expansion {
         Expansion::Circular => {
-            let (sn, cn, dn) = (third / second, fourth / second, fourth / third);
-            [Factors { sn, cn, dn, tangent: third / fourth }, Factors { sn, cn, dn: dn, tangent: fourth / third }]
+            let same = [third / second, fourth / second, fourth / third];
+            [(same, third / fourth), (same, fourth / third)]
         }
         Expansion::Hyperbolic => {
-            let small = 4.0 * root;
-            let even =
-                Factors { sn: third / fourth, cn: second / fourth, dn: second / third, tangent: third / second };
-            let odd = Factors {
-                sn: even.sn,
-                cn: small * even.cn,
-                dn: small * even.dn,
-                tangent: small * (second / third),
-            };
-            [even, odd]
+            let (sn, cn, dn) = (third / fourth, second / fourth, second / third);
+            let small = root.scaled(4.0);
+            [([sn, cn, dn], third / second), ([sn, small * cn, small * dn], small * dn)]
         }
-    }
+    };
+    words.map(|([sn, cn, dn], tangent)| Factors {
+        sn: sn.to_f64(),
+        cn: cn.to_f64(),
+        dn: dn.to_f64(),
+        tangent: tangent.to_f64(),
+    })
 }
 
 struct At<'a> {

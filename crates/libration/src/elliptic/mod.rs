@@ -271,22 +271,8 @@ fn moduli_of_log_nome(log: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         return (DoubleDouble::ZERO, DoubleDouble::ONE);
     }
     let root = two_word::exp(log.scaled(0.5));
-    let q = root.square();
-    let (mut second, mut third, mut fourth) = (DoubleDouble::ONE, DoubleDouble::ONE, DoubleDouble::ONE);
-    // q^n² and q^n(n+1); the sixth term is below 1e-49.
-    let (mut square, mut pronic, mut odd_power) = (DoubleDouble::ONE, DoubleDouble::ONE, q);
-    let mut even_power = q.square();
-    for n in 1..=6 {
-        square = square * odd_power;
-        pronic = pronic * even_power;
-        odd_power = odd_power * q.square();
-        even_power = even_power * q.square();
-        second = second + pronic;
-        third = third + square.scaled(2.0);
-        fourth = if n % 2 == 0 { fourth + square.scaled(2.0) } else { fourth - square.scaled(2.0) };
-    }
-    let modulus = root.scaled(4.0) * (second / third).square();
-    (modulus, (fourth / third).square())
+    let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
+    (root.scaled(4.0) * (second / third).square(), (fourth / third).square())
 }
 
 fn unit(name: &'static str, value: f64) -> Result<(), ModulusError> {

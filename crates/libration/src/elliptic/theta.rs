@@ -17,18 +17,39 @@ pub(crate) struct ThetaSeries {
     cosine: [f64; 4],
     third: [f64; 4],
     /// θ₂(0)/2q^¼, θ₃(0), θ₄(0).
-    pub(crate) zero: ThetaZero,
+    pub(crate) zero: ThetaZero<f64>,
 }
 
-/// The values at z = 0.
+/// The values at z = 0, in one word or two.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ThetaZero {
+pub(crate) struct ThetaZero<T> {
     /// θ₂(0)/2q^¼.
-    pub(crate) second: f64,
+    pub(crate) second: T,
     /// θ₃(0).
-    pub(crate) third: f64,
+    pub(crate) third: T,
     /// θ₄(0).
-    pub(crate) fourth: f64,
+    pub(crate) fourth: T,
+}
+
+impl ThetaZero<DoubleDouble> {
+    /// In two words, from a nome q ≤ e^−π or a little more.
+    pub(crate) fn in_two_words(q: DoubleDouble) -> Self {
+        let one = DoubleDouble::ONE;
+        let (mut second, mut third, mut fourth) = (one, one, one);
+        // q^n² and q^n(n+1), by their ratios q^(2n−1) and q^2n; the seventh terms are below 1e-60.
+        let (mut square, mut pronic) = (one, one);
+        let (mut square_ratio, mut pronic_ratio) = (q, q.square());
+        for n in 1..=6 {
+            square = square * square_ratio;
+            pronic = pronic * pronic_ratio;
+            square_ratio = square_ratio * q.square();
+            pronic_ratio = pronic_ratio * q.square();
+            second = second + pronic;
+            third = third + square.scaled(2.0);
+            fourth = fourth + square.scaled(if n % 2 == 0 { 2.0 } else { -2.0 });
+        }
+        Self { second, third, fourth }
+    }
 }
 
 /// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter.
