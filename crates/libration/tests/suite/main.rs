@@ -10,5 +10,6 @@ mod accuracy;
 mod architecture;
 mod elliptic;
 mod fourier;
+mod ledger;
 mod motion;
 mod period;
