@@ -57,7 +57,7 @@ impl Work {
         self.resize(self.times.len());
         let start = Instant::now();
         let (angles, velocities) = (&mut self.angles, &mut self.velocities);
-        pendulum::states_at_amplitudes(&self.amplitudes, 1.0, &self.times, angles, velocities)?;
+        pendulum::states(&self.amplitudes, 1.0, &self.times, angles, velocities)?;
         Ok(start.elapsed())
     }
 

@@ -3,7 +3,12 @@
 mod dispatch;
 mod double_double;
 mod elementary;
+mod series;
 
+pub mod algebra;
 pub mod elliptic;
-pub mod quantity;
+pub mod fit;
+pub mod measurement;
 pub mod pendulum;
+pub mod period_formulas;
+pub mod quantity;

@@ -11,5 +11,8 @@ mod architecture;
 mod elliptic;
 mod fourier;
 mod ledger;
+mod measurement;
 mod motion;
 mod period;
+mod quantity;
+mod series;
