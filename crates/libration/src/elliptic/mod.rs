@@ -223,7 +223,7 @@ impl Modulus {
     }
 
     /// The square root of the smaller nome.
-    pub(crate) fn root_of_smaller_nome(&self) -> f64 {
+    pub(crate) fn root_of_smaller_nome(&self) -> DoubleDouble {
         self.quotients.root_of_nome()
     }
 
