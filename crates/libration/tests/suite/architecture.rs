@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 const MAP: &[(&str, &[&str])] = &[
     ("quantity", &[]),
     ("elliptic", &[]),
-    ("pendulum", &["elliptic"]),
-    ("series", &["algebra"]),
-    ("algebra", &[]),
+    ("pendulum", &["elliptic", "algebra"]),
     ("period_formulas", &["pendulum", "series", "algebra"]),
+    ("algebra", &[]),
+    ("series", &["algebra"]),
     ("measurement", &[]),
     ("fit", &["measurement", "pendulum", "period_formulas"]),
 ];

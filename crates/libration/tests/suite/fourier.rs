@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use core::f64::consts::PI;
-use libration::pendulum::{Harmonics, Motion, Pendulum};
+use libration::pendulum::{Harmonics, Motion, Pendulum, Regime};
 use libration::quantity::Angle;
 
 fn unit_pendulum() -> Pendulum {
@@ -43,6 +43,20 @@ fn harmonics_of_a_rotation_sum_to_its_motion() {
         let harmonics = rotation(velocity).harmonics(1e-17, 1000);
         let expected = rotation(velocity).state_at(time).angle;
         assert!((sum(&harmonics, time, libm::sin) - expected).abs() <= 1e-12, "{velocity} {time}");
+    }
+}
+
+#[test]
+fn harmonics_of_any_motion_sum_to_it_from_their_epoch() {
+    let mut random = Random::seeded(3);
+    for _ in 0..300 {
+        let (angle, velocity, time) = (random.between(-3.0, 3.0), random.between(-1.5, 1.5), random.between(-20.0, 20.0));
+        let motion = unit_pendulum().launched(Angle::from_radians(angle).unwrap(), velocity).unwrap();
+        if motion.regime() == Regime::Libration && motion.energy_ratio() < 0.999 {
+            let harmonics = motion.harmonics(1e-17, 1000);
+            let found = sum(&harmonics, time - harmonics.epoch, libm::cos);
+            assert!((found - motion.state_at(time).angle).abs() <= 1e-12, "{angle} {velocity} {time}");
+        }
     }
 }
 

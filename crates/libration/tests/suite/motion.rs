@@ -1,12 +1,12 @@
 //! The motion: conservation laws, symmetries, regimes, and the batch against the single call.
 
 use crate::golden::Table;
-use crate::promises::FOUR_ROUNDOFFS;
+use crate::promises::{FOUR_ROUNDOFFS, STATE};
 use crate::random::Random;
 use crate::ulp::ulp;
 use core::f64::consts::PI;
 use libration::elliptic::Modulus;
-use libration::pendulum::{Motion, Pendulum, Regime, State};
+use libration::pendulum::{self, Motion, Pendulum, Regime, State};
 use libration::quantity::Angle;
 
 fn unit_pendulum() -> Pendulum {
@@ -36,9 +36,9 @@ fn starts(seed: u64, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(&mut draw).collect()
 }
 
-/// (θ′/2)² + sin²(θ/2), by the complement near the top.
+/// (θ′/2)² + sin²(θ/2).
 fn energy(state: &State) -> f64 {
-    let sine = libm::cos(state.complement / 2.0);
+    let sine = libm::sin(state.angle_in_turn / 2.0);
     state.velocity * state.velocity / 4.0 + sine * sine
 }
 
@@ -136,6 +136,53 @@ fn batch_of_states_equals_the_single_call_bit_for_bit() {
     }
 }
 
+/// Amplitudes and times of every kind, with what is none among them.
+fn varying(count: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut random = Random::seeded(10);
+    let mut amplitudes: Vec<f64> = (0..count).map(|_| random.between(-PI, PI)).collect();
+    let mut times: Vec<f64> = (0..count).map(|_| random.between(-300.0, 300.0)).collect();
+    for i in (0..count).step_by(4) {
+        amplitudes[i] = random.log_between(-300.0, 0.0);
+        times[i] = random.log_between(-300.0, 8.0);
+    }
+    let edges = [0.0, -0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 5e-324, PI, PI.next_down(), PI.next_up(), 1e300];
+    for amplitude in edges {
+        for time in edges {
+            amplitudes.push(amplitude);
+            times.push(time);
+        }
+    }
+    (amplitudes, times)
+}
+
+#[test]
+fn batch_of_varying_states_equals_the_single_call_bit_for_bit() {
+    let (amplitudes, times) = varying(100_000);
+    let count = times.len();
+    let (mut angles, mut velocities) = (vec![0.0; count], vec![0.0; count]);
+    pendulum::states(&amplitudes, 1.5, &times, &mut angles, &mut velocities).unwrap();
+    for i in 0..count {
+        let single = pendulum::state(amplitudes[i], 1.5, times[i]);
+        let bits = (angles[i].to_bits(), velocities[i].to_bits());
+        assert_eq!(bits, (single.angle.to_bits(), single.velocity.to_bits()), "{} {}", amplitudes[i], times[i]);
+    }
+}
+
+#[test]
+fn varying_states_agree_with_prepared_motions() {
+    let mut random = Random::seeded(11);
+    for _ in 0..20_000 {
+        let (amplitude, time) = (random.between(0.0, PI), random.between(0.0, 1000.0));
+        let prepared = unit_pendulum().released_from(radians(amplitude)).unwrap().state_at(time);
+        let single = pendulum::state(amplitude, 1.0, time);
+        let late = 2.0 * FOUR_ROUNDOFFS * time;
+        let (angle, velocity) = (single.angle - prepared.angle, single.velocity - prepared.velocity);
+        assert!(angle.abs() <= 8.0 * ulp(single.angle) + late * single.velocity.abs(), "{amplitude} {time}");
+        let acceleration = libm::sin(single.angle).abs();
+        assert!(velocity.abs() <= 8.0 * ulp(single.velocity) + late * acceleration, "{amplitude} {time}");
+    }
+}
+
 #[test]
 fn regimes_are_told_apart_to_the_last_bit() {
     assert_eq!(launched(0.0, 0.0).regime(), Regime::RestStable);
@@ -150,8 +197,12 @@ fn regimes_are_told_apart_to_the_last_bit() {
     };
     assert_eq!(from_top(0.0, 0.0), Regime::RestUpright);
     assert_eq!(from_top(1e-300, 0.0), Regime::Libration);
-    // 2 cos(θ/2) = 2 sin(δ/2) lies a relative δ²/24 below δ.
     for complement in [1e-9, 1e-100, 1e-300] {
+        assert_eq!(from_top(complement, -2.0 * complement), Regime::Rotation, "{complement}");
+        assert_eq!(from_top(complement, complement / 2.0), Regime::Libration, "{complement}");
+    }
+    // 2 cos(θ/2) = 2 sin(δ/2) lies a relative δ²/24 below δ.
+    for complement in [1e-3, 1e-9, 1e-60] {
         assert_eq!(from_top(complement, complement), Regime::Rotation, "{complement}");
         assert_eq!(from_top(complement, complement.next_down()), Regime::Libration, "{complement}");
     }
@@ -171,6 +222,21 @@ fn the_separatrix_has_its_elementary_motion() {
         assert!((state.complement - complement).abs() <= 8.0 * ulp(complement) + 1e-15 * complement * time.abs(), "{time}");
     }
     assert!(motion.period().is_infinite());
+}
+
+#[test]
+fn rotations_given_by_their_excess_of_energy_keep_the_promise_of_states() {
+    for row in Table::read("separatrix/rotation.csv").rows() {
+        let (excess, time) = (row.input("e"), row.input("tau"));
+        let motion = unit_pendulum().with_energy_excess(excess).unwrap();
+        let (state, late) = (motion.state_at(time), FOUR_ROUNDOFFS * time);
+        let (angle, velocity) = (row.truth("theta"), row.truth("dtheta_dtau"));
+        STATE.holds(angle.error_beyond(state.angle, late * velocity.hi), &("angle", excess, time));
+        let acceleration = libm::sin(angle.hi).abs();
+        STATE.holds(velocity.error_beyond(state.velocity, late * acceleration), &("velocity", excess, time));
+        let turn = motion.period() / (2.0 * PI);
+        assert!(row.truth("turn_time_over_T0").error(turn) <= 3.0, "{excess}");
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::promises::RATIO;
 use crate::random::Random;
 use crate::ulp::{Truth, ulp};
 use core::f64::consts::PI;
-use libration::pendulum::{self, Amplitude, Pendulum};
+use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum};
 use libration::quantity::Angle;
 
 #[test]
@@ -41,18 +41,32 @@ fn amplitudes(seed: u64, count: usize) -> Vec<f64> {
     (0..count).map(&mut draw).collect()
 }
 
+/// Amplitudes or complements of every kind, then what is none.
+fn inputs_with_edges() -> Vec<f64> {
+    let mut inputs = amplitudes(1, 100_000);
+    inputs.extend([f64::NAN, 0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, 5e-324, 1e-310, 1e-300, 1e300, f64::MAX]);
+    inputs.extend([PI, PI.next_down(), PI.next_up(), -1.0, 4.0, PI / 2.0, (PI / 2.0).next_up(), f64::MIN_POSITIVE]);
+    inputs
+}
+
+type Batch = fn(&[f64], &mut [f64]) -> Result<(), LengthMismatch>;
+
 #[test]
 fn batch_of_periods_equals_the_single_call_bit_for_bit() {
-    let mut inputs = amplitudes(1, 100_000);
-    let edges = [f64::NAN, 0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, 5e-324, 1e-310, PI, PI.next_down(), PI.next_up()];
-    inputs.extend(edges);
-    inputs.extend([-1.0, 4.0, 1e300, PI / 2.0, (PI / 2.0).next_up(), f64::MAX]);
-    for count in [inputs.len(), 17, 16, 9, 8, 7, 3, 1, 0] {
-        let slice = &inputs[inputs.len() - count..];
-        let mut ratios = vec![0.0; count];
-        pendulum::period_ratios(slice, &mut ratios).unwrap();
-        for (&amplitude, &ratio) in slice.iter().zip(&ratios) {
-            assert_eq!(ratio.to_bits(), pendulum::period_ratio(amplitude).to_bits(), "{amplitude}");
+    let pairs: [(Batch, fn(f64) -> f64); 3] = [
+        (pendulum::period_ratios, pendulum::period_ratio),
+        (pendulum::period_excesses, pendulum::period_excess),
+        (pendulum::period_ratios_near_top, pendulum::period_ratio_near_top),
+    ];
+    let inputs = inputs_with_edges();
+    for (batch, single) in pairs {
+        for count in [inputs.len(), 17, 16, 9, 8, 7, 3, 1, 0] {
+            let slice = &inputs[inputs.len() - count..];
+            let mut found = vec![0.0; count];
+            batch(slice, &mut found).unwrap();
+            for (&input, &found) in slice.iter().zip(&found) {
+                assert_eq!(found.to_bits(), single(input).to_bits(), "{input}");
+            }
         }
     }
 }
@@ -145,5 +159,19 @@ fn condition_is_the_slope_of_the_period() {
         let expected = slope * amplitude / pendulum::period_ratio(amplitude);
         let got = Amplitude::new(Angle::from_radians(amplitude).unwrap()).unwrap().condition();
         assert!((got - expected).abs() <= 1e-6 * (1.0 + expected), "{amplitude}: {got} {expected}");
+    }
+}
+
+#[test]
+fn a_measured_period_gives_length_and_gravity_back() {
+    let mut random = Random::seeded(7);
+    for _ in 0..2000 {
+        let (length, gravity) = (random.log_between(-3.0, 3.0), random.log_between(-1.0, 2.0));
+        let amplitude = Amplitude::new(Angle::from_radians(random.between(0.0, 3.1)).unwrap()).unwrap();
+        let period = Pendulum::new(length, gravity).unwrap().period(&amplitude);
+        let by_length = Pendulum::from_length_and_period(length, period, &amplitude).unwrap();
+        assert!((by_length.gravity().unwrap() / gravity - 1.0).abs() <= 4.0 * f64::EPSILON, "{length} {gravity}");
+        let by_gravity = Pendulum::from_gravity_and_period(gravity, period, &amplitude).unwrap();
+        assert!((by_gravity.length().unwrap() / length - 1.0).abs() <= 4.0 * f64::EPSILON, "{length} {gravity}");
     }
 }

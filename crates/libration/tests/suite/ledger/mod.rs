@@ -140,6 +140,20 @@ fn states() {
 
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
+fn states_of_varying_amplitudes() {
+    let mut tally = Tally::new(STATE, &["from rest"]);
+    for record in records("motion", 4, 3).filter(|record| record.region == 0) {
+        let (amplitude, time) = (record.inputs[1], record.inputs[3]);
+        let (state, late) = (pendulum::state(amplitude, 1.0, time), FOUR_ROUNDOFFS * time.abs());
+        let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
+        tally.add(&record, "θ", angle, state.angle, late * velocity.hi.abs());
+        tally.add(&record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
+    }
+    tally.report();
+}
+
+#[test]
+#[ignore = "heavy: run by scripts/ledger"]
 fn harmonics() {
     let mut tally = Tally::new(HARMONICS, &["uniform", "complement from 1e-300", "θ0 from 1e-3"]);
     for record in records("harmonics", 3, 1) {
