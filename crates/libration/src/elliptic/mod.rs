@@ -22,7 +22,9 @@ mod theta;
 pub use jacobi::Jacobi;
 
 pub(crate) use incomplete::first_of_point;
-pub(crate) use theta::{Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero};
+pub(crate) use theta::{
+    CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
+};
 
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;

@@ -2,28 +2,22 @@
 
 use super::Amplitude;
 use super::motion::Start;
+use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped};
-use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
 
 /// A libration, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
 pub struct Libration {
     angular_frequency: DoubleDouble,
     modulus: Modulus,
-    orbit: Orbit,
+    orbit: Orbit<SwingQuotients>,
 }
 
-/// What the evaluation at a time needs.
+/// Factors of tan(θ/2) and of the velocity next to an even quarter, then an odd one, and the turn.
 #[derive(Clone, Copy, Debug)]
-struct Orbit {
-    expansion: Expansion,
-    clock: PhaseClock,
-    /// z of the theta functions per turn of 4K.
-    scale: DoubleDouble,
-    series: ThetaSeries,
-    /// Factors of tan(θ/2) and of the velocity next to an even quarter, then an odd one.
+struct SwingQuotients {
     tangent: [f64; 2],
     velocity: [f64; 2],
     turns: i64,
@@ -38,7 +32,7 @@ impl Libration {
         let offset = quarter_turns(start, k, modulus.first_words()).scaled(0.25);
         let frequency = angular_frequency / modulus.first_words().scaled(4.0);
         let clock = PhaseClock { frequency, offset };
-        Self { angular_frequency, modulus, orbit: Orbit::new(angular_frequency, &modulus, clock, start) }
+        Self { angular_frequency, modulus, orbit: orbit(angular_frequency, &modulus, clock, start) }
     }
 
     /// The period in seconds.
@@ -78,11 +72,11 @@ impl Libration {
     }
 
     pub(super) fn state_at(&self, time: f64) -> State {
-        dispatch(One(&self.orbit, time))
+        self.orbit.state_at(time)
     }
 
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
-        dispatch(Each { orbit: &self.orbit, times, angles, velocities });
+        self.orbit.states_at(times, angles, velocities);
     }
 }
 
@@ -103,111 +97,77 @@ fn quarter_turns(start: &Start, k: DoubleDouble, first: DoubleDouble) -> DoubleD
     if sn.hi < 0.0 { -size } else { size }
 }
 
-impl Orbit {
-    fn new(angular_frequency: DoubleDouble, modulus: &Modulus, clock: PhaseClock, start: &Start) -> Self {
-        let root = modulus.root_of_smaller_nome();
-        let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
-        let small = root.scaled(4.0);
-        let speed = angular_frequency.scaled(2.0) * second * fourth / third.square();
-        let slow = speed * small;
-        let expansion = modulus.expansion();
-        let (tangent, velocity) = match expansion {
-            Expansion::Circular => {
-                let tangent = small * second / fourth;
-                ([tangent, tangent], [slow, slow])
-            }
-            Expansion::Hyperbolic => ([fourth / second, fourth / (small * second)], [speed, slow]),
-        };
-        Self {
-            expansion,
-            clock,
-            scale: modulus.turn_scale(),
-            series: ThetaSeries::new(root.square().to_f64()),
+fn orbit(
+    angular_frequency: DoubleDouble,
+    modulus: &Modulus,
+    clock: PhaseClock,
+    start: &Start,
+) -> Orbit<SwingQuotients> {
+    let root = modulus.root_of_smaller_nome();
+    let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
+    let small = root.scaled(4.0);
+    let speed = angular_frequency.scaled(2.0) * second * fourth / third.square();
+    let slow = speed * small;
+    let (tangent, velocity) = match modulus.expansion() {
+        Expansion::Circular => ([small * second / fourth; 2], [slow; 2]),
+        Expansion::Hyperbolic => ([fourth / second, fourth / (small * second)], [speed, slow]),
+    };
+    Orbit {
+        expansion: modulus.expansion(),
+        clock,
+        scale: modulus.turn_scale(),
+        series: ThetaSeries::new(root.square().to_f64()),
+        quotients: SwingQuotients {
             tangent: tangent.map(DoubleDouble::to_f64),
             velocity: velocity.map(DoubleDouble::to_f64),
             turns: start.angle.turns(),
             base: start.base(),
-        }
-    }
-
-    /// tan(θ/2) as a quotient and θ′. With a, b, c, d for θ₁ … θ₄ at the nearest quarter and B for b/d in
-    /// the circular expansion, d/b in the hyperbolic, next to an even quarter tan(θ/2) ∝ a/c, θ′ ∝ B, next to
-    /// an odd one tan(θ/2) ∝ B, θ′ ∝ −a/c.
-    #[inline(always)]
-    fn swing(&self, phase: &Phase, values: &ThetaValues) -> Swing {
-        let ThetaValues { first, second, third, fourth } = *values;
-        let (above, below) = match self.expansion {
-            Expansion::Circular => (second, fourth),
-            Expansion::Hyperbolic => (fourth, second),
-        };
-        let odd = phase.is_odd();
-        let sign = phase.sign();
-        let tangent = if odd { self.tangent[1] * above } else { self.tangent[0] * first };
-        let speed = if odd { -(self.velocity[1] * first) } else { self.velocity[0] * above };
-        Swing {
-            sign: sign.copysign(sign * tangent),
-            numerator: tangent.abs(),
-            denominator: if odd { below } else { third },
-            velocity: sign * (speed / if odd { third } else { below }),
-        }
-    }
-
-    #[inline(always)]
-    fn values(&self, phase: &Phase) -> ThetaValues {
-        match self.expansion {
-            Expansion::Circular => self.series.circular(phase.rest),
-            Expansion::Hyperbolic => self.series.hyperbolic(phase.rest * self.scale),
-        }
+        },
     }
 }
 
-/// tan(|θ|/2) as a quotient, the sign of θ, and θ′.
+/// |θ| in the turn as a doubled arctangent, the sign of θ, and θ′.
 struct Swing {
+    half: DoubledArctangent,
     sign: f64,
-    numerator: f64,
-    denominator: f64,
     velocity: f64,
 }
 
-struct One<'a>(&'a Orbit, f64);
-
-impl Kernel for One<'_> {
-    type Output = State;
+impl SwingQuotients {
+    /// With a, b, c, d for θ₁ … θ₄ at the nearest quarter and B for b/d in the circular expansion, d/b in the
+    /// hyperbolic: next to an even quarter tan(θ/2) ∝ a/c and θ′ ∝ B, next to an odd one tan(θ/2) ∝ B and
+    /// θ′ ∝ −a/c.
     #[inline(always)]
-    fn run(self) -> State {
-        let Self(orbit, time) = self;
-        let phase = orbit.clock.phase(time);
-        let swing = orbit.swing(&phase, &orbit.values(&phase));
-        let half = DoubledArctangent::of(swing.numerator, swing.denominator);
+    fn swing<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Swing {
+        let (above, below) = S::beside(values);
+        let odd = phase.is_odd();
+        let sign = phase.sign();
+        let tangent = if odd { self.tangent[1] * above } else { self.tangent[0] * values.first };
+        let speed = if odd { -(self.velocity[1] * values.first) } else { self.velocity[0] * above };
+        Swing {
+            half: DoubledArctangent::of(tangent.abs(), if odd { below } else { values.third }),
+            sign: 1f64.copysign(sign * tangent),
+            velocity: sign * (speed / if odd { values.third } else { below }),
+        }
+    }
+}
+
+impl Quotients for SwingQuotients {
+    #[inline(always)]
+    fn angle_and_velocity<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> (f64, f64) {
+        let swing = self.swing::<S>(phase, values);
+        (unwrapped(self.base, swing.sign, swing.half.angle), swing.velocity)
+    }
+
+    #[inline(always)]
+    fn state<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> State {
+        let swing = self.swing::<S>(phase, values);
         State {
-            turns: orbit.turns,
-            angle_in_turn: swing.sign * half.angle.to_f64(),
-            complement: half.complement.to_f64(),
-            angle: unwrapped(orbit.base, swing.sign, half.angle),
+            turns: self.turns,
+            angle_in_turn: swing.sign * swing.half.angle.to_f64(),
+            complement: swing.half.complement.to_f64(),
+            angle: unwrapped(self.base, swing.sign, swing.half.angle),
             velocity: swing.velocity,
         }
     }
 }
-
-struct Each<'a> {
-    orbit: &'a Orbit,
-    times: &'a [f64],
-    angles: &'a mut [f64],
-    velocities: &'a mut [f64],
-}
-
-impl Kernel for Each<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let orbit = self.orbit;
-        for ((time, angle), velocity) in self.times.iter().zip(self.angles).zip(self.velocities) {
-            let phase = orbit.clock.phase(*time);
-            let swing = orbit.swing(&phase, &orbit.values(&phase));
-            let half = DoubledArctangent::of(swing.numerator, swing.denominator);
-            *angle = unwrapped(orbit.base, swing.sign, half.angle);
-            *velocity = swing.velocity;
-        }
-    }
-}
-

@@ -23,6 +23,8 @@ mod inverse;
 mod motion;
 mod state;
 
+mod orbit;
+
 mod libration;
 mod rotation;
 mod separatrix;

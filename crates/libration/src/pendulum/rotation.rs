@@ -1,10 +1,10 @@
 //! Rotation: θ = ±2 am(u, κ) and θ′ = ±2ω0√e dn(u, κ), with u = √e ω0t + u0 and κ² = 1/e.
 
 use super::motion::Start;
+use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped, whole_turns};
-use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
 
 /// A rotation, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -14,18 +14,13 @@ pub struct Rotation {
     /// e − 1.
     excess: DoubleDouble,
     modulus: Modulus,
-    orbit: Orbit,
+    orbit: Orbit<TurnQuotients>,
 }
 
-/// What the evaluation at a time needs.
+/// Factors of tan(θ/2 from the quarter) and of the velocity next to an even quarter, then an odd one, and
+/// the turn at t = 0.
 #[derive(Clone, Copy, Debug)]
-struct Orbit {
-    expansion: Expansion,
-    clock: PhaseClock,
-    /// z of the theta functions per turn of 4K.
-    scale: DoubleDouble,
-    series: ThetaSeries,
-    /// Factors of tan(θ/2 from the quarter) and of the velocity next to an even quarter, then an odd one.
+struct TurnQuotients {
     tangent: [f64; 2],
     velocity: [f64; 2],
     direction: f64,
@@ -45,7 +40,7 @@ impl Rotation {
         let gone = first_of_point(start.sine.abs(), start.cosine, delta) / modulus.first_words().scaled(4.0);
         let clock =
             PhaseClock { frequency: speed / modulus.first_words().scaled(4.0), offset: gone.scaled(ahead) };
-        Self { speed, excess, modulus, orbit: Orbit::new(speed, &modulus, clock, direction, start) }
+        Self { speed, excess, modulus, orbit: orbit(speed, &modulus, clock, direction, start) }
     }
 
     /// The time of a turn in seconds.
@@ -63,7 +58,7 @@ impl Rotation {
     /// 1 for increasing angles, −1 for decreasing.
     #[must_use]
     pub fn direction(&self) -> f64 {
-        self.orbit.direction
+        self.orbit.quotients.direction
     }
 
     pub(super) fn energy_ratio(&self) -> f64 {
@@ -85,136 +80,104 @@ impl Rotation {
     }
 
     pub(super) fn state_at(&self, time: f64) -> State {
-        dispatch(One(&self.orbit, time))
+        self.orbit.state_at(time)
     }
 
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
-        dispatch(Each { orbit: &self.orbit, times, angles, velocities });
+        self.orbit.states_at(times, angles, velocities);
     }
 }
 
-impl Orbit {
-    fn new(
-        speed: DoubleDouble,
-        modulus: &Modulus,
-        clock: PhaseClock,
-        direction: f64,
-        start: &Start,
-    ) -> Self {
-        let root = modulus.root_of_smaller_nome();
-        let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
-        let twice = speed.scaled(2.0 * direction);
-        let (tangent, velocity) = match modulus.expansion() {
-            Expansion::Circular => ([third / fourth, fourth / third], [twice * fourth / third; 2]),
-            Expansion::Hyperbolic => {
-                let (ratio, small) = (second / third, root.scaled(4.0));
-                ([ratio.recip(), small * ratio], [twice * ratio, twice * small * ratio])
-            }
-        };
-        Self {
-            expansion: modulus.expansion(),
-            clock,
-            scale: modulus.turn_scale(),
-            series: ThetaSeries::new(root.square().to_f64()),
+fn orbit(
+    speed: DoubleDouble,
+    modulus: &Modulus,
+    clock: PhaseClock,
+    direction: f64,
+    start: &Start,
+) -> Orbit<TurnQuotients> {
+    let root = modulus.root_of_smaller_nome();
+    let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
+    let twice = speed.scaled(2.0 * direction);
+    let (tangent, velocity) = match modulus.expansion() {
+        Expansion::Circular => ([third / fourth, fourth / third], [twice * fourth / third; 2]),
+        Expansion::Hyperbolic => {
+            let (ratio, small) = (second / third, root.scaled(4.0));
+            ([ratio.recip(), small * ratio], [twice * ratio, twice * small * ratio])
+        }
+    };
+    Orbit {
+        expansion: modulus.expansion(),
+        clock,
+        scale: modulus.turn_scale(),
+        series: ThetaSeries::new(root.square().to_f64()),
+        quotients: TurnQuotients {
             tangent: tangent.map(DoubleDouble::to_f64),
             velocity: velocity.map(DoubleDouble::to_f64),
             direction,
             turns: start.angle.turns(),
             base: start.base(),
-        }
+        },
     }
+}
 
-    #[inline(always)]
-    fn values(&self, phase: &Phase) -> ThetaValues {
-        match self.expansion {
-            Expansion::Circular => self.series.circular(phase.rest),
-            Expansion::Hyperbolic => self.series.hyperbolic(phase.rest * self.scale),
-        }
-    }
+/// Half turns to the nearest quarter of 4K, the angle from there as a doubled arctangent with its sign, θ′.
+struct Turn {
+    half_turns: f64,
+    half: DoubledArctangent,
+    sign: f64,
+    velocity: f64,
+}
 
+impl TurnQuotients {
     /// With a, b, c, d for θ₁ … θ₄ at the nearest quarter, the tangent of half the angle from that quarter is
     /// proportional to a/b in the circular expansion, a/d in the hyperbolic, and θ′ to c/d, c/b next to an
     /// even quarter, to d/c, b/c next to an odd one.
     #[inline(always)]
-    fn turn(&self, phase: &Phase, values: &ThetaValues) -> Turn {
-        let ThetaValues { first, second, third, fourth } = *values;
-        let (beside, other) = match self.expansion {
-            Expansion::Circular => (second, fourth),
-            Expansion::Hyperbolic => (fourth, second),
-        };
+    fn turn<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Turn {
+        let (beside, other) = S::beside(values);
         let odd = phase.is_odd();
-        let tangent = first * if odd { self.tangent[1] } else { self.tangent[0] };
+        let tangent = values.first * if odd { self.tangent[1] } else { self.tangent[0] };
         let factor = if odd { self.velocity[1] } else { self.velocity[0] };
-        let (above, below) = if odd { (other, third) } else { (third, other) };
+        let (above, below) = if odd { (other, values.third) } else { (values.third, other) };
         Turn {
             half_turns: phase.turns.mul_add(4.0, phase.quarter),
+            half: DoubledArctangent::of(tangent.abs(), beside),
             sign: 1f64.copysign(tangent),
-            numerator: tangent.abs(),
-            denominator: beside,
             velocity: factor * above / below,
         }
     }
 
-    /// The unwrapped angle: half turns gone and twice the angle from the nearest.
+    /// The unwrapped angle.
     #[inline(always)]
-    fn angle(&self, turn: &Turn, from_quarter: DoubleDouble) -> f64 {
+    fn angle(&self, turn: &Turn) -> f64 {
         let whole = DoubleDouble::PI * (turn.half_turns * self.direction);
-        unwrapped(whole + self.base, turn.sign * self.direction, from_quarter)
+        unwrapped(whole + self.base, turn.sign * self.direction, turn.half.angle)
     }
 }
 
-/// Half turns to the nearest quarter of 4K, the tangent of half the angle from there, and θ′.
-struct Turn {
-    half_turns: f64,
-    sign: f64,
-    numerator: f64,
-    denominator: f64,
-    velocity: f64,
-}
-
-struct One<'a>(&'a Orbit, f64);
-
-impl Kernel for One<'_> {
-    type Output = State;
+impl Quotients for TurnQuotients {
     #[inline(always)]
-    fn run(self) -> State {
-        let Self(orbit, time) = self;
-        let phase = orbit.clock.phase(time);
-        let turn = orbit.turn(&phase, &orbit.values(&phase));
-        let half = DoubledArctangent::of(turn.numerator, turn.denominator);
-        let odd = phase.is_odd();
+    fn angle_and_velocity<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> (f64, f64) {
+        let turn = self.turn::<S>(phase, values);
+        (self.angle(&turn), turn.velocity)
+    }
+
+    #[inline(always)]
+    fn state<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> State {
+        let turn = self.turn::<S>(phase, values);
+        let half = turn.half;
         // Next to the top the turn is the one on whose side of it the pendulum is.
-        let turns = if odd { 0.5 * (turn.half_turns + turn.sign) } else { 0.5 * turn.half_turns };
-        let (in_turn, complement) =
-            if odd { (half.complement.to_f64() * -turn.sign, half.angle) } else { (half.angle.to_f64() * turn.sign, half.complement) };
+        let (turns, in_turn, complement) = if phase.is_odd() {
+            (0.5 * (turn.half_turns + turn.sign), -turn.sign * half.complement.to_f64(), half.angle)
+        } else {
+            (0.5 * turn.half_turns, turn.sign * half.angle.to_f64(), half.complement)
+        };
         State {
-            turns: orbit.turns.saturating_add(whole_turns(turns * orbit.direction)),
-            angle_in_turn: orbit.direction * in_turn,
+            turns: self.turns.saturating_add(whole_turns(turns * self.direction)),
+            angle_in_turn: self.direction * in_turn,
             complement: complement.to_f64(),
-            angle: orbit.angle(&turn, half.angle),
+            angle: self.angle(&turn),
             velocity: turn.velocity,
-        }
-    }
-}
-
-struct Each<'a> {
-    orbit: &'a Orbit,
-    times: &'a [f64],
-    angles: &'a mut [f64],
-    velocities: &'a mut [f64],
-}
-
-impl Kernel for Each<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let orbit = self.orbit;
-        for ((time, angle), velocity) in self.times.iter().zip(self.angles).zip(self.velocities) {
-            let phase = orbit.clock.phase(*time);
-            let turn = orbit.turn(&phase, &orbit.values(&phase));
-            let half = DoubledArctangent::of(turn.numerator, turn.denominator);
-            *angle = orbit.angle(&turn, half.angle);
-            *velocity = turn.velocity;
         }
     }
 }
