@@ -30,6 +30,8 @@ pub(crate) const JACOBI: Promise =
     promise("sn, cn, dn, am", "0 ≤ m ≤ 1, k′ ≥ 1e-300, |u| ≤ 1e6 K", 4.0, "2⁻¹⁰⁰·|u|");
 pub(crate) const STATE: Promise =
     promise("θ(t), θ′(t)", "any initial state, |t| ≤ 1e6 periods", 4.0, "2⁻⁵¹·|θ′t|, for θ′ 2⁻⁵¹·|θ″t|");
+pub(crate) const COMPLEMENT: Promise =
+    promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 8.0, "2⁻⁵¹·|θ′t|");
 /// 4e-15 relative: 18 ulp at the upper end of a binade.
 pub(crate) const HARMONICS: Promise = promise("harmonics a_n", "|a_n| ≥ 1e-12 rad", 18.0, "");
 

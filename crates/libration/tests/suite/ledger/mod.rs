@@ -7,7 +7,7 @@ mod oracle;
 mod tally;
 
 use crate::promises::{
-    COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, Promise, RATIO, STATE, jacobi_allowance,
+    COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, Promise, RATIO, STATE, jacobi_allowance,
 };
 use libration::elliptic::Modulus;
 use libration::pendulum::{self, Amplitude, Motion, Pendulum};
@@ -127,14 +127,15 @@ fn states() {
         "from rest", "from rest at π − δ, δ from 1e-300", "any velocity to 4", "next to the separatrix",
         "next to the separatrix at π − δ", "many turns, velocity to 100",
     ];
-    let mut tally = Tally::new(STATE, &regions);
+    let (mut tally, mut complements) = (Tally::new(STATE, &regions), Tally::new(COMPLEMENT, &regions));
     for record in records("motion", 4, 3) {
         let (state, late) = (launched(&record).state_at(record.inputs[3]), FOUR_ROUNDOFFS * record.inputs[3].abs());
         let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
         tally.add(&record, "θ", angle, state.angle, late * velocity.hi.abs());
         tally.add(&record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
-        tally.add(&record, "π − θ", complement, state.complement, late * velocity.hi.abs());
+        complements.add(&record, "π − θ", complement, state.complement, late * velocity.hi.abs());
     }
+    complements.report();
     tally.report();
 }
 

@@ -44,11 +44,15 @@ impl<'a> Tally<'a> {
         println!("| answer | region | inputs | mean ulp | max ulp | worst input |\n|---|---|---|---|---|---|");
         for ((answer, region), cell) in &self.cells {
             let mean = cell.sum / f64::from(cell.count);
-            let (region, largest, worst) = (self.regions[*region], cell.largest, &cell.worst_input);
-            println!("| {answer} | {region} | {} | {mean:.3} | {largest:.3} | {worst:?} |", cell.count);
+            let (region, mean, largest) = (self.regions[*region], short(mean), short(cell.largest));
+            println!("| {answer} | {region} | {} | {mean} | {largest} | {:?} |", cell.count, cell.worst_input);
         }
         assert!(!self.cells.is_empty(), "the oracle gave no records");
         let largest = self.cells.values().map(|cell| cell.largest).fold(0.0, f64::max);
         assert!(largest <= self.promise.ulp, "{}: {largest} ulp", heading(&self.promise));
     }
+}
+
+fn short(error: f64) -> String {
+    if error < 1e4 { format!("{error:.3}") } else { format!("{error:.1e}") }
 }
