@@ -22,7 +22,12 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-fn answer(request: &str, work: &mut Work, input: &mut impl Read, output: &mut impl Write) -> Result<(), Failure> {
+fn answer(
+    request: &str,
+    work: &mut Work,
+    input: &mut impl Read,
+    output: &mut impl Write,
+) -> Result<(), Failure> {
     let (verb, argument) = request.split_once(' ').unwrap_or((request, ""));
     match verb {
         "amplitudes" => work.amplitudes = numbers(argument, input)?,

@@ -15,7 +15,8 @@ fn unit_pendulum() -> Pendulum {
 
 fn angle_of(row: Row<'_>, column: &str) -> Angle {
     let value = row.input(column);
-    if row.text("given") == "complement" { Angle::from_complement(value) } else { Angle::from_radians(value) }.unwrap()
+    if row.text("given") == "complement" { Angle::from_complement(value) } else { Angle::from_radians(value) }
+        .unwrap()
 }
 
 #[test]
@@ -23,7 +24,8 @@ fn period_ratio_keeps_its_promise_on_the_golden_table() {
     for row in Table::read("period.csv").rows() {
         let value = row.input("value_hex");
         let near_top = row.text("given") == "complement";
-        let plain = if near_top { pendulum::period_ratio_near_top(value) } else { pendulum::period_ratio(value) };
+        let plain =
+            if near_top { pendulum::period_ratio_near_top(value) } else { pendulum::period_ratio(value) };
         let prepared = Amplitude::new(angle_of(row, "value_hex")).unwrap().period_ratio();
         for got in [plain, prepared] {
             RATIO.holds(row.truth("ratio").error(got), &(row.text("given"), value));
@@ -70,7 +72,8 @@ fn complete_integrals_keep_their_promise_on_the_tables_of_boost() {
         for row in Table::read(table).rows() {
             let k = row.input("k_hex");
             let got = answer(&Modulus::from_modulus(k.abs()).unwrap());
-            COMPLETE.holds(row.truth(table.trim_start_matches("boost/").trim_end_matches(".csv")).error(got), &k);
+            COMPLETE
+                .holds(row.truth(table.trim_start_matches("boost/").trim_end_matches(".csv")).error(got), &k);
         }
     }
 }
@@ -180,7 +183,10 @@ fn harmonics_keep_their_promise_on_the_golden_table() {
             let harmonics = motion.unwrap().harmonics(1e-13, 10_000);
             let found = harmonics.terms.iter().find(|term| term.n == n).unwrap();
             HARMONICS.holds(truth.error(found.angle), &(regime, value, n));
-            assert!(row.truth("fundamental").error(harmonics.fundamental) <= 2.0, "fundamental of {regime} {value}");
+            assert!(
+                row.truth("fundamental").error(harmonics.fundamental) <= 2.0,
+                "fundamental of {regime} {value}"
+            );
         }
     }
 }

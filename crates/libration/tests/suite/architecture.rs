@@ -57,7 +57,8 @@ fn allowed(module: &str) -> Option<BTreeSet<&'static str>> {
 
 /// The modules named after `crate::` outside comments, also in a braced `use crate::{…}`.
 fn modules_used(source: &str) -> BTreeSet<String> {
-    let code: String = source.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
+    let code: String =
+        source.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
     let mut used = BTreeSet::new();
     for (_, rest) in code.match_indices("crate::").map(|(at, found)| (at, &code[at + found.len()..])) {
         match rest.strip_prefix('{') {
@@ -118,7 +119,8 @@ fn the_map_names_no_module_that_is_missing() {
 
 #[test]
 fn uses_are_found_in_every_spelling() {
-    let source = "use crate::a::X;\n// crate::no\nuse crate::{b, c::{Y, Z}, d as e};\nfn f() { crate::g::h(); }";
+    let source =
+        "use crate::a::X;\n// crate::no\nuse crate::{b, c::{Y, Z}, d as e};\nfn f() { crate::g::h(); }";
     let expected = ["a", "b", "c", "d", "g"].map(str::to_owned);
     assert_eq!(modules_used(source), BTreeSet::from(expected));
 }

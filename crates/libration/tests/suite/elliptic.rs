@@ -47,7 +47,10 @@ fn dn_follows_from_sn_and_from_cn() {
         let (m, mc) = (modulus.parameter(), modulus.complementary_parameter());
         assert!((j.dn * j.dn + m * j.sn * j.sn - 1.0).abs() <= 10.0 * f64::EPSILON, "{modulus:?} {u}: {j:?}");
         let other = mc + m * j.cn * j.cn;
-        assert!((j.dn * j.dn - other).abs() <= 20.0 * f64::EPSILON * other + 1e-29 * u.abs(), "{modulus:?} {u}: {j:?}");
+        assert!(
+            (j.dn * j.dn - other).abs() <= 20.0 * f64::EPSILON * other + 1e-29 * u.abs(),
+            "{modulus:?} {u}: {j:?}"
+        );
     });
 }
 
@@ -66,7 +69,10 @@ fn jacobi_functions_of_any_finite_argument_are_numbers() {
     for m in [0.0, 5e-324, 1e-300, 0.5, 1.0 - f64::EPSILON / 2.0, 1.0] {
         for u in ends {
             let j = Modulus::from_parameter(m).unwrap().jacobi(u);
-            assert!(j.sn.abs() <= 1.0 && j.cn.abs() <= 1.0 && j.dn.abs() <= 1.0 && !j.am.is_nan(), "{m} {u}: {j:?}");
+            assert!(
+                j.sn.abs() <= 1.0 && j.cn.abs() <= 1.0 && j.dn.abs() <= 1.0 && !j.am.is_nan(),
+                "{m} {u}: {j:?}"
+            );
         }
     }
 }
@@ -76,7 +82,11 @@ fn sn_and_am_are_odd_and_cn_and_dn_even_bit_for_bit() {
     sweep(4, |modulus, u| {
         let (here, there) = (modulus.jacobi(u), modulus.jacobi(-u));
         let mirrored = [-there.sn, there.cn, there.dn, -there.am];
-        assert_eq!([here.sn, here.cn, here.dn, here.am].map(f64::to_bits), mirrored.map(f64::to_bits), "{modulus:?} {u}");
+        assert_eq!(
+            [here.sn, here.cn, here.dn, here.am].map(f64::to_bits),
+            mirrored.map(f64::to_bits),
+            "{modulus:?} {u}"
+        );
     });
 }
 
@@ -106,8 +116,10 @@ fn complete_integrals_satisfy_legendres_relation() {
     let mut random = Random::seeded(7);
     for _ in 0..5000 {
         let m = random.between(0.0, 1.0);
-        let (one, other) = (Modulus::from_parameter(m).unwrap(), Modulus::from_complementary_parameter(m).unwrap());
-        let terms = [one.second() * other.first(), other.second() * one.first(), -one.first() * other.first()];
+        let (one, other) =
+            (Modulus::from_parameter(m).unwrap(), Modulus::from_complementary_parameter(m).unwrap());
+        let terms =
+            [one.second() * other.first(), other.second() * one.first(), -one.first() * other.first()];
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
         let residual = terms.iter().sum::<f64>() - FRAC_PI_2;
         assert!(residual.abs() <= 5.0 * f64::EPSILON * size, "{m}: {residual}");
@@ -119,7 +131,8 @@ fn complementary_moduli_share_their_quarter_periods() {
     let mut random = Random::seeded(8);
     for _ in 0..5000 {
         let kc = random.log_between(-300.0, 0.0);
-        let (one, other) = (Modulus::from_complementary_modulus(kc).unwrap(), Modulus::from_modulus(kc).unwrap());
+        let (one, other) =
+            (Modulus::from_complementary_modulus(kc).unwrap(), Modulus::from_modulus(kc).unwrap());
         assert!((one.first() - other.complementary_first()).abs() <= 2.0 * ulp(one.first()), "{kc}");
         assert!((one.complementary_first() - other.first()).abs() <= 2.0 * ulp(other.first()), "{kc}");
     }

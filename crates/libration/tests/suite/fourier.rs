@@ -50,7 +50,8 @@ fn harmonics_of_a_rotation_sum_to_its_motion() {
 fn harmonics_of_any_motion_sum_to_it_from_their_epoch() {
     let mut random = Random::seeded(3);
     for _ in 0..300 {
-        let (angle, velocity, time) = (random.between(-3.0, 3.0), random.between(-1.5, 1.5), random.between(-20.0, 20.0));
+        let (angle, velocity, time) =
+            (random.between(-3.0, 3.0), random.between(-1.5, 1.5), random.between(-20.0, 20.0));
         let motion = unit_pendulum().launched(Angle::from_radians(angle).unwrap(), velocity).unwrap();
         if motion.regime() == Regime::Libration && motion.energy_ratio() < 0.999 {
             let harmonics = motion.harmonics(1e-17, 1000);
@@ -66,7 +67,10 @@ fn harmonics_of_a_libration_are_odd_alternate_and_fall() {
         let terms = libration(amplitude).harmonics(1e-15, 1000).terms;
         for pair in terms.windows(2) {
             assert_eq!(pair[1].n, pair[0].n + 2, "{amplitude}");
-            assert!(pair[0].angle * pair[1].angle < 0.0 && pair[1].angle.abs() < pair[0].angle.abs(), "{amplitude}");
+            assert!(
+                pair[0].angle * pair[1].angle < 0.0 && pair[1].angle.abs() < pair[0].angle.abs(),
+                "{amplitude}"
+            );
         }
         assert_eq!(terms[0].n, 1);
     }
@@ -78,7 +82,11 @@ fn a_velocity_harmonic_is_its_angle_harmonic_times_its_frequency() {
         let harmonics = libration(amplitude).harmonics(1e-15, 1000);
         for term in &harmonics.terms {
             let expected = f64::from(u32::try_from(term.n).unwrap()) * harmonics.fundamental * term.angle;
-            assert!((term.velocity.abs() / expected.abs() - 1.0).abs() <= 8.0 * f64::EPSILON, "{amplitude} {}", term.n);
+            assert!(
+                (term.velocity.abs() / expected.abs() - 1.0).abs() <= 8.0 * f64::EPSILON,
+                "{amplitude} {}",
+                term.n
+            );
         }
     }
 }

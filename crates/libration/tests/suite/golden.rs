@@ -21,7 +21,8 @@ impl Table {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(path);
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(file).unwrap();
         let names = reader.headers().unwrap().iter().map(str::to_owned).collect();
-        let rows = reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect();
+        let rows =
+            reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect();
         Self { names, rows }
     }
 

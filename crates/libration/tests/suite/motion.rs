@@ -64,7 +64,10 @@ fn the_parts_of_a_state_agree() {
         let state = launched(angle, velocity).state_at(random.between(-300.0, 300.0));
         #[expect(clippy::cast_precision_loss, reason = "few turns")]
         let turns = state.turns as f64;
-        assert!((state.angle - (2.0 * PI * turns + state.angle_in_turn)).abs() <= 2.0 * ulp(state.angle) + 1e-15, "{state:?}");
+        assert!(
+            (state.angle - (2.0 * PI * turns + state.angle_in_turn)).abs() <= 2.0 * ulp(state.angle) + 1e-15,
+            "{state:?}"
+        );
         assert!((state.complement - (PI - state.angle_in_turn.abs())).abs() <= 1e-15, "{state:?}");
         assert!(state.angle_in_turn.abs() <= PI && state.complement >= 0.0, "{state:?}");
     }
@@ -84,7 +87,8 @@ fn a_mirrored_start_gives_the_mirrored_motion_bit_for_bit() {
     let mut random = Random::seeded(4);
     for (angle, velocity) in starts(4, 4000) {
         let time = random.between(-100.0, 100.0);
-        let (here, there) = (launched(angle, velocity).state_at(time), launched(-angle, -velocity).state_at(time));
+        let (here, there) =
+            (launched(angle, velocity).state_at(time), launched(-angle, -velocity).state_at(time));
         assert_eq!(here.angle.to_bits(), (-there.angle).to_bits(), "{angle} {velocity} {time}");
         assert_eq!(here.velocity.to_bits(), (-there.velocity).to_bits(), "{angle} {velocity} {time}");
     }
@@ -100,7 +104,10 @@ fn a_motion_released_from_rest_is_even_in_time() {
         let slack = FOUR_ROUNDOFFS * time;
         let allowed = 8.0 * ulp(after.angle) + 2.0 * slack * after.velocity.abs();
         assert!((after.angle - before.angle).abs() <= allowed, "{angle} {time}");
-        assert!((after.velocity + before.velocity).abs() <= 8.0 * ulp(after.velocity) + 2.0 * slack, "{angle} {time}");
+        assert!(
+            (after.velocity + before.velocity).abs() <= 8.0 * ulp(after.velocity) + 2.0 * slack,
+            "{angle} {time}"
+        );
     }
 }
 
@@ -122,7 +129,9 @@ fn a_libration_returns_after_its_period_and_a_rotation_a_turn_further() {
 #[test]
 fn batch_of_states_equals_the_single_call_bit_for_bit() {
     let mut random = Random::seeded(7);
-    for (angle, velocity) in starts(7, 40).into_iter().chain([(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (1e-150, 0.0)]) {
+    for (angle, velocity) in
+        starts(7, 40).into_iter().chain([(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (1e-150, 0.0)])
+    {
         let motion = launched(angle, velocity);
         let mut times: Vec<f64> = (0..2500).map(|_| random.between(-100.0, 100.0)).collect();
         times.extend([0.0, -0.0, 1e6, f64::NAN, f64::INFINITY, 5e-324, f64::MAX]);
@@ -145,7 +154,8 @@ fn varying(count: usize) -> (Vec<f64>, Vec<f64>) {
         amplitudes[i] = random.log_between(-300.0, 0.0);
         times[i] = random.log_between(-300.0, 8.0);
     }
-    let edges = [0.0, -0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 5e-324, PI, PI.next_down(), PI.next_up(), 1e300];
+    let edges =
+        [0.0, -0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 5e-324, PI, PI.next_down(), PI.next_up(), 1e300];
     for amplitude in edges {
         for time in edges {
             amplitudes.push(amplitude);
@@ -164,7 +174,13 @@ fn batch_of_varying_states_equals_the_single_call_bit_for_bit() {
     for i in 0..count {
         let single = pendulum::state(amplitudes[i], 1.5, times[i]);
         let bits = (angles[i].to_bits(), velocities[i].to_bits());
-        assert_eq!(bits, (single.angle.to_bits(), single.velocity.to_bits()), "{} {}", amplitudes[i], times[i]);
+        assert_eq!(
+            bits,
+            (single.angle.to_bits(), single.velocity.to_bits()),
+            "{} {}",
+            amplitudes[i],
+            times[i]
+        );
     }
 }
 
@@ -219,7 +235,10 @@ fn the_separatrix_has_its_elementary_motion() {
         let velocity = 2.0 / libm::cosh(time);
         assert!((state.velocity - velocity).abs() <= 8.0 * ulp(velocity), "{time}");
         let complement = 4.0 * libm::atan(libm::exp(-time.abs()));
-        assert!((state.complement - complement).abs() <= 8.0 * ulp(complement) + 1e-15 * complement * time.abs(), "{time}");
+        assert!(
+            (state.complement - complement).abs() <= 8.0 * ulp(complement) + 1e-15 * complement * time.abs(),
+            "{time}"
+        );
     }
     assert!(motion.period().is_infinite());
 }
@@ -260,8 +279,13 @@ fn time_scales_with_the_natural_frequency() {
     // A power of two scales exactly.
     let fast = Pendulum::from_angular_frequency(8.0).unwrap();
     for (angle, velocity) in starts(9, 500) {
-        let (slow, quick) = (launched(angle, velocity), fast.launched(radians(angle), 8.0 * velocity).unwrap());
+        let (slow, quick) =
+            (launched(angle, velocity), fast.launched(radians(angle), 8.0 * velocity).unwrap());
         assert_eq!((slow.period() / 8.0).to_bits(), quick.period().to_bits(), "{angle} {velocity}");
-        assert_eq!(slow.state_at(4.0).angle.to_bits(), quick.state_at(0.5).angle.to_bits(), "{angle} {velocity}");
+        assert_eq!(
+            slow.state_at(4.0).angle.to_bits(),
+            quick.state_at(0.5).angle.to_bits(),
+            "{angle} {velocity}"
+        );
     }
 }

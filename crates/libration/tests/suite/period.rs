@@ -12,14 +12,19 @@ use libration::quantity::Angle;
 fn published_periods_are_reproduced_to_their_printed_digits() {
     for row in Table::read("published/periods.csv").rows() {
         let value = row.input("amplitude");
-        let angle = if row.text("unit") == "deg" { Angle::from_degrees(value) } else { Angle::from_radians(value) };
+        let angle =
+            if row.text("unit") == "deg" { Angle::from_degrees(value) } else { Angle::from_radians(value) };
         let ratio = Amplitude::new(angle.unwrap()).unwrap().period_ratio();
         let small_angle = Pendulum::new(1.0, 9.8).unwrap().small_angle_period();
         let got = if row.text("quantity") == "T/T0" { ratio } else { ratio * small_angle };
         let digits: i32 = row.text("printed_digits").parse().unwrap();
         let expected = row.input("value");
         let unit = libm::pow(10.0, libm::floor(libm::log10(expected)) + 1.0 - f64::from(digits));
-        assert!((got - expected).abs() <= unit.max(2.0 * ulp(expected)), "{} {value}: {got}", row.text("source"));
+        assert!(
+            (got - expected).abs() <= unit.max(2.0 * ulp(expected)),
+            "{} {value}: {got}",
+            row.text("source")
+        );
     }
 }
 
@@ -27,7 +32,10 @@ fn published_periods_are_reproduced_to_their_printed_digits() {
 fn the_period_doubles_at_the_published_amplitude() {
     // OEIS A256514.
     let double = Amplitude::from_period_ratio(2.0).unwrap();
-    assert!(Truth::from_decimal("2.78823112410720430142152184753089072761590872546").error(double.radians()) <= 1.0);
+    assert!(
+        Truth::from_decimal("2.78823112410720430142152184753089072761590872546").error(double.radians())
+            <= 1.0
+    );
 }
 
 /// Amplitudes of every kind: uniform, small, next to π, and the complement of each decade.
@@ -44,16 +52,37 @@ fn amplitudes(seed: u64, count: usize) -> Vec<f64> {
 /// Amplitudes or complements of every kind, then what is none.
 fn inputs_with_edges() -> Vec<f64> {
     let mut inputs = amplitudes(1, 100_000);
-    inputs.extend([f64::NAN, 0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, 5e-324, 1e-310, 1e-300, 1e300, f64::MAX]);
-    inputs.extend([PI, PI.next_down(), PI.next_up(), -1.0, 4.0, PI / 2.0, (PI / 2.0).next_up(), f64::MIN_POSITIVE]);
+    inputs.extend([
+        f64::NAN,
+        0.0,
+        -0.0,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        5e-324,
+        1e-310,
+        1e-300,
+        1e300,
+        f64::MAX,
+    ]);
+    inputs.extend([
+        PI,
+        PI.next_down(),
+        PI.next_up(),
+        -1.0,
+        4.0,
+        PI / 2.0,
+        (PI / 2.0).next_up(),
+        f64::MIN_POSITIVE,
+    ]);
     inputs
 }
 
 type Batch = fn(&[f64], &mut [f64]) -> Result<(), LengthMismatch>;
+type Single = fn(f64) -> f64;
 
 #[test]
 fn batch_of_periods_equals_the_single_call_bit_for_bit() {
-    let pairs: [(Batch, fn(f64) -> f64); 3] = [
+    let pairs: [(Batch, Single); 3] = [
         (pendulum::period_ratios, pendulum::period_ratio),
         (pendulum::period_excesses, pendulum::period_excess),
         (pendulum::period_ratios_near_top, pendulum::period_ratio_near_top),
@@ -132,7 +161,10 @@ fn landens_transformation_joins_periods() {
         let c = libm::cos(amplitude / 2.0);
         let next = 2.0 * libm::asin((1.0 - c) / (1.0 + c));
         let expected = 2.0 / (1.0 + c) * pendulum::period_ratio(next);
-        assert!((pendulum::period_ratio(amplitude) / expected - 1.0).abs() <= 32.0 * f64::EPSILON, "{amplitude}");
+        assert!(
+            (pendulum::period_ratio(amplitude) / expected - 1.0).abs() <= 32.0 * f64::EPSILON,
+            "{amplitude}"
+        );
     }
 }
 
@@ -155,7 +187,8 @@ fn condition_is_the_slope_of_the_period() {
     let mut random = Random::seeded(6);
     for _ in 0..2000 {
         let (amplitude, step) = (random.between(0.1, 3.0), 1e-5);
-        let slope = (pendulum::period_ratio(amplitude + step) - pendulum::period_ratio(amplitude - step)) / (2.0 * step);
+        let slope = (pendulum::period_ratio(amplitude + step) - pendulum::period_ratio(amplitude - step))
+            / (2.0 * step);
         let expected = slope * amplitude / pendulum::period_ratio(amplitude);
         let got = Amplitude::new(Angle::from_radians(amplitude).unwrap()).unwrap().condition();
         assert!((got - expected).abs() <= 1e-6 * (1.0 + expected), "{amplitude}: {got} {expected}");
@@ -170,8 +203,14 @@ fn a_measured_period_gives_length_and_gravity_back() {
         let amplitude = Amplitude::new(Angle::from_radians(random.between(0.0, 3.1)).unwrap()).unwrap();
         let period = Pendulum::new(length, gravity).unwrap().period(&amplitude);
         let by_length = Pendulum::from_length_and_period(length, period, &amplitude).unwrap();
-        assert!((by_length.gravity().unwrap() / gravity - 1.0).abs() <= 4.0 * f64::EPSILON, "{length} {gravity}");
+        assert!(
+            (by_length.gravity().unwrap() / gravity - 1.0).abs() <= 4.0 * f64::EPSILON,
+            "{length} {gravity}"
+        );
         let by_gravity = Pendulum::from_gravity_and_period(gravity, period, &amplitude).unwrap();
-        assert!((by_gravity.length().unwrap() / length - 1.0).abs() <= 4.0 * f64::EPSILON, "{length} {gravity}");
+        assert!(
+            (by_gravity.length().unwrap() / length - 1.0).abs() <= 4.0 * f64::EPSILON,
+            "{length} {gravity}"
+        );
     }
 }

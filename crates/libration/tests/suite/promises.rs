@@ -13,7 +13,13 @@ pub(crate) struct Promise {
 impl Promise {
     /// Fails, naming the input, if `error` (in ulp) breaks the promise.
     pub(crate) fn holds(&self, error: f64, input: &dyn core::fmt::Debug) {
-        assert!(error <= self.ulp, "{}: {error} ulp at {input:?}, promised {} for {}", self.what, self.ulp, self.domain);
+        assert!(
+            error <= self.ulp,
+            "{}: {error} ulp at {input:?}, promised {} for {}",
+            self.what,
+            self.ulp,
+            self.domain
+        );
     }
 }
 

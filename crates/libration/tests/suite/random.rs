@@ -18,7 +18,7 @@ impl Random {
 
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "53 bits")]
-        let unit = (self.bits() >> 11) as f64 * 2.0_f64.powi(-53);
+        let unit = (self.bits() >> 11) as f64 * (f64::EPSILON / 2.0);
         low + (high - low) * unit
     }
 

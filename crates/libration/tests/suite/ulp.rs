@@ -56,7 +56,11 @@ fn exact_decimal(text: &str) -> RBig {
     let digits: IBig = format!("{whole}{fraction}").parse().unwrap();
     let scale = exponent.parse::<i64>().unwrap() - i64::try_from(fraction.len()).unwrap();
     let power = UBig::from(10_u8).pow(usize::try_from(scale.unsigned_abs()).unwrap());
-    if scale < 0 { RBig::from_parts(digits, power) } else { RBig::from(digits * IBig::from_parts(Sign::Positive, power)) }
+    if scale < 0 {
+        RBig::from_parts(digits, power)
+    } else {
+        RBig::from(digits * IBig::from_parts(Sign::Positive, power))
+    }
 }
 
 /// The exact `f64` written as C's `%a` or Python's `float.hex` writes it.

@@ -7,7 +7,8 @@ mod oracle;
 mod tally;
 
 use crate::promises::{
-    COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, Promise, RATIO, STATE, jacobi_allowance,
+    COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, Promise, RATIO, STATE,
+    jacobi_allowance,
 };
 use libration::elliptic::Modulus;
 use libration::pendulum::{self, Amplitude, Motion, Pendulum};
@@ -15,8 +16,14 @@ use libration::quantity::Angle;
 use oracle::{Record, records};
 use tally::Tally;
 
-const MODULUS_REGIONS: [&str; 6] =
-    ["m uniform", "1 − m from 1e-300", "k′ from 1e-300", "m from 1e-300", "k uniform", "m or 1 − m next to 1"];
+const MODULUS_REGIONS: [&str; 6] = [
+    "m uniform",
+    "1 − m from 1e-300",
+    "k′ from 1e-300",
+    "m from 1e-300",
+    "k uniform",
+    "m or 1 − m next to 1",
+];
 
 fn angle(kind: f64, value: f64) -> Angle {
     if kind == 1.0 { Angle::from_complement(value) } else { Angle::from_radians(value) }.unwrap()
@@ -36,7 +43,8 @@ fn modulus(record: &Record) -> Modulus {
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn period_ratio() {
-    let regions = ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
+    let regions =
+        ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
     let mut tally = Tally::new(RATIO, &regions);
     for record in records("period", 2, 2) {
         let value = record.inputs[1];
@@ -62,7 +70,8 @@ fn period_excess() {
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn amplitude() {
-    let regions = ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
+    let regions =
+        ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
     let (mut ratio, mut excess) = (Tally::new(RATIO, &regions), Tally::new(EXCESS, &regions));
     for record in records("period", 2, 2) {
         let amplitude = Amplitude::new(angle(record.inputs[0], record.inputs[1])).unwrap();
@@ -108,7 +117,9 @@ fn jacobi_functions() {
     for record in records("jacobi", 3, 4) {
         let u = record.inputs[2];
         let j = modulus(&record).jacobi(u);
-        for ((name, got), &truth) in ["sn", "cn", "dn", "am"].into_iter().zip([j.sn, j.cn, j.dn, j.am]).zip(&record.truths) {
+        for ((name, got), &truth) in
+            ["sn", "cn", "dn", "am"].into_iter().zip([j.sn, j.cn, j.dn, j.am]).zip(&record.truths)
+        {
             tally.add(&record, name, truth, got, jacobi_allowance(u));
         }
     }
@@ -124,12 +135,17 @@ fn launched(record: &Record) -> Motion {
 #[ignore = "heavy: run by scripts/ledger"]
 fn states() {
     let regions = [
-        "from rest", "from rest at π − δ, δ from 1e-300", "any velocity to 4", "next to the separatrix",
-        "next to the separatrix at π − δ", "many turns, velocity to 100",
+        "from rest",
+        "from rest at π − δ, δ from 1e-300",
+        "any velocity to 4",
+        "next to the separatrix",
+        "next to the separatrix at π − δ",
+        "many turns, velocity to 100",
     ];
     let (mut tally, mut complements) = (Tally::new(STATE, &regions), Tally::new(COMPLEMENT, &regions));
     for record in records("motion", 4, 3) {
-        let (state, late) = (launched(&record).state_at(record.inputs[3]), FOUR_ROUNDOFFS * record.inputs[3].abs());
+        let (state, late) =
+            (launched(&record).state_at(record.inputs[3]), FOUR_ROUNDOFFS * record.inputs[3].abs());
         let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
         tally.add(&record, "θ", angle, state.angle, late * velocity.hi.abs());
         tally.add(&record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
@@ -160,8 +176,14 @@ fn harmonics() {
     for record in records("harmonics", 3, 1) {
         let truth = record.truths[0];
         if truth.hi.abs() >= 1e-12 {
-            let rest = Pendulum::from_angular_frequency(1.0).unwrap().released_from(angle(record.inputs[0], record.inputs[1]));
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an odd number below 60")]
+            let rest = Pendulum::from_angular_frequency(1.0)
+                .unwrap()
+                .released_from(angle(record.inputs[0], record.inputs[1]));
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "an odd number below 60"
+            )]
             let n = record.inputs[2] as usize;
             let harmonics = rest.unwrap().harmonics(1e-13, n.div_ceil(2));
             let found = harmonics.terms.iter().find(|term| term.n == n).map_or(f64::NAN, |term| term.angle);

@@ -4,7 +4,7 @@ use crate::ulp::Truth;
 use std::env;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 
 /// One random input with its true answers.
 pub(super) struct Record {
@@ -13,17 +13,34 @@ pub(super) struct Record {
     pub(super) truths: Vec<Truth>,
 }
 
+/// The records of one function, as the oracle writes them.
+pub(super) struct Records {
+    oracle: Child,
+    stream: BufReader<ChildStdout>,
+    inputs: usize,
+    answers: usize,
+}
+
 /// The records of one function, which has so many inputs and answers.
-pub(super) fn records(function: &str, inputs: usize, answers: usize) -> impl Iterator<Item = Record> {
+pub(super) fn records(function: &str, inputs: usize, answers: usize) -> Records {
     let count = env::var("LIBRATION_LEDGER_COUNT").unwrap_or_else(|_| "1000000".to_owned());
     let seed = env::var("LIBRATION_LEDGER_SEED").unwrap_or_else(|_| "1".to_owned());
     let command = Command::new(binary()).args([function, &count, &seed]).stdout(Stdio::piped()).spawn();
-    let child = command.expect("the oracle is built by scripts/ledger");
-    let mut stream = BufReader::with_capacity(1 << 16, child.stdout.unwrap());
-    std::iter::from_fn(move || {
-        let words = read_words(&mut stream, 1 + inputs + 2 * answers)?;
-        Some(record(&words, inputs))
-    })
+    let mut oracle = command.expect("the oracle is built by scripts/ledger");
+    let stream = BufReader::with_capacity(1 << 16, oracle.stdout.take().unwrap());
+    Records { oracle, stream, inputs, answers }
+}
+
+impl Iterator for Records {
+    type Item = Record;
+
+    fn next(&mut self) -> Option<Record> {
+        let words = read_words(&mut self.stream, 1 + self.inputs + 2 * self.answers);
+        if words.is_none() {
+            assert!(self.oracle.wait().unwrap().success(), "the oracle failed");
+        }
+        Some(record(&words?, self.inputs))
+    }
 }
 
 fn binary() -> PathBuf {

@@ -27,7 +27,14 @@ impl<'a> Tally<'a> {
     }
 
     /// Counts the error of `got` in ulp beyond the absolute allowance.
-    pub(super) fn add(&mut self, record: &Record, answer: &'static str, truth: Truth, got: f64, allowance: f64) {
+    pub(super) fn add(
+        &mut self,
+        record: &Record,
+        answer: &'static str,
+        truth: Truth,
+        got: f64,
+        allowance: f64,
+    ) {
         let error = truth.error_beyond(got, allowance);
         let cell = self.cells.entry((answer, record.region)).or_default();
         cell.count += 1;
@@ -41,11 +48,16 @@ impl<'a> Tally<'a> {
     /// Prints the table; fails if the promise is broken or nothing was counted.
     pub(super) fn report(self) {
         println!("\n{}\n", heading(&self.promise));
-        println!("| answer | region | inputs | mean ulp | max ulp | worst input |\n|---|---|---|---|---|---|");
+        println!(
+            "| answer | region | inputs | mean ulp | max ulp | worst input |\n|---|---|---|---|---|---|"
+        );
         for ((answer, region), cell) in &self.cells {
             let mean = cell.sum / f64::from(cell.count);
             let (region, mean, largest) = (self.regions[*region], short(mean), short(cell.largest));
-            println!("| {answer} | {region} | {} | {mean} | {largest} | {:?} |", cell.count, cell.worst_input);
+            println!(
+                "| {answer} | {region} | {} | {mean} | {largest} | {:?} |",
+                cell.count, cell.worst_input
+            );
         }
         assert!(!self.cells.is_empty(), "the oracle gave no records");
         let largest = self.cells.values().map(|cell| cell.largest).fold(0.0, f64::max);
