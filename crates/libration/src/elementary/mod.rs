@@ -39,6 +39,13 @@ pub(crate) fn nearest_integer(x: f64) -> f64 {
     (x + ROUNDER) - ROUNDER
 }
 
+/// The low bits of the nearest integer, in two's complement; |x| < 2⁵¹.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "only low bits are wanted")]
+pub(crate) fn nearest_integer_bits(x: f64) -> usize {
+    (x + ROUNDER).to_bits() as usize
+}
+
 /// 1.5·2⁵²: added to a small number it leaves the nearest integer in the low bits.
 const ROUNDER: f64 = 6755399441055744.0;
 

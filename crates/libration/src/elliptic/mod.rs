@@ -17,11 +17,13 @@ mod agm;
 mod carlson;
 mod incomplete;
 mod jacobi;
+mod precise;
 mod theta;
 
 pub use jacobi::Jacobi;
 
 pub(crate) use incomplete::first_of_point;
+pub(crate) use precise::PreciseQuotients;
 pub(crate) use theta::{
     CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
 };

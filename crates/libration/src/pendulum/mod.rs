@@ -28,6 +28,8 @@ mod orbit;
 mod libration;
 mod rotation;
 mod separatrix;
+
+mod prepared;
 mod varying;
 
 mod fourier;
@@ -39,6 +41,7 @@ pub use motion::{Motion, Regime, Rest};
 pub use period::{
     period_excess, period_excesses, period_ratio, period_ratio_near_top, period_ratios, period_ratios_near_top,
 };
+pub use prepared::PreparedMotion;
 pub use rotation::Rotation;
 pub use separatrix::Separatrix;
 pub use state::State;

@@ -79,6 +79,11 @@ impl Rotation {
         (self.speed, self.orbit.clock)
     }
 
+    /// The turn of the initial angle, and the angle at its bottom.
+    pub(super) fn start_of_turn(&self) -> (i64, DoubleDouble) {
+        (self.orbit.quotients.turns, self.orbit.quotients.base)
+    }
+
     pub(super) fn state_at(&self, time: f64) -> State {
         self.orbit.state_at(time)
     }

@@ -10,6 +10,7 @@ mod ulp;
 mod accuracy;
 mod architecture;
 mod elliptic;
+mod fit;
 mod fourier;
 mod ledger;
 mod measurement;
