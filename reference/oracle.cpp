@@ -1,6 +1,6 @@
 // The oracle of the accuracy ledger: random inputs and their true answers, from 113-bit arithmetic.
 //
-//   oracle FUNCTION COUNT SEED > records      (FUNCTION: period excess complete incomplete jacobi motion harmonics)
+//   oracle FUNCTION COUNT SEED > records      (FUNCTION: one of FUNCTIONS below)
 //   oracle FUNCTION < inputs > records        (no COUNT: inputs as binary f64 from standard input)
 //
 // A record is binary f64, little endian: region, the inputs of `inputs_of`, then each answer as hi, lo with
@@ -287,7 +287,16 @@ static Inputs jacobi_inputs() {
     return in;
 }
 
-static Inputs motion_inputs() {
+// The time scale of a motion: its quarter period, or that of a neighbour where it has none.
+static double quarter_period(double kind, double a, double b) {
+    quad delta = kind == 1 ? (quad)a : complement_of(fabsq(remainderq(a, 2 * PI)));
+    quad c = sinq(delta / 2), w = fabs(b) / 2, gap = fabsq((c - w) * (c + w));
+    double scale = (double)fmaxq(1, w);
+    return (double)first(fminq(1, sqrtq(gap + 1e-600Q) / scale)) / scale;
+}
+
+// region, kind, angle or complement, velocity.
+static Inputs start_inputs() {
     double kind = 0, a, b = 0;
     int region = choice(6);
     switch (region) {
@@ -298,11 +307,29 @@ static Inputs motion_inputs() {
         case 4: kind = 1, a = log_between(-30, 0), b = sign() * neighbour(a * (choice(2) ? 1 : between(0.5, 2)), 3); break;
         default: a = between(-100, 100), b = sign() * log_between(-3, 2);
     }
-    quad delta = kind == 1 ? (quad)a : complement_of(fabsq(remainderq(a, 2 * PI)));
-    quad c = sinq(delta / 2), w = fabs(b) / 2, gap = fabsq((c - w) * (c + w));
-    double scale = (double)fmaxq(1, w), quarter = (double)first(fminq(1, sqrtq(gap + 1e-600Q) / scale)) / scale;
-    double time = choice(2) ? between(-4, 4) * quarter : sign() * quarter * log_between(-8, 6.6);
-    return {(double)region, kind, a, b, time};
+    return {(double)region, kind, a, b};
+}
+
+static Inputs motion_inputs() {
+    Inputs in = start_inputs();
+    double quarter = quarter_period(in[1], in[2], in[3]);
+    in.push_back(choice(2) ? between(-4, 4) * quarter : sign() * quarter * log_between(-8, 6.6));
+    return in;
+}
+
+// One start for thousands of times in a row.
+static Inputs orbit_inputs() {
+    static Inputs start;
+    static double quarter;
+    static int left = 0;
+    if (left-- == 0) {
+        start = start_inputs();
+        quarter = quarter_period(start[1], start[2], start[3]);
+        left = 9999;
+    }
+    Inputs in = start;
+    in.push_back(choice(2) ? between(-40, 40) * quarter : sign() * quarter * log_between(-3, 6.6));
+    return in;
 }
 
 static Inputs harmonics_inputs() {
@@ -350,6 +377,7 @@ static const std::map<std::string, Function> FUNCTIONS = {
     {"period", {period_inputs, period_answers, 3}},       {"excess", {excess_inputs, period_answers, 3}},
     {"complete", {modulus_inputs, complete_answers, 3}},  {"incomplete", {incomplete_inputs, incomplete_answers, 4}},
     {"jacobi", {jacobi_inputs, jacobi_answers, 4}},       {"motion", {motion_inputs, motion_answers, 5}},
+    {"orbit", {orbit_inputs, motion_answers, 5}},
     {"harmonics", {harmonics_inputs, harmonics_answers, 4}},
 };
 
@@ -365,7 +393,7 @@ static void write_record(Inputs record, const Answers &answers) {
 int main(int argc, char **argv) {
     auto found = argc < 2 ? FUNCTIONS.end() : FUNCTIONS.find(argv[1]);
     if (found == FUNCTIONS.end()) {
-        fprintf(stderr, "usage: oracle period|excess|complete|incomplete|jacobi|motion|harmonics [COUNT SEED]\n");
+        fprintf(stderr, "usage: oracle period|excess|complete|incomplete|jacobi|motion|orbit|harmonics [COUNT SEED]\n");
         return 2;
     }
     const Function &function = found->second;

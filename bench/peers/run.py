@@ -175,6 +175,7 @@ if __name__ == "__main__":
     kept = list(periods(ours, peer, amplitudes, options.rounds))
     ours.send("times", times)
     for name, theta0 in (("θ0 = 2", 2.0), ("θ0 = 179°", float(np.radians(179)))):
-        kept += motions(ours, peer, f"motion, {name}", f"motion {theta0!r}", 50, theta0, times, options.rounds)
+        kept += motions(ours, peer, f"motion, {name}", f"motion {theta0!r}", None, theta0, times, options.rounds)
+        kept += motions(ours, peer, f"prepared motion, {name}", f"prepared {theta0!r}", 50, theta0, times, options.rounds)
     kept += motions(ours, peer, "motion, all varies", "varying", 15, amplitudes, times, options.rounds)
     sys.exit(0 if all(kept) else 1)

@@ -2,7 +2,7 @@
 //!
 //! Requests are lines on standard input, answers go to standard output:
 //! `amplitudes N` or `times N`, followed by N binary `f64`, keeps an array (no answer);
-//! `period`, `motion THETA0` and `varying` make one pass and answer its nanoseconds as a line;
+//! `period`, `motion THETA0`, `prepared THETA0` and `varying` make one pass and answer its nanoseconds as a line;
 //! `angles` answers what the last pass wrote, as binary `f64`.
 
 mod work;
@@ -34,6 +34,7 @@ fn answer(
         "times" => work.times = numbers(argument, input)?,
         "period" => writeln!(output, "{}", work.period()?.as_nanos())?,
         "motion" => writeln!(output, "{}", work.motion(argument.parse()?)?.as_nanos())?,
+        "prepared" => writeln!(output, "{}", work.prepared(argument.parse()?)?.as_nanos())?,
         "varying" => writeln!(output, "{}", work.varying()?.as_nanos())?,
         "angles" => work.angles.iter().try_for_each(|angle| output.write_all(&angle.to_le_bytes()))?,
         _ => return Err(Failure::Request(request.to_owned())),

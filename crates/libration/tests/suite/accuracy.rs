@@ -6,7 +6,7 @@ use crate::promises::{
 };
 use crate::ulp::Truth;
 use libration::elliptic::{Jacobi, Modulus};
-use libration::pendulum::{self, Amplitude, Motion, Pendulum};
+use libration::pendulum::{self, Amplitude, Pendulum, State};
 use libration::quantity::Angle;
 
 fn unit_pendulum() -> Pendulum {
@@ -130,8 +130,7 @@ fn jacobi_functions_keep_their_promise_next_to_parameter_one() {
 }
 
 /// θ and θ′ at `time` against the truth, within what the promise allows.
-fn check_state(motion: &Motion, time: f64, angle: Truth, velocity: Truth, input: &dyn core::fmt::Debug) {
-    let got = motion.state_at(time);
+fn check_state(got: State, time: f64, angle: Truth, velocity: Truth, input: &dyn core::fmt::Debug) {
     let scale = FOUR_ROUNDOFFS * time.abs();
     let acceleration = libm::sin(angle.hi).abs();
     STATE.holds(angle.error_beyond(got.angle, scale * velocity.hi.abs()), &("angle", input, time));
@@ -141,10 +140,14 @@ fn check_state(motion: &Motion, time: f64, angle: Truth, velocity: Truth, input:
 #[test]
 fn states_keep_their_promise_on_the_golden_table() {
     for row in Table::read("motion.csv").rows() {
-        let (start, velocity) = (row.input("start_hex"), row.input("velocity_hex"));
+        let (start, velocity, time) =
+            (row.input("start_hex"), row.input("velocity_hex"), row.input("time_hex"));
         let motion = unit_pendulum().launched(angle_of(row, "start_hex"), velocity).unwrap();
-        let input = (row.text("given"), start, velocity);
-        check_state(&motion, row.input("time_hex"), row.truth("angle"), row.truth("velocity"), &input);
+        let (given, truths) = (row.text("given"), (row.truth("angle"), row.truth("velocity")));
+        for (way, state) in [("direct", motion.state_at(time)), ("prepared", motion.prepare().state_at(time))]
+        {
+            check_state(state, time, truths.0, truths.1, &(way, given, start, velocity));
+        }
     }
 }
 
@@ -163,7 +166,7 @@ fn states_released_next_to_the_top_keep_their_promise() {
     for row in Table::read("separatrix/pendulum.csv").rows() {
         let (delta, time) = (row.input("delta"), row.input("tau"));
         let motion = unit_pendulum().released_from(Angle::from_complement(delta).unwrap()).unwrap();
-        check_state(&motion, time, row.truth("theta"), row.truth("dtheta_dtau"), &delta);
+        check_state(motion.state_at(time), time, row.truth("theta"), row.truth("dtheta_dtau"), &delta);
         RATIO.holds(row.truth("T_over_T0").error(pendulum::period_ratio_near_top(delta)), &delta);
     }
 }

@@ -145,6 +145,43 @@ fn batch_of_states_equals_the_single_call_bit_for_bit() {
     }
 }
 
+#[test]
+fn batch_of_a_prepared_motion_equals_its_single_call_bit_for_bit() {
+    let mut random = Random::seeded(12);
+    for (angle, velocity) in
+        starts(12, 40).into_iter().chain([(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (1e-150, 0.0)])
+    {
+        let prepared = launched(angle, velocity).prepare();
+        let mut times: Vec<f64> = (0..2500).map(|_| random.between(-100.0, 100.0)).collect();
+        times.extend([0.0, -0.0, 1e6, f64::NAN, f64::INFINITY, 5e-324, f64::MAX]);
+        let (mut angles, mut velocities) = (vec![0.0; times.len()], vec![0.0; times.len()]);
+        prepared.states_at(&times, &mut angles, &mut velocities).unwrap();
+        for ((&time, batch_angle), batch_velocity) in times.iter().zip(&angles).zip(&velocities) {
+            let single = prepared.state_at(time);
+            assert_eq!(batch_angle.to_bits(), single.angle.to_bits(), "{angle} {velocity} {time}");
+            assert_eq!(batch_velocity.to_bits(), single.velocity.to_bits(), "{angle} {velocity} {time}");
+        }
+    }
+}
+
+#[test]
+fn a_prepared_motion_agrees_with_the_motion() {
+    let mut random = Random::seeded(13);
+    for (angle, velocity) in starts(13, 200) {
+        let motion = launched(angle, velocity);
+        let prepared = motion.prepare();
+        for _ in 0..100 {
+            let time = random.between(-1000.0, 1000.0);
+            let (table, direct) = (prepared.state_at(time), motion.state_at(time));
+            let late = 2.0 * FOUR_ROUNDOFFS * time.abs();
+            let slack = 8.0 * ulp(direct.angle) + late * direct.velocity.abs();
+            assert!((table.angle - direct.angle).abs() <= slack, "{angle} {velocity} {time}");
+            let slack = 8.0 * ulp(direct.velocity) + late * libm::sin(direct.complement).abs();
+            assert!((table.velocity - direct.velocity).abs() <= slack, "{angle} {velocity} {time}");
+        }
+    }
+}
+
 /// Amplitudes and times of every kind, with what is none among them.
 fn varying(count: usize) -> (Vec<f64>, Vec<f64>) {
     let mut random = Random::seeded(10);

@@ -11,7 +11,7 @@ use crate::promises::{
     jacobi_allowance,
 };
 use libration::elliptic::Modulus;
-use libration::pendulum::{self, Amplitude, Motion, Pendulum};
+use libration::pendulum::{self, Amplitude, Motion, Pendulum, State};
 use libration::quantity::Angle;
 use oracle::{Record, records};
 use tally::Tally;
@@ -131,42 +131,70 @@ fn launched(record: &Record) -> Motion {
     Pendulum::from_angular_frequency(1.0).unwrap().launched(angle(kind, start), velocity).unwrap()
 }
 
+const STARTS: [&str; 6] = [
+    "from rest",
+    "from rest at π − δ, δ from 1e-300",
+    "any velocity to 4",
+    "next to the separatrix",
+    "next to the separatrix at π − δ",
+    "many turns, velocity to 100",
+];
+
+/// The errors of states, and of their complements.
+struct States(Tally<'static>, Tally<'static>);
+
+impl States {
+    fn new() -> Self {
+        Self(Tally::new(STATE, &STARTS), Tally::new(COMPLEMENT, &STARTS))
+    }
+
+    fn add(&mut self, record: &Record, state: State) {
+        let late = FOUR_ROUNDOFFS * record.inputs[3].abs();
+        let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
+        self.0.add(record, "θ", angle, state.angle, late * velocity.hi.abs());
+        self.0.add(record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
+        self.1.add(record, "π − θ", complement, state.complement, late * velocity.hi.abs());
+    }
+
+    fn report(self) {
+        self.1.report();
+        self.0.report();
+    }
+}
+
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn states() {
-    let regions = [
-        "from rest",
-        "from rest at π − δ, δ from 1e-300",
-        "any velocity to 4",
-        "next to the separatrix",
-        "next to the separatrix at π − δ",
-        "many turns, velocity to 100",
-    ];
-    let (mut tally, mut complements) = (Tally::new(STATE, &regions), Tally::new(COMPLEMENT, &regions));
+    let mut errors = States::new();
     for record in records("motion", 4, 3) {
-        let (state, late) =
-            (launched(&record).state_at(record.inputs[3]), FOUR_ROUNDOFFS * record.inputs[3].abs());
-        let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
-        tally.add(&record, "θ", angle, state.angle, late * velocity.hi.abs());
-        tally.add(&record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
-        complements.add(&record, "π − θ", complement, state.complement, late * velocity.hi.abs());
+        errors.add(&record, launched(&record).state_at(record.inputs[3]));
     }
-    complements.report();
-    tally.report();
+    errors.report();
+}
+
+#[test]
+#[ignore = "heavy: run by scripts/ledger"]
+fn states_of_prepared_motions() {
+    let (mut errors, mut current) = (States::new(), None);
+    for record in records("orbit", 4, 3) {
+        let start = [record.inputs[0], record.inputs[1], record.inputs[2]].map(f64::to_bits);
+        if current.as_ref().is_none_or(|(made_from, _)| *made_from != start) {
+            current = Some((start, launched(&record).prepare()));
+        }
+        let (_, prepared) = current.as_ref().unwrap();
+        errors.add(&record, prepared.state_at(record.inputs[3]));
+    }
+    errors.report();
 }
 
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn states_of_varying_amplitudes() {
-    let mut tally = Tally::new(STATE, &["from rest"]);
+    let mut errors = States::new();
     for record in records("motion", 4, 3).filter(|record| record.region == 0) {
-        let (amplitude, time) = (record.inputs[1], record.inputs[3]);
-        let (state, late) = (pendulum::state(amplitude, 1.0, time), FOUR_ROUNDOFFS * time.abs());
-        let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
-        tally.add(&record, "θ", angle, state.angle, late * velocity.hi.abs());
-        tally.add(&record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
+        errors.add(&record, pendulum::state(record.inputs[1], 1.0, record.inputs[3]));
     }
-    tally.report();
+    errors.report();
 }
 
 #[test]
