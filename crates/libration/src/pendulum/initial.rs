@@ -30,16 +30,17 @@ const SMALL: f64 = 1e-150;
 /// 2⁵⁰⁰.
 const SCALE: f64 = 3.273390607896142e150;
 
-/// The energy of the state against that of the separatrix; `cosine` is cos(θ/2) ≥ 0, `scaled_velocity` θ′/2ω0.
+/// The energy of the state against that of the separatrix, `None` where the difference is not zero but below
+/// the range of `f64`; `cosine` is cos(θ/2) ≥ 0, `scaled_velocity` θ′/2ω0.
 pub(super) fn separation(
     angle: &Angle,
     cosine: DoubleDouble,
     velocity: f64,
     scaled_velocity: DoubleDouble,
     (gravity, length): (DoubleDouble, f64),
-) -> Separation {
+) -> Option<Separation> {
     if velocity == 0.0 {
-        return Separation { energy: Ordering::Less, root: cosine };
+        return Some(Separation { energy: Ordering::Less, root: cosine });
     }
     let small = cosine.hi.max(scaled_velocity.hi.abs()) < SMALL;
     let scale = if small { SCALE } else { 1.0 };
@@ -51,12 +52,12 @@ pub(super) fn separation(
             break;
         }
         difference = cancelling_difference(angle, velocity * scale, scale, (gravity, length), bits);
-        if difference.hi != 0.0 || angle.in_turn() == 0.0 {
-            break;
-        }
+    }
+    if difference.hi == 0.0 && angle.in_turn() != 0.0 {
+        return None;
     }
     let energy = 0f64.partial_cmp(&difference.hi).unwrap_or(Ordering::Greater);
-    Separation { energy, root: difference.abs().sqrt().scaled(1.0 / scale) }
+    Some(Separation { energy, root: difference.abs().sqrt().scaled(1.0 / scale) })
 }
 
 /// The difference in so many bits.

@@ -71,7 +71,8 @@ impl Pendulum {
     /// the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
     ///
     /// # Errors
-    /// A velocity that is not finite, or whose energy is not.
+    /// A velocity that is not finite, or whose energy is not; an energy closer to the separatrix than `f64` can
+    /// tell, which happens only next to the upright position.
     pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
         finite("velocity", velocity)?;
         let angular_frequency = self.angular_frequency_words();
@@ -80,7 +81,8 @@ impl Pendulum {
             return Ok(Motion::Rest(Rest { angle, angular_frequency }));
         }
         let scaled_velocity = DoubleDouble::from(velocity) / angular_frequency.scaled(2.0);
-        let separation = separation(&angle, cosine, velocity, scaled_velocity, self.gravity_and_length());
+        let separation = separation(&angle, cosine, velocity, scaled_velocity, self.gravity_and_length())
+            .ok_or(PendulumError::TooCloseToSeparatrix)?;
         if !separation.root.is_finite() {
             return Err(PendulumError::NotFinite { name: "energy of this velocity", value: f64::INFINITY });
         }
