@@ -2,5 +2,6 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail")]
 
 mod measurement;
+mod period_formulas;
 mod quantity;
 mod series;
