@@ -120,11 +120,15 @@ impl Family {
 
     fn domain(self) -> &'static str {
         match self {
-            Self::PowerSeries => "all amplitudes below the top, where it stays finite and the series stops converging",
+            Self::PowerSeries => {
+                "all amplitudes below the top, where it stays finite and the series stops converging"
+            }
             Self::FourierPerturbation => {
                 "all amplitudes below the top, where it stays finite; with one term its pole is at 4 rad, beyond it"
             }
-            Self::SineSquared => "all amplitudes below the top, where it stays finite; converges slower than the power series",
+            Self::SineSquared => {
+                "all amplitudes below the top, where it stays finite; converges slower than the power series"
+            }
         }
     }
 
@@ -152,7 +156,11 @@ impl Family {
             Self::PowerSeries | Self::FourierPerturbation => r"\theta_0^{#}",
         };
         let polynomial = polynomial_latex(coefficients, variable);
-        if self == Self::FourierPerturbation { format!(r"\left({polynomial}\right)^{{-1}}") } else { polynomial }
+        if self == Self::FourierPerturbation {
+            format!(r"\left({polynomial}\right)^{{-1}}")
+        } else {
+            polynomial
+        }
     }
 }
 
@@ -160,7 +168,9 @@ impl Family {
 fn polynomial_latex(coefficients: &[Rational], variable: &str) -> String {
     const SHOWN: usize = 7;
     let terms = coefficients.iter().take(SHOWN).enumerate().skip(1);
-    let mut text: String = terms.fold("1".to_owned(), |text, (n, c)| text + &term_latex(c, &variable.replace('#', &(2 * n).to_string())));
+    let mut text: String = terms.fold("1".to_owned(), |text, (n, c)| {
+        text + &term_latex(c, &variable.replace('#', &(2 * n).to_string()))
+    });
     if coefficients.len() > SHOWN {
         let last = 2 * (coefficients.len() - 1);
         text += &format!(r"+\cdots\ \left(\text{{to }}{}\right)", variable.replace('#', &last.to_string()));
@@ -170,6 +180,7 @@ fn polynomial_latex(coefficients: &[Rational], variable: &str) -> String {
 
 fn term_latex(coefficient: &Rational, power: &str) -> String {
     let numerator = coefficient.numerator();
-    let (sign, digits) = numerator.strip_prefix('-').map_or(("+", numerator.as_str()), |digits| ("-", digits));
+    let (sign, digits) =
+        numerator.strip_prefix('-').map_or(("+", numerator.as_str()), |digits| ("-", digits));
     format!(r"{sign}\frac{{{digits}}}{{{}}}{power}", coefficient.denominator())
 }

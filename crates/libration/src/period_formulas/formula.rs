@@ -93,7 +93,12 @@ static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
     let listed = [(Family::PowerSeries, 3), (Family::FourierPerturbation, 3), (Family::SineSquared, 4)];
     let series = listed.into_iter().flat_map(|(family, most)| (1..=most).map(move |n| family.formula(n)));
     let (first, others) = CLOSED.split_at(1);
-    first.iter().map(PeriodFormula::from_entry).chain(series).chain(others.iter().map(PeriodFormula::from_entry)).collect()
+    first
+        .iter()
+        .map(PeriodFormula::from_entry)
+        .chain(series)
+        .chain(others.iter().map(PeriodFormula::from_entry))
+        .collect()
 });
 
 /// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] has more.

@@ -24,7 +24,8 @@ pub(super) fn points() -> Vec<Coordinate> {
 }
 
 fn growing(last: f64) -> impl Iterator<Item = f64> {
-    let ahead = std::iter::successors(Some(EVEN * GROWTH), |u| Some(u * GROWTH)).take_while(move |u| *u < last);
+    let ahead =
+        std::iter::successors(Some(EVEN * GROWTH), |u| Some(u * GROWTH)).take_while(move |u| *u < last);
     ahead.chain(std::iter::once(last))
 }
 

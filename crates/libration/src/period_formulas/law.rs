@@ -107,7 +107,8 @@ fn ganley_parwani<R: Real>(swing: &Swing<R>) -> R {
 /// −ln c/(1 − c), both from 1 − c so that nothing cancels at small amplitude.
 fn lima_arun<R: Real>(swing: &Swing<R>) -> R {
     let versine = swing.versine_half();
-    let logarithm = if swing.cos_half < swing.sin_half { swing.cos_half.ln() } else { (-versine.clone()).ln_1p() };
+    let logarithm =
+        if swing.cos_half < swing.sin_half { swing.cos_half.ln() } else { (-versine.clone()).ln_1p() };
     (-logarithm).over(versine)
 }
 

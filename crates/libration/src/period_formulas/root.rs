@@ -3,7 +3,12 @@
 /// A zero of `f` between `a` and `b`, where it has the values `fa` and `fb` of opposite sign: to the spacing of
 /// `f64` or to `tolerance`, whichever is larger. The method of Oliveira and Takahashi, ACM TOMS 47, 5 (2021):
 /// interpolation, kept within a shrinking window about the middle, so never much slower than bisection.
-pub(super) fn zero_between(f: &mut dyn FnMut(f64) -> f64, a: (f64, f64), b: (f64, f64), tolerance: f64) -> f64 {
+pub(super) fn zero_between(
+    f: &mut dyn FnMut(f64) -> f64,
+    a: (f64, f64),
+    b: (f64, f64),
+    tolerance: f64,
+) -> f64 {
     let (mut low, mut high) = (a, b);
     let mut window = 2.0 * (b.0 - a.0).abs();
     while (high.0 - low.0).abs() > tolerance && low.1 != 0.0 && high.1 != 0.0 {
@@ -12,7 +17,11 @@ pub(super) fn zero_between(f: &mut dyn FnMut(f64) -> f64, a: (f64, f64), b: (f64
             break;
         }
         let value = (x, f(x));
-        if (value.1 > 0.0) == (low.1 > 0.0) { low = value } else { high = value }
+        if (value.1 > 0.0) == (low.1 > 0.0) {
+            low = value
+        } else {
+            high = value
+        }
         window /= 2.0;
     }
     if low.1.abs() < high.1.abs() { low.0 } else { high.0 }

@@ -93,7 +93,10 @@ impl ErrorTable {
     /// there, π when it never fails.
     #[must_use]
     pub fn holds_to(&self, formula: usize, tolerance: f64) -> f64 {
-        self.holds_on(formula, tolerance).first().filter(|interval| interval.0 <= 0.0).map_or(0.0, |interval| interval.1)
+        self.holds_on(formula, tolerance)
+            .first()
+            .filter(|interval| interval.0 <= 0.0)
+            .map_or(0.0, |interval| interval.1)
     }
 
     /// The formulas that keep the tolerance at this amplitude and all below, the simplest first by
@@ -102,7 +105,8 @@ impl ErrorTable {
     pub fn simplest(&self, amplitude: &Angle, tolerance: f64) -> Vec<&PeriodFormula> {
         let Some(amplitude) = SwingAmplitude::from_angle(amplitude) else { return Vec::new() };
         let reach = |(i, _): &(usize, &Curve)| self.holds_to(*i, tolerance) >= amplitude.radians();
-        let mut sufficient: Vec<_> = self.curves.iter().enumerate().filter(reach).map(|(_, curve)| &curve.formula).collect();
+        let mut sufficient: Vec<_> =
+            self.curves.iter().enumerate().filter(reach).map(|(_, curve)| &curve.formula).collect();
         sufficient.sort_by_key(|formula| formula.complexity().rank());
         sufficient
     }
@@ -140,11 +144,23 @@ impl ErrorTable {
         places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
+    /// Every amplitude within (0, π) at which the error changes its sign, the formula being exact there.
+    #[must_use]
+    pub fn amplitudes_where_exact(&self, formula: usize) -> Vec<Angle> {
+        let Some(curve) = self.curves.get(formula) else { return Vec::new() };
+        let mut sign = |u: f64| imbalance(curve.error_at(u), 0.0);
+        let signs: Vec<f64> = curve.errors.iter().map(|&error| imbalance(error, 0.0)).collect();
+        let places = zeros(&self.points, &signs, &mut sign);
+        places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
+    }
+
     fn changes_of_lead(&self, a: &Curve, b: &Curve) -> Vec<Crossover> {
         let places = self.places_where_equal(a, &Other::Formula(b, 1.0));
         let between = self.midpoints_about(&places);
-        let first_leads: Vec<bool> = between.iter().map(|&u| a.error_at(u).abs() < b.error_at(u).abs()).collect();
-        let leader = |first: bool| if first { a.formula.key().to_owned() } else { b.formula.key().to_owned() };
+        let first_leads: Vec<bool> =
+            between.iter().map(|&u| a.error_at(u).abs() < b.error_at(u).abs()).collect();
+        let leader =
+            |first: bool| if first { a.formula.key().to_owned() } else { b.formula.key().to_owned() };
         let mut crossovers = Vec::new();
         for (&u, leads) in places.iter().zip(first_leads.windows(2)) {
             let amplitude = amplitude_at(u).to_angle();
@@ -179,7 +195,8 @@ impl ErrorTable {
         let mut places = Vec::new();
         for sign in [1.0, -1.0] {
             let indices = 0..self.points.len();
-            let values: Vec<f64> = indices.map(|i| imbalance(curve.errors[i], sign * other.error_in_table(i))).collect();
+            let values: Vec<f64> =
+                indices.map(|i| imbalance(curve.errors[i], sign * other.error_in_table(i))).collect();
             let mut difference = |u: f64| imbalance(curve.error_at(u), sign * other.error_at(u));
             places.extend(zeros(&self.points, &values, &mut difference));
         }
@@ -269,7 +286,8 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
     let sag = (heights[0] - 2.0 * heights[1] + heights[2]) / 2.0;
     let slope = (heights[2] - heights[0]) / 4.0;
     let drop = slope * slope / sag;
-    if nearest_neighbour < heights[1] || heights[1] - drop > 0.5 * heights[1] {
+    let may_reach = nearest_neighbour >= heights[1] && sag > 0.0 && heights[1] - drop <= 0.5 * heights[1];
+    if !may_reach {
         return Vec::new();
     }
     let (place, depth) = maximum_between(&mut |u| -sign * f(u), triple[0].0, triple[2].0, 1e-7);
@@ -277,7 +295,10 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
         return Vec::new();
     }
     let bottom = (place, -sign * depth);
-    [triple[0], triple[2]].into_iter().map(|side| zero_between(f, side, bottom, COORDINATE_TOLERANCE)).collect()
+    [triple[0], triple[2]]
+        .into_iter()
+        .map(|side| zero_between(f, side, bottom, COORDINATE_TOLERANCE))
+        .collect()
 }
 
 impl PeriodFormula {

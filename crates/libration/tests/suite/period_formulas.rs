@@ -61,7 +61,7 @@ fn quotients_of_errors_equal_the_published_ones() {
 /// The amplitudes that the search gives for one row of the claims.
 fn searched(row: &[&str]) -> Vec<f64> {
     match row[0] {
-        "zero" => vec![formula(row[1]).holds_on(1e-18).last().unwrap().0],
+        "zero" => TABLE.amplitudes_where_exact(place(row[1])).iter().map(Angle::radians).collect(),
         "tolerance" => {
             let intervals = TABLE.holds_on(place(row[1]), row[3].parse().unwrap());
             intervals.into_iter().flat_map(|(from, to)| [from, to]).collect()
@@ -103,9 +103,10 @@ fn worst_errors_equal_the_published_ones() {
     for row in rows(include_str!("../data/formulas_worst_errors.csv")) {
         let formula = formula(row[0]);
         for (bound, printed) in bounds.into_iter().zip(&row[1..]) {
-            let published: f64 = printed.parse().unwrap();
+            let Ok(published) = printed.parse::<f64>() else { continue };
             // The published numbers are maxima over amplitudes i/360 of the bound.
-            let sampled = (1..=360).map(|i| formula.fractional_error(&degrees(bound * f64::from(i) / 360.0)).abs());
+            let sampled =
+                (1..=360).map(|i| formula.fractional_error(&degrees(bound * f64::from(i) / 360.0)).abs());
             let sampled = sampled.fold(0.0, f64::max);
             assert!(relative(sampled, published) < 5.1e-6, "{} to {bound}°: {sampled}", row[0]);
             let worst = formula.worst_error(&degrees(bound / 360.0), &degrees(bound)).unwrap().error.abs();
@@ -131,7 +132,8 @@ fn leading_errors_are_the_limits_of_the_errors() {
 
 /// θ₃(q)⁻² − 1 or, with −q, θ₄(q)⁻² − 1, free of cancellation (DLMF 20.2.3, 20.2.4).
 fn theta_error(q: f64) -> f64 {
-    let excess: f64 = (1..40).map(|n| 2.0 * q.abs().powi(n * n) * if n % 2 == 1 { q.signum() } else { 1.0 }).sum();
+    let excess: f64 =
+        (1..40).map(|n| 2.0 * q.abs().powi(n * n) * if n % 2 == 1 { q.signum() } else { 1.0 }).sum();
     -excess * (2.0 + excess) / (1.0 + excess).powi(2)
 }
 
@@ -187,7 +189,9 @@ fn an_unknown_key_is_answered_with_the_nearest_ones() {
     let refusal = PeriodFormula::by_key("molino").unwrap_err();
     assert_eq!(refusal.near[0], "molina");
     assert!(refusal.to_string().starts_with("no formula has the key `molino`"));
-    for key in ["", "power_series_", "power_series_-1", "power_series_07", "power_series_99999999999999999999"] {
+    for key in
+        ["", "power_series_", "power_series_-1", "power_series_07", "power_series_99999999999999999999"]
+    {
         assert!(PeriodFormula::by_key(key).is_err(), "{key}");
     }
 }
@@ -231,10 +235,14 @@ fn simplest_formulas_come_first_and_keep_their_tolerance() {
 #[test]
 fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
     for crossover in TABLE.all_crossovers(&mut |_, _| ControlFlow::Continue(())) {
-        let below = formula(&crossover.better_below).fractional_error(&crossover.amplitude).abs();
-        let above = formula(&crossover.better_above).fractional_error(&crossover.amplitude).abs();
-        // Errors with a zero or a pole nearby change fast.
-        assert!(relative(below, above) < 1e-9, "{crossover:?}: {below:e}, {above:e}");
+        let (below, above) = (formula(&crossover.better_below), formula(&crossover.better_above));
+        let gap = |amplitude: &Angle| {
+            below.fractional_error(amplitude).abs() - above.fractional_error(amplitude).abs()
+        };
+        // What the spacing of f64 amplitudes leaves: matters beside the zero of an error.
+        let slope = gap(&Angle::from_radians(crossover.amplitude.radians() + 1e-9).unwrap()).abs() / 1e-9;
+        let allowed = 1e-9 * crossover.error + 4e-15 * slope;
+        assert!(gap(&crossover.amplitude).abs() <= allowed || slope.is_nan(), "{crossover:?}");
     }
 }
 
