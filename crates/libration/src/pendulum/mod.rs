@@ -1,5 +1,9 @@
 //! STUB of the public interface of the pendulum module (bodies follow).
 #![allow(missing_docs, clippy::todo, unused_variables, clippy::missing_errors_doc, reason = "stub")]
+mod approximate_motion;
+
+pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
+
 use crate::quantity::Angle;
 
 /// T/T0 for an amplitude in radians, 0 ≤ θ0 < π (NaN outside).
