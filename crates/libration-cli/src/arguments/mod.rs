@@ -1,0 +1,17 @@
+//! What the commands ask for in common: angles, amplitudes, times, the pendulum, the formulas.
+
+mod amplitudes;
+mod angle_list;
+mod pendulum;
+mod formulas;
+mod lines;
+mod text;
+mod times;
+
+pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
+pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use formulas::FormulaChoice;
+pub(crate) use pendulum::PendulumOptions;
+pub(crate) use text::{angle, angular_velocity, positive};
+pub(crate) use times::TimeOptions;
+pub(crate) use lines::bytes as read_bytes;
