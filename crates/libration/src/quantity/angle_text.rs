@@ -1,0 +1,170 @@
+//! Angles from text: `60deg`, `1.2rad`, `1.2`, `pi/3`, and below the top `pi-1e-300`, `180deg-1e-9deg`.
+//!
+//! An angle is one term, or a term in degrees or in π with a second one added or subtracted. A term alone in
+//! radians is the nearest `f64`; every other number is the decimal.
+
+use std::str::FromStr;
+use std::sync::LazyLock;
+
+use dashu::base::{Abs, Signed};
+use dashu::integer::UBig;
+use dashu::rational::RBig;
+
+use super::decimal::{Decimal, LONGEST_TEXT};
+use super::error::excerpt;
+use super::pi_combination::PiCombination;
+use super::{Angle, QuantityError};
+
+const HOW_TO_WRITE: &str = "write 60deg, 1.2rad, 1.2 (radians), pi-1e-6 or 180deg-1e-9deg";
+const DECIMAL_COMMA: &str = "write the decimals with a point, as in 1.2rad";
+const SAY_THE_UNIT: &str = "write the unit of what is taken from degrees, as in 180deg-1e-9deg";
+const TOO_LARGE: &str = "give an angle of at most 2^53 rad";
+const TOO_SMALL: &str = "give zero or at least 1e-300 rad, and the top exactly or by at least 1e-300 rad";
+/// Below this two words of an angle would be subnormal.
+static SMALLEST: LazyLock<RBig> = LazyLock::new(|| RBig::from_parts(1.into(), UBig::from(10u8).pow(300)));
+
+/// Reads an angle.
+///
+/// # Errors
+/// Text that does not follow the grammar, that is longer than 128 bytes, that means more than 2⁵³ rad, or a
+/// decimal angle within 1e-300 rad of zero or of the top without being there.
+impl FromStr for Angle {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        if text.len() > LONGEST_TEXT {
+            return Err(unreadable(text, HOW_TO_WRITE));
+        }
+        let plain = text.trim().replace('−', "-").replace('π', "pi").to_ascii_lowercase();
+        parse(&plain).map_err(|fault| fault.about(text))
+    }
+}
+
+/// What is wrong, before the text is added to it.
+enum Fault {
+    Unreadable(&'static str),
+    OutOfRange(&'static str),
+}
+
+impl Fault {
+    fn about(self, text: &str) -> QuantityError {
+        match self {
+            Self::Unreadable(hint) => unreadable(text, hint),
+            Self::OutOfRange(hint) => QuantityError::AngleOutOfRange { text: excerpt(text), hint },
+        }
+    }
+}
+
+fn unreadable(text: &str, hint: &'static str) -> QuantityError {
+    QuantityError::UnreadableAngle { text: excerpt(text), hint }
+}
+
+fn parse(plain: &str) -> Result<Angle, Fault> {
+    let (first, second) = split_at_second_sign(plain);
+    let first = Term::parse(first)?;
+    if second.is_empty() {
+        return first.alone();
+    }
+    first.followed_by(&Term::parse(second)?)
+}
+
+/// The first term, and the second with its sign; the sign of an exponent does not count.
+fn split_at_second_sign(text: &str) -> (&str, &str) {
+    let is_sign = |b: u8| b == b'+' || b == b'-';
+    let bytes = text.as_bytes();
+    let exponent_at = |i: usize| bytes[i] == b'e' && i > 0 && matches!(bytes[i - 1], b'0'..=b'9' | b'.');
+    let second = (1..bytes.len()).find(|&i| is_sign(bytes[i]) && !exponent_at(i - 1));
+    text.split_at(second.unwrap_or(text.len()))
+}
+
+enum Unit {
+    Unsaid,
+    Radians,
+    Degrees,
+    Pi,
+}
+
+/// A signed number with its unit.
+struct Term {
+    number: Decimal,
+    divisor: RBig,
+    unit: Unit,
+}
+
+impl Term {
+    fn parse(text: &str) -> Result<Self, Fault> {
+        let (negative, unsigned) = match text.strip_prefix('-') {
+            Some(rest) => (true, rest),
+            None => (false, text.strip_prefix('+').unwrap_or(text)),
+        };
+        let unsigned = unsigned.trim();
+        let one = || Decimal::split_from("1").map(|(one, _)| (one, unsigned));
+        let (number, rest) = Decimal::split_from(unsigned)
+            .or_else(|| if unsigned.starts_with("pi") { one() } else { None })
+            .ok_or(Fault::Unreadable(HOW_TO_WRITE))?;
+        let (unit, divisor) = unit_and_divisor(rest.trim())?;
+        Ok(Self { number: if negative { number.negated() } else { number }, divisor, unit })
+    }
+
+    fn alone(&self) -> Result<Angle, Fault> {
+        match self.unit {
+            Unit::Unsaid | Unit::Radians => {
+                Angle::from_radians(self.number.nearest()).map_err(|_| Fault::OutOfRange(TOO_LARGE))
+            }
+            Unit::Degrees | Unit::Pi => in_range(&self.exact()),
+        }
+    }
+
+    fn followed_by(&self, second: &Self) -> Result<Angle, Fault> {
+        match (&self.unit, &second.unit) {
+            (Unit::Unsaid | Unit::Radians, _) => return Err(Fault::Unreadable(HOW_TO_WRITE)),
+            (Unit::Degrees, Unit::Unsaid) => return Err(Fault::Unreadable(SAY_THE_UNIT)),
+            (Unit::Degrees | Unit::Pi, _) => {}
+        }
+        let (a, b) = (self.exact(), second.exact());
+        in_range(&PiCombination { pi_multiple: a.pi_multiple + b.pi_multiple, rest: a.rest + b.rest })
+    }
+
+    fn exact(&self) -> PiCombination {
+        let number = self.number.exact() / &self.divisor;
+        match self.unit {
+            Unit::Unsaid | Unit::Radians => PiCombination { pi_multiple: RBig::ZERO, rest: number },
+            Unit::Degrees => PiCombination::from_degrees(number),
+            Unit::Pi => PiCombination { pi_multiple: number, rest: RBig::ZERO },
+        }
+    }
+}
+
+/// The unit after a number, and what a multiple of π is divided by.
+fn unit_and_divisor(text: &str) -> Result<(Unit, RBig), Fault> {
+    let unit = match text {
+        "" => Unit::Unsaid,
+        "rad" | "radian" | "radians" => Unit::Radians,
+        "deg" | "degree" | "degrees" | "°" => Unit::Degrees,
+        _ if text.starts_with(',') => return Err(Fault::Unreadable(DECIMAL_COMMA)),
+        _ => return Ok((Unit::Pi, divisor_of_pi(text).ok_or(Fault::Unreadable(HOW_TO_WRITE))?)),
+    };
+    Ok((unit, RBig::ONE))
+}
+
+/// The n of `pi/n`, one for `pi`, after an optional `*` and before an optional `rad`.
+fn divisor_of_pi(text: &str) -> Option<RBig> {
+    let text = text.strip_prefix('*').unwrap_or(text).trim_start().strip_prefix("pi")?.trim();
+    let text = text.strip_suffix("rad").unwrap_or(text).trim_end();
+    if text.is_empty() {
+        return Some(RBig::ONE);
+    }
+    let divisor = Decimal::parse(text.strip_prefix('/')?.trim_start())?.exact();
+    (!divisor.is_zero() && divisor.is_positive()).then_some(divisor)
+}
+
+/// The angle, when its turns can be counted and its words are normal numbers.
+fn in_range(angle: &PiCombination) -> Result<Angle, Fault> {
+    if angle.value().abs() > RBig::from(1u64 << 53) {
+        return Err(Fault::OutOfRange(TOO_LARGE));
+    }
+    if angle.nearly_vanishes(&SMALLEST) {
+        return Err(Fault::OutOfRange(TOO_SMALL));
+    }
+    Ok(angle.to_angle())
+}

@@ -1,0 +1,113 @@
+//! Decimal numbers from text, exactly; bounded before any arithmetic, so that no text is slow to read.
+
+use dashu::integer::{IBig, UBig};
+use dashu::rational::RBig;
+
+/// Longer texts are not numbers that anybody meant.
+pub(super) const LONGEST_TEXT: usize = 128;
+/// Larger exponents leave the range of `f64` whatever the digits.
+const LARGEST_EXPONENT: i32 = 500;
+
+/// A decimal number: digits · 10^exponent.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Decimal {
+    digits: IBig,
+    exponent: i32,
+    nearest: f64,
+}
+
+impl Decimal {
+    /// The whole text as a decimal number such as `-1.25e-3`; nothing when it is none, when it is too long or
+    /// when it is beyond the range of `f64`.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let (number, rest) = Self::split_from(text.strip_prefix('-').unwrap_or(text))?;
+        let number = if text.starts_with('-') { number.negated() } else { number };
+        rest.is_empty().then_some(number)
+    }
+
+    /// The unsigned decimal number that the text begins with, and the text after it.
+    pub(super) fn split_from(text: &str) -> Option<(Self, &str)> {
+        let (number, rest) = text.split_at(number_length(text));
+        let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = UBig::from_str_radix(&format!("{whole}{fraction}"), 10).ok()?;
+        let exponent = exponent.parse::<i32>().ok().filter(|e| e.abs() <= LARGEST_EXPONENT)?;
+        let nearest = number.parse::<f64>().ok().filter(|x| x.is_finite())?;
+        let exponent = exponent - i32::try_from(fraction.len()).ok()?;
+        Some((Self { digits: digits.into(), exponent, nearest }, rest))
+    }
+
+    /// The decimal itself.
+    pub(super) fn exact(&self) -> RBig {
+        let power = UBig::from(10u8).pow(self.exponent.unsigned_abs() as usize);
+        if self.exponent < 0 {
+            return RBig::from_parts(self.digits.clone(), power);
+        }
+        RBig::from(&self.digits * IBig::from(power))
+    }
+
+    /// The nearest `f64`.
+    pub(super) fn nearest(&self) -> f64 {
+        self.nearest
+    }
+
+    pub(super) fn negated(self) -> Self {
+        Self { digits: -self.digits, nearest: -self.nearest, ..self }
+    }
+}
+
+/// The length of the longest unsigned decimal number at the beginning, zero when there is none or when it is
+/// longer than [`LONGEST_TEXT`].
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let whole = digits(0);
+    let point = usize::from(bytes.get(whole) == Some(&b'.'));
+    let fraction = if point == 1 { digits(whole + 1) } else { 0 };
+    if whole + fraction == 0 || whole + fraction > LONGEST_TEXT {
+        return 0;
+    }
+    let mantissa = whole + point + fraction;
+    mantissa + exponent_length(&bytes[mantissa..])
+}
+
+fn exponent_length(bytes: &[u8]) -> usize {
+    if !matches!(bytes.first(), Some(b'e' | b'E')) {
+        return 0;
+    }
+    let sign = usize::from(matches!(bytes.get(1), Some(b'+' | b'-')));
+    match bytes[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count() {
+        0 => 0,
+        digits => 1 + sign + digits,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decimal_is_kept_exactly() {
+        let number = Decimal::parse("-0.1").unwrap();
+        assert_eq!(number.exact() * RBig::from(10), -RBig::ONE);
+        assert_eq!(number.nearest().to_bits(), (-0.1f64).to_bits());
+        assert_eq!(Decimal::parse("1.5e2").unwrap().exact(), RBig::from(150));
+    }
+
+    #[test]
+    fn what_follows_the_number_is_left() {
+        for (text, rest) in [("60deg", "deg"), ("1e", "e"), ("2e-x", "e-x"), ("1.e3m", "m"), (".5", "")] {
+            assert_eq!(Decimal::split_from(text).unwrap().1, rest, "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_that_are_no_number_are_refused() {
+        for text in
+            ["", "-", ".", "e5", "+-1", "1e501", "1e400", "1e-999999999", "1e99999999999", "٣", "nan", "inf"]
+        {
+            assert_eq!(Decimal::parse(text), None, "{text}");
+        }
+        assert_eq!(Decimal::parse(&"9".repeat(1_000_000)), None);
+    }
+}
