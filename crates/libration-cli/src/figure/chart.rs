@@ -1,5 +1,7 @@
 //! What a picture shows, before anything is drawn: panels, axes, curves and points.
 
+use super::range;
+
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
@@ -26,7 +28,8 @@ pub(crate) struct Axis {
     pub(crate) from: f64,
     pub(crate) to: f64,
     pub(crate) scale: Scale,
-    pub(crate) tick_step: Option<f64>,
+    /// In values on a linear axis, in powers of ten on a logarithmic one.
+    pub(crate) tick_step: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +54,7 @@ pub(crate) struct Point {
     pub(crate) y_uncertainty: Option<f64>,
 }
 
-/// How a series is drawn: colour, and a line or markers.
+/// How a series is drawn: colour, a line or markers, and the width of the line or of half a marker.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Look {
     pub(crate) colour: &'static str,
@@ -82,15 +85,22 @@ impl Point {
 
 impl Axis {
     pub(crate) fn linear(label: &str, from: f64, to: f64) -> Self {
-        Self { label: label.to_owned(), from, to, scale: Scale::Linear, tick_step: None }
+        let tick_step = range::tick_step(from, to);
+        Self { label: label.to_owned(), from, to, scale: Scale::Linear, tick_step }
     }
 
     pub(crate) fn logarithmic(label: &str, from: f64, to: f64) -> Self {
-        Self { scale: Scale::Logarithmic, ..Self::linear(label, from, to) }
+        let tick_step = range::tick_step(from.log10(), to.log10()).max(1.0);
+        Self { scale: Scale::Logarithmic, tick_step, ..Self::linear(label, from, to) }
     }
 
     pub(crate) fn with_tick_step(self, step: f64) -> Self {
-        Self { tick_step: Some(step), ..self }
+        Self { tick_step: step, ..self }
+    }
+
+    /// The coordinates of the ends.
+    pub(crate) fn ends(&self) -> (f64, f64) {
+        (self.coordinate(self.from), self.coordinate(self.to))
     }
 
     /// The position on the axis, in the coordinate in which the axis is evenly divided.

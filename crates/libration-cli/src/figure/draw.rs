@@ -2,6 +2,7 @@
 
 use super::chart::{Axis, Mark, Panel, Picture, Scale, Series};
 use super::{clip, dashes, legend};
+use crate::output::number;
 use kuva::prelude::{Figure, LinePlot, LineStyle, MarkerShape};
 use kuva::prelude::{Layout, Plot, PngBackend, ScatterPlot, SvgBackend, TickFormat};
 use kuva::render::render::Scene;
@@ -46,9 +47,7 @@ fn axes_and_data(picture: &Picture) -> Scene {
 }
 
 fn layout(panel: &Panel) -> Layout {
-    let layout = Layout::new((panel.x.from, panel.x.to), (panel.y.from, panel.y.to))
-        .with_x_label(&panel.x.label)
-        .with_y_label(&panel.y.label)
+    let layout = Layout::new(panel.x.ends(), panel.y.ends())
         .with_label_size(20)
         .with_tick_size(17)
         .with_body_size(16)
@@ -59,33 +58,40 @@ fn layout(panel: &Panel) -> Layout {
 }
 
 fn with_x_axis(layout: Layout, axis: &Axis) -> Layout {
-    let layout = layout.with_x_axis_min(axis.from).with_x_axis_max(axis.to).with_x_tick_format(ticks(axis));
-    let layout = match axis.tick_step {
-        Some(step) => layout.with_x_tick_step(step),
-        None => layout,
-    };
-    if axis.scale == Scale::Logarithmic { layout.with_log_x() } else { layout }
+    let (from, to) = axis.ends();
+    let layout = layout
+        .with_x_axis_min(from)
+        .with_x_axis_max(to)
+        .with_x_tick_step(axis.tick_step)
+        .with_x_tick_format(ticks(axis.scale));
+    if axis.label.is_empty() { layout } else { layout.with_x_label(&axis.label) }
 }
 
 fn with_y_axis(layout: Layout, axis: &Axis) -> Layout {
-    let layout = layout.with_y_axis_min(axis.from).with_y_axis_max(axis.to).with_y_tick_format(ticks(axis));
-    let layout = match axis.tick_step {
-        Some(step) => layout.with_y_tick_step(step),
-        None => layout,
-    };
-    if axis.scale == Scale::Logarithmic { layout.with_log_y() } else { layout }
+    let (from, to) = axis.ends();
+    layout
+        .with_y_axis_min(from)
+        .with_y_axis_max(to)
+        .with_y_tick_step(axis.tick_step)
+        .with_y_tick_format(ticks(axis.scale))
+        .with_y_label(&axis.label)
 }
 
-fn ticks(axis: &Axis) -> TickFormat {
-    match axis.scale {
-        Scale::Linear => TickFormat::Auto,
-        Scale::Logarithmic => TickFormat::Custom(Arc::new(power_of_ten)),
-    }
+/// Logarithmic axes are drawn as even ones of the exponent: the library's own end at 1e-10.
+fn ticks(scale: Scale) -> TickFormat {
+    TickFormat::Custom(Arc::new(match scale {
+        Scale::Linear => linear_tick,
+        Scale::Logarithmic => power_of_ten,
+    }))
 }
 
-/// `1e-4` as 10⁻⁴.
-fn power_of_ten(value: f64) -> String {
-    let exponent = format!("{:.0}", value.log10());
+fn linear_tick(value: f64) -> String {
+    number::short(value, 6).replace('-', "−")
+}
+
+/// 10⁻⁴ for the exponent −4.
+fn power_of_ten(exponent: f64) -> String {
+    let exponent = format!("{exponent:.0}");
     let raised = exponent.chars().map(|digit| match digit {
         '-' => '⁻',
         '1' => '¹',
@@ -93,7 +99,10 @@ fn power_of_ten(value: f64) -> String {
         '3' => '³',
         digit => digit.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(digit),
     });
-    if exponent == "0" { "1".to_owned() } else { format!("10{}", raised.collect::<String>()) }
+    match exponent.as_str() {
+        "0" | "-0" => "1".to_owned(),
+        _ => format!("10{}", raised.collect::<String>()),
+    }
 }
 
 fn plots(panel: &Panel) -> Vec<Plot> {
@@ -102,7 +111,7 @@ fn plots(panel: &Panel) -> Vec<Plot> {
 
 fn drawn(series: &Series, panel: &Panel) -> Vec<Plot> {
     match series.look.mark {
-        Mark::Line(dashes) => clip::visible_pieces(series, &panel.x, &panel.y)
+        Mark::Line(dashes) => clip::visible_pieces(series, panel)
             .into_iter()
             .map(|piece| line(series, dashes, piece).into())
             .collect(),
@@ -122,14 +131,16 @@ fn dash_style(dashes: &str) -> LineStyle {
     if dashes.is_empty() { LineStyle::Solid } else { LineStyle::Custom(dashes.to_owned()) }
 }
 
+/// Markers, with error bars where the points have uncertainties.
 fn markers(series: &Series, number: usize, panel: &Panel) -> ScatterPlot {
-    let shown: Vec<_> =
-        series.points.iter().filter(|point| clip::is_visible(point, &panel.x, &panel.y)).collect();
+    let shown: Vec<_> = series.points.iter().filter(|point| clip::is_visible(point, panel)).collect();
     let plot = ScatterPlot::new()
-        .with_data(shown.iter().map(|point| (point.x, point.y)))
+        .with_data(shown.iter().map(|point| clip::place(point, panel)))
         .with_color(series.look.colour)
-        .with_size(5.0)
+        .with_size(series.look.width)
         .with_marker(MARKERS[number % MARKERS.len()]);
-    let plot = plot.with_x_err(shown.iter().map(|point| point.x_uncertainty.unwrap_or(0.0)));
-    plot.with_y_err(shown.iter().map(|point| point.y_uncertainty.unwrap_or(0.0)))
+    let widths: Option<Vec<f64>> = shown.iter().map(|point| point.x_uncertainty).collect();
+    let heights: Option<Vec<f64>> = shown.iter().map(|point| point.y_uncertainty).collect();
+    let plot = plot.with_x_err(widths.unwrap_or_default());
+    plot.with_y_err(heights.unwrap_or_default())
 }

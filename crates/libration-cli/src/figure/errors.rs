@@ -1,7 +1,6 @@
 //! The fractional error of period formulas against the amplitude, as in the first figure of Black and Vel.
 
 use super::chart::{Axis, Panel, Picture, Series};
-use super::range::tick_step;
 use super::style;
 
 const SAMPLES: u32 = 720;
@@ -28,9 +27,9 @@ pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
     let series = curves.iter().enumerate().map(|(number, curve)| {
         Series::line(&curve.label, style::curve(number), sizes(curve, frame))
     });
-    let step = if frame.to - frame.from > 90.0 { 30.0 } else { tick_step(frame.from, frame.to) };
+    let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {
-        x: Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to).with_tick_step(step),
+        x: if frame.to - frame.from > 90.0 { x.with_tick_step(30.0) } else { x },
         y: Axis::logarithmic("|fractional error of T|", frame.lowest, frame.highest),
         series: series.collect(),
         share: 1.0,
@@ -38,40 +37,48 @@ pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
     Picture::new("Error of formulas for the period", vec![panel])
 }
 
-/// The size of the error at even steps, and at each change of sign the lowest visible size.
+/// The size of the error at even steps, and around each change of sign.
 fn sizes(curve: &Curve, frame: Frame) -> Vec<(f64, f64)> {
-    let amplitude = |step| frame.from + (frame.to - frame.from) * f64::from(step) / f64::from(SAMPLES);
-    let mut points: Vec<(f64, f64)> = vec![];
-    let mut last: Option<(f64, f64)> = None;
-    for here in (0..=SAMPLES).map(amplitude) {
-        let error = (curve.error)(here);
-        if let Some((before, error_before)) = last
-            && error_before * error < 0.0
-        {
-            points.extend(cusp(curve, before, here, frame.lowest));
+    let amplitudes: Vec<f64> = amplitudes(frame).collect();
+    let signed: Vec<(f64, f64)> = amplitudes.into_iter().map(|here| (here, (curve.error)(here))).collect();
+    let mut points = vec![];
+    for pair in signed.windows(2) {
+        points.push(size(pair[0]));
+        if pair[0].1 * pair[1].1 < 0.0 {
+            points.extend(cusp(curve, pair[0].0, pair[1].0));
         }
-        points.push((here, error.abs().max(f64::MIN_POSITIVE)));
-        last = Some((here, error));
     }
+    points.extend(signed.last().copied().map(size));
     points
 }
 
+/// Even steps, and the approach to the right end, where formulas and period may be infinite.
+fn amplitudes(frame: Frame) -> impl Iterator<Item = f64> {
+    let step = (frame.to - frame.from) / f64::from(SAMPLES);
+    let even = (0..SAMPLES).map(move |k| frame.from + step * f64::from(k));
+    even.chain([0.1, 0.01, 0.001].map(|part| frame.to - part * step))
+}
+
+fn size((amplitude, error): (f64, f64)) -> (f64, f64) {
+    (amplitude, if error.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { error.abs() })
+}
+
 /// The approach to a change of sign from both sides, in steps that halve.
-fn cusp(curve: &Curve, mut low: f64, mut high: f64, lowest: f64) -> Vec<(f64, f64)> {
+fn cusp(curve: &Curve, mut low: f64, mut high: f64) -> Vec<(f64, f64)> {
     let mut left = vec![];
     let mut right = vec![];
-    let sign_before = (curve.error)(low) > 0.0;
+    let positive_before = (curve.error)(low) > 0.0;
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
         let error = (curve.error)(middle);
-        if (error > 0.0) == sign_before {
+        if (error > 0.0) == positive_before {
             low = middle;
-            left.push((middle, error.abs()));
+            left.push(size((middle, error)));
         } else {
             high = middle;
-            right.push((middle, error.abs()));
+            right.push(size((middle, error)));
         }
     }
-    left.push((low, lowest.min(f64::MIN_POSITIVE)));
-    left.into_iter().chain(right.into_iter().rev()).filter(|(_, error)| *error > 0.0).collect()
+    left.push((f64::midpoint(low, high), f64::MIN_POSITIVE));
+    left.into_iter().chain(right.into_iter().rev()).collect()
 }

@@ -64,24 +64,23 @@ fn sample(series: &Series, left: f64, middle: f64) -> Primitive {
             stroke_width: series.look.width,
             stroke_dasharray: (!dashes.is_empty()).then(|| dashes.to_owned()),
         },
-        Mark::Markers(number) => marker(number, left + SAMPLE / 2.0, middle, colour),
+        Mark::Markers(number) => marker(number, series.look.width, (left + SAMPLE / 2.0, middle), colour),
     }
 }
 
 /// The marker of this number as the drawing library draws it: circle, square, triangle, diamond.
-fn marker(number: usize, x: f64, y: f64, fill: Color) -> Primitive {
-    const SIZE: f64 = 5.0;
+fn marker(number: usize, size: f64, (x, y): (f64, f64), fill: Color) -> Primitive {
     let outline = match number % 4 {
         0 => {
             let (fill_opacity, stroke, stroke_width) = (None, None, None);
-            return Primitive::Circle { cx: x, cy: y, r: SIZE, fill, fill_opacity, stroke, stroke_width };
+            return Primitive::Circle { cx: x, cy: y, r: size, fill, fill_opacity, stroke, stroke_width };
         }
         1 => [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)],
         2 => [(0.0, -1.02), (0.0, -1.02), (1.0, 0.68), (-1.0, 0.68)],
         _ => [(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
     };
     let corners: Vec<String> =
-        outline.iter().map(|(dx, dy)| format!("{:.2},{:.2}", SIZE.mul_add(*dx, x), SIZE.mul_add(*dy, y))).collect();
+        outline.iter().map(|(dx, dy)| format!("{:.2},{:.2}", size.mul_add(*dx, x), size.mul_add(*dy, y))).collect();
     Primitive::Path(Box::new(PathData {
         d: format!("M{}Z", corners.join("L")),
         stroke: fill.clone(),

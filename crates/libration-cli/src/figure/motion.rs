@@ -2,7 +2,7 @@
 //! approximations.
 
 use super::chart::{Axis, Panel, Picture, Series};
-use super::range::{around, tick_step};
+use super::range::{around, decades};
 use super::style;
 use crate::command::motion::Comparison;
 use libration::pendulum::{ApproximateMotion, Motion};
@@ -30,42 +30,47 @@ pub(crate) fn releases(releases: &[Release], periods: f64) -> Picture {
         let points = times.iter().map(|&t| (t, release.motion.state_at(t).angle / release.amplitude));
         series.push(Series::line(&release.label, style::curve(number), points));
     }
-    let x = Axis::linear("time t / T₀", 0.0, periods).with_tick_step(tick_step(0.0, periods));
+    let x = Axis::linear("time t / T₀", 0.0, periods);
     let y = Axis::linear("angle θ / θ₀", -1.1, 1.1).with_tick_step(0.5);
     Picture::new("Motion after release from rest", vec![Panel { x, y, series, share: 1.0 }])
 }
 
-/// One motion with its approximations, and their errors below.
+/// One motion with its approximations, and the size of their errors below.
 pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f64, f64)) -> Picture {
     let to = if to > from { to } else { from + 1.0 };
     let times: Vec<f64> = evenly(from, to, SAMPLES).collect();
     let exact: Vec<f64> = times.iter().map(|&time| motion.state_at(time).angle).collect();
-    let approximate: Vec<Vec<f64>> = times.iter().map(|&time| comparison.angles_at(time).collect()).collect();
-    let mut angles = vec![Series::line(
-        "exact",
-        style::curve(0),
-        times.iter().zip(&exact).map(|(&time, angle)| (time, angle.to_degrees())),
-    )];
+    let angles = times.iter().zip(&exact).map(|(&time, angle)| (time, angle.to_degrees()));
+    let mut angles = vec![Series::line("exact", style::curve(0), angles)];
     let mut errors = vec![];
-    for (index, key) in comparison.approximations.iter().map(ApproximateMotion::key).enumerate() {
-        let look = style::curve(index + 1);
-        let column = || times.iter().zip(&approximate).map(|(&time, row)| (time, row[index]));
-        angles.push(Series::line(key, look.clone(), column().map(|(time, angle)| (time, angle.to_degrees()))));
-        let differences = column().zip(&exact).map(|((time, angle), exact)| (time, (angle - exact).to_degrees()));
-        errors.push(Series::line("", look, differences));
+    for (number, approximation) in (1..).zip(&comparison.approximations) {
+        let approximate: Vec<f64> = times.iter().map(|&time| comparison.angle_at(approximation, time)).collect();
+        let degrees = times.iter().zip(&approximate).map(|(&time, angle)| (time, angle.to_degrees()));
+        angles.push(Series::line(approximation.name(), style::curve(number), degrees));
+        let difference = approximate.iter().zip(&exact).map(|(angle, exact)| (angle - exact).abs().to_degrees());
+        errors.push(Series::line("", style::curve(number), times.iter().copied().zip(difference)));
     }
-    let mut panels = vec![panel("angle θ / degrees", angles, 0.6, (from, to))];
-    if !errors.is_empty() {
-        panels.push(panel("error / degrees", errors, 0.4, (from, to)));
-    }
-    Picture::new("Motion of the pendulum", panels)
+    Picture::new("Motion of the pendulum", panels(angles, errors, (from, to)))
 }
 
-fn panel(label: &str, series: Vec<Series>, share: f64, (from, to): (f64, f64)) -> Panel {
-    let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
-    let x = Axis::linear("time t / s", from, to).with_tick_step(tick_step(from, to));
-    let y = Axis::linear(label, low, high).with_tick_step(tick_step(low, high));
-    Panel { x, y, series, share }
+fn panels(angles: Vec<Series>, errors: Vec<Series>, (from, to): (f64, f64)) -> Vec<Panel> {
+    let (low, high) = around(values(&angles));
+    let y = Axis::linear("angle θ / degrees", low, high);
+    let x = Axis::linear("time t / s", from, to);
+    if errors.is_empty() {
+        return vec![Panel { x, y, series: angles, share: 1.0 }];
+    }
+    let (low, high) = decades(errors.iter().map(|series| values([series]).fold(0.0, f64::max)));
+    let error = Axis::logarithmic("|error| / degrees", low, high);
+    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    vec![
+        Panel { x: unlabelled, y, series: angles, share: 0.55 },
+        Panel { x, y: error, series: errors, share: 0.45 },
+    ]
+}
+
+fn values<'a>(series: impl IntoIterator<Item = &'a Series>) -> impl Iterator<Item = f64> {
+    series.into_iter().flat_map(|series| series.points.iter().map(|point| point.y))
 }
 
 /// This many steps from one end to the other.

@@ -24,6 +24,16 @@ pub(crate) fn around(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     ((low / step).floor() * step, (high / step).ceil() * step)
 }
 
+/// The powers of ten that hold the values, and three more below.
+pub(crate) fn decades(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let positive = values.into_iter().filter(|value| *value > 0.0 && value.is_finite());
+    let (low, high) = positive.fold((f64::INFINITY, 0.0), |(l, h), v| (v.min(l), v.max(h)));
+    if high <= 0.0 {
+        return (1e-16, 1.0);
+    }
+    (10f64.powf((low.log10().floor() - 3.0).max(-18.0)), 10f64.powf(high.log10().ceil()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

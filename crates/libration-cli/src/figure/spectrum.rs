@@ -1,7 +1,6 @@
 //! The harmonics of the angle: |aₙ| against n.
 
 use super::chart::{Axis, Panel, Picture, Series};
-use super::range::tick_step;
 use super::style;
 use libration::pendulum::Harmonics;
 
@@ -17,7 +16,9 @@ pub(crate) fn spectra(spectra: &[(String, Harmonics)], lowest: f64) -> Picture {
         series.push(Series::line(label, style::markers(number), points));
     }
     let last = series.iter().flat_map(|series| &series.points).map(|point| point.x).fold(1.0, f64::max);
-    let x = Axis::linear("harmonic n", 0.0, last + 1.0).with_tick_step(tick_step(0.0, last + 1.0).max(1.0));
+    let x = Axis::linear("harmonic n", 0.0, last + 1.0);
+    let whole = x.tick_step.max(1.0);
+    let x = x.with_tick_step(whole);
     let y = Axis::logarithmic("coefficient |aₙ| / rad", lowest, 10.0);
     Picture::new("Harmonics of the angle", vec![Panel { x, y, series, share: 1.0 }])
 }

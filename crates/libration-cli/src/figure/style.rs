@@ -23,7 +23,7 @@ pub(crate) fn curve(number: usize) -> Look {
 
 /// The look of a set of markers with this number.
 pub(crate) fn markers(number: usize) -> Look {
-    Look { colour: COLOURS[number % COLOURS.len()], width: 1.0, mark: Mark::Markers(number) }
+    Look { colour: COLOURS[number % COLOURS.len()], width: 5.5, mark: Mark::Markers(number) }
 }
 
 /// The thin line that joins the markers with this number.

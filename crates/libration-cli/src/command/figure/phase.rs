@@ -43,7 +43,7 @@ impl Phase {
     fn rotations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, Failure> {
         let orbit = |&energy: &f64| {
             let motion = pendulum.with_energy_ratio(energy).map_err(no_answer)?;
-            Ok(Orbit { label: format!("rotation, E = {} · 2mgl", number::short(energy, 6)), motion })
+            Ok(Orbit { label: format!("rotation, E = {} × 2mgl", number::short(energy, 6)), motion })
         };
         self.energies.iter().map(orbit).collect()
     }

@@ -75,10 +75,14 @@ impl Comparison {
         Ok(Self { approximations: question.compare.clone(), amplitude, angular_frequency })
     }
 
+    /// The angle of one approximate motion at a time.
+    pub(crate) fn angle_at(&self, approximation: &ApproximateMotion, time: f64) -> f64 {
+        approximation.angle(self.amplitude, self.angular_frequency * time)
+    }
+
     /// The angle of each approximate motion at a time.
-    pub(crate) fn angles_at(&self, time: f64) -> impl Iterator<Item = f64> + '_ {
-        let phase = self.angular_frequency * time;
-        self.approximations.iter().map(move |motion| motion.angle(self.amplitude, phase))
+    fn angles_at(&self, time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.approximations.iter().map(move |approximation| self.angle_at(approximation, time))
     }
 }
 
