@@ -6,13 +6,8 @@ pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
 
 use crate::quantity::Angle;
 
-/// T/T0 for an amplitude in radians, 0 ≤ θ0 < π (NaN outside).
-pub fn period_ratio(amplitude: f64) -> f64 { todo!() }
-/// T/T0 − 1 with full relative accuracy.
-pub fn period_excess(amplitude: f64) -> f64 { todo!() }
-/// T/T0 for the amplitude π − δ.
-pub fn period_ratio_near_top(complement: f64) -> f64 { todo!() }
-pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> { todo!() }
+mod period;
+pub use period::{period_excess, period_excesses, period_ratio, period_ratio_near_top, period_ratios, period_ratios_near_top};
 
 /// What belongs to an amplitude in libration: everything dimensionless about the period. Made by `Amplitude::new`.
 #[derive(Clone, Copy, Debug)]
@@ -103,4 +98,10 @@ pub struct LengthMismatch { pub expected: usize, pub found: usize }
 pub enum PendulumError {
     #[error("placeholder")]
     Placeholder,
+}
+
+impl LengthMismatch {
+    fn check(input: &[f64], output: &[f64]) -> Result<(), Self> {
+        if input.len() == output.len() { Ok(()) } else { Err(Self { expected: input.len(), found: output.len() }) }
+    }
 }

@@ -11,7 +11,7 @@ use dashu::integer::UBig;
 use dashu::rational::RBig;
 
 use super::decimal::{Decimal, LONGEST_TEXT};
-use super::error::excerpt;
+use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
 use super::{Angle, QuantityError};
 
@@ -32,12 +32,21 @@ impl FromStr for Angle {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
-        if text.len() > LONGEST_TEXT {
-            return Err(unreadable(text, HOW_TO_WRITE));
-        }
-        let plain = text.trim().replace('−', "-").replace('π', "pi").to_ascii_lowercase();
-        parse(&plain).map_err(|fault| fault.about(text))
+        let angle = terms(text).and_then(|(first, second)| match second {
+            None => first.alone(),
+            Some(second) => in_range(&first.followed_by(&second)?),
+        });
+        angle.map_err(|fault| fault.about(text))
     }
+}
+
+/// The angle that the text means when all its numbers are the decimals, within the range of angles.
+pub(super) fn exact_angle(text: &str) -> Result<PiCombination, QuantityError> {
+    let angle = terms(text).and_then(|(first, second)| {
+        let angle = second.map_or(Ok(first.exact()), |second| first.followed_by(&second))?;
+        in_range(&angle).map(|_| angle)
+    });
+    angle.map_err(|fault| fault.about(text))
 }
 
 /// What is wrong, before the text is added to it.
@@ -49,23 +58,20 @@ enum Fault {
 impl Fault {
     fn about(self, text: &str) -> QuantityError {
         match self {
-            Self::Unreadable(hint) => unreadable(text, hint),
+            Self::Unreadable(hint) => QuantityError::UnreadableAngle { text: excerpt(text), hint },
             Self::OutOfRange(hint) => QuantityError::AngleOutOfRange { text: excerpt(text), hint },
         }
     }
 }
 
-fn unreadable(text: &str, hint: &'static str) -> QuantityError {
-    QuantityError::UnreadableAngle { text: excerpt(text), hint }
-}
-
-fn parse(plain: &str) -> Result<Angle, Fault> {
-    let (first, second) = split_at_second_sign(plain);
-    let first = Term::parse(first)?;
-    if second.is_empty() {
-        return first.alone();
+fn terms(text: &str) -> Result<(Term, Option<Term>), Fault> {
+    if text.len() > LONGEST_TEXT {
+        return Err(Fault::Unreadable(HOW_TO_WRITE));
     }
-    first.followed_by(&Term::parse(second)?)
+    let plain = text.trim().replace('−', "-").replace('π', "pi").to_ascii_lowercase();
+    let (first, second) = split_at_second_sign(&plain);
+    let second = if second.is_empty() { None } else { Some(Term::parse(second)?) };
+    Ok((Term::parse(first)?, second))
 }
 
 /// The first term, and the second with its sign; the sign of an exponent does not count.
@@ -115,14 +121,14 @@ impl Term {
         }
     }
 
-    fn followed_by(&self, second: &Self) -> Result<Angle, Fault> {
+    fn followed_by(&self, second: &Self) -> Result<PiCombination, Fault> {
         match (&self.unit, &second.unit) {
             (Unit::Unsaid | Unit::Radians, _) => return Err(Fault::Unreadable(HOW_TO_WRITE)),
             (Unit::Degrees, Unit::Unsaid) => return Err(Fault::Unreadable(SAY_THE_UNIT)),
             (Unit::Degrees | Unit::Pi, _) => {}
         }
         let (a, b) = (self.exact(), second.exact());
-        in_range(&PiCombination { pi_multiple: a.pi_multiple + b.pi_multiple, rest: a.rest + b.rest })
+        Ok(PiCombination { pi_multiple: a.pi_multiple + b.pi_multiple, rest: a.rest + b.rest })
     }
 
     fn exact(&self) -> PiCombination {

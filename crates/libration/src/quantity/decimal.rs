@@ -46,6 +46,11 @@ impl Decimal {
         RBig::from(&self.digits * IBig::from(power))
     }
 
+    /// One unit in the last digit as written: 0.001 for `1.200`.
+    pub(super) fn last_place(&self) -> RBig {
+        Self { digits: IBig::ONE, ..self.clone() }.exact()
+    }
+
     /// The nearest `f64`.
     pub(super) fn nearest(&self) -> f64 {
         self.nearest
@@ -71,7 +76,8 @@ fn number_length(text: &str) -> usize {
     mantissa + exponent_length(&bytes[mantissa..])
 }
 
-fn exponent_length(bytes: &[u8]) -> usize {
+/// The length of the exponent, `e-3` say, that the text begins with; zero when there is none.
+pub(super) fn exponent_length(bytes: &[u8]) -> usize {
     if !matches!(bytes.first(), Some(b'e' | b'E')) {
         return 0;
     }

@@ -1,5 +1,7 @@
 //! What can be wrong with a quantity, as a number or as text.
 
+use super::Dimension;
+
 /// Why a text is not the quantity it should be, or a number not an angle.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -26,14 +28,40 @@ pub enum QuantityError {
         /// What would do.
         hint: &'static str,
     },
-}
-
-/// The text as a message may show it: no control characters, at most 40 characters.
-pub(super) fn excerpt(text: &str) -> String {
-    const SHOWN: usize = 40;
-    let mut shown: String = text.chars().take(SHOWN).flat_map(char::escape_debug).collect();
-    if text.chars().nth(SHOWN).is_some() {
-        shown.push('…');
-    }
-    shown
+    /// Text that is no number with a unit.
+    #[error("cannot read `{text}` as {dimension}: write {}", .dimension.examples())]
+    UnreadableQuantity {
+        /// The text, shortened.
+        text: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A unit that is not known.
+    #[error("`{unit}` in `{text}` is no unit of {dimension}: write {}", .dimension.examples())]
+    UnknownUnit {
+        /// The text, shortened.
+        text: String,
+        /// The unit, shortened.
+        unit: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A known unit of something else.
+    #[error("`{text}` is {found}, not {dimension}: write {}", .dimension.examples())]
+    WrongDimension {
+        /// The text, shortened.
+        text: String,
+        /// What the unit says.
+        found: Dimension,
+        /// What it should be.
+        dimension: Dimension,
+    },
+    /// A value or an uncertainty beyond the range of `f64`, or an uncertainty below zero.
+    #[error("`{text}` is out of range for {dimension}: write {}", .dimension.examples())]
+    QuantityOutOfRange {
+        /// The text, shortened.
+        text: String,
+        /// What it should be.
+        dimension: Dimension,
+    },
 }

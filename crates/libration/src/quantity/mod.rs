@@ -10,10 +10,18 @@ mod angle;
 mod angle_text;
 mod decimal;
 mod error;
+mod excerpt;
+mod physical;
 mod pi_combination;
+mod range;
+mod unit;
 
 pub use angle::Angle;
 pub use error::QuantityError;
+pub(crate) use excerpt::excerpt;
+pub use physical::{Quantity, parse};
+pub use range::{AngleRange, NumberRange, RangeError, angles, numbers};
+pub use unit::Dimension;
 
 #[cfg(test)]
 mod tests;

@@ -57,6 +57,20 @@ impl PiCombination {
         )
     }
 
+    /// As text is meant: plain radians are the nearest `f64`, everything else is exact.
+    pub(super) fn to_angle_as_text_means(&self) -> Angle {
+        if !self.pi_multiple.is_zero() {
+            return self.to_angle();
+        }
+        let radians = self.rest.to_f64().value();
+        Angle::from_radians(radians).unwrap_or_else(|_| Self::radians(radians).to_angle())
+    }
+
+    /// The nearest `f64`, if it is finite.
+    pub(super) fn nearest(&self) -> Option<f64> {
+        Some(self.value().to_f64().value()).filter(|x| x.is_finite())
+    }
+
     /// Whether the angle in the turn or its complement is nearer zero than `distance` without being zero.
     pub(super) fn nearly_vanishes(&self, distance: &RBig) -> bool {
         let (_, in_turn) = if self.is_negative() { self.negated() } else { self.clone() }.split_turns();

@@ -1,5 +1,7 @@
 //! Angles against values computed with mpmath at 3000 bits, and against themselves.
 
+#![expect(clippy::approx_constant, reason = "golden numbers stand as mpmath printed them")]
+
 use super::{Angle, QuantityError};
 use crate::double_double::DoubleDouble;
 

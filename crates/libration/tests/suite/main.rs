@@ -1,0 +1,6 @@
+//! The evidence, one file per kind.
+#![expect(clippy::unwrap_used, reason = "a test may fail")]
+
+mod measurement;
+mod quantity;
+mod series;

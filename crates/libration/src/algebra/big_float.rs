@@ -1,0 +1,154 @@
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use dashu::base::{BitTest, Signed};
+use dashu::float::FBig;
+use dashu::float::round::mode::HalfEven;
+use dashu::integer::{IBig, UBig};
+
+use super::Rational;
+use crate::double_double::DoubleDouble;
+
+type Float = FBig<HalfEven, 2>;
+
+/// A binary float of a chosen precision, every operation rounded to nearest; the result of an operation has the
+/// larger precision of its operands. Division by zero, and roots and logarithms outside their domain, are the
+/// caller's to avoid.
+#[derive(Clone, Debug, PartialEq, PartialOrd)]
+pub(crate) struct BigFloat(Float);
+
+impl BigFloat {
+    pub(crate) fn from_integer(integer: i64, precision: usize) -> Self {
+        Self(rounded(Float::from(integer), precision))
+    }
+
+    pub(crate) fn from_rational(value: &Rational, precision: usize) -> Self {
+        let (numerator, denominator) = value.parts();
+        Self::from_big(numerator.clone(), precision) / Self::from_big(IBig::from(denominator.clone()), precision)
+    }
+
+    /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for
+    /// words that are not finite.
+    pub(crate) fn from_words(words: DoubleDouble, precision: usize) -> Self {
+        let word = |x: f64| rounded(Float::try_from(x).unwrap_or_default(), precision);
+        Self(word(words.hi) + word(words.lo))
+    }
+
+    pub(crate) fn pi(precision: usize) -> Self {
+        Self(Float::pi(precision))
+    }
+
+    /// Bits of the significand.
+    pub(crate) fn precision(&self) -> usize {
+        self.0.precision()
+    }
+
+    /// The nearest `f64`, ties to even, subnormal and infinite as they come.
+    pub(crate) fn to_f64(&self) -> f64 {
+        self.0.to_f64().value()
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.0.repr().significand().is_zero()
+    }
+
+    pub(crate) fn is_positive(&self) -> bool {
+        !self.is_zero() && Signed::is_positive(&self.0)
+    }
+
+    /// The exponent e with 2^(e−1) ≤ |x| < 2^e; `None` for zero.
+    pub(crate) fn exponent(&self) -> Option<isize> {
+        let repr = self.0.repr();
+        let bits = isize::try_from(repr.significand().bit_len()).ok()?;
+        (bits > 0).then(|| repr.exponent() + bits)
+    }
+
+    pub(crate) fn sqrt(&self) -> Self {
+        if self.is_zero() { self.clone() } else { Self(self.0.sqrt()) }
+    }
+
+    pub(crate) fn ln(&self) -> Self {
+        Self(self.0.ln())
+    }
+
+    /// ln(1 + x) with full relative accuracy at small x.
+    pub(crate) fn ln_1p(&self) -> Self {
+        Self(self.0.ln_1p())
+    }
+
+    pub(crate) fn exp(&self) -> Self {
+        Self(self.0.exp())
+    }
+
+    pub(crate) fn sin(&self) -> Self {
+        Self(self.0.sin())
+    }
+
+    pub(crate) fn cos(&self) -> Self {
+        Self(self.0.cos())
+    }
+
+    /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place
+    /// (DLMF 19.8(i)). Each step doubles the digits that agree, so the last is taken when half of them do.
+    pub(crate) fn agm(&self, other: &Self) -> Self {
+        let half_the_bits = isize::try_from(self.precision() / 2 + 2).unwrap_or(isize::MAX);
+        let (mut a, mut b) = (self.clone(), other.clone());
+        loop {
+            let gap = (a.clone() - b.clone()).exponent();
+            let close = gap.is_none_or(|gap| a.exponent().is_some_and(|size| size - gap >= half_the_bits));
+            let mean = (a.clone() + b.clone()).halved();
+            if close {
+                return mean;
+            }
+            b = (a * b).sqrt();
+            a = mean;
+        }
+    }
+
+    /// Half of it, exactly.
+    pub(crate) fn halved(self) -> Self {
+        Self(self.0 >> 1)
+    }
+
+    fn from_big(integer: IBig, precision: usize) -> Self {
+        Self(rounded(Float::from(integer), precision))
+    }
+}
+
+fn rounded(value: Float, precision: usize) -> Float {
+    value.with_precision(precision).value()
+}
+
+impl Add for BigFloat {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for BigFloat {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Mul for BigFloat {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Div for BigFloat {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl Neg for BigFloat {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}

@@ -1,0 +1,97 @@
+use dashu::base::{BitTest, Sign};
+use dashu::integer::{IBig, UBig};
+
+/// The product of two polynomials with integer coefficients, constant term first, by Kronecker substitution:
+/// both are evaluated at a power of two so large that the coefficients of the product cannot overlap.
+///
+/// Reference: D. Harvey, *Faster polynomial multiplication via multipoint Kronecker substitution*, J. Symbolic
+/// Comput. 44, 1502 (2009), section 2.
+pub(crate) fn product(a: &[IBig], b: &[IBig]) -> Vec<IBig> {
+    if a.is_empty() || b.is_empty() {
+        return Vec::new();
+    }
+    let slot = slot_bits(a, b);
+    unpack(&(pack(a, slot) * pack(b, slot)), slot, a.len() + b.len() - 1)
+}
+
+/// Bits for the largest coefficient the product can have, and its sign, in whole 64-bit words.
+fn slot_bits(a: &[IBig], b: &[IBig]) -> usize {
+    let summands = a.len().min(b.len());
+    let carry_bits = (usize::BITS - summands.leading_zeros()) as usize;
+    (largest_bits(a) + largest_bits(b) + carry_bits + 1).next_multiple_of(64)
+}
+
+fn largest_bits(coefficients: &[IBig]) -> usize {
+    coefficients.iter().map(BitTest::bit_len).max().unwrap_or(0)
+}
+
+/// The polynomial's value at 2^slot.
+fn pack(coefficients: &[IBig], slot: usize) -> IBig {
+    let part = |sign: Sign| {
+        let digits: Vec<UBig> = coefficients.iter().map(|c| magnitude_if(c, sign)).collect();
+        IBig::from(UBig::from_chunks(digits.iter(), slot))
+    };
+    part(Sign::Positive) - part(Sign::Negative)
+}
+
+fn magnitude_if(coefficient: &IBig, sign: Sign) -> UBig {
+    if coefficient.sign() == sign { coefficient.clone().into_parts().1 } else { UBig::ZERO }
+}
+
+/// The first `length` coefficients of the polynomial whose value at 2^slot is given: digits in balanced form.
+fn unpack(value: &IBig, slot: usize, length: usize) -> Vec<IBig> {
+    let (sign, magnitude) = value.clone().into_parts();
+    let base = IBig::ONE << slot;
+    let mut digits = magnitude.to_chunks(slot).into_vec().into_iter();
+    let mut borrowed = false;
+    (0..length)
+        .map(|_| {
+            let digit = IBig::from(digits.next().unwrap_or_default()) + IBig::from(u8::from(borrowed));
+            borrowed = digit.bit_len() >= slot;
+            let balanced = if borrowed { digit - &base } else { digit };
+            sign * balanced
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn schoolbook(a: &[IBig], b: &[IBig]) -> Vec<IBig> {
+        let mut sums = vec![IBig::ZERO; a.len() + b.len() - 1];
+        for (i, x) in a.iter().enumerate() {
+            for (j, y) in b.iter().enumerate() {
+                sums[i + j] += x * y;
+            }
+        }
+        sums
+    }
+
+    /// Signs and sizes that change from one coefficient to the next.
+    fn coefficients(length: i64, seed: i64) -> Vec<IBig> {
+        (0..length)
+            .map(|i| {
+                let x = (seed * (i + 3)).wrapping_mul(0x9E37_79B9_7F4A_7C15_u64.cast_signed());
+                IBig::from(x).pow(usize::try_from(i % 4).unwrap()) * x.signum() * ((i + seed) % 3 - 1)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn kronecker_product_equals_the_schoolbook_product() {
+        for (m, n) in [(1, 1), (1, 9), (5, 4), (40, 33)] {
+            let (a, b) = (coefficients(m, 5), coefficients(n, 8));
+            assert_eq!(product(&a, &b), schoolbook(&a, &b), "{m} × {n}");
+        }
+        assert!(product(&[], &coefficients(3, 1)).is_empty());
+    }
+
+    #[test]
+    fn coefficients_that_fill_their_slot_keep_their_signs() {
+        let extreme = |sign: i64| vec![IBig::from(sign * i64::MAX); 7];
+        for (s, t) in [(1, 1), (1, -1), (-1, -1)] {
+            assert_eq!(product(&extreme(s), &extreme(t)), schoolbook(&extreme(s), &extreme(t)));
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! Sine, hyperbolic sine, arctangent, logarithm and polynomials: branch-free double-precision kernels that
+//! the compiler can vectorise, and two-word versions.
+//!
+//! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
+//! printed by `reference/kernel_coefficients.py`.
+
+pub(crate) mod two_word;
+
+mod arctangent;
+mod hyperbolic;
+mod logarithm;
+mod sine;
+
+pub(crate) use arctangent::atan_of_ratio;
+pub(crate) use hyperbolic::sinh_cosh;
+pub(crate) use logarithm::{Logarithm, split_logarithm};
+pub(crate) use sine::sin_cos_of_turns;
+
+/// Σ coefficients\[i\]·xⁱ, even and odd powers summed apart to shorten the chain of dependent operations.
+#[inline(always)]
+pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {
+    let y = x * x;
+    let (mut even, mut odd) = (0.0, 0.0);
+    let mut i = N;
+    while i > 0 {
+        i -= 1;
+        if i % 2 == 0 {
+            even = y.mul_add(even, coefficients[i]);
+        } else {
+            odd = y.mul_add(odd, coefficients[i]);
+        }
+    }
+    x.mul_add(odd, even)
+}
+
+/// The nearest integer, by pushing the fraction out of the word; |x| < 2⁵¹.
+#[inline(always)]
+pub(crate) fn nearest_integer(x: f64) -> f64 {
+    (x + ROUNDER) - ROUNDER
+}
+
+/// 1.5·2⁵²: added to a small number it leaves the nearest integer in the low bits.
+const ROUNDER: f64 = 6755399441055744.0;
+
+/// 2ⁿ for an integer −1022 ≤ n ≤ 1023 held in an `f64`.
+#[inline(always)]
+fn power_of_two(n: f64) -> f64 {
+    f64::from_bits((n + (ROUNDER + 1023.0)).to_bits() << 52)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,280 @@
+//! Elliptic integrals and Jacobi's elliptic functions of a modulus and its complement.
+//!
+//! A [`Modulus`] holds k = √m and k′ = √(1 − m) in two words each, because next to k = 1 the complement is
+//! the number that matters: 1 − m is never formed from a rounded m. What depends on the modulus alone (K, E,
+//! K′, the nome) is prepared once; the Jacobi functions are then quotients of theta series that converge in
+//! four terms.
+//!
+//! ```
+//! use libration::elliptic::Modulus;
+//! let modulus = Modulus::from_parameter(0.5)?;
+//! let at = modulus.jacobi(1.0);
+//! assert!((at.sn * at.sn + at.cn * at.cn - 1.0).abs() < 4e-16);
+//! # Ok::<(), libration::elliptic::ModulusError>(())
+//! ```
+
+mod agm;
+mod carlson;
+mod incomplete;
+mod jacobi;
+mod theta;
+
+pub use jacobi::Jacobi;
+
+pub(crate) use incomplete::first_of_point;
+pub(crate) use theta::{Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero};
+
+use crate::double_double::DoubleDouble;
+use crate::elementary::two_word;
+use jacobi::Quotients;
+
+/// A modulus k with its complement k′ = √(1 − k²) and what belongs to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Modulus {
+    modulus: DoubleDouble,
+    complementary: DoubleDouble,
+    integrals: agm::Complete,
+    complementary_first: DoubleDouble,
+    quotients: Quotients,
+}
+
+/// Why a number is not a modulus, a parameter or a nome.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModulusError {
+    /// Outside [0, 1], or NaN.
+    #[error("{name} is {value}: give a number from 0 to 1")]
+    OutOfRange {
+        /// Which number.
+        name: &'static str,
+        /// What was got.
+        value: f64,
+    },
+}
+
+/// Which of the two nomes is the smaller, and so which expansion serves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Expansion {
+    /// Sines and cosines of the nome q, for k ≤ k′.
+    Circular,
+    /// Hyperbolic sines and cosines of the complementary nome, for k > k′.
+    Hyperbolic,
+}
+
+impl Modulus {
+    /// The modulus of the parameter m = k², exactly this `f64`.
+    ///
+    /// # Errors
+    /// m outside [0, 1].
+    pub fn from_parameter(m: f64) -> Result<Self, ModulusError> {
+        unit("the parameter m", m)?;
+        let complementary = (DoubleDouble::ONE - DoubleDouble::from(m)).sqrt();
+        Ok(Self::from_words(DoubleDouble::from(m).sqrt(), complementary))
+    }
+
+    /// The modulus whose complementary parameter 1 − m is exactly this `f64`.
+    ///
+    /// # Errors
+    /// Outside [0, 1].
+    pub fn from_complementary_parameter(complementary: f64) -> Result<Self, ModulusError> {
+        unit("the complementary parameter 1 - m", complementary)?;
+        let modulus = (DoubleDouble::ONE - DoubleDouble::from(complementary)).sqrt();
+        Ok(Self::from_words(modulus, DoubleDouble::from(complementary).sqrt()))
+    }
+
+    /// The modulus k, exactly this `f64`.
+    ///
+    /// # Errors
+    /// k outside [0, 1].
+    pub fn from_modulus(k: f64) -> Result<Self, ModulusError> {
+        unit("the modulus k", k)?;
+        Ok(Self::from_words(DoubleDouble::from(k), leg(DoubleDouble::from(k))))
+    }
+
+    /// The modulus whose complement k′ is exactly this `f64`; full accuracy down to k′ = 1e-300.
+    ///
+    /// # Errors
+    /// k′ outside [0, 1].
+    pub fn from_complementary_modulus(complementary: f64) -> Result<Self, ModulusError> {
+        unit("the complementary modulus k'", complementary)?;
+        let complementary = DoubleDouble::from(complementary);
+        Ok(Self::from_words(leg(complementary), complementary))
+    }
+
+    /// The modulus whose nome q = exp(−πK′/K) is exactly this `f64` (DLMF 22.2.2).
+    ///
+    /// # Errors
+    /// q outside [0, 1].
+    pub fn from_nome(nome: f64) -> Result<Self, ModulusError> {
+        unit("the nome q", nome)?;
+        Ok(modulus_of_nome(nome))
+    }
+
+    /// From k and k′, k² + k′² = 1 within the second words.
+    pub(crate) fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
+        let integrals = agm::complete(modulus, complementary);
+        let complementary_first = agm::complete(complementary, modulus).first;
+        let quotients = Quotients::new(modulus, complementary, integrals.first, complementary_first);
+        Self { modulus, complementary, integrals, complementary_first, quotients }
+    }
+
+    /// k.
+    #[must_use]
+    pub fn modulus(&self) -> f64 {
+        self.modulus.to_f64()
+    }
+
+    /// k′ = √(1 − k²).
+    #[must_use]
+    pub fn complementary_modulus(&self) -> f64 {
+        self.complementary.to_f64()
+    }
+
+    /// m = k².
+    #[must_use]
+    pub fn parameter(&self) -> f64 {
+        self.modulus.square().to_f64()
+    }
+
+    /// 1 − m = k′²; underflows to zero for k′ below 1.5e-162.
+    #[must_use]
+    pub fn complementary_parameter(&self) -> f64 {
+        self.complementary.square().to_f64()
+    }
+
+    /// The complete integral of the first kind K, the quarter period; ∞ for k = 1 (DLMF 19.2.8).
+    ///
+    /// # Accuracy
+    /// Rounded from two words.
+    #[must_use]
+    pub fn first(&self) -> f64 {
+        self.integrals.first.to_f64()
+    }
+
+    /// The complete integral of the second kind E (DLMF 19.2.8), rounded from two words.
+    #[must_use]
+    pub fn second(&self) -> f64 {
+        self.integrals.second.to_f64()
+    }
+
+    /// K′ = K(k′), rounded from two words; ∞ for k = 0.
+    #[must_use]
+    pub fn complementary_first(&self) -> f64 {
+        self.complementary_first.to_f64()
+    }
+
+    /// The nome q = exp(−πK′/K); 0 for k = 0, 1 for k = 1.
+    #[must_use]
+    pub fn nome(&self) -> f64 {
+        if self.integrals.first.is_finite() { nome(self.integrals.first, self.complementary_first).to_f64() } else { 1.0 }
+    }
+
+    /// sn, cn, dn and the amplitude am at u.
+    ///
+    /// # Domain
+    /// Every finite u; NaN for others.
+    /// # Accuracy
+    /// 4 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/accuracy.rs`); sn, cn within [−1, 1].
+    #[must_use]
+    pub fn jacobi(&self, u: f64) -> Jacobi {
+        self.quotients.at(u)
+    }
+
+    /// Legendre's incomplete integral of the first kind F(φ, k) (DLMF 19.2.4), odd in φ; any finite φ. For
+    /// k = 1 infinite from |φ| = π/2 on.
+    #[must_use]
+    pub fn incomplete_first(&self, phi: f64) -> f64 {
+        incomplete::first(self, phi)
+    }
+
+    /// Legendre's incomplete integral of the second kind E(φ, k) (DLMF 19.2.5), odd in φ; any finite φ.
+    #[must_use]
+    pub fn incomplete_second(&self, phi: f64) -> f64 {
+        incomplete::second(self, phi)
+    }
+
+    pub(crate) fn first_words(&self) -> DoubleDouble {
+        self.integrals.first
+    }
+
+    pub(crate) fn complementary_first_words(&self) -> DoubleDouble {
+        self.complementary_first
+    }
+
+    pub(crate) fn second_words(&self) -> DoubleDouble {
+        self.integrals.second
+    }
+
+    /// E − k′²K.
+    pub(crate) fn second_less_scaled_first(&self) -> DoubleDouble {
+        self.integrals.second_less_scaled_first
+    }
+
+    pub(crate) fn modulus_words(&self) -> DoubleDouble {
+        self.modulus
+    }
+
+    pub(crate) fn complementary_words(&self) -> DoubleDouble {
+        self.complementary
+    }
+
+    pub(crate) fn expansion(&self) -> Expansion {
+        Expansion::of(self.modulus, self.complementary)
+    }
+
+    /// The square root of the smaller nome.
+    pub(crate) fn root_of_smaller_nome(&self) -> f64 {
+        self.quotients.root_of_nome()
+    }
+
+    /// z of the theta functions per turn of 4K.
+    pub(crate) fn turn_scale(&self) -> DoubleDouble {
+        self.quotients.turn_scale()
+    }
+}
+
+impl Expansion {
+    pub(crate) fn of(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
+        if modulus.hi <= complementary.hi { Self::Circular } else { Self::Hyperbolic }
+    }
+}
+
+/// exp(−πK′/K), zero for infinite K′.
+fn nome(first: DoubleDouble, complementary_first: DoubleDouble) -> DoubleDouble {
+    let exponent = DoubleDouble::PI * complementary_first / first;
+    if exponent.hi < 740.0 { two_word::exp(-exponent) } else { DoubleDouble::ZERO }
+}
+
+/// √(1 − x²) as √((1 − x)(1 + x)).
+fn leg(x: DoubleDouble) -> DoubleDouble {
+    ((DoubleDouble::ONE - x) * (DoubleDouble::ONE + x)).sqrt()
+}
+
+/// k = θ₂²/θ₃² and k′ = θ₄²/θ₃² of the nome q or, above e^−π, of the complementary nome (DLMF 20.9.1).
+fn modulus_of_nome(nome: f64) -> Modulus {
+    if nome == 0.0 || nome == 1.0 {
+        let k = DoubleDouble::from(nome);
+        return Modulus::from_words(k, DoubleDouble::ONE - k);
+    }
+    let log = two_word::ln(DoubleDouble::from(nome));
+    let small = -log.hi >= std::f64::consts::PI;
+    // ln q · ln q′ = π².
+    let log = if small { log } else { DoubleDouble::PI.square() / log };
+    let (modulus, complementary) = moduli_of_log_nome(log);
+    if small { Modulus::from_words(modulus, complementary) } else { Modulus::from_words(complementary, modulus) }
+}
+
+/// k and k′ from ln q ≤ −π, in two words.
+fn moduli_of_log_nome(log: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    // exp(-700) is about the smallest root whose modulus is a normal number.
+    if log.hi < -1400.0 {
+        return (DoubleDouble::ZERO, DoubleDouble::ONE);
+    }
+    let root = two_word::exp(log.scaled(0.5));
+    let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
+    (root.scaled(4.0) * (second / third).square(), (fourth / third).square())
+}
+
+fn unit(name: &'static str, value: f64) -> Result<(), ModulusError> {
+    if (0.0..=1.0).contains(&value) { Ok(()) } else { Err(ModulusError::OutOfRange { name, value }) }
+}

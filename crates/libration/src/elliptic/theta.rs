@@ -1,0 +1,181 @@
+//! Theta functions of the smaller of the two nomes, from which every Jacobi function is a quotient.
+//!
+//! For q ≤ e^−π four terms reach double precision. With X = 2 cos 2z the series factor as
+//! θ₁ = 2q^¼ sin z·p₁, θ₂ = 2q^¼ cos z·p₂, θ₃ = p₃, θ₄ = p₄, each p a cubic in Y = qX (DLMF 20.2). Where
+//! the modulus is above 1/√2 Jacobi's imaginary transformation (DLMF 20.7(viii)) turns sin, cos into sinh,
+//! cosh and q into the complementary nome, with the same p. Moving by a quarter period exchanges p₁ with
+//! p₂ and p₃ with p₄, so one evaluation, within an eighth of a turn of the nearest quarter, serves all.
+
+use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
+use crate::elementary::{sin_cos_of_turns, sinh_cosh};
+
+/// The series for one nome q ≤ e^−π.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ThetaSeries {
+    q: f64,
+    sine: [f64; 4],
+    cosine: [f64; 4],
+    third: [f64; 4],
+    /// θ₂(0)/2q^¼, θ₃(0), θ₄(0).
+    pub(crate) zero: ThetaZero<f64>,
+}
+
+/// The values at z = 0, in one word or two.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ThetaZero<T> {
+    /// θ₂(0)/2q^¼.
+    pub(crate) second: T,
+    /// θ₃(0).
+    pub(crate) third: T,
+    /// θ₄(0).
+    pub(crate) fourth: T,
+}
+
+impl ThetaZero<DoubleDouble> {
+    /// In two words, from a nome q ≤ e^−π or a little more.
+    pub(crate) fn in_two_words(q: DoubleDouble) -> Self {
+        let one = DoubleDouble::ONE;
+        let (mut second, mut third, mut fourth) = (one, one, one);
+        // q^n² and q^n(n+1), by their ratios q^(2n−1) and q^2n; the seventh terms are below 1e-60.
+        let (mut square, mut pronic) = (one, one);
+        let (mut square_ratio, mut pronic_ratio) = (q, q.square());
+        for n in 1..=6 {
+            square = square * square_ratio;
+            pronic = pronic * pronic_ratio;
+            square_ratio = square_ratio * q.square();
+            pronic_ratio = pronic_ratio * q.square();
+            second = second + pronic;
+            third = third + square.scaled(2.0);
+            fourth = fourth + square.scaled(if n % 2 == 0 { 2.0 } else { -2.0 });
+        }
+        Self { second, third, fourth }
+    }
+}
+
+/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ThetaValues {
+    pub(crate) first: f64,
+    pub(crate) second: f64,
+    pub(crate) third: f64,
+    pub(crate) fourth: f64,
+}
+
+impl ThetaSeries {
+    #[inline(always)]
+    pub(crate) fn new(q: f64) -> Self {
+        let q2 = q * q;
+        let q4 = q2 * q2;
+        let (q5, q6, q8) = (q4 * q, q4 * q2, q4 * q4);
+        let (q9, q10, q12) = (q8 * q, q8 * q2, q8 * q4);
+        let constant = 1.0 - (q2 + (q6 - q12));
+        let linear = q - (q5 + 2.0 * (q10 * q));
+        let square = q4 - q10;
+        let even = 2.0 * q4;
+        let odd = 2.0 * (q + q9);
+        Self {
+            q,
+            sine: [constant, -linear, square, -q9],
+            cosine: [constant, linear, square, q9],
+            third: [1.0 - even, 1.0 - 3.0 * q8, q2, q6],
+            zero: ThetaZero { second: 1.0 + (q2 + q6 + q12), third: 1.0 + (odd + even), fourth: 1.0 - (odd - even) },
+        }
+    }
+
+    /// At z = 2πy, |y| ≤ 1/8.
+    #[inline(always)]
+    pub(crate) fn circular(&self, y: DoubleDouble) -> ThetaValues {
+        let (sin, cos) = sin_cos_of_turns(y);
+        self.values(sin, cos, self.q * (-4.0f64).mul_add(sin * sin, 2.0))
+    }
+
+    /// At the imaginary point iz, θ₁ divided by i; e^2z ≤ 1/√q or a little more.
+    #[inline(always)]
+    pub(crate) fn hyperbolic(&self, z: DoubleDouble) -> ThetaValues {
+        let (sinh, cosh) = sinh_cosh(z);
+        self.values(sinh, cosh, self.q * 4.0f64.mul_add(sinh * sinh, 2.0))
+    }
+
+    #[inline(always)]
+    fn values(&self, sine: f64, cosine: f64, y: f64) -> ThetaValues {
+        let [even, slope, square, cube] = self.third;
+        let even = (y * y).mul_add(square, even);
+        let odd = y * (y * y).mul_add(cube, slope);
+        ThetaValues {
+            first: sine * cubic(&self.sine, y),
+            second: cosine * cubic(&self.cosine, y),
+            third: even + odd,
+            fourth: even - odd,
+        }
+    }
+}
+
+#[inline(always)]
+fn cubic(c: &[f64; 4], y: f64) -> f64 {
+    y.mul_add(y.mul_add(y.mul_add(c[3], c[2]), c[1]), c[0])
+}
+
+/// A point of a periodic motion: whole turns, quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Phase {
+    pub(crate) turns: f64,
+    pub(crate) quarter: f64,
+    pub(crate) rest: DoubleDouble,
+}
+
+/// The uniform advance of a phase: turns = frequency·t + offset.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PhaseClock {
+    /// Turns per unit of the argument.
+    pub(crate) frequency: DoubleDouble,
+    /// Turns at argument zero.
+    pub(crate) offset: DoubleDouble,
+}
+
+/// Beyond this many turns the two words of the frequency say nothing of the fraction: the phase is taken as
+/// whole.
+const MOST_TURNS: f64 = 1e27;
+
+impl PhaseClock {
+    /// The phase at t, its fraction good to 2⁻¹⁰⁴ of the turns gone.
+    #[inline(always)]
+    pub(crate) fn phase(&self, t: f64) -> Phase {
+        let product = two_prod(t, self.frequency.hi);
+        let sum = two_sum(product.hi, self.offset.hi);
+        let lo = t.mul_add(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
+        Phase::of(DoubleDouble::new(sum.hi, lo))
+    }
+}
+
+impl Phase {
+    /// The parts of a number of turns; the words need not be normalised.
+    #[inline(always)]
+    pub(crate) fn of(turns: DoubleDouble) -> Self {
+        let whole = turns.hi.round_ties_even();
+        // The second word may hold turns too, after 2⁵³ of them.
+        let fraction = two_sum(turns.hi - whole, turns.lo);
+        let more = fraction.hi.round_ties_even();
+        let fraction_hi = fraction.hi - more;
+        let quarter = (4.0 * fraction_hi).round_ties_even();
+        let known = whole.abs() < MOST_TURNS;
+        let rest = fast_two_sum(
+            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 },
+            if known { fraction.lo } else { 0.0 },
+        );
+        Self { turns: whole + more, quarter, rest }
+    }
+
+    /// Whether the nearest quarter is odd.
+    #[inline(always)]
+    pub(crate) fn is_odd(&self) -> bool {
+        self.quarter.abs() == 1.0
+    }
+
+    /// The sign that sn has at the nearest odd quarter, and its slope at the nearest even one.
+    #[inline(always)]
+    pub(crate) fn sign(&self) -> f64 {
+        // Quarters 0 and 1 are positive; −2, −1 and 2 are negative.
+        if self.quarter == 0.0 || self.quarter == 1.0 { 1.0 } else { -1.0 }
+    }
+}
+

@@ -1,0 +1,79 @@
+//! What can be wrong with a fit.
+
+/// Why a table cannot be fitted; rows are counted from one.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// Columns of different lengths.
+    #[error("the {column} have {found} rows, the amplitudes {expected}: give one for each")]
+    LengthMismatch {
+        /// Which column.
+        column: &'static str,
+        /// Its rows.
+        found: usize,
+        /// The rows of the amplitudes.
+        expected: usize,
+    },
+    /// An amplitude that no libration has.
+    #[error("row {row}: the amplitude {amplitude} rad is not below pi: check the unit of the amplitudes")]
+    Amplitude {
+        /// Counted from one.
+        row: usize,
+        /// In radians.
+        amplitude: f64,
+    },
+    /// A period that is not a positive finite number.
+    #[error("row {row}: the period {period} s is not a positive number: remove the row")]
+    Period {
+        /// Counted from one.
+        row: usize,
+        /// In seconds.
+        period: f64,
+    },
+    /// A standard deviation that is none.
+    #[error("row {row}: the uncertainty {uncertainty} of the {of} is not usable: {hint}")]
+    Uncertainty {
+        /// Counted from one.
+        row: usize,
+        /// Of the amplitude or of the period.
+        of: &'static str,
+        /// As given.
+        uncertainty: f64,
+        /// What would do.
+        hint: &'static str,
+    },
+    /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
+    #[error("{found} rows cannot determine {parameters} and its uncertainty: give at least {needed}")]
+    TooFewRows {
+        /// Rows.
+        found: usize,
+        /// Rows that would do.
+        needed: usize,
+        /// What is to be determined.
+        parameters: &'static str,
+    },
+    /// All amplitudes have the same period ratio.
+    #[error("all amplitudes are the same, which leaves beta open: measure at different amplitudes")]
+    EqualAmplitudes,
+    /// A law that has no positive finite value at a measured amplitude.
+    #[error("the law `{key}` has no value at the amplitude {amplitude} rad: leave it out or the row")]
+    LawUndefined {
+        /// Of the law.
+        key: String,
+        /// In radians.
+        amplitude: f64,
+    },
+    /// The weights did not settle.
+    #[error("the weights of {0} did not settle: check the uncertainties of the amplitudes")]
+    NoConvergence(&'static str),
+    /// A length or its uncertainty that is none.
+    #[error(
+        "a length of {value} ± {uncertainty} m is not usable: give a positive length and an uncertainty of at least zero"
+    )]
+    Length {
+        /// In metres.
+        value: f64,
+        /// In metres.
+        uncertainty: f64,
+    },
+}

@@ -1,0 +1,127 @@
+//! The one-parameter test of a law: T = T0·[1 + β(R(A) − 1)], where β = 1 is the law itself.
+
+use super::law::{Law, Point};
+use super::small_angle_period::{count, per_dof};
+use super::{FitError, PeriodTable, Weighting};
+
+const MOST_ROUNDS: usize = 100;
+
+/// β with T0 left free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExcessScaleFit {
+    /// The factor on the law's excess R − 1: 1 is the law, 0 a constant period.
+    pub beta: f64,
+    /// Its standard deviation from the uncertainties of the rows as given; without them from the scatter.
+    pub beta_uncertainty: f64,
+    /// The same times √(χ²/dof): the standard deviation if all uncertainties were wrong by one factor. None
+    /// without a degree of freedom.
+    pub beta_uncertainty_scaled: Option<f64>,
+    /// The period of small swings that goes with β, in seconds.
+    pub t0: f64,
+    /// Its standard deviation, in seconds.
+    pub t0_uncertainty: f64,
+    /// The correlation of T0 and β.
+    pub correlation: f64,
+    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    pub chi2: Option<f64>,
+    /// Degrees of freedom: rows less two.
+    pub dof: usize,
+}
+
+impl ExcessScaleFit {
+    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn chi2_per_dof(&self) -> Option<f64> {
+        per_dof(self.chi2, self.dof)
+    }
+}
+
+/// β and T0 in T = T0·[1 + β(R − 1)].
+///
+/// The model is the line T = T0 + (T0β)·(R − 1), solved with its full covariance; β is the quotient.
+///
+/// # Errors
+/// Fewer than two rows (three without uncertainties), all amplitudes equal, a law without a value.
+pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit, FitError> {
+    let needed = if table.weighting() == Weighting::Scatter { 3 } else { 2 };
+    if table.len() < needed {
+        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "beta" });
+    }
+    let points = law.points(&table.rows)?;
+    if points.iter().all(|point| point.ratio.to_bits() == points[0].ratio.to_bits()) {
+        return Err(FitError::EqualAmplitudes);
+    }
+    let line = settle(&points, table.weighting())?;
+    Ok(line.to_fit(&points, table.weighting()))
+}
+
+/// The line with the weights that belong to its slope; unit weights without uncertainties.
+fn settle(points: &[Point], weighting: Weighting) -> Result<Line, FitError> {
+    let mut line = Line::through(points, &vec![1.0; points.len()]);
+    if weighting == Weighting::Scatter {
+        return Ok(line);
+    }
+    for _ in 0..MOST_ROUNDS {
+        let variances: Vec<f64> = points.iter().map(|point| point.variance(line.slope)).collect();
+        let renewed = Line::through(points, &variances);
+        // The slope is settled when it moves by far less than its own uncertainty.
+        if (renewed.slope - line.slope).abs() <= 1e-12 * (renewed.slope.abs() + renewed.slope_variance.sqrt())
+        {
+            return Ok(renewed);
+        }
+        line = renewed;
+    }
+    Err(FitError::NoConvergence("beta"))
+}
+
+/// T = mean + slope·(x − centre) with x = R − 1, and the variances of its uncorrelated two parameters.
+struct Line {
+    centre: f64,
+    mean: f64,
+    slope: f64,
+    mean_variance: f64,
+    slope_variance: f64,
+    chi2: f64,
+}
+
+impl Line {
+    fn through(points: &[Point], variances: &[f64]) -> Self {
+        let sum = |term: &dyn Fn(f64, f64) -> f64| -> f64 {
+            points.iter().zip(variances).map(|(p, v)| term(p.ratio - 1.0, p.row.period) / v).sum()
+        };
+        let weight = sum(&|_, _| 1.0);
+        let (centre, mean) = (sum(&|x, _| x) / weight, sum(&|_, t| t) / weight);
+        let spread = sum(&|x, _| (x - centre) * (x - centre));
+        let slope = sum(&|x, t| (x - centre) * (t - mean)) / spread;
+        let residual = |x: f64, t: f64| t - mean - slope * (x - centre);
+        let chi2 = sum(&|x, t| residual(x, t) * residual(x, t));
+        Self { centre, mean, slope, mean_variance: 1.0 / weight, slope_variance: 1.0 / spread, chi2 }
+    }
+
+    fn to_fit(&self, points: &[Point], weighting: Weighting) -> ExcessScaleFit {
+        let dof = points.len() - 2;
+        let weighted = weighting != Weighting::Scatter;
+        let per_dof = (dof > 0).then(|| self.chi2 / count(dof));
+        // Unit weights: the variance of a row is the scatter about the line.
+        let unit = if weighted { 1.0 } else { per_dof.unwrap_or(f64::NAN) };
+        let t0 = self.mean - self.slope * self.centre;
+        let beta = self.slope / t0;
+        let t0_variance = self.mean_variance + self.centre * self.centre * self.slope_variance;
+        let covariance = -self.centre * self.slope_variance;
+        let beta_variance =
+            (self.slope_variance - 2.0 * beta * covariance + beta * beta * t0_variance) / (t0 * t0);
+        let t0_beta_covariance = (covariance - beta * t0_variance) / t0;
+        let beta_uncertainty = (beta_variance * unit).sqrt();
+        let scale = if weighted { per_dof.map(f64::sqrt) } else { Some(1.0) };
+        ExcessScaleFit {
+            beta,
+            beta_uncertainty,
+            beta_uncertainty_scaled: scale.map(|scale| scale * beta_uncertainty),
+            t0,
+            t0_uncertainty: (t0_variance * unit).sqrt(),
+            correlation: t0_beta_covariance / (t0_variance * beta_variance).sqrt(),
+            chi2: weighted.then_some(self.chi2),
+            dof,
+        }
+    }
+}

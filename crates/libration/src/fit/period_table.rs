@@ -1,0 +1,136 @@
+//! Measured periods against amplitudes, checked once.
+
+use super::FitError;
+
+/// The standard deviations of the columns, where there are any.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Uncertainties<'a> {
+    /// Of the amplitudes, in radians; zero where an amplitude is exact.
+    pub amplitudes: Option<&'a [f64]>,
+    /// Of the periods, in seconds; positive.
+    pub periods: Option<&'a [f64]>,
+}
+
+/// Where the weights of the rows come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weighting {
+    /// The uncertainties of periods and amplitudes, together the effective variance.
+    PeriodsAndAmplitudes,
+    /// The uncertainties of the periods.
+    Periods,
+    /// None: all rows alike, their uncertainty from the scatter.
+    Scatter,
+}
+
+/// Rows of amplitude and period that a fit can use.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodTable {
+    pub(super) rows: Vec<Row>,
+    weighting: Weighting,
+}
+
+/// One measurement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Row {
+    pub(super) amplitude: f64,
+    pub(super) period: f64,
+    pub(super) amplitude_uncertainty: f64,
+    /// Zero when the weights come from the scatter.
+    pub(super) period_uncertainty: f64,
+}
+
+impl PeriodTable {
+    /// Amplitudes in radians, whose sign does not count, and periods in seconds.
+    ///
+    /// # Errors
+    /// Columns of different lengths, an amplitude of π or more, a period that is not positive, an uncertainty
+    /// that is not positive (of an amplitude: negative), anything NaN or infinite.
+    pub fn new(
+        amplitudes: &[f64],
+        periods: &[f64],
+        uncertainties: Uncertainties<'_>,
+    ) -> Result<Self, FitError> {
+        same_length("periods", periods, amplitudes)?;
+        if let Some(column) = uncertainties.amplitudes {
+            same_length("uncertainties of the amplitudes", column, amplitudes)?;
+        }
+        if let Some(column) = uncertainties.periods {
+            same_length("uncertainties of the periods", column, amplitudes)?;
+        }
+        let row = |i: usize| Row {
+            amplitude: amplitudes[i].abs(),
+            period: periods[i],
+            amplitude_uncertainty: uncertainties.amplitudes.map_or(0.0, |column| column[i]),
+            period_uncertainty: uncertainties.periods.map_or(0.0, |column| column[i]),
+        };
+        let rows: Vec<Row> = (0..amplitudes.len()).map(row).collect();
+        let weighting = match (uncertainties.periods, uncertainties.amplitudes) {
+            (Some(_), Some(_)) => Weighting::PeriodsAndAmplitudes,
+            (Some(_), None) => Weighting::Periods,
+            (None, _) => Weighting::Scatter,
+        };
+        for (i, row) in rows.iter().enumerate() {
+            row.check(i + 1, weighting)?;
+        }
+        Ok(Self { rows, weighting })
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Where the weights come from.
+    #[must_use]
+    pub fn weighting(&self) -> Weighting {
+        self.weighting
+    }
+
+    /// The table without these rows, counted from zero.
+    #[must_use]
+    pub fn without(&self, left_out: &[usize]) -> Self {
+        let kept = self.rows.iter().enumerate().filter(|(i, _)| !left_out.contains(i));
+        Self { rows: kept.map(|(_, row)| *row).collect(), weighting: self.weighting }
+    }
+}
+
+impl Row {
+    fn check(&self, row: usize, weighting: Weighting) -> Result<(), FitError> {
+        let usable = |x: f64| x > 0.0 && x.is_finite();
+        if !(self.amplitude < std::f64::consts::PI) {
+            return Err(FitError::Amplitude { row, amplitude: self.amplitude });
+        }
+        if !usable(self.period) {
+            return Err(FitError::Period { row, period: self.period });
+        }
+        if weighting != Weighting::Scatter && !usable(self.period_uncertainty) {
+            let hint = "give a positive number of seconds in every row, or none in any";
+            return Err(FitError::Uncertainty {
+                row,
+                of: "period",
+                uncertainty: self.period_uncertainty,
+                hint,
+            });
+        }
+        if !(self.amplitude_uncertainty >= 0.0 && self.amplitude_uncertainty.is_finite()) {
+            let hint = "give zero or a positive number in the unit of the amplitude";
+            let uncertainty = self.amplitude_uncertainty;
+            return Err(FitError::Uncertainty { row, of: "amplitude", uncertainty, hint });
+        }
+        Ok(())
+    }
+}
+
+fn same_length(column: &'static str, values: &[f64], amplitudes: &[f64]) -> Result<(), FitError> {
+    if values.len() == amplitudes.len() {
+        return Ok(());
+    }
+    Err(FitError::LengthMismatch { column, found: values.len(), expected: amplitudes.len() })
+}

@@ -1,0 +1,54 @@
+//! A table of periods explained: every law, the test of the exact one, and what does not belong.
+
+use super::excess_scale::{ExcessScaleFit, excess_scale};
+use super::law::Law;
+use super::outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
+use super::small_angle_period::{LawFit, small_angle_period};
+use super::{FitError, PeriodTable, Weighting};
+
+/// How a table is fitted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Leaves out the rows that lie further from the exact law than this many robust standard deviations;
+    /// every row is kept when not given, and outliers are only counted.
+    pub reject_outliers: Option<f64>,
+}
+
+/// What a table of periods says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodFit {
+    /// The rows that were fitted.
+    pub table: PeriodTable,
+    /// Where the weights come from.
+    pub weighting: Weighting,
+    /// The outliers among the rows given, counted from zero, by [`Options::reject_outliers`] or
+    /// [`DEFAULT_OUTLIER_THRESHOLD`].
+    pub outliers: Vec<usize>,
+    /// T0 under the exact law.
+    pub exact: LawFit,
+    /// T0 under the constant period.
+    pub constant: LawFit,
+    /// T0 under each other law, or why there is none.
+    pub others: Vec<(String, Result<LawFit, FitError>)>,
+    /// The test of the exact law, or why there is none.
+    pub beta: Result<ExcessScaleFit, FitError>,
+}
+
+/// Fits the exact law, the constant period and these other laws to the table.
+///
+/// # Errors
+/// No rows, or a single one without an uncertainty; also when no more are left without outliers.
+pub fn periods(table: &PeriodTable, others: &[Law<'_>], options: &Options) -> Result<PeriodFit, FitError> {
+    let exact = Law::exact();
+    let outliers = outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
+    let table = if options.reject_outliers.is_some() { table.without(&outliers) } else { table.clone() };
+    Ok(PeriodFit {
+        weighting: table.weighting(),
+        outliers,
+        exact: small_angle_period(&table, &exact)?,
+        constant: small_angle_period(&table, &Law::constant())?,
+        others: others.iter().map(|law| (law.key().into(), small_angle_period(&table, law))).collect(),
+        beta: excess_scale(&table, &exact),
+        table,
+    })
+}

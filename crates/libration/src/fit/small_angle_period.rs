@@ -1,0 +1,107 @@
+//! T0 under a law T = T0·R(A).
+
+use super::law::{Law, Point};
+use super::{FitError, PeriodTable, Weighting};
+
+/// The weights settle by a factor of (σ of T0)/T0 or so each time.
+const MOST_ROUNDS: usize = 100;
+
+/// T0 under one law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LawFit {
+    /// Of the law.
+    pub key: String,
+    /// The period of small swings, in seconds.
+    pub t0: f64,
+    /// Its standard deviation, in seconds: from the uncertainties of the rows as given, or without them from
+    /// the scatter.
+    pub t0_uncertainty: f64,
+    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    pub chi2: Option<f64>,
+    /// Degrees of freedom: rows less one.
+    pub dof: usize,
+    /// The root mean square of the residuals, in seconds.
+    pub rms: f64,
+    /// T − T0·R(A) of each row, in seconds.
+    pub residuals: Vec<f64>,
+    /// The effective standard deviation of each row, in seconds; without uncertainties the scatter
+    /// √(Σ residual²/dof).
+    pub standard_deviations: Vec<f64>,
+}
+
+impl LawFit {
+    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn chi2_per_dof(&self) -> Option<f64> {
+        per_dof(self.chi2, self.dof)
+    }
+}
+
+/// T0 under the law.
+///
+/// # Errors
+/// No rows, a single row without an uncertainty, a law without a value at one of the amplitudes.
+pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, FitError> {
+    let needed = if table.weighting() == Weighting::Scatter { 2 } else { 1 };
+    if table.len() < needed {
+        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "T0" });
+    }
+    let points = law.points(&table.rows)?;
+    let (t0, variances) = settle(&points, table.weighting())?;
+    let residuals: Vec<f64> = points.iter().map(|point| point.row.period - t0 * point.ratio).collect();
+    let dof = points.len() - 1;
+    let variances = variances.unwrap_or_else(|| vec![sum_of_squares(&residuals) / count(dof); points.len()]);
+    let chi2 = residuals.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
+    Ok(LawFit {
+        key: law.key().into(),
+        t0,
+        t0_uncertainty: 1.0 / information(&points, &variances).sqrt(),
+        chi2: (table.weighting() != Weighting::Scatter).then_some(chi2),
+        dof,
+        rms: (sum_of_squares(&residuals) / count(residuals.len())).sqrt(),
+        residuals,
+        standard_deviations: variances.iter().map(|v| v.sqrt()).collect(),
+    })
+}
+
+/// T0 with the weights that belong to it, and the variances; none of those without uncertainties.
+fn settle(points: &[Point], weighting: Weighting) -> Result<(f64, Option<Vec<f64>>), FitError> {
+    let mut t0 = weighted_t0(points, &vec![1.0; points.len()]);
+    if weighting == Weighting::Scatter {
+        return Ok((t0, None));
+    }
+    for _ in 0..MOST_ROUNDS {
+        let variances: Vec<f64> = points.iter().map(|point| point.variance(t0)).collect();
+        let renewed = weighted_t0(points, &variances);
+        if (renewed - t0).abs() <= 4.0 * f64::EPSILON * t0.abs() {
+            return Ok((renewed, Some(variances)));
+        }
+        t0 = renewed;
+    }
+    Err(FitError::NoConvergence("T0"))
+}
+
+/// Σ R T/σ² over Σ R²/σ².
+fn weighted_t0(points: &[Point], variances: &[f64]) -> f64 {
+    let moment: f64 = points.iter().zip(variances).map(|(p, v)| p.ratio * p.row.period / v).sum();
+    moment / information(points, variances)
+}
+
+/// Σ R²/σ², the inverse of the variance of T0.
+fn information(points: &[Point], variances: &[f64]) -> f64 {
+    points.iter().zip(variances).map(|(p, v)| p.ratio * p.ratio / v).sum()
+}
+
+pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
+    values.iter().map(|x| x * x).sum()
+}
+
+pub(super) fn per_dof(chi2: Option<f64>, dof: usize) -> Option<f64> {
+    chi2.filter(|_| dof > 0).map(|chi2| chi2 / count(dof))
+}
+
+/// A number of rows as a number.
+#[expect(clippy::cast_precision_loss, reason = "no table in memory has 2^53 rows")]
+pub(super) fn count(rows: usize) -> f64 {
+    rows as f64
+}

@@ -1,0 +1,401 @@
+//! The period ratio T/T0 of the libration with amplitude θ0, on both sides of π/2.
+//!
+//! With s the smaller of θ0 and its complement π − θ0, G(s) the period ratio of amplitude s and q(s) its
+//! nome, T/T0 = G(s) where s = θ0, and T/T0 = G(s)·ln(1/q(s))/π where s = π − θ0 (the
+//! complementary nome, DLMF 22.2.1). G − 1 and ln(64 q/s²) are polynomials in u = s² on
+//! 0 ≤ s ≤ π/2, their singularities lying at u = π². Leading terms are carried in two words, so that the sum
+//! is rounded once.
+
+use super::LengthMismatch;
+use crate::dispatch::{Kernel, dispatch};
+use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
+use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
+
+/// (G − 1 − u/16)/u² in u on [0, (π/2)²]: relative error of (G − 1)/u 1.2e-17. The first coefficient is
+/// 11/3072, kept in two words.
+const EXCESS_LEADING: DoubleDouble = DoubleDouble::new(0.0035807291666666665, 1.4456028966473392e-19);
+const EXCESS: [f64; 13] = [
+    0.0002346462673611112,
+    1.735611567420198e-05,
+    1.3867625066360802e-06,
+    1.162356162883729e-07,
+    1.005479557786626e-08,
+    8.893135595139966e-10,
+    8.003887047840748e-11,
+    7.217654223995578e-12,
+    7.24105817730189e-13,
+    3.399510240509964e-14,
+    1.564505102732741e-14,
+    -1.5456139454022743e-15,
+    2.790143506563408e-16,
+];
+
+/// ln(64 q/u)/u in u on [0, (π/2)²]: relative error 1.8e-17. The first coefficient is 1/24, kept in two words.
+const LOG_NOME_LEADING: DoubleDouble = DoubleDouble::new(0.041666666666666664, 2.3129646346357427e-18);
+const LOG_NOME: [f64; 13] = [
+    0.0015842013888888891,
+    9.205866953259369e-05,
+    6.332422691189751e-06,
+    4.763999678026195e-07,
+    3.78915092024055e-08,
+    3.130637728363911e-09,
+    2.6609625082148375e-10,
+    2.2903130211431643e-11,
+    2.1695311026011136e-12,
+    1.1112906662731272e-13,
+    4.1131764120516333e-14,
+    -3.7681221225144356e-15,
+    7.131126719577057e-16,
+];
+
+/// ln 2 with a first word short enough that its product with an integer below 2¹² is exact.
+const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949582897082e-12);
+const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
+/// 2¹⁰⁰.
+const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
+/// π in three words: two are a `DoubleDouble`, this is the third.
+const PI_THIRD_WORD: f64 = -2.9947698097183397e-33;
+
+/// π − θ for π/2 ≤ θ ≤ π, relatively accurate to the last `f64` below π: the first difference is exact.
+#[inline(always)]
+fn complement_of(amplitude: f64) -> DoubleDouble {
+    let sum = fast_two_sum(DoubleDouble::PI.hi - amplitude, DoubleDouble::PI.lo);
+    DoubleDouble::new(sum.hi, sum.lo + PI_THIRD_WORD)
+}
+
+/// G(s) − 1 for u = s²; the second word is below 0.4 % of the first, not below its last bit.
+#[inline(always)]
+pub(crate) fn excess_below(u: DoubleDouble) -> DoubleDouble {
+    excess_with(u, polynomial(u.hi, &EXCESS))
+}
+
+/// [`excess_below`] from the value of its polynomial.
+#[inline(always)]
+fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
+    let square = two_prod(u.hi, u.hi);
+    let square_lo = (2.0 * u.hi).mul_add(u.lo, square.lo);
+    let second = two_prod(square.hi, EXCESS_LEADING.hi);
+    let second_lo = square.hi.mul_add(EXCESS_LEADING.lo, square_lo.mul_add(EXCESS_LEADING.hi, second.lo));
+    let rest = (square.hi * u.hi).mul_add(polynomial, second_lo);
+    let sum = fast_two_sum(0.0625 * u.hi, second.hi);
+    DoubleDouble::new(sum.hi, sum.lo + 0.0625f64.mul_add(u.lo, rest))
+}
+
+/// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
+#[inline(always)]
+pub(crate) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
+    log_inverse_nome_with(s, u, polynomial(u.hi, &LOG_NOME))
+}
+
+/// [`log_inverse_nome`] from the value of its polynomial.
+#[inline(always)]
+fn log_inverse_nome_with(s: DoubleDouble, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
+    let Logarithm { exponent, leading, tail } = split_logarithm(s);
+    let powers = 2.0f64.mul_add(-exponent, 6.0);
+    let first = two_prod(u.hi, LOG_NOME_LEADING.hi);
+    let first_lo = u.hi.mul_add(LOG_NOME_LEADING.lo, u.lo.mul_add(LOG_NOME_LEADING.hi, first.lo));
+    let rest = (u.hi * u.hi).mul_add(polynomial, first_lo);
+    let sum = fast_two_sum(powers * LN_2_SHORT.hi, -2.0 * leading);
+    let difference = fast_two_sum(sum.hi, -first.hi);
+    let lo = powers.mul_add(LN_2_SHORT.lo, sum.lo + difference.lo) - 2.0f64.mul_add(tail, rest);
+    DoubleDouble::new(difference.hi, lo)
+}
+
+/// T/T0 above π/2 from the excess and the log of the nome of the complement.
+#[inline(always)]
+fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+    let gauss = fast_two_sum(1.0, excess.hi);
+    let product = two_prod(gauss.hi, log.hi);
+    let gauss_lo = gauss.lo + excess.lo;
+    let product_lo = gauss.hi.mul_add(log.lo, gauss_lo.mul_add(log.hi + log.lo, product.lo));
+    let ratio = two_prod(product.hi, FRAC_1_PI.hi);
+    let ratio_lo = product.hi.mul_add(FRAC_1_PI.lo, product_lo.mul_add(FRAC_1_PI.hi, ratio.lo));
+    DoubleDouble::new(ratio.hi, ratio_lo)
+}
+
+/// The smaller of the amplitude and its complement, with its square.
+#[derive(Clone, Copy)]
+struct Nearer {
+    s: DoubleDouble,
+    u: DoubleDouble,
+}
+
+impl Nearer {
+    #[inline(always)]
+    fn new(above: bool, amplitude: DoubleDouble, complement: DoubleDouble) -> Self {
+        let s = DoubleDouble::new(
+            if above { complement.hi } else { amplitude.hi },
+            if above { complement.lo } else { amplitude.lo },
+        );
+        let u = s.hi * s.hi;
+        Self { s, u: DoubleDouble::new(u, (2.0 * s.hi).mul_add(s.lo, s.hi.mul_add(s.hi, -u))) }
+    }
+}
+
+/// T/T0, rounded once.
+#[inline(always)]
+fn ratio_of(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+    let below = fast_two_sum(1.0, excess_below.hi);
+    if above { ratio_above.to_f64() } else { below.hi + (below.lo + excess_below.lo) }
+}
+
+/// T/T0 − 1, rounded once.
+#[inline(always)]
+fn excess_of(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+    let from_above = (ratio_above.hi - 1.0) + ratio_above.lo;
+    if above { from_above } else { excess_below.hi + excess_below.lo }
+}
+
+/// A quantity of the period as a function of one number.
+trait PeriodFunction: Copy {
+    /// Whether the amplitude is above π/2.
+    fn above(argument: f64) -> bool;
+    /// The nearer side for an argument; anything outside the domain.
+    fn nearer(argument: f64) -> Nearer;
+    /// The value, from the period of the nearer side; NaN outside the domain.
+    fn value(argument: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
+}
+
+#[inline(always)]
+fn amplitude_above(amplitude: f64) -> bool {
+    amplitude.abs() > std::f64::consts::FRAC_PI_2
+}
+
+#[inline(always)]
+fn nearer_of_amplitude(amplitude: f64) -> Nearer {
+    let size = amplitude.abs();
+    Nearer::new(amplitude_above(size), DoubleDouble::from(size), complement_of(size))
+}
+
+#[inline(always)]
+fn within_pi(amplitude: f64) -> bool {
+    amplitude.abs() <= DoubleDouble::PI.hi
+}
+
+/// T/T0 of an amplitude.
+#[derive(Clone, Copy)]
+struct Ratio;
+
+impl PeriodFunction for Ratio {
+    #[inline(always)]
+    fn above(amplitude: f64) -> bool {
+        amplitude_above(amplitude)
+    }
+    #[inline(always)]
+    fn nearer(amplitude: f64) -> Nearer {
+        nearer_of_amplitude(amplitude)
+    }
+    #[inline(always)]
+    fn value(amplitude: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+        let ratio = ratio_of(Self::above(amplitude), excess_below, ratio_above);
+        if within_pi(amplitude) { ratio } else { f64::NAN }
+    }
+}
+
+/// T/T0 − 1 of an amplitude.
+#[derive(Clone, Copy)]
+struct Excess;
+
+impl PeriodFunction for Excess {
+    #[inline(always)]
+    fn above(amplitude: f64) -> bool {
+        amplitude_above(amplitude)
+    }
+    #[inline(always)]
+    fn nearer(amplitude: f64) -> Nearer {
+        nearer_of_amplitude(amplitude)
+    }
+    #[inline(always)]
+    fn value(amplitude: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+        let excess = excess_of(Self::above(amplitude), excess_below, ratio_above);
+        if within_pi(amplitude) { excess } else { f64::NAN }
+    }
+}
+
+/// T/T0 of the amplitude π − δ.
+#[derive(Clone, Copy)]
+struct RatioNearTop;
+
+impl PeriodFunction for RatioNearTop {
+    #[inline(always)]
+    fn above(complement: f64) -> bool {
+        complement < std::f64::consts::FRAC_PI_2
+    }
+    #[inline(always)]
+    fn nearer(complement: f64) -> Nearer {
+        Nearer::new(Self::above(complement), complement_of(complement), DoubleDouble::from(complement))
+    }
+    #[inline(always)]
+    fn value(complement: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+        let inside = complement >= f64::MIN_POSITIVE && complement <= DoubleDouble::PI.hi;
+        let ratio = ratio_of(Self::above(complement), excess_below, ratio_above);
+        if inside { ratio } else { f64::NAN }
+    }
+}
+
+/// A function at one argument.
+struct One<P>(P, f64);
+
+impl<P: PeriodFunction> Kernel for One<P> {
+    type Output = f64;
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let Nearer { s, u } = P::nearer(self.1);
+        let excess = excess_below(u);
+        P::value(self.1, excess, ratio_above(excess, log_inverse_nome(s, u)))
+    }
+}
+
+/// How many arguments go through the stages together: enough to hide the latency of the long chains of
+/// dependent operations, few enough to stay in the first-level cache.
+const BLOCK: usize = 64;
+
+/// A function at many arguments, stage by stage.
+struct Each<'a, P>(P, &'a [f64], &'a mut [f64]);
+
+impl<P: PeriodFunction> Kernel for Each<'_, P> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let (arguments, rest) = self.1.as_chunks::<BLOCK>();
+        let (values, rest_values) = self.2.as_chunks_mut::<BLOCK>();
+        for (x, y) in arguments.iter().zip(values) {
+            block::<P>(x, y);
+        }
+        for (x, y) in rest.iter().zip(rest_values) {
+            *y = One(self.0, *x).run();
+        }
+    }
+}
+
+#[inline(always)]
+fn block<P: PeriodFunction>(arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
+    let (mut s_hi, mut s_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
+    let (mut u_hi, mut u_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
+    for i in 0..BLOCK {
+        let nearer = P::nearer(arguments[i]);
+        (s_hi[i], s_lo[i]) = (nearer.s.hi, nearer.s.lo);
+        (u_hi[i], u_lo[i]) = (nearer.u.hi, nearer.u.lo);
+    }
+    let (mut excess, mut log_nome) = ([0.0; BLOCK], [0.0; BLOCK]);
+    for i in 0..BLOCK {
+        excess[i] = polynomial(u_hi[i], &EXCESS);
+    }
+    for i in 0..BLOCK {
+        log_nome[i] = polynomial(u_hi[i], &LOG_NOME);
+    }
+    let (mut log_hi, mut log_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
+    for i in 0..BLOCK {
+        let s = DoubleDouble::new(s_hi[i], s_lo[i]);
+        let log = log_inverse_nome_with(s, DoubleDouble::new(u_hi[i], u_lo[i]), log_nome[i]);
+        (log_hi[i], log_lo[i]) = (log.hi, log.lo);
+    }
+    for i in 0..BLOCK {
+        let excess = excess_with(DoubleDouble::new(u_hi[i], u_lo[i]), excess[i]);
+        let ratio = ratio_above(excess, DoubleDouble::new(log_hi[i], log_lo[i]));
+        values[i] = P::value(arguments[i], excess, ratio);
+    }
+}
+
+/// The period ratio T/T0 of the libration with this amplitude in radians; even in the amplitude.
+///
+/// # Domain
+/// |θ0| up to the last `f64` below π, where it is 24.64…; NaN above.
+/// # Accuracy
+/// 0.52 ulp (ledger in `tests/suite/accuracy.rs`).
+/// # Examples
+/// ```
+/// use libration::pendulum::period_ratio;
+/// assert_eq!(period_ratio(std::f64::consts::FRAC_PI_2), 1.1803405990160963);
+/// ```
+#[must_use]
+pub fn period_ratio(amplitude: f64) -> f64 {
+    dispatch(One(Ratio, amplitude))
+}
+
+/// T/T0 − 1 for an amplitude in radians, with full relative accuracy however small it is.
+///
+/// # Domain
+/// As [`period_ratio`].
+/// # Accuracy
+/// 1 ulp down to θ0 = 1e-150, below which the result θ0²/16 leaves the range of `f64`
+/// (ledger in `tests/suite/accuracy.rs`).
+#[must_use]
+pub fn period_excess(amplitude: f64) -> f64 {
+    dispatch(One(Excess, amplitude))
+}
+
+/// T/T0 of the amplitude π − δ, for a complement δ in radians.
+///
+/// # Domain
+/// 2.3e-308 ≤ δ ≤ π; NaN outside.
+/// # Accuracy
+/// 0.52 ulp (ledger in `tests/suite/accuracy.rs`).
+#[must_use]
+pub fn period_ratio_near_top(complement: f64) -> f64 {
+    dispatch(One(RatioNearTop, complement))
+}
+
+/// [`period_ratio`] of each amplitude, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(amplitudes, ratios)?;
+    dispatch(Each(Ratio, amplitudes, ratios));
+    Ok(())
+}
+
+/// [`period_excess`] of each amplitude, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(amplitudes, excesses)?;
+    dispatch(Each(Excess, amplitudes, excesses));
+    Ok(())
+}
+
+/// [`period_ratio_near_top`] of each complement, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(complements, ratios)?;
+    dispatch(Each(RatioNearTop, complements, ratios));
+    Ok(())
+}
+
+/// T/T0 from the amplitude and its complement in two words each.
+pub(crate) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
+    if complement.hi < f64::MIN_POSITIVE {
+        return ratio_at_the_top(complement.hi);
+    }
+    let above = amplitude_above(amplitude.hi);
+    let Nearer { s, u } = Nearer::new(above, amplitude, complement);
+    let excess = excess_below(u);
+    ratio_of(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
+}
+
+/// T/T0 − 1 from the amplitude and its complement in two words each.
+pub(crate) fn excess_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
+    if complement.hi < f64::MIN_POSITIVE {
+        return ratio_at_the_top(complement.hi) - 1.0;
+    }
+    let above = amplitude_above(amplitude.hi);
+    let Nearer { s, u } = Nearer::new(above, amplitude, complement);
+    let excess = excess_below(u);
+    excess_of(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
+}
+
+/// T/T0 for subnormal complements, where G(s) = 1 and only the logarithm counts.
+#[cold]
+fn ratio_at_the_top(complement: f64) -> f64 {
+    if complement == 0.0 {
+        return f64::INFINITY;
+    }
+    let scaled = two_word::ln(DoubleDouble::from(complement * TWO_TO_100));
+    let log = DoubleDouble::LN_2 * 206.0 - scaled.scaled(2.0);
+    (log * FRAC_1_PI).to_f64()
+}
+

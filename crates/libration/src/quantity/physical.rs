@@ -1,0 +1,141 @@
+//! Physical quantities from text: `1.2 m`, `35 in`, `9.81m/s^2`, `1.200(3) m`, `1.200 ± 0.003 m`.
+//!
+//! The decimal times the unit is taken exactly and rounded once.
+
+use dashu::base::{Abs, Signed};
+use dashu::rational::RBig;
+
+use super::decimal::{Decimal, LONGEST_TEXT, exponent_length};
+use super::excerpt::excerpt;
+use super::pi_combination::PiCombination;
+use super::unit::Unit;
+use super::{Dimension, QuantityError};
+
+/// A value in its SI unit with its standard uncertainty, if one was given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// In the SI unit of the dimension, finite.
+    pub value: f64,
+    /// One standard deviation in the same unit, finite and not negative.
+    pub uncertainty: Option<f64>,
+}
+
+/// The quantity of this dimension that the text means; a bare number is in the SI unit.
+///
+/// The uncertainty may stand in brackets in units of the last digit, after `±`, `+-` or `+/-` with or without
+/// a unit of its own, or as a percentage.
+///
+/// # Errors
+/// Text that is no number with a unit, a unit of another dimension, or a number beyond the range of `f64`.
+///
+/// # Examples
+/// ```
+/// use libration::quantity::{Dimension, parse};
+///
+/// let length = parse("120.0(3) cm", Dimension::Length)?;
+/// assert_eq!((length.value, length.uncertainty), (1.2, Some(0.003)));
+/// assert!(parse("1 s", Dimension::Length).is_err());
+/// # Ok::<(), libration::quantity::QuantityError>(())
+/// ```
+pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
+    let exact = ExactQuantity::parse(text, dimension)?;
+    let out_of_range = || QuantityError::QuantityOutOfRange { text: excerpt(text), dimension };
+    let value = exact.value.nearest().ok_or_else(out_of_range)?;
+    let uncertainty = match exact.uncertainty {
+        Some(sigma) if sigma.value().is_negative() => return Err(out_of_range()),
+        Some(sigma) => Some(sigma.nearest().ok_or_else(out_of_range)?),
+        None => None,
+    };
+    Ok(Quantity { value, uncertainty })
+}
+
+/// A quantity before it is rounded, in its SI unit.
+pub(super) struct ExactQuantity {
+    pub(super) value: PiCombination,
+    uncertainty: Option<PiCombination>,
+}
+
+impl ExactQuantity {
+    pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Self, QuantityError> {
+        let unreadable = || QuantityError::UnreadableQuantity { text: excerpt(text), dimension };
+        if text.len() > LONGEST_TEXT {
+            return Err(unreadable());
+        }
+        let plain = plain(text);
+        let (value, spread) = match plain.split_once('±') {
+            Some((value, spread)) => (value, Some(Amount::parse(spread).ok_or_else(unreadable)?)),
+            None => (plain.as_str(), None),
+        };
+        let value = Amount::parse(value).ok_or_else(unreadable)?;
+        if spread.is_some() && value.last_digits.is_some() {
+            return Err(unreadable());
+        }
+        let unit_of = |name| unit_named(name, text, dimension);
+        let shared = spread.as_ref().map_or("", |spread| spread.unit);
+        let unit = unit_of(if value.unit.is_empty() && shared != PERCENT { shared } else { value.unit })?;
+        let number = value.number.exact();
+        let uncertainty = match spread {
+            Some(spread) if spread.unit == PERCENT => {
+                Some(unit.times(number.clone().abs() * spread.number.exact() / RBig::from(100)))
+            }
+            Some(spread) if spread.unit.is_empty() => Some(unit.times(spread.number.exact())),
+            Some(spread) => Some(unit_of(spread.unit)?.times(spread.number.exact())),
+            None => value.last_digits.map(|digits| unit.times(digits)),
+        };
+        Ok(Self { value: unit.times(number), uncertainty })
+    }
+}
+
+const PERCENT: &str = "%";
+
+/// One spelling of the signs, and no brackets around value and uncertainty.
+fn plain(text: &str) -> String {
+    let text = text.trim().replace('−', "-").replace("+/-", "±").replace("+-", "±");
+    match text.strip_prefix('(').and_then(|rest| rest.rsplit_once(')')) {
+        Some((inside, unit)) => format!("{inside} {unit}"),
+        None => text,
+    }
+}
+
+fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static Unit, QuantityError> {
+    if name.is_empty() {
+        return Ok(Unit::si(dimension));
+    }
+    let Some(unit) = Unit::named(name) else {
+        return Err(QuantityError::UnknownUnit { text: excerpt(text), unit: excerpt(name), dimension });
+    };
+    if unit.dimension != dimension {
+        return Err(QuantityError::WrongDimension { text: excerpt(text), found: unit.dimension, dimension });
+    }
+    Ok(unit)
+}
+
+/// A number, perhaps with an uncertainty of its last digits, and the name of a unit.
+struct Amount<'a> {
+    number: Decimal,
+    last_digits: Option<RBig>,
+    unit: &'a str,
+}
+
+impl<'a> Amount<'a> {
+    fn parse(text: &'a str) -> Option<Self> {
+        let text = text.trim();
+        let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text).trim_start();
+        let (number, last_digits, unit) = concise(unsigned).or_else(|| {
+            let (number, unit) = Decimal::split_from(unsigned)?;
+            Some((number, None, unit))
+        })?;
+        let number = if text.starts_with('-') { number.negated() } else { number };
+        Some(Self { number, last_digits, unit: unit.trim() })
+    }
+}
+
+/// A number such as `1.200(3)` or `1.200(3)e-2`, its uncertainty, and the text after it.
+fn concise(text: &str) -> Option<(Decimal, Option<RBig>, &str)> {
+    let (mantissa, rest) = text.split_once('(')?;
+    let (digits, rest) = rest.split_once(')')?;
+    let (exponent, unit) = rest.split_at(exponent_length(rest.as_bytes()));
+    let number = Decimal::parse(&format!("{mantissa}{exponent}"))?;
+    let uncertainty = RBig::from(digits.parse::<u32>().ok()?) * number.last_place();
+    Some((number, Some(uncertainty), unit))
+}

@@ -1,0 +1,224 @@
+//! Ranges `START:STOP:STEP` and comma-separated lists, of angles and of other numbers.
+//!
+//! The k-th element is START + k·STEP in exact arithmetic, rounded once; STOP belongs to the range when a
+//! whole number of steps reaches it to within 5e-10 of a step.
+
+use dashu::base::{Abs, Signed};
+use dashu::rational::RBig;
+
+use super::angle_text::exact_angle;
+use super::decimal::Decimal;
+use super::excerpt::excerpt;
+use super::physical::ExactQuantity;
+use super::pi_combination::PiCombination;
+use super::{Angle, Dimension, QuantityError};
+
+/// More elements than anybody can look at, and few enough to be held in memory.
+const MOST_ELEMENTS: u64 = 10_000_000;
+
+/// Why a text is no range.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RangeError {
+    /// Not three parts.
+    #[error("cannot read `{0}` as a range: write START:STOP:STEP, as in {1}")]
+    NotThreeParts(String, &'static str),
+    /// Bare numbers beside degrees.
+    #[error(
+        "the range `{0}` mixes degrees and bare numbers: write the unit of each part, as in 1deg:179deg:1deg"
+    )]
+    MixedUnits(String),
+    /// A step of zero.
+    #[error("the step of the range `{0}` is zero: give one that leads from start to stop")]
+    ZeroStep(String),
+    /// A step that leads away from the stop.
+    #[error("the step of the range `{0}` leads away from its stop: change its sign")]
+    WrongSign(String),
+    /// More elements than are allowed.
+    #[error("the range `{0}` has more than {MOST_ELEMENTS} elements: give a larger step")]
+    TooMany(String),
+    /// One of the parts, or an element of a list, is wrong.
+    #[error(transparent)]
+    Part(#[from] QuantityError),
+}
+
+/// Equally spaced angles, from text such as `1deg:179deg:1deg`.
+///
+/// # Examples
+/// ```
+/// use libration::quantity::AngleRange;
+///
+/// let degrees = AngleRange::parse("0.1deg:0.9deg:0.1deg")?;
+/// assert_eq!(degrees.len(), 9);
+/// assert_eq!(degrees.get(2), Some("0.3deg".parse()?));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct AngleRange(Progression);
+
+impl AngleRange {
+    /// The range that `START:STOP:STEP` means, each part an angle.
+    ///
+    /// # Errors
+    /// Text that is not three angles, bare numbers beside angles with a unit, a step of zero or away from the stop, more
+    /// than ten million elements.
+    pub fn parse(text: &str) -> Result<Self, RangeError> {
+        let parts = three_parts(text, "1deg:179deg:1deg")?;
+        if units_are_mixed(&parts) {
+            return Err(RangeError::MixedUnits(excerpt(text)));
+        }
+        let [start, stop, step] = parts;
+        let (start, stop, step) = (exact_angle(start)?, exact_angle(stop)?, exact_angle(step)?);
+        Ok(Self(Progression::new(text, start, &stop, step)?))
+    }
+
+    /// How many angles there are; at least one.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.count
+    }
+
+    /// Never: a range has at least its start.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.count == 0
+    }
+
+    /// The k-th angle, from zero.
+    #[must_use]
+    pub fn get(&self, k: usize) -> Option<Angle> {
+        self.0.get(k).map(|element| element.to_angle_as_text_means())
+    }
+
+    /// The angles in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Angle> + '_ {
+        (0..self.len()).map(|k| self.0.element(k).to_angle_as_text_means())
+    }
+}
+
+/// Equally spaced numbers in an SI unit, from text such as `0:10:0.1` or `0s:500ms:1ms`.
+#[derive(Clone, Debug)]
+pub struct NumberRange(Progression);
+
+impl NumberRange {
+    /// The range that `START:STOP:STEP` means, each part a quantity of this dimension.
+    ///
+    /// # Errors
+    /// Text that is not three quantities, a step of zero or away from the stop, more than ten million elements.
+    pub fn parse(text: &str, dimension: Dimension) -> Result<Self, RangeError> {
+        let [start, stop, step] = three_parts(text, "0:10:0.1")?;
+        let exact = |part| Ok::<_, RangeError>(ExactQuantity::parse(part, dimension)?.value);
+        Ok(Self(Progression::new(text, exact(start)?, &exact(stop)?, exact(step)?)?))
+    }
+
+    /// How many numbers there are; at least one.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.count
+    }
+
+    /// Never: a range has at least its start.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.count == 0
+    }
+
+    /// The k-th number, from zero: the nearest `f64` of START + k·STEP.
+    #[must_use]
+    pub fn get(&self, k: usize) -> Option<f64> {
+        self.0.get(k).and_then(|element| element.nearest())
+    }
+
+    /// The numbers in order.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + '_ {
+        (0..self.len()).filter_map(|k| self.get(k))
+    }
+}
+
+/// The angles that a text means: one angle, several between commas, or a range.
+///
+/// # Errors
+/// As [`AngleRange::parse`] and the reading of an angle.
+pub fn angles(text: &str) -> Result<Vec<Angle>, RangeError> {
+    if text.contains(':') {
+        return Ok(AngleRange::parse(text)?.iter().collect());
+    }
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    if units_are_mixed(&parts) {
+        return Err(RangeError::MixedUnits(excerpt(text)));
+    }
+    parts.into_iter().map(|part| Ok(part.parse()?)).collect()
+}
+
+/// The numbers that a text means, in the SI unit of the dimension: one, several between commas, or a range.
+///
+/// # Errors
+/// As [`NumberRange::parse`] and [`super::parse`].
+pub fn numbers(text: &str, dimension: Dimension) -> Result<Vec<f64>, RangeError> {
+    if text.contains(':') {
+        return Ok(NumberRange::parse(text, dimension)?.iter().collect());
+    }
+    text.split(',').map(|part| Ok(super::parse(part, dimension)?.value)).collect()
+}
+
+/// Whether bare numbers (other than zero) stand beside angles with a unit: `60,5deg` was meant otherwise.
+fn units_are_mixed(parts: &[&str]) -> bool {
+    let has_unit =
+        |part: &&str| ["deg", "°", "rad"].iter().any(|unit| part.to_ascii_lowercase().contains(unit));
+    let is_bare = |part: &&str| Decimal::parse(part).is_some_and(|number| !number.exact().is_zero());
+    parts.iter().any(has_unit) && parts.iter().any(is_bare)
+}
+
+fn three_parts<'a>(text: &'a str, example: &'static str) -> Result<[&'a str; 3], RangeError> {
+    let mut parts = text.split(':').map(str::trim);
+    match (parts.next(), parts.next(), parts.next(), parts.next()) {
+        (Some(start), Some(stop), Some(step), None) => Ok([start, stop, step]),
+        _ => Err(RangeError::NotThreeParts(excerpt(text), example)),
+    }
+}
+
+/// An arithmetic progression, exactly.
+#[derive(Clone, Debug)]
+struct Progression {
+    start: PiCombination,
+    step: PiCombination,
+    count: usize,
+}
+
+impl Progression {
+    fn new(
+        text: &str,
+        start: PiCombination,
+        stop: &PiCombination,
+        step: PiCombination,
+    ) -> Result<Self, RangeError> {
+        let (distance, stride) = (stop.value() - start.value(), step.value());
+        if stride.is_zero() {
+            return Err(RangeError::ZeroStep(excerpt(text)));
+        }
+        if !distance.is_zero() && distance.is_negative() != stride.is_negative() {
+            return Err(RangeError::WrongSign(excerpt(text)));
+        }
+        let tolerance = RBig::from_parts(5.into(), 10_000_000_000u64.into());
+        let steps = (distance / stride).abs() + tolerance;
+        let too_many = || RangeError::TooMany(excerpt(text));
+        let steps = u64::try_from(steps.floor()).map_err(|_| too_many())?;
+        if steps >= MOST_ELEMENTS {
+            return Err(too_many());
+        }
+        let count = usize::try_from(steps + 1).map_err(|_| too_many())?;
+        Ok(Self { start, step, count })
+    }
+
+    fn get(&self, k: usize) -> Option<PiCombination> {
+        (k < self.count).then(|| self.element(k))
+    }
+
+    fn element(&self, k: usize) -> PiCombination {
+        let k = RBig::from(k);
+        PiCombination {
+            pi_multiple: &self.start.pi_multiple + &self.step.pi_multiple * &k,
+            rest: &self.start.rest + &self.step.rest * &k,
+        }
+    }
+}

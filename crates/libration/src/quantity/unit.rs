@@ -1,0 +1,120 @@
+//! The units that quantities are read in, each with its exact value.
+
+use std::fmt;
+
+use dashu::rational::RBig;
+
+use super::pi_combination::PiCombination;
+
+/// What a quantity measures, and with it the SI unit its value is kept in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dimension {
+    /// In metres.
+    Length,
+    /// In seconds.
+    Time,
+    /// In metres per second squared.
+    Acceleration,
+    /// In radians per second.
+    AngularVelocity,
+}
+
+impl Dimension {
+    /// Some ways to write a quantity of this dimension.
+    #[must_use]
+    pub fn examples(self) -> &'static str {
+        match self {
+            Self::Length => "1m, 120 cm, 35 in, 1.200(3) m or 1.200 ± 0.003 m (a bare number is in metres)",
+            Self::Time => "2s, 500ms, 2.007(2) s or 2.007 ± 0.002 s (a bare number is in seconds)",
+            Self::Acceleration => "9.81m/s^2, 981 cm/s^2 or 9.81 ± 0.02 m/s^2 (a bare number is in m/s^2)",
+            Self::AngularVelocity => "0.3rad/s, 30deg/s or 33 rpm (a bare number is in rad/s)",
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Length => "a length",
+            Self::Time => "a time",
+            Self::Acceleration => "an acceleration",
+            Self::AngularVelocity => "an angular velocity",
+        })
+    }
+}
+
+/// A unit: its value is numerator/denominator of the SI unit, times π where it counts half turns.
+pub(super) struct Unit {
+    pub(super) dimension: Dimension,
+    names: &'static [&'static str],
+    numerator: i64,
+    denominator: u64,
+    of: Factor,
+}
+
+enum Factor {
+    One,
+    Pi,
+}
+
+impl Unit {
+    pub(super) fn named(name: &str) -> Option<&'static Self> {
+        UNITS.iter().find(|unit| unit.names.contains(&name))
+    }
+
+    pub(super) fn si(dimension: Dimension) -> &'static Self {
+        UNITS
+            .iter()
+            .find(|unit| unit.dimension == dimension)
+            .expect("the table begins each dimension with its SI unit")
+    }
+
+    /// So many of this unit, in the SI unit.
+    pub(super) fn times(&self, number: RBig) -> PiCombination {
+        let value = number * RBig::from_parts(self.numerator.into(), self.denominator.into());
+        match self.of {
+            Factor::One => PiCombination { pi_multiple: RBig::ZERO, rest: value },
+            Factor::Pi => PiCombination { pi_multiple: value, rest: RBig::ZERO },
+        }
+    }
+}
+
+const fn unit(
+    dimension: Dimension,
+    names: &'static [&'static str],
+    numerator: i64,
+    denominator: u64,
+) -> Unit {
+    Unit { dimension, names, numerator, denominator, of: Factor::One }
+}
+
+const fn half_turns_per_second(names: &'static [&'static str], numerator: i64, denominator: u64) -> Unit {
+    Unit { dimension: Dimension::AngularVelocity, names, numerator, denominator, of: Factor::Pi }
+}
+
+/// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
+/// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901).
+static UNITS: [Unit; 21] = [
+    unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
+    unit(Dimension::Length, &["km"], 1000, 1),
+    unit(Dimension::Length, &["dm"], 1, 10),
+    unit(Dimension::Length, &["cm"], 1, 100),
+    unit(Dimension::Length, &["mm"], 1, 1000),
+    unit(Dimension::Length, &["um", "µm", "μm"], 1, 1_000_000),
+    unit(Dimension::Length, &["in", "inch", "inches", "″"], 254, 10_000),
+    unit(Dimension::Length, &["ft", "foot", "feet"], 3048, 10_000),
+    unit(Dimension::Time, &["s", "sec", "second", "seconds"], 1, 1),
+    unit(Dimension::Time, &["ms"], 1, 1000),
+    unit(Dimension::Time, &["us", "µs", "μs"], 1, 1_000_000),
+    unit(Dimension::Time, &["min"], 60, 1),
+    unit(Dimension::Time, &["h"], 3600, 1),
+    unit(Dimension::Acceleration, &["m/s^2", "m/s²", "m/s2", "m/s/s", "m s^-2", "m s⁻²", "m·s⁻²"], 1, 1),
+    unit(Dimension::Acceleration, &["cm/s^2", "cm/s²", "cm/s2", "Gal"], 1, 100),
+    unit(Dimension::Acceleration, &["ft/s^2", "ft/s²", "ft/s2"], 3048, 10_000),
+    unit(Dimension::Acceleration, &["g", "gn", "g0", "g_n"], 980_665, 100_000),
+    unit(Dimension::AngularVelocity, &["rad/s", "rad s^-1", "rad s⁻¹", "rad·s⁻¹"], 1, 1),
+    half_turns_per_second(&["deg/s", "°/s", "deg s^-1"], 1, 180),
+    half_turns_per_second(&["rev/s", "turn/s", "turns/s"], 2, 1),
+    half_turns_per_second(&["rpm", "rev/min"], 1, 30),
+];

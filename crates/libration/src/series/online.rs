@@ -1,0 +1,137 @@
+use dashu::integer::IBig;
+
+use crate::algebra::product;
+
+/// Below this many coefficients sums of products are faster than Kronecker products: measured for the pendulum's
+/// series, whose coefficients grow like factorials, so that products of small by large ones come cheap.
+pub(super) const BLOCK: usize = 1024;
+
+/// What stands under a coefficient: Σ yₙxⁿ/wₙ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Weight {
+    /// wₙ = 1.
+    Ordinary,
+    /// wₙ = (2n)!.
+    EvenFactorial,
+}
+
+/// An equation y₀ = first, yₙ = finish(n, Σ_{k=1}^{n} wₙ/(w_k w_{n−k})·known_k·y_{n−k}), whose sums need the
+/// answers already found: solved by halves, the first half entering the second by one product.
+///
+/// Reference: J. van der Hoeven, *Relax, but don't be too lazy*, J. Symbolic Comput. 34, 479 (2002), section 4.1.
+pub(super) struct Convolution<'a> {
+    pub(super) known: &'a [IBig],
+    pub(super) weight: Weight,
+    pub(super) finish: &'a dyn Fn(usize, IBig) -> IBig,
+    /// Stretches up to this long are solved one by one.
+    pub(super) block: usize,
+}
+
+impl Convolution<'_> {
+    /// The first `length` answers; coefficients that `known` does not reach are zero.
+    pub(super) fn solve(&self, first: IBig, length: usize) -> Vec<IBig> {
+        let mut answers = vec![IBig::ZERO; length];
+        if length > 0 {
+            self.fill(&mut answers, 0, length, &first);
+        }
+        answers
+    }
+
+    /// On entry `answers[l..r]` hold the sums over the answers below `l`, on return the answers.
+    fn fill(&self, answers: &mut [IBig], l: usize, r: usize, first: &IBig) {
+        if r - l <= self.block.max(1) {
+            return self.fill_one_by_one(answers, l, r, first);
+        }
+        let middle = usize::midpoint(l, r);
+        self.fill(answers, l, middle, first);
+        self.carry(answers, l, middle, r);
+        self.fill(answers, middle, r, first);
+    }
+
+    fn fill_one_by_one(&self, answers: &mut [IBig], l: usize, r: usize, first: &IBig) {
+        for n in l..r {
+            if n == 0 {
+                answers[0] = first.clone();
+                continue;
+            }
+            let sum = &answers[n] + self.recent_sum(&answers[l..n], n);
+            answers[n] = (self.finish)(n, sum);
+        }
+    }
+
+    /// The part of the n-th sum that the answers directly before it, `recent`, contribute.
+    fn recent_sum(&self, recent: &[IBig], n: usize) -> IBig {
+        let pairs = recent.iter().rev().zip(self.known.iter().skip(1));
+        match self.weight {
+            Weight::Ordinary => pairs.map(|(y, known)| y * known).sum(),
+            Weight::EvenFactorial => {
+                let terms = pairs.zip(even_binomials(n));
+                terms.map(|((y, known), binomial)| y * (known * binomial)).sum()
+            }
+        }
+    }
+
+    /// Adds what `answers[l..middle]` contribute to the sums of `answers[middle..r]`.
+    fn carry(&self, answers: &mut [IBig], l: usize, middle: usize, r: usize) {
+        let reach = (r - l).min(self.known.len());
+        let (found, sums) = answers.split_at_mut(middle);
+        let left = self.weight.cleared(&found[l..], l);
+        let right = self.weight.cleared(&self.known[..reach], 0);
+        let divisor: IBig = (1..reach).map(|k| self.weight.step(k)).product();
+        let mut multiplier = IBig::ONE;
+        let products = product(&left, &right).into_iter().skip(middle - l);
+        for (n, (sum, product)) in (middle..r).zip(sums.iter_mut().zip(products)) {
+            multiplier *= self.weight.step(n);
+            *sum += product * &multiplier / &divisor;
+        }
+    }
+}
+
+impl Weight {
+    /// wₙ/wₙ₋₁.
+    fn step(self, n: usize) -> IBig {
+        match self {
+            Self::Ordinary => IBig::ONE,
+            Self::EvenFactorial => IBig::from((2 * n - 1) * 2 * n),
+        }
+    }
+
+    /// The coefficients yⱼ from j = `offset` on, each over its weight, times the last one's weight.
+    fn cleared(self, coefficients: &[IBig], offset: usize) -> Vec<IBig> {
+        let mut factor = IBig::ONE;
+        let mut scaled: Vec<IBig> = coefficients.to_vec();
+        for (j, coefficient) in scaled.iter_mut().enumerate().rev() {
+            *coefficient *= &factor;
+            if j > 0 {
+                factor *= self.step(offset + j);
+            }
+        }
+        scaled
+    }
+}
+
+/// The binomial coefficients (2n over 2k) for k = 1 … n.
+fn even_binomials(n: usize) -> impl Iterator<Item = IBig> {
+    let mut binomial = IBig::ONE;
+    (1..=n).map(move |k| {
+        let (over, under) = ((2 * n - 2 * k + 2) * (2 * n - 2 * k + 1), (2 * k - 1) * 2 * k);
+        binomial = &binomial * over / under;
+        binomial.clone()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solving_by_halves_gives_what_solving_one_by_one_gives() {
+        let known: Vec<IBig> = (0..90_i64).map(|n| IBig::from(3 - n).pow(3)).collect();
+        for weight in [Weight::Ordinary, Weight::EvenFactorial] {
+            let solve = |block| {
+                Convolution { known: &known, weight, finish: &|_, sum| -sum, block }.solve(IBig::ONE, 120)
+            };
+            assert_eq!(solve(7), solve(1000), "{weight:?}");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Tables as instruments and people write them.
+
+use libration::measurement::{Column, Delimiter, Header, MeasurementError, Options, Selection, Table};
+
+fn read(text: &str) -> Result<Table, MeasurementError> {
+    Table::read(text.as_bytes(), &Options::default())
+}
+
+fn first_two(text: &str) -> Result<Selection, MeasurementError> {
+    read(text)?.select(&[Column::Number(1), Column::Number(2)])
+}
+
+#[test]
+fn one_table_in_many_dialects_has_the_same_numbers() {
+    for text in [
+        "0.5,2.01\n1.0,2.13\n",
+        "0.5, 2.01\r\n1.0, 2.13",
+        "0.5;2.01\n1.0;2.13\n",
+        "0,5;2,01\n1,0;2,13\n",
+        "0.5\t2.01\n1.0\t2.13\n",
+        "0,5\t2,01\n1,0\t2,13\n",
+        "0.5 2.01\n1.0 2.13\n",
+        "  0.5   2.01 \n\n1.0 \t 2.13",
+        "0,5 2,01\n1,0 2,13\n",
+        "0.5 2.01\r1.0 2.13\r",
+        "\u{feff}amplitude,period\n0.5,2.01\n1.0,2.13\n",
+        "# made up\n\n\"angle, rad\",\"period (s)\"\n# more\n0.5,2.01\n1.0,2.13\n",
+        "theta T\n0.5 2.01\n1.0 2.13\n",
+        "0.5,2.01,\n1.0,2.13,\n",
+        "a,b,,\n0.5,2.01,,\n1.0,2.13\n",
+        "a;b;remark\n0,5;2,01;calm\n1,0;2,13;\"windy; door open\"\n",
+        " # said\n0.5,2.01\n1.0,2.13\n  \n",
+    ] {
+        let selection = first_two(text).unwrap_or_else(|error| panic!("{text:?}: {error}"));
+        assert_eq!(selection.columns, [[0.5, 1.0], [2.01, 2.13]], "{text:?}");
+        assert_eq!(selection.dropped, 0);
+    }
+}
+
+#[test]
+fn columns_are_found_by_number_or_by_name_without_case() {
+    let table = read("X,Y,X',Y'\n1,2,3,4\n").unwrap();
+    let chosen = table.select(&[" y' ".parse().unwrap(), "1".parse().unwrap()]).unwrap();
+    assert_eq!(chosen.columns, [[4.0], [1.0]]);
+    let message = table.select(&[Column::Name("period".into())]).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "there is no column `period`: the table has columns 1 to 4, named `X`, `Y`, `X'`, `Y'`"
+    );
+    assert!(table.select(&[Column::Number(0)]).is_err() && table.select(&[Column::Number(5)]).is_err());
+    let twice = read("t,T\n1,2\n").unwrap().select(&[Column::Name("t".into())]);
+    assert_eq!(twice, Err(MeasurementError::AmbiguousColumn("t".into())));
+}
+
+#[test]
+fn rows_without_a_number_are_dropped_and_counted() {
+    let selection = first_two("A,T\n0.5,2.01\n,2.0\n0.7,NaN\n1.0,2.13\n").unwrap();
+    assert_eq!((selection.columns, selection.dropped), (vec![vec![0.5, 1.0], vec![2.01, 2.13]], 2));
+    assert_eq!(selection.lines, [2, 5]);
+    assert_eq!(first_two("1,\n2,\n3,nan\n"), Err(MeasurementError::NothingComplete(3)));
+}
+
+#[test]
+fn complaints_name_the_line() {
+    let ragged = MeasurementError::Ragged { line: 5, found: 3, expected: 2 };
+    assert_eq!(read("# c\nA,T\n1,2\n\n3,4,5\n").unwrap_err(), ragged);
+    assert_eq!(
+        read("A,T\n1,2\n3\n").unwrap_err(),
+        MeasurementError::Ragged { line: 3, found: 1, expected: 2 }
+    );
+    let text = MeasurementError::NotANumber { line: 3, column: 2, cell: "two".into() };
+    assert_eq!(first_two("A,T\n1,2\n3,two\n"), Err(text));
+    let infinite = MeasurementError::NotANumber { line: 1, column: 2, cell: "inf".into() };
+    assert_eq!(first_two("1,inf\n"), Err(infinite));
+}
+
+#[test]
+fn files_that_are_no_tables_are_told_by_kind() {
+    let utf16: Vec<u8> = "\u{feff}1,2".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for (bytes, kind) in [
+        (utf16.as_slice(), "UTF-16"),
+        (b"1,2\n\0\n", "NUL"),
+        (b"PK\x03\x04rest", "ZIP"),
+        (b"Winkel (\xb0)\n1\n", "encoding"),
+    ] {
+        let message = Table::read(bytes, &Options::default()).unwrap_err().to_string();
+        assert!(message.contains(kind), "{message}");
+    }
+    for text in ["", "\n\n", "# only a comment\n", "A,T\n", "\u{feff}", ",,,\n"] {
+        assert_eq!(read(text).unwrap_err(), MeasurementError::Empty, "{text:?}");
+    }
+    let small = Options { size_limit: 3, ..Options::default() };
+    assert_eq!(Table::read(b"1,2\n", &small).unwrap_err(), MeasurementError::TooLarge { size: 4, limit: 3 });
+}
+
+#[test]
+fn delimiter_and_header_may_be_said() {
+    let options =
+        Options { delimiter: Some(Delimiter::Whitespace), header: Header::Present, ..Options::default() };
+    let table = Table::read(b"1 2\n0,5 2,01\n", &options).unwrap();
+    assert_eq!(
+        (table.names(), table.width(), table.delimiter()),
+        (&["1".into(), "2".into()][..], 2, Delimiter::Whitespace)
+    );
+    assert_eq!(table.select(&[Column::Number(1)]).unwrap().columns, [[0.5]]);
+    let absent = Options { header: Header::Absent, ..Options::default() };
+    let table = Table::read(b"A,T\n1,2\n", &absent).unwrap();
+    assert!(matches!(table.select(&[Column::Number(1)]), Err(MeasurementError::NotANumber { line: 1, .. })));
+}
+
+#[test]
+fn an_unclosed_quote_or_a_megabyte_of_one_cell_is_an_error_not_a_stall() {
+    let long = format!("A,T\n1,{}x\n", "1".repeat(1 << 20));
+    assert!(first_two(&long).unwrap_err().to_string().len() < 200);
+    assert!(first_two("A,T\n1,2\n\"3,4\n5,6\n").is_err());
+}

@@ -1,0 +1,144 @@
+//! Text means the decimal: quantities, ranges and lists.
+
+use libration::quantity::{
+    Angle, AngleRange, Dimension, NumberRange, QuantityError, RangeError, angles, numbers, parse,
+};
+
+#[test]
+fn units_are_exact_factors() {
+    for (text, dimension, value) in [
+        ("1m", Dimension::Length, 1.0),
+        ("1.2 m", Dimension::Length, 1.2),
+        ("120 cm", Dimension::Length, 1.2),
+        ("35 in", Dimension::Length, 0.889),
+        ("34.25in", Dimension::Length, 0.86995),
+        ("9.81m/s^2", Dimension::Acceleration, 9.81),
+        ("9.81 m/s²", Dimension::Acceleration, 9.81),
+        ("1 g", Dimension::Acceleration, 9.80665),
+        ("0.3rad/s", Dimension::AngularVelocity, 0.3),
+        ("-180deg/s", Dimension::AngularVelocity, -std::f64::consts::PI),
+        ("30 rpm", Dimension::AngularVelocity, std::f64::consts::PI),
+        ("2s", Dimension::Time, 2.0),
+        ("500ms", Dimension::Time, 0.5),
+        ("−0.7", Dimension::Time, -0.7),
+    ] {
+        let quantity = parse(text, dimension).unwrap();
+        assert_eq!((quantity.value.to_bits(), quantity.uncertainty), (f64::to_bits(value), None), "{text}");
+    }
+}
+
+#[test]
+fn uncertainties_are_read_in_every_notation() {
+    for (text, value, uncertainty) in [
+        ("1.200(3) m", 1.2, 0.003),
+        ("120.0(12) cm", 1.2, 0.012),
+        ("1.20(3)e-1 m", 0.12, 0.003),
+        ("1.200 ± 0.003 m", 1.2, 0.003),
+        ("1.200+-0.003 m", 1.2, 0.003),
+        ("1.200 +/- 0.003", 1.2, 0.003),
+        ("0.57m±0.004m", 0.57, 0.004),
+        ("57 cm ± 4 mm", 0.57, 0.004),
+        ("57 cm ± 0.4", 0.57, 0.004),
+        ("(57 ± 0.4) cm", 0.57, 0.004),
+        ("35 ± 0.25 in", 0.889, 0.00635),
+        ("2 m ± 1%", 2.0, 0.02),
+    ] {
+        let quantity = parse(text, Dimension::Length).unwrap();
+        assert_eq!((quantity.value, quantity.uncertainty), (value, Some(uncertainty)), "{text}");
+    }
+}
+
+#[test]
+fn a_quantity_of_another_kind_is_told_apart() {
+    let message = parse("1 s", Dimension::Length).unwrap_err().to_string();
+    assert!(message.starts_with("`1 s` is a time, not a length: write 1m, 120 cm, 35 in"), "{message}");
+    let unknown = parse("1 parsec", Dimension::Length).unwrap_err();
+    assert!(matches!(unknown, QuantityError::UnknownUnit { .. }), "{unknown}");
+}
+
+#[test]
+fn unreadable_quantities_are_refused_quickly() {
+    let long = "1".repeat(1 << 20);
+    for text in [
+        "",
+        "m",
+        "1,2 m",
+        "1..2 m",
+        "--1 m",
+        "+-1 m",
+        "1.2(3 m",
+        "1.2(x) m",
+        "1.2(99999999999) m",
+        "1.2(3)±1 m",
+        "1 m ± 1 s",
+        "1 ± -0.1 m",
+        "1±",
+        "nan",
+        "inf m",
+        "1e999 m",
+        "1e400",
+        "1e308 km",
+        "1e-999999999 m",
+        "1 m\0",
+        "1 m 2",
+        "±1 m",
+        &long,
+    ] {
+        let message = parse(text, Dimension::Length).unwrap_err().to_string();
+        assert!(message.contains("write 1m") && message.len() < 300, "{text}: {message}");
+    }
+}
+
+#[test]
+fn the_elements_of_a_range_are_decimals_not_sums() {
+    let range = AngleRange::parse("0.1deg:179.9deg:0.1deg").unwrap();
+    assert_eq!(range.len(), 1799);
+    for (k, angle) in range.iter().enumerate() {
+        let tenths = k + 1;
+        let decimal: Angle = format!("{}.{}deg", tenths / 10, tenths % 10).parse().unwrap();
+        assert_eq!(angle, decimal, "{tenths} tenths of a degree");
+    }
+    let radians = AngleRange::parse("0.1:3.1:0.1").unwrap();
+    assert_eq!(radians.get(2).unwrap(), Angle::from_radians(0.3).unwrap());
+    assert_eq!(radians.get(31), None);
+    let times: Vec<f64> = NumberRange::parse("0s:1s:100ms", Dimension::Time).unwrap().iter().collect();
+    assert_eq!(times, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
+}
+
+#[test]
+fn ranges_may_run_downwards_and_up_to_the_top() {
+    assert_eq!(AngleRange::parse("10deg:-10deg:-5deg").unwrap().len(), 5);
+    let upwards = AngleRange::parse("pi-1e-6:pi:1e-7").unwrap();
+    assert_eq!((upwards.len(), upwards.get(9).unwrap().complement()), (11, 1e-7));
+    assert_eq!(upwards.get(10).unwrap().complement(), 0.0);
+    assert_eq!(AngleRange::parse("0:180deg:60deg").unwrap().get(3), Some("180deg".parse().unwrap()));
+    assert_eq!(AngleRange::parse("1deg:1deg:1deg").unwrap().len(), 1);
+    assert_eq!(NumberRange::parse("0:1:0.3", Dimension::Time).unwrap().iter().last(), Some(0.9));
+}
+
+#[test]
+fn ranges_without_an_answer_are_refused() {
+    for (text, fits) in [
+        ("0:1:1e-12", (|e| matches!(e, RangeError::TooMany(_))) as fn(&RangeError) -> bool),
+        ("0:1e300:1e-300", |e| matches!(e, RangeError::TooMany(_))),
+        ("0:1:0", |e| matches!(e, RangeError::ZeroStep(_))),
+        ("0:1:-1", |e| matches!(e, RangeError::WrongSign(_))),
+        ("0:1", |e| matches!(e, RangeError::NotThreeParts(..))),
+        ("0:1:1:1", |e| matches!(e, RangeError::NotThreeParts(..))),
+        ("0:x:1", |e| matches!(e, RangeError::Part(_))),
+    ] {
+        let error = NumberRange::parse(text, Dimension::Time).unwrap_err();
+        assert!(fits(&error), "{text}: {error}");
+    }
+    assert!(matches!(AngleRange::parse("1:179:1deg"), Err(RangeError::MixedUnits(_))));
+    assert!(matches!(angles("60,5deg"), Err(RangeError::MixedUnits(_))));
+    assert!(matches!(AngleRange::parse("1deg:179deg:1e-12deg"), Err(RangeError::TooMany(_))));
+}
+
+#[test]
+fn lists_are_read_element_by_element() {
+    assert_eq!(numbers("0, 500ms ,2", Dimension::Time).unwrap(), [0.0, 0.5, 2.0]);
+    assert_eq!(angles("60deg, pi-1e-9").unwrap().len(), 2);
+    assert_eq!(angles("1deg:3deg:1deg").unwrap().len(), 3);
+    assert!(numbers("1,,2", Dimension::Time).is_err());
+}

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Polynomial tables of the double-precision kernels.
+
+Prints, for each kernel, the interpolant of the function at Chebyshev nodes (60 digits, mpmath), rounded to
+f64 (leading coefficients that are kept in two words as a pair), with the largest relative error of the
+rounded polynomial, evaluated without rounding error, on the interval. Needs `pip install mpmath`.
+"""
+from mpmath import mp, mpf, matrix, lu_solve, cos, sin, pi, agm, log, exp, atan, sinh, cosh, sqrt, atanh
+
+mp.dps = 90
+
+
+def interpolant(function, low, high, count):
+    """Coefficients of the polynomial with `count` terms through the Chebyshev nodes of [low, high]."""
+    nodes = [(low + high) / 2 + (high - low) / 2 * cos(pi * (2 * i + 1) / (2 * count)) for i in range(count)]
+    system = matrix(count, count)
+    values = matrix(count, 1)
+    for i, x in enumerate(nodes):
+        values[i] = function(x)
+        for j in range(count):
+            system[i, j] = x ** j
+    return list(lu_solve(system, values))
+
+
+def two_words(x):
+    high = float(x)
+    return high, float(x - mpf(high))
+
+
+def table(name, function, low, high, count, pairs=0, exact=()):
+    """Print a table; the first `pairs` coefficients as two words. `exact` coefficients are known in closed form."""
+    known = len(exact)
+
+    def rest(x):
+        value = function(x)
+        for power, c in enumerate(exact):
+            value -= c * x ** power
+        return value / x ** known if known else value
+
+    low, high = mpf(low), mpf(high)
+    fitted = interpolant(rest, low, high, count - known)
+    coefficients = list(exact) + fitted
+    rounded = [sum(map(mpf, two_words(c))) if i < pairs else mpf(float(c)) for i, c in enumerate(coefficients)]
+    worst = mpf(0)
+    for i in range(1, 801):
+        x = low + (high - low) * i / 800
+        value = function(x)
+        worst = max(worst, abs(sum(c * x ** j for j, c in enumerate(rounded)) / value - 1))
+    print(f"/// {name} on [{mp.nstr(low, 5)}, {mp.nstr(high, 5)}], relative error {mp.nstr(worst, 2)}.")
+    for i, c in enumerate(coefficients):
+        print("   ", two_words(c) if i < pairs else repr(float(c)), end=",\n")
+    print()
+
+
+def ratio(s):
+    """T/T0 of the amplitude s."""
+    return 1 / agm(1, cos(s / 2))
+
+
+def nome(s):
+    return exp(-pi * agm(1, cos(s / 2)) / agm(1, sin(s / 2)))
+
+
+def positive(function, at_zero):
+    """The function, with its limit at zero."""
+    return lambda u: function(u) if u > mpf(10) ** -40 else mpf(at_zero)
+
+
+u_max = (pi / 2) ** 2 * (1 + mpf(2) ** -40)
+tiny = mpf(10) ** -30
+table("(T/T0 - 1)/u, u = amplitude^2", lambda u: (ratio(sqrt(u)) - 1) / u, tiny, u_max, 15, pairs=2,
+      exact=(mpf(1) / 16, mpf(11) / 3072))
+table("ln(64 q/u)/u, q the nome of amplitude sqrt(u)", lambda u: log(64 * nome(sqrt(u)) / u) / u, tiny, u_max, 14,
+      pairs=1, exact=(mpf(1) / 24,))
+table("8 sqrt(q/u)", lambda u: 8 * sqrt(nome(sqrt(u)) / u), tiny, u_max, 14, exact=(mpf(1),))
+eighth = (pi / 4) ** 2 * (1 + mpf(2) ** -40)
+table("(sin r - r)/r^3 in r^2", lambda x: (sin(sqrt(x)) - sqrt(x)) / sqrt(x) ** 3, tiny, eighth, 6)
+table("(cos r - 1 + r^2/2)/r^4 in r^2", lambda x: (cos(sqrt(x)) - 1 + x / 2) / x ** 2, tiny, eighth, 6)
+half_ln2 = (log(2) / 2) ** 2 * (1 + mpf(2) ** -40)
+table("(sinh r - r)/r^3 in r^2", lambda x: (sinh(sqrt(x)) - sqrt(x)) / sqrt(x) ** 3, tiny, half_ln2, 5)
+table("(cosh r - 1 - r^2/2)/r^4 in r^2", lambda x: (cosh(sqrt(x)) - 1 - x / 2) / x ** 2, tiny, half_ln2, 5)
+table("(atan t - t)/t^3 in t^2", lambda x: (atan(sqrt(x)) - sqrt(x)) / sqrt(x) ** 3, tiny,
+      (sqrt(2) - 1) ** 2 * (1 + mpf(2) ** -40), 11)
+table("(2 atanh q - 2q)/q^3 in q^2", lambda x: (2 * atanh(sqrt(x)) - 2 * sqrt(x)) / sqrt(x) ** 3, tiny,
+      ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -40), 8)
