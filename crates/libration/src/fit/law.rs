@@ -6,9 +6,11 @@ use super::FitError;
 use super::period_table::Row;
 use crate::pendulum::period_ratio;
 
-/// Steps of the central difference, relative to the distance from 0 or π: its error is then about 1e-8 of
-/// the slope, which only enters the weights.
+/// The step of the central difference is this part of the distance from 0 or π: its error is then about 1e-8
+/// of the slope, which only enters the weights.
 const RELATIVE_STEP: f64 = 1e-4;
+/// Below this amplitude the step is that of this amplitude, lest R drown in its rounding.
+const SMALL_AMPLITUDE: f64 = 0.05;
 
 /// T/T0 as a function of the amplitude, under a name.
 #[derive(Clone, Copy)]
@@ -58,7 +60,7 @@ impl<'a> Law<'a> {
     /// no finite value beside the amplitude.
     #[must_use]
     pub fn slope_at(&self, amplitude: f64) -> f64 {
-        let step = RELATIVE_STEP * amplitude.max(RELATIVE_STEP).min(std::f64::consts::PI - amplitude);
+        let step = RELATIVE_STEP * amplitude.max(SMALL_AMPLITUDE).min(std::f64::consts::PI - amplitude);
         let (above, below) = (amplitude + step, (amplitude - step).abs());
         let rise = self.ratio_at(above) - self.ratio_at(below);
         if rise.is_finite() { rise / (above - (amplitude - step)) } else { 0.0 }

@@ -1,7 +1,7 @@
 //! Columns of measurements → parameters with their uncertainties.
 //!
 //! Measured periods T against amplitudes A, under a law T = T0·R(A): weighted least squares with the
-//! *effective variance* σ² = σ_T² + (T0·R′(A)·σ_A)² of each row, which folds the uncertainty of the
+//! *effective variance* of each row, var(T) + (T0·R′(A))²·var(A), which folds the uncertainty of the
 //! amplitude into that of the period. The weights hold while the parameters are solved for and are renewed
 //! until nothing changes, so that the estimate is not drawn towards parameters with a larger variance.
 //!

@@ -104,7 +104,7 @@ impl PeriodTable {
 impl Row {
     fn check(&self, row: usize, weighting: Weighting) -> Result<(), FitError> {
         let usable = |x: f64| x > 0.0 && x.is_finite();
-        if !(self.amplitude < std::f64::consts::PI) {
+        if !(0.0..std::f64::consts::PI).contains(&self.amplitude) {
             return Err(FitError::Amplitude { row, amplitude: self.amplitude });
         }
         if !usable(self.period) {
@@ -119,7 +119,7 @@ impl Row {
                 hint,
             });
         }
-        if !(self.amplitude_uncertainty >= 0.0 && self.amplitude_uncertainty.is_finite()) {
+        if !(0.0..f64::INFINITY).contains(&self.amplitude_uncertainty) {
             let hint = "give zero or a positive number in the unit of the amplitude";
             let uncertainty = self.amplitude_uncertainty;
             return Err(FitError::Uncertainty { row, of: "amplitude", uncertainty, hint });

@@ -5,6 +5,8 @@ use super::{FitError, PeriodTable, Weighting};
 
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
 const MOST_ROUNDS: usize = 100;
+/// Rounding moves T0 by less.
+const SETTLED: f64 = 1e-13;
 
 /// T0 under one law.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +75,7 @@ fn settle(points: &[Point], weighting: Weighting) -> Result<(f64, Option<Vec<f64
     for _ in 0..MOST_ROUNDS {
         let variances: Vec<f64> = points.iter().map(|point| point.variance(t0)).collect();
         let renewed = weighted_t0(points, &variances);
-        if (renewed - t0).abs() <= 4.0 * f64::EPSILON * t0.abs() {
+        if (renewed - t0).abs() <= SETTLED * t0.abs() {
             return Ok((renewed, Some(variances)));
         }
         t0 = renewed;

@@ -1,6 +1,7 @@
 //! The evidence, one file per kind.
 #![expect(clippy::unwrap_used, reason = "a test may fail")]
 
+mod fit;
 mod measurement;
 mod quantity;
 mod series;
