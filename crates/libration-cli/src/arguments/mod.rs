@@ -12,6 +12,6 @@ pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
 pub(crate) use formulas::FormulaChoice;
 pub(crate) use pendulum::PendulumOptions;
-pub(crate) use text::{angle, angular_velocity, positive};
+pub(crate) use text::{angle, angular_velocity, length_with_uncertainty, positive};
 pub(crate) use times::TimeOptions;
 pub(crate) use lines::bytes as read_bytes;

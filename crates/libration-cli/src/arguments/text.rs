@@ -1,6 +1,6 @@
 //! Quantities from the command line, each checked where it stands.
 
-use libration::quantity::{Angle, Dimension, QuantityError, parse};
+use libration::quantity::{Angle, Dimension, Quantity, QuantityError, parse};
 
 pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
     text.parse()
@@ -8,6 +8,12 @@ pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
 
 pub(super) fn length(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Length)
+}
+
+/// A length above zero with the uncertainty it was given.
+pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    length(text)?;
+    parse(text, Dimension::Length).map_err(|error| error.to_string())
 }
 
 pub(super) fn gravity(text: &str) -> Result<f64, String> {

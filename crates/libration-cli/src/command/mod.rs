@@ -2,7 +2,7 @@
 
 mod completions;
 mod figure;
-mod fit_periods;
+pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;

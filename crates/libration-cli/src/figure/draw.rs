@@ -11,6 +11,11 @@ use std::sync::Arc;
 /// Pixels per unit of length in a PNG: 1000 units wide become 2400 pixels, 300 dpi at 20 cm.
 const PNG_SCALE: f32 = 2.4;
 
+/// The same for all panels, so that their axes stand in line.
+const LEFT_MARGIN: f64 = 118.0;
+/// Room for half of the last tick's label.
+const RIGHT_MARGIN: f64 = 24.0;
+
 const MARKERS: [MarkerShape; 4] =
     [MarkerShape::Circle, MarkerShape::Square, MarkerShape::Triangle, MarkerShape::Diamond];
 
@@ -53,7 +58,8 @@ fn layout(panel: &Panel) -> Layout {
         .with_body_size(16)
         .with_box_axes()
         .with_axis_line_width(1.5)
-        .with_tick_width(1.5);
+        .with_tick_width(1.5)
+        .with_force_margins(LEFT_MARGIN, RIGHT_MARGIN);
     with_y_axis(with_x_axis(layout, &panel.x), &panel.y)
 }
 

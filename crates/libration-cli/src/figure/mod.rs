@@ -10,6 +10,7 @@ pub(crate) mod chart;
 pub(crate) mod file;
 
 mod clip;
+mod cusps;
 mod dashes;
 mod draw;
 mod legend;

@@ -2,6 +2,7 @@
 //! approximations.
 
 use super::chart::{Axis, Panel, Picture, Series};
+use super::cusps::sizes;
 use super::range::{around, decades};
 use super::style;
 use crate::command::motion::Comparison;
@@ -47,8 +48,9 @@ pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f6
         let approximate: Vec<f64> = times.iter().map(|&time| comparison.angle_at(approximation, time)).collect();
         let degrees = times.iter().zip(&approximate).map(|(&time, angle)| (time, angle.to_degrees()));
         angles.push(Series::line(approximation.name(), style::curve(number), degrees));
-        let difference = approximate.iter().zip(&exact).map(|(angle, exact)| (angle - exact).abs().to_degrees());
-        errors.push(Series::line("", style::curve(number), times.iter().copied().zip(difference)));
+        let difference = approximate.iter().zip(&exact).map(|(angle, exact)| (angle - exact).to_degrees());
+        let signed: Vec<(f64, f64)> = times.iter().copied().zip(difference).collect();
+        errors.push(Series::line("", style::curve(number), sizes(&signed)));
     }
     Picture::new("Motion of the pendulum", panels(angles, errors, (from, to)))
 }

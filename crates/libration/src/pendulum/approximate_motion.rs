@@ -47,19 +47,19 @@ impl ApproximateMotion {
         },
         Self {
             key: "fourier-3",
-            name: "two harmonics, to θ0³",
+            name: "two harmonics, to θ₀³",
             source: "Black and Vel, eqs (29)–(31)",
             harmonics: 2,
         },
         Self {
             key: "fourier-5",
-            name: "three harmonics, to θ0⁵",
+            name: "three harmonics, to θ₀⁵",
             source: "Black and Vel, eqs (48)–(51)",
             harmonics: 3,
         },
         Self {
             key: "fourier-7",
-            name: "four harmonics, to θ0⁷",
+            name: "four harmonics, to θ₀⁷",
             source: "the next order of Black and Vel, eqs (48)–(51)",
             harmonics: 4,
         },
