@@ -25,7 +25,7 @@ pub(crate) struct Quotients {
     clock: PhaseClock,
     /// z of the theta functions per turn of 4K.
     scale: DoubleDouble,
-    root: f64,
+    root: DoubleDouble,
     series: ThetaSeries,
     /// Factors of sn, cn, dn and am next to an even quarter, then an odd one.
     factors: [Factors; 2],
@@ -62,10 +62,10 @@ impl Quotients {
         let frequency = first.scaled(4.0).recip();
         let clock = PhaseClock { frequency, offset: DoubleDouble::ZERO };
         let factors = factors(expansion, root, ThetaZero::in_two_words(root.square()));
-        Self { expansion, clock, scale, root: root.to_f64(), series, factors, degenerate: complementary.hi == 0.0 }
+        Self { expansion, clock, scale, root, series, factors, degenerate: complementary.hi == 0.0 }
     }
 
-    pub(crate) fn root_of_nome(&self) -> f64 {
+    pub(crate) fn root_of_nome(&self) -> DoubleDouble {
         self.root
     }
 

@@ -22,7 +22,9 @@ mod theta;
 pub use jacobi::Jacobi;
 
 pub(crate) use incomplete::first_of_point;
-pub(crate) use theta::{Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero};
+pub(crate) use theta::{
+    CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
+};
 
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
@@ -223,7 +225,7 @@ impl Modulus {
     }
 
     /// The square root of the smaller nome.
-    pub(crate) fn root_of_smaller_nome(&self) -> f64 {
+    pub(crate) fn root_of_smaller_nome(&self) -> DoubleDouble {
         self.quotients.root_of_nome()
     }
 

@@ -53,7 +53,7 @@ impl ThetaZero<DoubleDouble> {
 }
 
 /// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ThetaValues {
     pub(crate) first: f64,
     pub(crate) second: f64,
@@ -107,6 +107,44 @@ impl ThetaSeries {
             third: even + odd,
             fourth: even - odd,
         }
+    }
+}
+
+/// The expansion of the smaller nome, known when the code is compiled.
+pub(crate) trait Side: Copy {
+    /// The values at the rest of a phase, z = rest·scale.
+    fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues;
+    /// θ₂ and θ₄ in the order in which their quotient stands beside θ₁/θ₃.
+    fn beside(values: &ThetaValues) -> (f64, f64);
+}
+
+/// Sines and cosines: k ≤ k′.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CircularSide;
+
+/// Hyperbolic sines and cosines: k > k′.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HyperbolicSide;
+
+impl Side for CircularSide {
+    #[inline(always)]
+    fn values(series: &ThetaSeries, rest: DoubleDouble, _: DoubleDouble) -> ThetaValues {
+        series.circular(rest)
+    }
+    #[inline(always)]
+    fn beside(values: &ThetaValues) -> (f64, f64) {
+        (values.second, values.fourth)
+    }
+}
+
+impl Side for HyperbolicSide {
+    #[inline(always)]
+    fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues {
+        series.hyperbolic(rest * scale)
+    }
+    #[inline(always)]
+    fn beside(values: &ThetaValues) -> (f64, f64) {
+        (values.fourth, values.second)
     }
 }
 

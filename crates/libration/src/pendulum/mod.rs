@@ -1,107 +1,211 @@
-//! STUB of the public interface of the pendulum module (bodies follow).
-#![allow(missing_docs, clippy::todo, unused_variables, clippy::missing_errors_doc, reason = "stub")]
-mod approximate_motion;
-
-pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
-
-use crate::quantity::Angle;
+//! The pendulum: period, motion in every regime, energy, action, harmonics.
+//!
+//! ```
+//! use libration::pendulum::Pendulum;
+//! use libration::quantity::Angle;
+//! let pendulum = Pendulum::new(1.0, 9.80665)?;
+//! let motion = pendulum.released_from("60deg".parse::<Angle>()?)?;
+//! assert!((motion.period() - 2.1532422).abs() < 1e-7);
+//! let state = motion.state_at(motion.period() / 2.0);
+//! assert!((state.angle + std::f64::consts::FRAC_PI_3).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Angles are radians from the downward vertical, times seconds, lengths metres, velocities rad/s. A batch
+//! equals its own scalar function bit for bit.
 
 mod period;
-pub use period::{period_excess, period_excesses, period_ratio, period_ratio_near_top, period_ratios, period_ratios_near_top};
 
-/// What belongs to an amplitude in libration: everything dimensionless about the period. Made by `Amplitude::new`.
-#[derive(Clone, Copy, Debug)]
-pub struct Amplitude { angle: Angle }
-impl Amplitude {
-    /// From an angle; its absolute value counts. Error at or beyond π.
-    pub fn new(angle: Angle) -> Result<Self, PendulumError> { todo!() }
-    pub fn radians(&self) -> f64 { todo!() }
-    pub fn complement(&self) -> f64 { todo!() }
-    pub fn period_ratio(&self) -> f64 { todo!() }
-    pub fn period_excess(&self) -> f64 { todo!() }
-    pub fn nome(&self) -> f64 { todo!() }
-    /// (θ0/T)·dT/dθ0.
-    pub fn condition(&self) -> f64 { todo!() }
-    /// The amplitude whose T/T0 is `ratio` (≥ 1).
-    pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> { todo!() }
-}
+mod amplitude;
+mod initial;
+mod inverse;
 
-#[derive(Clone, Copy, Debug)]
-pub struct Pendulum {}
-impl Pendulum {
-    pub fn new(length: f64, gravity: f64) -> Result<Self, PendulumError> { todo!() }
-    pub fn from_angular_frequency(omega0: f64) -> Result<Self, PendulumError> { todo!() }
-    pub fn length(&self) -> Option<f64> { todo!() }
-    pub fn gravity(&self) -> Option<f64> { todo!() }
-    /// ω0 = √(g/l).
-    pub fn angular_frequency(&self) -> f64 { todo!() }
-    pub fn small_angle_period(&self) -> f64 { todo!() }
-    /// Released at rest from this angle at t = 0.
-    pub fn released_from(&self, angle: Angle) -> Result<Motion, PendulumError> { todo!() }
-    /// At this angle with this velocity (rad/s) at t = 0.
-    pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> { todo!() }
-    /// With energy E/(2mgl) (1 on the separatrix), passing the bottom with positive velocity at t = 0.
-    pub fn with_energy_ratio(&self, energy_ratio: f64) -> Result<Motion, PendulumError> { todo!() }
-    /// On the separatrix exactly, passing the bottom with positive velocity at t = 0.
-    pub fn on_separatrix(&self) -> Motion { todo!() }
-}
+mod motion;
+mod state;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Regime { RestStable, RestUpright, Libration, Separatrix, Rotation }
+mod orbit;
 
-/// A motion: a pendulum and its initial state, prepared.
-#[derive(Clone, Debug)]
-pub struct Motion {}
-impl Motion {
-    pub fn regime(&self) -> Regime { todo!() }
-    /// Full period in libration, time of a turn in rotation, infinite on the separatrix, NaN at rest upright,
-    /// the small-angle period at stable rest.
-    pub fn period(&self) -> f64 { todo!() }
-    /// E/(2mgl): 1 on the separatrix.
-    pub fn energy_ratio(&self) -> f64 { todo!() }
-    /// The amplitude (turning point), in libration.
-    pub fn amplitude(&self) -> Option<Amplitude> { todo!() }
-    /// Action per m·l², rad²/s.
-    pub fn action(&self) -> f64 { todo!() }
-    pub fn state_at(&self, time: f64) -> State { todo!() }
-    pub fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) -> Result<(), LengthMismatch> { todo!() }
-    /// Fundamental angular frequency, mean velocity and harmonics down to `tolerance` (rad), at most `limit` of them.
-    pub fn harmonics(&self, tolerance: f64, limit: usize) -> Harmonics { todo!() }
-}
+mod libration;
+mod rotation;
+mod separatrix;
+mod varying;
 
+mod approximate_motion;
+mod fourier;
+
+pub use amplitude::Amplitude;
+pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
+pub use fourier::{Harmonic, Harmonics};
+pub use libration::Libration;
+pub use motion::{Motion, Regime, Rest};
+pub use period::{
+    period_excess, period_excesses, period_ratio, period_ratio_near_top, period_ratios, period_ratios_near_top,
+};
+pub use rotation::Rotation;
+pub use separatrix::Separatrix;
+pub use state::State;
+pub use varying::{state, states};
+
+use crate::double_double::{DoubleDouble, two_prod};
+
+/// A simple pendulum: a point mass on a massless rod.
+///
+/// A physical pendulum of moment of inertia I, mass m and distance d from pivot to centre of mass is the
+/// simple pendulum of length I/(m·d).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
-    pub turns: i64,
-    pub angle_in_turn: f64,
-    pub complement: f64,
-    /// Unwrapped.
-    pub angle: f64,
-    pub velocity: f64,
+pub struct Pendulum {
+    size: Size,
 }
 
-/// θ(t) = mean·t + Σ angle_n·cos(nΩτ) in libration (τ from the positive turning point), sin in rotation (τ from the bottom).
-#[derive(Clone, Debug)]
-pub struct Harmonics {
-    pub fundamental: f64,
-    pub mean_velocity: f64,
-    pub terms: Vec<Harmonic>,
+/// What the pendulum was given by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Size {
+    LengthAndGravity { length: f64, gravity: f64 },
+    AngularFrequency(f64),
 }
-#[derive(Clone, Copy, Debug)]
-pub struct Harmonic { pub n: usize, pub angle: f64, pub velocity: f64 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the slices have different lengths: {expected} and {found}")]
-pub struct LengthMismatch { pub expected: usize, pub found: usize }
-
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+/// Why a pendulum or a motion cannot be.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PendulumError {
-    #[error("placeholder")]
-    Placeholder,
+    /// A length, gravity, frequency or period that is not a positive finite number.
+    #[error("the {name} is {value}: give a positive, finite number")]
+    NotPositive {
+        /// Which quantity.
+        name: &'static str,
+        /// What was got.
+        value: f64,
+    },
+    /// The frequency or the period leaves the range of `f64`.
+    #[error("length {length} m and gravity {gravity} m/s^2 give an angular frequency outside the range of f64")]
+    OutOfRange {
+        /// The length.
+        length: f64,
+        /// The gravity.
+        gravity: f64,
+    },
+    /// A velocity or an energy that is not finite.
+    #[error("the {name} is {value}: give a finite number")]
+    NotFinite {
+        /// Which quantity.
+        name: &'static str,
+        /// What was got.
+        value: f64,
+    },
+    /// An amplitude at or beyond the upright position.
+    #[error("an amplitude of {0} rad is not below pi: a pendulum at rest there does not swing; give a smaller angle or an initial velocity")]
+    AmplitudeBeyondTop(f64),
+    /// An energy below that of the pendulum at rest.
+    #[error("the energy ratio is {0}: the least energy, at rest at the bottom, is 0")]
+    NegativeEnergy(f64),
+    /// A period ratio that no amplitude has.
+    #[error("no amplitude has the period ratio T/T0 = {0}: it is 1 for the smallest swings and grows without bound towards the top")]
+    NoSuchPeriod(f64),
+}
+
+/// Slices of a batch whose lengths differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("slices of {expected} and {found} elements were given: give slices of one length")]
+pub struct LengthMismatch {
+    /// The length of the first slice.
+    pub expected: usize,
+    /// The length that differs from it.
+    pub found: usize,
 }
 
 impl LengthMismatch {
     fn check(input: &[f64], output: &[f64]) -> Result<(), Self> {
-        if input.len() == output.len() { Ok(()) } else { Err(Self { expected: input.len(), found: output.len() }) }
+        if input.len() == output.len() {
+            Ok(())
+        } else {
+            Err(Self { expected: input.len(), found: output.len() })
+        }
     }
+}
+
+impl Pendulum {
+    /// A pendulum of this length in metres under this gravity in m/s².
+    ///
+    /// # Errors
+    /// A length or gravity that is not positive and finite, or whose √(g/l) is outside the range of `f64`.
+    pub fn new(length: f64, gravity: f64) -> Result<Self, PendulumError> {
+        positive("length", length)?;
+        positive("gravity", gravity)?;
+        let ratio = gravity / length;
+        if !ratio.is_normal() {
+            return Err(PendulumError::OutOfRange { length, gravity });
+        }
+        Ok(Self { size: Size::LengthAndGravity { length, gravity } })
+    }
+
+    /// A pendulum given by ω0 = √(g/l) in rad/s alone.
+    ///
+    /// # Errors
+    /// ω0 not positive and finite.
+    pub fn from_angular_frequency(angular_frequency: f64) -> Result<Self, PendulumError> {
+        positive("angular frequency", angular_frequency)?;
+        Ok(Self { size: Size::AngularFrequency(angular_frequency) })
+    }
+
+    /// The length in metres, if it was given.
+    #[must_use]
+    pub fn length(&self) -> Option<f64> {
+        match self.size {
+            Size::LengthAndGravity { length, .. } => Some(length),
+            Size::AngularFrequency(_) => None,
+        }
+    }
+
+    /// The gravity in m/s², if it was given.
+    #[must_use]
+    pub fn gravity(&self) -> Option<f64> {
+        match self.size {
+            Size::LengthAndGravity { gravity, .. } => Some(gravity),
+            Size::AngularFrequency(_) => None,
+        }
+    }
+
+    /// ω0 = √(g/l) in rad/s.
+    #[must_use]
+    pub fn angular_frequency(&self) -> f64 {
+        self.angular_frequency_words().to_f64()
+    }
+
+    /// T0 = 2π/ω0 in seconds.
+    #[must_use]
+    pub fn small_angle_period(&self) -> f64 {
+        (DoubleDouble::PI.scaled(2.0) / self.angular_frequency_words()).to_f64()
+    }
+
+    /// The period in seconds of the libration with this amplitude.
+    #[must_use]
+    pub fn period(&self, amplitude: &Amplitude) -> f64 {
+        amplitude.period_in_units_of(self.angular_frequency_words())
+    }
+
+    /// ω0 in two words.
+    fn angular_frequency_words(&self) -> DoubleDouble {
+        match self.size {
+            Size::LengthAndGravity { length, gravity } => {
+                (DoubleDouble::from(gravity) / DoubleDouble::from(length)).sqrt()
+            }
+            Size::AngularFrequency(angular_frequency) => DoubleDouble::from(angular_frequency),
+        }
+    }
+
+    /// Gravity and length up to a common factor, exactly: ω0² is their quotient.
+    fn gravity_and_length(&self) -> (DoubleDouble, f64) {
+        match self.size {
+            Size::LengthAndGravity { length, gravity } => (DoubleDouble::from(gravity), length),
+            Size::AngularFrequency(angular_frequency) => (two_prod(angular_frequency, angular_frequency), 1.0),
+        }
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), PendulumError> {
+    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(PendulumError::NotPositive { name, value }) }
+}
+
+fn finite(name: &'static str, value: f64) -> Result<(), PendulumError> {
+    if value.is_finite() { Ok(()) } else { Err(PendulumError::NotFinite { name, value }) }
 }

@@ -48,6 +48,23 @@ const LOG_NOME: [f64; 13] = [
     7.131126719577057e-16,
 ];
 
+/// 8√(q/u) in u on [0, (π/2)²], after its leading 1: relative error 6.9e-18.
+const ROOT_NOME: [f64; 13] = [
+    0.020833333333333336,
+    0.0010091145833330262,
+    6.403847346924794e-05,
+    4.618613536457407e-06,
+    3.5837397352789074e-07,
+    2.9148080929061388e-08,
+    2.4515347997654513e-09,
+    2.0949414790217114e-10,
+    1.9723398212818716e-11,
+    1.0126027839574675e-12,
+    3.704978116585595e-13,
+    -3.3819973105834204e-14,
+    6.4124089438781394e-15,
+];
+
 /// ln 2 with a first word short enough that its product with an integer below 2¹² is exact.
 const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949582897082e-12);
 const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
@@ -65,7 +82,7 @@ fn complement_of(amplitude: f64) -> DoubleDouble {
 
 /// G(s) − 1 for u = s²; the second word is below 0.4 % of the first, not below its last bit.
 #[inline(always)]
-pub(crate) fn excess_below(u: DoubleDouble) -> DoubleDouble {
+pub(super) fn excess_below(u: DoubleDouble) -> DoubleDouble {
     excess_with(u, polynomial(u.hi, &EXCESS))
 }
 
@@ -83,7 +100,7 @@ fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
 
 /// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
 #[inline(always)]
-pub(crate) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
+pub(super) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
     log_inverse_nome_with(s, u, polynomial(u.hi, &LOG_NOME))
 }
 
@@ -101,9 +118,16 @@ fn log_inverse_nome_with(s: DoubleDouble, u: DoubleDouble, polynomial: f64) -> D
     DoubleDouble::new(difference.hi, lo)
 }
 
+/// √q of the amplitude s, u = s².
+#[inline(always)]
+pub(super) fn root_of_nome(s: f64, u: f64) -> f64 {
+    let eighth = 0.125 * s;
+    eighth + eighth * (u * polynomial(u, &ROOT_NOME))
+}
+
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.
 #[inline(always)]
-fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
     let gauss = fast_two_sum(1.0, excess.hi);
     let product = two_prod(gauss.hi, log.hi);
     let gauss_lo = gauss.lo + excess.lo;
@@ -115,9 +139,9 @@ fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
 
 /// The smaller of the amplitude and its complement, with its square.
 #[derive(Clone, Copy)]
-struct Nearer {
-    s: DoubleDouble,
-    u: DoubleDouble,
+pub(super) struct Nearer {
+    pub(super) s: DoubleDouble,
+    pub(super) u: DoubleDouble,
 }
 
 impl Nearer {
@@ -157,18 +181,18 @@ trait PeriodFunction: Copy {
 }
 
 #[inline(always)]
-fn amplitude_above(amplitude: f64) -> bool {
+pub(super) fn amplitude_above(amplitude: f64) -> bool {
     amplitude.abs() > std::f64::consts::FRAC_PI_2
 }
 
 #[inline(always)]
-fn nearer_of_amplitude(amplitude: f64) -> Nearer {
+pub(super) fn nearer_of_amplitude(amplitude: f64) -> Nearer {
     let size = amplitude.abs();
     Nearer::new(amplitude_above(size), DoubleDouble::from(size), complement_of(size))
 }
 
 #[inline(always)]
-fn within_pi(amplitude: f64) -> bool {
+pub(super) fn within_pi(amplitude: f64) -> bool {
     amplitude.abs() <= DoubleDouble::PI.hi
 }
 
@@ -367,7 +391,7 @@ pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result
 }
 
 /// T/T0 from the amplitude and its complement in two words each.
-pub(crate) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
+pub(super) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
     if complement.hi < f64::MIN_POSITIVE {
         return ratio_at_the_top(complement.hi);
     }
@@ -378,7 +402,7 @@ pub(crate) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble
 }
 
 /// T/T0 − 1 from the amplitude and its complement in two words each.
-pub(crate) fn excess_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
+pub(super) fn excess_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
     if complement.hi < f64::MIN_POSITIVE {
         return ratio_at_the_top(complement.hi) - 1.0;
     }

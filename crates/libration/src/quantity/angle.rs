@@ -85,7 +85,7 @@ impl Angle {
     }
 
     /// An angle from its parts, which the caller has made consistent.
-    pub(super) fn from_parts(turns: i64, in_turn: DoubleDouble, complement: DoubleDouble) -> Self {
+    pub(crate) fn from_parts(turns: i64, in_turn: DoubleDouble, complement: DoubleDouble) -> Self {
         Self { turns, in_turn, complement }
     }
 

@@ -1,0 +1,115 @@
+//! The amplitude of a libration and what follows from it alone.
+
+use super::{PendulumError, period};
+use crate::double_double::DoubleDouble;
+use crate::elementary::two_word;
+use crate::elliptic::Modulus;
+use crate::quantity::Angle;
+
+/// The amplitude of a libration: an angle of at least zero and less than π, with its complement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amplitude {
+    pub(super) angle: Angle,
+}
+
+impl Amplitude {
+    /// The amplitude |angle|.
+    ///
+    /// # Errors
+    /// An angle at or beyond ±π.
+    pub fn new(angle: Angle) -> Result<Self, PendulumError> {
+        let angle = angle.abs();
+        if angle.turns() != 0 || angle.complement() <= 0.0 {
+            return Err(PendulumError::AmplitudeBeyondTop(angle.radians()));
+        }
+        Ok(Self { angle })
+    }
+
+    /// The amplitude with sin(θ0/2) and cos(θ0/2) in the ratio of these two positive numbers.
+    pub(super) fn from_half_angle(sine: DoubleDouble, cosine: DoubleDouble) -> Self {
+        let angle = two_word::atan2(sine, cosine).scaled(2.0);
+        let complement = two_word::atan2(cosine, sine).scaled(2.0);
+        Self { angle: Angle::from_parts(0, angle, complement) }
+    }
+
+    /// The amplitude as an angle.
+    #[must_use]
+    pub fn angle(&self) -> Angle {
+        self.angle
+    }
+
+    /// θ0 in radians.
+    #[must_use]
+    pub fn radians(&self) -> f64 {
+        self.angle.in_turn()
+    }
+
+    /// π − θ0 in radians.
+    #[must_use]
+    pub fn complement(&self) -> f64 {
+        self.angle.complement()
+    }
+
+    /// T/T0, within 0.52 ulp.
+    #[must_use]
+    pub fn period_ratio(&self) -> f64 {
+        period::ratio_from_words(self.angle.in_turn_words(), self.angle.complement_words())
+    }
+
+    /// T/T0 − 1 with full relative accuracy.
+    #[must_use]
+    pub fn period_excess(&self) -> f64 {
+        period::excess_from_words(self.angle.in_turn_words(), self.angle.complement_words())
+    }
+
+    /// The nome q = exp(−πK′/K) of the modulus sin(θ0/2).
+    #[must_use]
+    pub fn nome(&self) -> f64 {
+        self.modulus().nome()
+    }
+
+    /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: how many times larger
+    /// the relative error of the period is than that of the amplitude. From DLMF 19.4.1.
+    #[must_use]
+    pub fn condition(&self) -> f64 {
+        (self.angle.in_turn_words() * self.logarithmic_slope()).to_f64()
+    }
+
+    /// (1/T)·dT/dθ0 = (E − k′²K)/(2kk′K), in 1/rad.
+    pub(super) fn logarithmic_slope(&self) -> DoubleDouble {
+        let modulus = self.modulus();
+        let (k, complementary) = (modulus.modulus_words(), modulus.complementary_words());
+        if k.hi == 0.0 {
+            return DoubleDouble::ZERO;
+        }
+        // Two quotients, because the product of the denominators may underflow.
+        modulus.second_less_scaled_first() / k / (complementary * modulus.first_words()).scaled(2.0)
+    }
+
+    /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2).
+    #[must_use]
+    pub fn modulus(&self) -> Modulus {
+        let (k, complementary) = self.half_angle();
+        Modulus::from_words(k, complementary)
+    }
+
+    /// sin(θ0/2) and cos(θ0/2), each relatively accurate.
+    pub(super) fn half_angle(&self) -> (DoubleDouble, DoubleDouble) {
+        half_angle(&self.angle)
+    }
+
+    /// 2πR/ω0.
+    pub(super) fn period_in_units_of(&self, angular_frequency: DoubleDouble) -> f64 {
+        (self.modulus().first_words().scaled(4.0) / angular_frequency).to_f64()
+    }
+}
+
+/// The sine and cosine of half the angle in the turn, the cosine from the complement where it is small.
+pub(super) fn half_angle(angle: &Angle) -> (DoubleDouble, DoubleDouble) {
+    let (in_turn, complement) = (angle.in_turn_words(), angle.complement_words());
+    if complement.hi > std::f64::consts::FRAC_PI_2 {
+        return two_word::sin_cos(in_turn.scaled(0.5));
+    }
+    let (cosine, sine) = two_word::sin_cos(complement.scaled(0.5));
+    (if in_turn.hi < 0.0 { -sine } else { sine }, cosine)
+}

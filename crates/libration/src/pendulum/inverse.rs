@@ -1,0 +1,104 @@
+//! Inverse questions: the amplitude that has a period; the length or the gravity from a measured period.
+
+use super::{Amplitude, Pendulum, PendulumError, positive};
+use crate::double_double::{DoubleDouble, two_prod};
+use crate::elementary::two_word;
+use crate::quantity::Angle;
+
+/// Newton's iteration doubles the digits; from three digits, four steps and a margin.
+const STEPS: usize = 8;
+const LN_8: f64 = 3.0 * std::f64::consts::LN_2;
+
+impl Amplitude {
+    /// The amplitude whose period ratio T/T0 is exactly this `f64`, which must be at least 1; to the last
+    /// bits that the ratio determines.
+    ///
+    /// # Errors
+    /// A ratio below 1, not finite, or beyond the largest complement kept, 1e-300 (T/T0 about 441).
+    pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> {
+        // Exact below 2, and above it the excess is not small.
+        Self::from_excess(ratio - 1.0).ok_or(PendulumError::NoSuchPeriod(ratio))
+    }
+
+    /// The amplitude whose excess T/T0 − 1 is exactly this `f64`.
+    ///
+    /// # Errors
+    /// An excess that is negative, not finite, or too large, as [`Self::from_period_ratio`].
+    pub fn from_period_excess(excess: f64) -> Result<Self, PendulumError> {
+        Self::from_excess(excess).ok_or(PendulumError::NoSuchPeriod(1.0 + excess))
+    }
+
+    fn from_excess(excess: f64) -> Option<Self> {
+        /// T/T0 − 1 for the complement 1e-300.
+        const LARGEST: f64 = 440.1;
+        if !(0.0..LARGEST).contains(&excess) {
+            return None;
+        }
+        Some(if excess < 0.18 { below(excess) } else { near_top(excess) })
+    }
+}
+
+/// Newton's method for ln(excess) as a function of ln(amplitude), from excess = θ0²/16.
+fn below(excess: f64) -> Amplitude {
+    let mut angle = 4.0 * excess.sqrt();
+    let of = |angle: f64| {
+        Amplitude { angle: Angle::from_radians(angle).expect("an angle below pi") }
+    };
+    for _ in 0..STEPS {
+        let amplitude = of(angle);
+        let (found, slope) = (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
+        // Below 1e-150 the excess is θ0²/16 and the first guess stands.
+        if slope < f64::MIN_POSITIVE {
+            break;
+        }
+        angle -= angle * (found - excess) / slope;
+    }
+    of(angle)
+}
+
+/// Newton's method for T/T0 as a function of the logarithm of the complement, from 8e^(−πR/2).
+fn near_top(excess: f64) -> Amplitude {
+    let mut log = LN_8 - std::f64::consts::FRAC_PI_2 * (1.0 + excess);
+    let of = |log: f64| {
+        let complement = two_word::exp(DoubleDouble::from(log));
+        Amplitude { angle: Angle::from_complement_words(complement) }
+    };
+    for _ in 0..STEPS {
+        let amplitude = of(log);
+        let slope = -amplitude.logarithmic_slope().to_f64() * amplitude.complement() * amplitude.period_ratio();
+        log -= (amplitude.period_excess() - excess) / slope;
+    }
+    of(log)
+}
+
+impl Pendulum {
+    /// The pendulum of this length in metres whose libration with this amplitude has this period in seconds:
+    /// its gravity is 4π²l(T/T0)²/T².
+    ///
+    /// # Errors
+    /// A length or period that is not positive and finite, or a gravity outside the range of `f64`.
+    pub fn from_length_and_period(length: f64, period: f64, amplitude: &Amplitude) -> Result<Self, PendulumError> {
+        positive("length", length)?;
+        positive("period", period)?;
+        let gravity = squared_frequency(period, amplitude) * length;
+        Self::new(length, gravity.to_f64())
+    }
+
+    /// The pendulum under this gravity in m/s² whose libration with this amplitude has this period in
+    /// seconds: its length is gT²/(4π²(T/T0)²).
+    ///
+    /// # Errors
+    /// A gravity or period that is not positive and finite, or a length outside the range of `f64`.
+    pub fn from_gravity_and_period(gravity: f64, period: f64, amplitude: &Amplitude) -> Result<Self, PendulumError> {
+        positive("gravity", gravity)?;
+        positive("period", period)?;
+        let length = DoubleDouble::from(gravity) / squared_frequency(period, amplitude);
+        Self::new(length.to_f64(), gravity)
+    }
+}
+
+/// ω0² = (2πR/T)².
+fn squared_frequency(period: f64, amplitude: &Amplitude) -> DoubleDouble {
+    let turns = two_prod(2.0, amplitude.period_ratio());
+    (DoubleDouble::PI * turns / DoubleDouble::from(period)).square()
+}

@@ -1,0 +1,293 @@
+//! Motions: a pendulum with an initial state, sorted by regime and prepared for evaluation at any time.
+
+use super::amplitude::half_angle;
+use super::initial::energy_deficit;
+use super::state::State;
+use super::{Amplitude, LengthMismatch, Libration, Pendulum, PendulumError, Rotation, Separatrix, finite};
+use crate::double_double::DoubleDouble;
+use crate::quantity::Angle;
+
+/// A motion of the pendulum.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Motion {
+    /// No motion, at the bottom or upright.
+    Rest(Rest),
+    /// Swinging to and fro below the upright position.
+    Libration(Libration),
+    /// Approaching the upright position for ever.
+    Separatrix(Separatrix),
+    /// Turning over and over.
+    Rotation(Rotation),
+}
+
+/// A pendulum at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest {
+    angle: Angle,
+    angular_frequency: DoubleDouble,
+}
+
+/// The kind of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Regime {
+    /// At rest at the bottom.
+    RestStable,
+    /// At rest upright.
+    RestUpright,
+    /// Swinging to and fro.
+    Libration,
+    /// On the separatrix.
+    Separatrix,
+    /// Turning over and over.
+    Rotation,
+}
+
+impl std::fmt::Display for Regime {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::RestStable => "rest (stable)",
+            Self::RestUpright => "rest (upright)",
+            Self::Libration => "libration",
+            Self::Separatrix => "separatrix",
+            Self::Rotation => "rotation",
+        })
+    }
+}
+
+impl Pendulum {
+    /// The motion released at rest from this angle at t = 0; from exactly ±π it stays upright.
+    ///
+    /// # Errors
+    /// None today; the result leaves room for them.
+    pub fn released_from(&self, angle: Angle) -> Result<Motion, PendulumError> {
+        self.launched(angle, 0.0)
+    }
+
+    /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact;
+    /// the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
+    ///
+    /// # Errors
+    /// A velocity that is not finite, or whose energy is not.
+    pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
+        finite("velocity", velocity)?;
+        let angular_frequency = self.angular_frequency_words();
+        let (sine, cosine) = half_angle(&angle);
+        if velocity == 0.0 && (sine.hi == 0.0 || cosine.hi == 0.0) {
+            return Ok(Motion::Rest(Rest { angle, angular_frequency }));
+        }
+        let deficit = energy_deficit(&angle, cosine, velocity, self.gravity_and_length());
+        if !deficit.is_finite() {
+            return Err(PendulumError::NotFinite { name: "energy of this velocity", value: f64::INFINITY });
+        }
+        let start = Start { angle, sine, cosine, velocity: DoubleDouble::from(velocity) / angular_frequency.scaled(2.0) };
+        Ok(if deficit.hi > 0.0 {
+            Motion::Libration(Libration::through(angular_frequency, &start, deficit))
+        } else if deficit.hi < 0.0 {
+            Motion::Rotation(Rotation::through(angular_frequency, &start, -deficit))
+        } else {
+            Motion::Separatrix(Separatrix::through(angular_frequency, &start))
+        })
+    }
+
+    /// The motion with energy ratio e = E/(2mgl), exactly this `f64`, that passes the bottom with positive
+    /// velocity at t = 0; e = 1 is the separatrix.
+    ///
+    /// # Errors
+    /// e negative or not finite.
+    pub fn with_energy_ratio(&self, energy_ratio: f64) -> Result<Motion, PendulumError> {
+        finite("energy ratio", energy_ratio)?;
+        if energy_ratio < 0.0 {
+            return Err(PendulumError::NegativeEnergy(energy_ratio));
+        }
+        let energy = DoubleDouble::from(energy_ratio);
+        Ok(self.passing_the_bottom(energy, energy - 1.0))
+    }
+
+    /// The motion with energy ratio e = 1 + excess that passes the bottom with positive velocity at t = 0, for
+    /// an excess exactly this `f64`, however close to the separatrix.
+    ///
+    /// # Errors
+    /// An excess below −1 or not finite.
+    pub fn with_energy_excess(&self, excess: f64) -> Result<Motion, PendulumError> {
+        finite("energy excess", excess)?;
+        if excess < -1.0 {
+            return Err(PendulumError::NegativeEnergy(1.0 + excess));
+        }
+        let excess = DoubleDouble::from(excess);
+        Ok(self.passing_the_bottom(excess + 1.0, excess))
+    }
+
+    /// The motion on the separatrix that passes the bottom with positive velocity at t = 0.
+    #[must_use]
+    pub fn on_separatrix(&self) -> Motion {
+        self.passing_the_bottom(DoubleDouble::ONE, DoubleDouble::ZERO)
+    }
+
+    fn passing_the_bottom(&self, energy: DoubleDouble, excess: DoubleDouble) -> Motion {
+        let angular_frequency = self.angular_frequency_words();
+        let bottom = Angle::from_parts(0, DoubleDouble::ZERO, DoubleDouble::PI);
+        let start =
+            Start { angle: bottom, sine: DoubleDouble::ZERO, cosine: DoubleDouble::ONE, velocity: energy.sqrt() };
+        if energy.hi == 0.0 {
+            Motion::Rest(Rest { angle: bottom, angular_frequency })
+        } else if excess.hi < 0.0 {
+            Motion::Libration(Libration::through(angular_frequency, &start, -excess))
+        } else if excess.hi > 0.0 {
+            Motion::Rotation(Rotation::through(angular_frequency, &start, excess))
+        } else {
+            Motion::Separatrix(Separatrix::through(angular_frequency, &start))
+        }
+    }
+}
+
+/// An initial state, made dimensionless.
+pub(super) struct Start {
+    pub(super) angle: Angle,
+    /// sin(θ/2).
+    pub(super) sine: DoubleDouble,
+    /// cos(θ/2).
+    pub(super) cosine: DoubleDouble,
+    /// θ′/2ω0.
+    pub(super) velocity: DoubleDouble,
+}
+
+impl Start {
+    /// The angle at the bottom of the turn in which the motion starts.
+    pub(super) fn base(&self) -> DoubleDouble {
+        #[expect(clippy::cast_precision_loss, reason = "an angle has at most 2⁵³ radians")]
+        let turns = self.angle.turns() as f64;
+        DoubleDouble::PI.scaled(2.0) * turns
+    }
+}
+
+impl Motion {
+    /// The regime of the motion.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        match self {
+            Self::Rest(rest) if rest.angle.complement() == 0.0 => Regime::RestUpright,
+            Self::Rest(_) => Regime::RestStable,
+            Self::Libration(_) => Regime::Libration,
+            Self::Separatrix(_) => Regime::Separatrix,
+            Self::Rotation(_) => Regime::Rotation,
+        }
+    }
+
+    /// The period in seconds of a libration, the time of a turn of a rotation, ∞ on the separatrix; at rest
+    /// the period of the smallest swings, NaN upright.
+    #[must_use]
+    pub fn period(&self) -> f64 {
+        match self {
+            Self::Rest(rest) => rest.period(),
+            Self::Libration(libration) => libration.period(),
+            Self::Separatrix(_) => f64::INFINITY,
+            Self::Rotation(rotation) => rotation.period(),
+        }
+    }
+
+    /// e = E/(2mgl), the energy counted from the bottom: 0 at stable rest, 1 on the separatrix.
+    #[must_use]
+    pub fn energy_ratio(&self) -> f64 {
+        match self {
+            Self::Rest(rest) => rest.energy_ratio(),
+            Self::Libration(libration) => libration.energy_ratio(),
+            Self::Separatrix(_) => 1.0,
+            Self::Rotation(rotation) => rotation.energy_ratio(),
+        }
+    }
+
+    /// e − 1, relatively accurate next to the separatrix.
+    #[must_use]
+    pub fn energy_excess(&self) -> f64 {
+        match self {
+            Self::Rest(rest) => rest.energy_ratio() - 1.0,
+            Self::Libration(libration) => libration.energy_excess(),
+            Self::Separatrix(_) => 0.0,
+            Self::Rotation(rotation) => rotation.energy_excess(),
+        }
+    }
+
+    /// The amplitude, of a libration.
+    #[must_use]
+    pub fn amplitude(&self) -> Option<Amplitude> {
+        match self {
+            Self::Libration(libration) => Some(libration.amplitude()),
+            _ => None,
+        }
+    }
+
+    /// The action ∮p dθ/2π per m·l², in rad²/s: over a period of a libration, over a turn of a rotation or
+    /// the separatrix.
+    #[must_use]
+    pub fn action(&self) -> f64 {
+        match self {
+            Self::Rest(_) => 0.0,
+            Self::Libration(libration) => libration.action(),
+            Self::Separatrix(separatrix) => separatrix.action(),
+            Self::Rotation(rotation) => rotation.action(),
+        }
+    }
+
+    /// The state at this time in seconds; NaN for a time that is not finite.
+    ///
+    /// # Accuracy
+    /// 4 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity
+    /// (ledger in `tests/suite/accuracy.rs`).
+    #[must_use]
+    pub fn state_at(&self, time: f64) -> State {
+        if !time.is_finite() {
+            return State::NAN;
+        }
+        match self {
+            Self::Rest(rest) => rest.state(),
+            Self::Libration(libration) => libration.state_at(time),
+            Self::Separatrix(separatrix) => separatrix.state_at(time),
+            Self::Rotation(rotation) => rotation.state_at(time),
+        }
+    }
+
+    /// The unwrapped angle and the velocity of [`Self::state_at`] at each time, bit for bit.
+    ///
+    /// # Errors
+    /// The slices have different lengths.
+    pub fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) -> Result<(), LengthMismatch> {
+        LengthMismatch::check(times, angles)?;
+        LengthMismatch::check(times, velocities)?;
+        match self {
+            Self::Libration(libration) => libration.states_at(times, angles, velocities),
+            Self::Rotation(rotation) => rotation.states_at(times, angles, velocities),
+            Self::Rest(_) | Self::Separatrix(_) => {
+                for (i, time) in times.iter().enumerate() {
+                    let state = self.state_at(*time);
+                    (angles[i], velocities[i]) = (state.angle, state.velocity);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Rest {
+    fn state(&self) -> State {
+        State {
+            turns: self.angle.turns(),
+            angle_in_turn: self.angle.in_turn(),
+            complement: self.angle.complement(),
+            angle: self.angle.radians(),
+            velocity: 0.0,
+        }
+    }
+
+    fn period(&self) -> f64 {
+        if self.angle.complement() == 0.0 {
+            return f64::NAN;
+        }
+        (DoubleDouble::PI.scaled(2.0) / self.angular_frequency).to_f64()
+    }
+
+    fn energy_ratio(&self) -> f64 {
+        if self.angle.complement() == 0.0 { 1.0 } else { 0.0 }
+    }
+}

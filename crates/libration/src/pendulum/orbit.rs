@@ -1,0 +1,117 @@
+//! What the periodic motions share: a phase clock, theta series, and quotients of their values.
+
+use super::state::State;
+use crate::dispatch::{Kernel, dispatch};
+use crate::double_double::DoubleDouble;
+use crate::elliptic::{CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues};
+
+/// A periodic motion as quotients of theta values.
+pub(super) trait Quotients: Copy {
+    /// The unwrapped angle and the velocity; `#[inline(always)]`.
+    fn angle_and_velocity<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> (f64, f64);
+    /// The whole state, with the same angle and velocity; `#[inline(always)]`.
+    fn state<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> State;
+}
+
+/// A periodic motion, prepared.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Orbit<Q> {
+    pub(super) expansion: Expansion,
+    pub(super) clock: PhaseClock,
+    /// z of the theta functions per turn of 4K.
+    pub(super) scale: DoubleDouble,
+    pub(super) series: ThetaSeries,
+    pub(super) quotients: Q,
+}
+
+impl<Q: Quotients> Orbit<Q> {
+    pub(super) fn state_at(&self, time: f64) -> State {
+        match self.expansion {
+            Expansion::Circular => dispatch(One { orbit: self, side: CircularSide, time }),
+            Expansion::Hyperbolic => dispatch(One { orbit: self, side: HyperbolicSide, time }),
+        }
+    }
+
+    /// The slices have one length.
+    pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
+        match self.expansion {
+            Expansion::Circular => dispatch(Each { orbit: self, side: CircularSide, times, angles, velocities }),
+            Expansion::Hyperbolic => dispatch(Each { orbit: self, side: HyperbolicSide, times, angles, velocities }),
+        }
+    }
+}
+
+struct One<'a, Q, S> {
+    orbit: &'a Orbit<Q>,
+    #[expect(dead_code, reason = "only its type is of use")]
+    side: S,
+    time: f64,
+}
+
+impl<Q: Quotients, S: Side> Kernel for One<'_, Q, S> {
+    type Output = State;
+    #[inline(always)]
+    fn run(self) -> State {
+        let phase = self.orbit.clock.phase(self.time);
+        let values = S::values(&self.orbit.series, phase.rest, self.orbit.scale);
+        self.orbit.quotients.state::<S>(&phase, &values)
+    }
+}
+
+struct Each<'a, Q, S> {
+    orbit: &'a Orbit<Q>,
+    #[expect(dead_code, reason = "only its type is of use")]
+    side: S,
+    times: &'a [f64],
+    angles: &'a mut [f64],
+    velocities: &'a mut [f64],
+}
+
+/// How many times go through the stages together: enough to hide the latency of long chains of dependent
+/// operations, few enough to stay in the first-level cache.
+const BLOCK: usize = 64;
+
+impl<Q: Quotients, S: Side> Kernel for Each<'_, Q, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        // A copy, so that the compiler knows that writing the results does not change it.
+        let orbit = *self.orbit;
+        let (times, rest) = self.times.as_chunks::<BLOCK>();
+        let (angles, rest_angles) = self.angles.as_chunks_mut::<BLOCK>();
+        let (velocities, rest_velocities) = self.velocities.as_chunks_mut::<BLOCK>();
+        for ((times, angles), velocities) in times.iter().zip(angles).zip(velocities) {
+            orbit.block::<S>(times, angles, velocities);
+        }
+        for ((time, angle), velocity) in rest.iter().zip(rest_angles).zip(rest_velocities) {
+            let phase = orbit.clock.phase(*time);
+            let values = S::values(&orbit.series, phase.rest, orbit.scale);
+            (*angle, *velocity) = orbit.quotients.angle_and_velocity::<S>(&phase, &values);
+        }
+    }
+}
+
+impl<Q: Quotients> Orbit<Q> {
+    #[inline(always)]
+    fn block<S: Side>(&self, times: &[f64; BLOCK], angles: &mut [f64; BLOCK], velocities: &mut [f64; BLOCK]) {
+        let (mut turns, mut quarter) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let (mut rest_hi, mut rest_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for i in 0..BLOCK {
+            let phase = self.clock.phase(times[i]);
+            (turns[i], quarter[i]) = (phase.turns, phase.quarter);
+            (rest_hi[i], rest_lo[i]) = (phase.rest.hi, phase.rest.lo);
+        }
+        let (mut first, mut second) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let (mut third, mut fourth) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for i in 0..BLOCK {
+            let values = S::values(&self.series, DoubleDouble::new(rest_hi[i], rest_lo[i]), self.scale);
+            (first[i], second[i]) = (values.first, values.second);
+            (third[i], fourth[i]) = (values.third, values.fourth);
+        }
+        for i in 0..BLOCK {
+            let phase = Phase { turns: turns[i], quarter: quarter[i], rest: DoubleDouble::new(rest_hi[i], rest_lo[i]) };
+            let values = ThetaValues { first: first[i], second: second[i], third: third[i], fourth: fourth[i] };
+            (angles[i], velocities[i]) = self.quotients.angle_and_velocity::<S>(&phase, &values);
+        }
+    }
+}

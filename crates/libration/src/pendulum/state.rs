@@ -1,0 +1,64 @@
+//! The state of a pendulum at one time.
+
+use crate::double_double::{DoubleDouble, two_sum};
+use crate::elementary::atan_of_ratio;
+
+/// A state: near the top the angle alone would lose its complement, in rotation it grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Whole turns: angle = 2π·turns + angle in the turn.
+    pub turns: i64,
+    /// The angle in the turn, within [−π, π] radians.
+    pub angle_in_turn: f64,
+    /// π − |angle in the turn|, relatively accurate however small.
+    pub complement: f64,
+    /// The unwrapped angle in radians.
+    pub angle: f64,
+    /// The angular velocity in rad/s.
+    pub velocity: f64,
+}
+
+impl State {
+    /// Everything NaN, for a time that is not finite.
+    pub(super) const NAN: Self =
+        Self { turns: 0, angle_in_turn: f64::NAN, complement: f64::NAN, angle: f64::NAN, velocity: f64::NAN };
+}
+
+/// An angle within [0, π] and its complement, as twice the arctangent of a ratio.
+#[derive(Clone, Copy)]
+pub(super) struct DoubledArctangent {
+    pub(super) angle: DoubleDouble,
+    pub(super) complement: DoubleDouble,
+}
+
+impl DoubledArctangent {
+    /// 2 atan(numerator/denominator) for a ratio of positive numbers.
+    #[inline(always)]
+    pub(super) fn of(numerator: f64, denominator: f64) -> Self {
+        let steep = numerator > denominator;
+        let half = atan_of_ratio(
+            if steep { denominator } else { numerator },
+            if steep { numerator } else { denominator },
+        );
+        let near = half.scaled(2.0);
+        let far = two_sum(DoubleDouble::PI.hi, -near.hi);
+        let far = DoubleDouble::new(far.hi, far.lo + (DoubleDouble::PI.lo - near.lo));
+        Self {
+            angle: DoubleDouble::new(if steep { far.hi } else { near.hi }, if steep { far.lo } else { near.lo }),
+            complement: DoubleDouble::new(if steep { near.hi } else { far.hi }, if steep { near.lo } else { far.lo }),
+        }
+    }
+}
+
+/// base + sign·angle, rounded once.
+#[inline(always)]
+pub(super) fn unwrapped(base: DoubleDouble, sign: f64, angle: DoubleDouble) -> f64 {
+    let sum = two_sum(base.hi, sign * angle.hi);
+    sum.hi + (sum.lo + sign.mul_add(angle.lo, base.lo))
+}
+
+/// A count of turns held in an `f64`, as an integer.
+#[expect(clippy::cast_possible_truncation, reason = "float-to-integer casts saturate, and beyond 2⁵³ turns the count is not known anyway")]
+pub(super) fn whole_turns(turns: f64) -> i64 {
+    turns as i64
+}
