@@ -11,7 +11,8 @@ use std::io::{BufWriter, Write, stdout};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let question = command::Libration::parse();
+    let arguments = arguments::protect_negative_values(std::env::args_os());
+    let question = command::Libration::parse_from(arguments);
     let mut out = BufWriter::with_capacity(1 << 16, stdout().lock());
     let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
     answered.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)

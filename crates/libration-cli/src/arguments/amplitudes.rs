@@ -11,7 +11,7 @@ use std::path::PathBuf;
 #[group(required = true, multiple = false)]
 pub(crate) struct AmplitudeOptions {
     /// Angles such as 60deg, 1.2rad, pi-1e-6, or ranges such as 1deg:179deg:1deg
-    #[arg(value_name = "AMPLITUDE", value_parser = angle_set, allow_hyphen_values = true)]
+    #[arg(value_name = "AMPLITUDE", value_parser = angle_set)]
     amplitudes: Vec<AngleSet>,
     /// Read the amplitudes from a file, one per line; - for the standard input
     #[arg(long, value_name = "FILE")]

@@ -6,7 +6,10 @@ use std::path::Path;
 use std::{fs, io};
 
 /// Reads every line that is neither empty nor a comment (`#`) and parses it.
-pub(crate) fn read<T, E: Display>(path: &Path, parse: impl Fn(&str) -> Result<T, E>) -> Result<Vec<T>, Failure> {
+pub(crate) fn read<T, E: Display>(
+    path: &Path,
+    parse: impl Fn(&str) -> Result<T, E>,
+) -> Result<Vec<T>, Failure> {
     let text = text(path)?;
     let mut values = vec![];
     for (number, line) in text.lines().enumerate() {
@@ -18,7 +21,10 @@ pub(crate) fn read<T, E: Display>(path: &Path, parse: impl Fn(&str) -> Result<T,
         values.push(parse(line).map_err(|reason| Failure::no_answer(&place(), reason))?);
     }
     if values.is_empty() {
-        return Err(Failure::no_answer(&path.display().to_string(), "the file holds no value: write one per line"));
+        return Err(Failure::no_answer(
+            &path.display().to_string(),
+            "the file holds no value: write one per line",
+        ));
     }
     Ok(values)
 }

@@ -3,7 +3,8 @@
 use super::text;
 use crate::failure::Failure;
 use crate::output::{json::Record, number};
-use libration::pendulum::Pendulum;
+use libration::pendulum::{Motion, Pendulum};
+use libration::quantity::Angle;
 
 const DEFAULT_LENGTH: f64 = 1.0;
 /// The standard acceleration of free fall.
@@ -13,10 +14,10 @@ const DEFAULT_GRAVITY: f64 = 9.80665;
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct PendulumOptions {
     /// Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m]
-    #[arg(long, value_parser = text::length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = text::length)]
     length: Option<f64>,
     /// Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2]
-    #[arg(long, value_parser = text::gravity, allow_hyphen_values = true)]
+    #[arg(long, value_parser = text::gravity)]
     gravity: Option<f64>,
 }
 
@@ -43,8 +44,11 @@ impl PendulumOptions {
     }
 
     pub(crate) fn record(self) -> Record {
-        Record::new()
-            .number("length_m", self.length())
-            .number("gravity_m_per_s2", self.gravity())
+        Record::new().number("length_m", self.length()).number("gravity_m_per_s2", self.gravity())
     }
+}
+
+/// The motion that starts at this angle with this velocity (rad/s).
+pub(crate) fn motion(pendulum: &Pendulum, angle: Angle, velocity: f64) -> Result<Motion, Failure> {
+    pendulum.launched(angle, velocity).map_err(|error| Failure::no_answer("motion", error))
 }

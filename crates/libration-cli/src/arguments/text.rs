@@ -32,5 +32,9 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
 
 fn above_zero(text: &str, dimension: Dimension) -> Result<f64, String> {
     let value = parse(text, dimension).map_err(|error| error.to_string())?.value;
-    if value > 0.0 { Ok(value) } else { Err(format!("{dimension} must be above zero: write {}", dimension.examples())) }
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(format!("{dimension} must be above zero: write {}", dimension.examples()))
+    }
 }

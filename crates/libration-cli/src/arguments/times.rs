@@ -14,7 +14,7 @@ const STEPS: u32 = 24;
 #[group(multiple = false)]
 pub(crate) struct TimeOptions {
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24 steps]
-    #[arg(long, value_parser = times, allow_hyphen_values = true)]
+    #[arg(long, value_parser = times)]
     times: Option<Times>,
     /// Read the times from a file, one per line; - for the standard input
     #[arg(long, value_name = "FILE")]
@@ -55,7 +55,8 @@ impl Times {
 
     /// The earliest and the latest.
     pub(crate) fn ends(&self) -> (f64, f64) {
-        self.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), time| (low.min(time), high.max(time)))
+        self.iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), time| (low.min(time), high.max(time)))
     }
 }
 

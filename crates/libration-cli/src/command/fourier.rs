@@ -22,16 +22,16 @@ const LIMIT: usize = 1_000_000;
   libration fourier 0 --velocity 7rad/s")]
 pub(crate) struct Fourier {
     /// Angle at the start, such as 60deg, 1.2rad, pi-1e-6
-    #[arg(value_parser = arguments::angle, allow_hyphen_values = true)]
+    #[arg(value_parser = arguments::angle)]
     angle: Angle,
     /// Velocity at the start, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
-    #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity, allow_hyphen_values = true)]
+    #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
     /// How many harmonics
     #[arg(long, conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     harmonics: Option<u32>,
     /// All harmonics of the angle at least this large, in radians
-    #[arg(long, default_value = "1e-16", value_parser = arguments::positive, allow_hyphen_values = true)]
+    #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     tolerance: f64,
     #[command(flatten)]
     pendulum: PendulumOptions,
@@ -41,11 +41,7 @@ pub(crate) struct Fourier {
 
 impl Fourier {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let motion = self
-            .pendulum
-            .pendulum()?
-            .launched(self.angle, self.velocity)
-            .map_err(|error| Failure::no_answer("motion", error))?;
+        let motion = arguments::motion(&self.pendulum.pendulum()?, self.angle, self.velocity)?;
         let harmonics = self.harmonics_of(&motion)?;
         match self.form.form() {
             Form::Json => self.write_json(out, &motion, &harmonics),
@@ -70,7 +66,7 @@ impl Fourier {
         let head = self
             .pendulum
             .record()
-            .with("regime", super::motion::regime_name(motion))
+            .with("regime", motion.regime().to_string())
             .number("period_s", motion.period())
             .number("fundamental_rad_per_s", harmonics.fundamental)
             .number("mean_velocity_rad_per_s", harmonics.mean_velocity);
@@ -83,22 +79,30 @@ impl Fourier {
         Ok(json::document_with_list(out, head, "harmonics", terms)?)
     }
 
-    fn write_table(&self, out: &mut dyn Write, motion: &Motion, harmonics: &Harmonics) -> Result<(), Failure> {
+    fn write_table(
+        &self,
+        out: &mut dyn Write,
+        motion: &Motion,
+        harmonics: &Harmonics,
+    ) -> Result<(), Failure> {
         let [length, gravity] = self.pendulum.lines();
         sheet(
             out,
             &[
                 length,
                 gravity,
-                ("regime", super::motion::regime_name(motion).to_owned()),
+                ("regime", motion.regime().to_string()),
                 ("period", format!("{} s", number::rounded(motion.period(), 13))),
                 ("fundamental Ω", format!("{} rad/s", number::rounded(harmonics.fundamental, 13))),
                 ("mean velocity", format!("{} rad/s", number::rounded(harmonics.mean_velocity, 13))),
             ],
         )?;
         writeln!(out)?;
-        let mut table =
-            Table::new(vec![Column::numbers("n"), Column::numbers("angle / rad"), Column::numbers("velocity / (rad/s)")]);
+        let mut table = Table::new(vec![
+            Column::numbers("n"),
+            Column::numbers("angle / rad"),
+            Column::numbers("velocity / (rad/s)"),
+        ]);
         for term in &harmonics.terms {
             let cells = [term.angle, term.velocity].map(|value| number::rounded(value, 13));
             table.row(out, [vec![term.n.to_string()], cells.to_vec()].concat())?;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 const PNG_SCALE: f32 = 2.4;
 
 /// The same for all panels, so that their axes stand in line.
-const LEFT_MARGIN: f64 = 118.0;
+const LEFT_MARGIN: f64 = 104.0;
 /// Room for half of the last tick's label.
 const RIGHT_MARGIN: f64 = 24.0;
 

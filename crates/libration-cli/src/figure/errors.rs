@@ -24,9 +24,10 @@ pub(crate) struct Frame {
 /// The picture of the errors; where an error changes sign its curve runs down to the axis.
 pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
     let signed = |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
-    let series = curves.iter().enumerate().map(|(number, curve)| {
-        Series::line(&curve.label, style::curve(number), sizes(&signed(curve)))
-    });
+    let series = curves
+        .iter()
+        .enumerate()
+        .map(|(number, curve)| Series::line(&curve.label, style::curve(number), sizes(&signed(curve))));
     let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {
         x: if frame.to - frame.from > 90.0 { x.with_tick_step(30.0) } else { x },

@@ -79,8 +79,10 @@ fn marker(number: usize, size: f64, (x, y): (f64, f64), fill: Color) -> Primitiv
         2 => [(0.0, -1.02), (0.0, -1.02), (1.0, 0.68), (-1.0, 0.68)],
         _ => [(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
     };
-    let corners: Vec<String> =
-        outline.iter().map(|(dx, dy)| format!("{:.2},{:.2}", size.mul_add(*dx, x), size.mul_add(*dy, y))).collect();
+    let corners: Vec<String> = outline
+        .iter()
+        .map(|(dx, dy)| format!("{:.2},{:.2}", size.mul_add(*dx, x), size.mul_add(*dy, y)))
+        .collect();
     Primitive::Path(Box::new(PathData {
         d: format!("M{}Z", corners.join("L")),
         stroke: fill.clone(),

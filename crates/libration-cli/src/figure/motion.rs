@@ -45,7 +45,8 @@ pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f6
     let mut angles = vec![Series::line("exact", style::curve(0), angles)];
     let mut errors = vec![];
     for (number, approximation) in (1..).zip(&comparison.approximations) {
-        let approximate: Vec<f64> = times.iter().map(|&time| comparison.angle_at(approximation, time)).collect();
+        let approximate: Vec<f64> =
+            times.iter().map(|&time| comparison.angle_at(approximation, time)).collect();
         let degrees = times.iter().zip(&approximate).map(|(&time, angle)| (time, angle.to_degrees()));
         angles.push(Series::line(approximation.name(), style::curve(number), degrees));
         let difference = approximate.iter().zip(&exact).map(|(angle, exact)| (angle - exact).to_degrees());

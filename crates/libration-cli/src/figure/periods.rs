@@ -13,7 +13,8 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
     let (from, to) = around(measurements.iter().map(|row| row.amplitude.to_degrees()).chain([0.0]));
     let (from, to) = (from.max(0.0), to.min(180.0));
     let data: Vec<Point> = measurements.iter().map(measured).collect();
-    let residuals: Vec<Point> = measurements.iter().enumerate().map(|(row, m)| residual(row, m, fit)).collect();
+    let residuals: Vec<Point> =
+        measurements.iter().enumerate().map(|(row, m)| residual(row, m, fit)).collect();
     let x = Axis::linear("amplitude θ₀ / degrees", from, to);
     let curves = laws(fit, from, to);
     let unlabelled = Axis { label: String::new(), ..x.clone() };
@@ -23,7 +24,7 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
         series: [vec![markers("measured", data)], curves].concat(),
         share: 0.62,
     };
-    let zero = Series::line("", style::curve(1), [(from, 0.0), (to, 0.0)]);
+    let zero = Series::line("", style::exact_law(), [(from, 0.0), (to, 0.0)]);
     let below = Panel {
         x,
         y: vertical("residual / s", &residuals),
@@ -40,13 +41,13 @@ fn laws(fit: &PeriodFit, from: f64, to: f64) -> Vec<Series> {
         (0..=SAMPLES).map(degrees).map(|x| (x, t0 * law.ratio_at(x.to_radians()))).collect::<Vec<_>>()
     };
     vec![
-        Series::line("exact law", style::curve(1), curve(Law::exact(), fit.exact.t0)),
+        Series::line("exact law", style::exact_law(), curve(Law::exact(), fit.exact.t0)),
         Series::line("constant period", style::curve(4), curve(Law::constant(), fit.constant.t0)),
     ]
 }
 
 fn markers(label: &str, points: Vec<Point>) -> Series {
-    Series { label: label.to_owned(), points, look: style::markers(0) }
+    Series { label: label.to_owned(), look: style::measurements(points.len()), points }
 }
 
 fn measured(row: &Measurement) -> Point {

@@ -7,7 +7,12 @@ use libration::pendulum::Harmonics;
 /// The spectra of several amplitudes, each with its label, down to `lowest` (rad).
 pub(crate) fn spectra(spectra: &[(String, Harmonics)], lowest: f64) -> Picture {
     let points = |harmonics: &Harmonics| -> Vec<(f64, f64)> {
-        harmonics.terms.iter().map(|term| (order(term.n), term.angle.abs())).filter(|(_, a)| *a >= lowest).collect()
+        harmonics
+            .terms
+            .iter()
+            .map(|term| (order(term.n), term.angle.abs()))
+            .filter(|(_, a)| *a >= lowest)
+            .collect()
     };
     let mut series = vec![];
     for (number, (label, harmonics)) in spectra.iter().enumerate() {

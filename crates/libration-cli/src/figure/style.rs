@@ -26,6 +26,11 @@ pub(crate) fn markers(number: usize) -> Look {
     Look { colour: COLOURS[number % COLOURS.len()], width: 5.5, mark: Mark::Markers(number) }
 }
 
+/// The look of measurements: smaller where there are many.
+pub(crate) fn measurements(count: usize) -> Look {
+    Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(0) }
+}
+
 /// The thin line that joins the markers with this number.
 pub(crate) fn thin(number: usize) -> Look {
     Look { width: 1.2, ..curve(number) }
@@ -34,6 +39,11 @@ pub(crate) fn thin(number: usize) -> Look {
 /// A thin grey line, for approximations and zero lines.
 pub(crate) fn reference() -> Look {
     Look { colour: GREY, width: 1.6, mark: Mark::Line("6 4") }
+}
+
+/// The solid line of the exact law.
+pub(crate) fn exact_law() -> Look {
+    Look { colour: COLOURS[1], width: 2.8, mark: Mark::Line("") }
 }
 
 /// The heavy black line of a separatrix.

@@ -2,7 +2,8 @@
 
 /// The shortest decimal that reads back as the same number; `nan`, `inf` and `-inf` otherwise.
 pub(crate) fn exact(value: f64) -> String {
-    serde_json::Number::from_f64(value).map_or_else(|| non_finite(value).to_owned(), |number| number.to_string())
+    serde_json::Number::from_f64(value)
+        .map_or_else(|| non_finite(value).to_owned(), |number| number.to_string())
 }
 
 /// Rounded to this many significant digits; in powers of ten when very small or very large.
@@ -22,7 +23,8 @@ pub(crate) fn rounded(value: f64, digits: usize) -> String {
 /// Rounded to this many significant digits, without the zeros at the end: `60` rather than `60.0000`.
 pub(crate) fn short(value: f64, digits: usize) -> String {
     let text = rounded(value, digits);
-    let (mantissa, exponent) = text.split_once('e').map_or((text.as_str(), ""), |(m, _)| (m, &text[m.len()..]));
+    let (mantissa, exponent) =
+        text.split_once('e').map_or((text.as_str(), ""), |(m, _)| (m, &text[m.len()..]));
     if !mantissa.contains('.') {
         return text;
     }

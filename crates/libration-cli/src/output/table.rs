@@ -69,12 +69,11 @@ impl Table {
     }
 
     fn line(&self, out: &mut dyn Write, cells: &[String], widths: &[usize]) -> io::Result<()> {
-        let aligned = cells.iter().zip(widths).zip(&self.columns).map(|((cell, &width), column)| {
-            match column.side {
+        let aligned =
+            cells.iter().zip(widths).zip(&self.columns).map(|((cell, &width), column)| match column.side {
                 Side::Left => format!("{cell:<width$}"),
                 Side::Right => format!("{cell:>width$}"),
-            }
-        });
+            });
         writeln!(out, "{}", aligned.collect::<Vec<_>>().join("  ").trim_end())
     }
 }

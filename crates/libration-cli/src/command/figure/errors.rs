@@ -5,20 +5,19 @@ use crate::arguments::{self, FormulaChoice};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::errors::{Curve, Frame, errors};
-use libration::pendulum::Amplitude;
-use libration::period_formulas::{self, PeriodFormula};
+use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 
 /// The curves of the first figure of Black and Vel.
 const FIRST_FIGURE: [&str; 8] = [
     "bernoulli",
     "molina",
-    "kidd-fogg",
+    "kidd_fogg",
     "butikov",
-    "power-series-3",
-    "fourier-1",
-    "fourier-2",
-    "fourier-3",
+    "power_series_3",
+    "black_vel_1",
+    "black_vel_2",
+    "black_vel_3",
 ];
 
 /// Error of the formulas against the amplitude, as in the first figure of Black and Vel
@@ -27,10 +26,10 @@ pub(super) struct Errors {
     #[command(flatten)]
     formulas: FormulaChoice,
     /// The amplitude at the left
-    #[arg(long, default_value = "0deg", value_parser = arguments::angle, allow_hyphen_values = true)]
+    #[arg(long, default_value = "0deg", value_parser = arguments::angle)]
     from: Angle,
     /// The amplitude at the right
-    #[arg(long, default_value = "180deg", value_parser = arguments::angle, allow_hyphen_values = true)]
+    #[arg(long, default_value = "180deg", value_parser = arguments::angle)]
     to: Angle,
     /// The smallest error shown
     #[arg(long, default_value = "1e-8", value_parser = arguments::positive)]
@@ -62,15 +61,13 @@ impl Errors {
         if !self.formulas.chosen().is_empty() {
             return Ok(self.formulas.chosen().to_vec());
         }
-        let found = FIRST_FIGURE.into_iter().map(period_formulas::by_key).collect::<Result<_, _>>();
+        let found = FIRST_FIGURE.into_iter().map(PeriodFormula::by_key).collect::<Result<_, _>>();
         found.map_err(|error| Failure::no_answer("--formulas", error))
     }
 }
 
 fn curve(formula: &PeriodFormula) -> Curve<'_> {
-    let error = |degrees: f64| {
-        let amplitude = Angle::from_degrees(degrees).ok().and_then(|angle| Amplitude::new(angle).ok());
-        amplitude.map_or(f64::NAN, |amplitude| formula.fractional_error(&amplitude))
-    };
-    Curve { label: formula.name().to_string(), error: Box::new(error) }
+    let error =
+        |degrees| Angle::from_degrees(degrees).map_or(f64::NAN, |angle| formula.fractional_error(&angle));
+    Curve { label: formula.name().to_owned(), error: Box::new(error) }
 }

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure errors --output errors.svg
-  libration figure errors --formulas bernoulli,carvalhaes-suppes --from 60deg --output errors.png
+  libration figure errors --formulas bernoulli,carvalhaes_suppes --from 60deg --output errors.png
   libration figure motion --amplitudes 30deg,90deg,179deg --output motion.svg
   libration figure phase --output phase.svg
   libration figure spectrum --amplitudes 60deg,150deg,179deg --output spectrum.png")]

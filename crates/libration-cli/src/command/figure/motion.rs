@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, clap::Args)]
 pub(super) struct Motion {
     /// Angles of release
-    #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list, allow_hyphen_values = true)]
+    #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
     /// How many small-angle periods
     #[arg(long, default_value = "2", value_parser = arguments::positive)]

@@ -13,7 +13,7 @@ use libration::pendulum::{Pendulum, PendulumError};
 #[derive(Debug, clap::Args)]
 pub(super) struct Phase {
     /// Amplitudes of the librations
-    #[arg(long, default_value = "30deg,75deg,120deg,160deg", value_parser = arguments::angle_list, allow_hyphen_values = true)]
+    #[arg(long, default_value = "30deg,75deg,120deg,160deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
     /// Energies of the rotations, E/(2mgl), each above 1
     #[arg(long, value_name = "E,E", default_value = "1.3,2", value_delimiter = ',', value_parser = above_one)]
@@ -55,5 +55,7 @@ fn no_answer(error: PendulumError) -> Failure {
 
 fn above_one(text: &str) -> Result<f64, String> {
     let energy = arguments::positive(text).ok().filter(|energy| *energy > 1.0);
-    energy.ok_or_else(|| "a rotation has more than the energy of the separatrix: give a number above 1".to_owned())
+    energy.ok_or_else(|| {
+        "a rotation has more than the energy of the separatrix: give a number above 1".to_owned()
+    })
 }

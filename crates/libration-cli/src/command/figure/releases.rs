@@ -20,7 +20,10 @@ pub(super) fn releases(angles: &AngleList) -> Result<Vec<Release>, Failure> {
 fn release(angle: Angle) -> Result<Release, Failure> {
     let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitudes", error))?;
     if amplitude.radians() <= 0.0 {
-        return Err(Failure::no_answer("--amplitudes", "a pendulum released from 0 does not move: give a larger angle"));
+        return Err(Failure::no_answer(
+            "--amplitudes",
+            "a pendulum released from 0 does not move: give a larger angle",
+        ));
     }
     Ok(Release { angle, label: label(&angle) })
 }

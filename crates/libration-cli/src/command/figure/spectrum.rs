@@ -15,7 +15,7 @@ const LIMIT: usize = 2000;
 #[derive(Debug, clap::Args)]
 pub(super) struct Spectrum {
     /// Amplitudes
-    #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list, allow_hyphen_values = true)]
+    #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
     /// The smallest coefficient shown, in radians
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]

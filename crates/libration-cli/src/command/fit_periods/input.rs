@@ -92,7 +92,7 @@ impl Input {
             Separator::Comma => Delimiter::Comma,
             Separator::Semicolon => Delimiter::Semicolon,
             Separator::Tab => Delimiter::Tab,
-            Separator::Space => Delimiter::Space,
+            Separator::Space => Delimiter::Whitespace,
         });
         let header = match self.header {
             FirstRow::Detect => Header::Detect,
@@ -109,11 +109,23 @@ impl Input {
             (0, 2) => first(2),
             (0, 4..) => first(4),
             (2..=4, _) => self.columns.iter().map(|text| column(text)).collect(),
-            (0, _) => return Err(self.no_answer(format!("the table has {width} columns, not 2 or 4: say which with --columns"))),
-            (given, _) => return Err(Failure::usage("--columns", format!("{given} columns given: name 2 to 4, as in 1,2,-,3"))),
+            (0, _) => {
+                return Err(self.no_answer(format!(
+                    "the table has {width} columns, not 2 or 4: say which with --columns"
+                )));
+            }
+            (given, _) => {
+                return Err(Failure::usage(
+                    "--columns",
+                    format!("{given} columns given: name 2 to 4, as in 1,2,-,3"),
+                ));
+            }
         };
         if columns[0].is_none() || columns[1].is_none() {
-            return Err(Failure::usage("--columns", "amplitude and period are needed: - stands only for an uncertainty"));
+            return Err(Failure::usage(
+                "--columns",
+                "amplitude and period are needed: - stands only for an uncertainty",
+            ));
         }
         Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
     }
@@ -144,7 +156,11 @@ impl Input {
             AmplitudeUnit::Rad => Ok(value),
             AmplitudeUnit::Deg => Angle::from_degrees(value).map(|angle| angle.radians()),
         };
-        values.iter().map(radians).collect::<Result<_, QuantityError>>().map_err(|error| self.no_answer(error))
+        values
+            .iter()
+            .map(radians)
+            .collect::<Result<_, QuantityError>>()
+            .map_err(|error| self.no_answer(error))
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {

@@ -7,12 +7,10 @@ use crate::arguments::{FormulaChoice, length_with_uncertainty, positive};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::FormOptions;
-pub(crate) use input::Measurement;
 use input::Input;
+pub(crate) use input::Measurement;
 use libration::fit::{self, Law};
-use libration::pendulum::Amplitude;
-use libration::period_formulas::PeriodFormula;
-use libration::quantity::{Angle, Quantity};
+use libration::quantity::Quantity;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -30,10 +28,10 @@ pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: Input,
     /// Length of the pendulum with its uncertainty, such as 0.57m±0.004m: gives gravity
-    #[arg(long, value_parser = length_with_uncertainty, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length_with_uncertainty)]
     length: Option<Quantity>,
     /// Leave out the rows further than this many robust standard deviations from the exact law
-    #[arg(long, value_name = "N", value_parser = positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = positive)]
     reject_outliers: Option<f64>,
     #[command(flatten)]
     formulas: FormulaChoice,
@@ -49,8 +47,10 @@ impl FitPeriods {
         let measured = self.input.read()?;
         let no_answer = |error| Failure::no_answer(&self.input.name(), error);
         let formulas = self.formulas.chosen_or_all();
-        let ratios: Vec<_> = formulas.iter().map(ratio).collect();
-        let laws: Vec<Law> = formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
+        let ratios: Vec<_> =
+            formulas.iter().map(|formula| |amplitude| formula.period_ratio_at(amplitude)).collect();
+        let laws: Vec<Law> =
+            formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
         let options = fit::Options { reject_outliers: self.reject_outliers };
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
         let gravity = self.length.map(|length| fit::gravity(&fit.exact, length)).transpose();
@@ -61,13 +61,5 @@ impl FitPeriods {
         }
         let answer = write::Answer { measured: &measured, fit: &fit, gravity, length: self.length };
         answer.write(out, self.form.form())
-    }
-}
-
-/// T/T0 of a formula at an amplitude in radians; NaN where it has none.
-fn ratio(formula: &PeriodFormula) -> impl Fn(f64) -> f64 + '_ {
-    |radians| {
-        let amplitude = Angle::from_radians(radians).ok().and_then(|angle| Amplitude::new(angle).ok());
-        amplitude.map_or(f64::NAN, |amplitude| formula.period_ratio(&amplitude))
     }
 }

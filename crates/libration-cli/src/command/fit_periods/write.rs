@@ -62,9 +62,11 @@ impl Answer<'_> {
     fn gravity_fields(&self, record: Record) -> Record {
         let why_none = "give --length to have gravity";
         let gravity = self.gravity.as_ref();
-        record
-            .number_or("gravity_m_per_s2", gravity.map(|gravity| gravity.value), why_none)
-            .number_or("gravity_uncertainty_m_per_s2", gravity.map(|gravity| gravity.uncertainty), why_none)
+        record.number_or("gravity_m_per_s2", gravity.map(|gravity| gravity.value), why_none).number_or(
+            "gravity_uncertainty_m_per_s2",
+            gravity.map(|gravity| gravity.uncertainty),
+            why_none,
+        )
     }
 
     fn outlier_lines(&self) -> Vec<u64> {
@@ -137,7 +139,9 @@ impl Answer<'_> {
 
     fn beta_line(&self) -> String {
         match &self.fit.beta {
-            Ok(beta) => format!("{}  (1 is the exact law)", with_uncertainty(beta.beta, beta.beta_uncertainty, "")),
+            Ok(beta) => {
+                format!("{}  (1 is the exact law)", with_uncertainty(beta.beta, beta.beta_uncertainty, ""))
+            }
             Err(error) => format!("none: {error}"),
         }
     }

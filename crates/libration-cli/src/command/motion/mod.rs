@@ -6,7 +6,7 @@ use crate::arguments::{self, PendulumOptions, TimeOptions};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::FormOptions;
-use libration::pendulum::{ApproximateMotion, Motion as ExactMotion, Regime};
+use libration::pendulum::ApproximateMotion;
 use libration::quantity::Angle;
 use std::io::Write;
 use std::path::PathBuf;
@@ -21,10 +21,10 @@ use std::path::PathBuf;
   libration motion 90deg --compare small-angle,fourier-3,fourier-5 --figure motion.svg")]
 pub(crate) struct Motion {
     /// Angle at the start, such as 60deg, 1.2rad, pi-1e-6; beyond the top counts turns
-    #[arg(value_parser = arguments::angle, allow_hyphen_values = true)]
+    #[arg(value_parser = arguments::angle)]
     angle: Angle,
     /// Velocity at the start, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
-    #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity, allow_hyphen_values = true)]
+    #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
     #[command(flatten)]
     times: TimeOptions,
@@ -43,9 +43,7 @@ pub(crate) struct Motion {
 impl Motion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let pendulum = self.pendulum.pendulum()?;
-        let motion = pendulum
-            .launched(self.angle, self.velocity)
-            .map_err(|error| Failure::no_answer("motion", error))?;
+        let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
         let comparison = Comparison::new(self, pendulum.angular_frequency())?;
         let times = self.times.read(&pendulum, &motion)?;
         if let Some(path) = &self.figure {
@@ -83,16 +81,5 @@ impl Comparison {
     /// The angle of each approximate motion at a time.
     fn angles_at(&self, time: f64) -> impl Iterator<Item = f64> + '_ {
         self.approximations.iter().map(move |approximation| self.angle_at(approximation, time))
-    }
-}
-
-/// The name of a regime in answers.
-pub(crate) fn regime_name(motion: &ExactMotion) -> &'static str {
-    match motion.regime() {
-        Regime::RestStable => "rest (stable)",
-        Regime::RestUpright => "rest (upright)",
-        Regime::Libration => "libration",
-        Regime::Separatrix => "separatrix",
-        Regime::Rotation => "rotation",
     }
 }

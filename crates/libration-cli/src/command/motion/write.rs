@@ -1,6 +1,6 @@
 //! The samples of a motion as table, JSON and CSV.
 
-use super::{Comparison, regime_name};
+use super::Comparison;
 use crate::arguments::PendulumOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
@@ -40,7 +40,7 @@ impl Answer<'_> {
         let why_none = "only a libration has an amplitude";
         self.pendulum
             .record()
-            .with("regime", regime_name(self.motion))
+            .with("regime", self.motion.regime().to_string())
             .number("period_s", self.motion.period())
             .number("energy_ratio", self.motion.energy_ratio())
             .number_or("amplitude_rad", amplitude.map(|a| a.radians()), why_none)
@@ -65,13 +65,18 @@ impl Answer<'_> {
     fn approximations(&self, time: f64, exact: f64) -> Vec<Value> {
         let keys = self.comparison.approximations.iter().map(|motion| motion.key());
         let record = |(key, angle): (&str, f64)| {
-            Record::new().with("key", key).number("angle_rad", angle).number("error_rad", angle - exact).into()
+            Record::new()
+                .with("key", key)
+                .number("angle_rad", angle)
+                .number("error_rad", angle - exact)
+                .into()
         };
         keys.zip(self.comparison.angles_at(time)).map(record).collect()
     }
 
     fn write_csv(&self, out: &mut dyn Write, times: impl Iterator<Item = f64>) -> io::Result<()> {
-        let names = ["time_s", "angle_rad", "turns", "angle_in_turn_rad", "complement_rad", "velocity_rad_per_s"];
+        let names =
+            ["time_s", "angle_rad", "turns", "angle_in_turn_rad", "complement_rad", "velocity_rad_per_s"];
         let keys = self.comparison.approximations.iter().map(|motion| motion.key());
         let more = keys.flat_map(|key| [format!("{key}_angle_rad"), format!("{key}_error_rad")]);
         csv::line(out, &names.iter().map(ToString::to_string).chain(more).collect::<Vec<_>>())?;
@@ -105,13 +110,19 @@ impl Answer<'_> {
         let mut lines = vec![
             length,
             gravity,
-            ("regime", regime_name(self.motion).to_owned()),
+            ("regime", self.motion.regime().to_string()),
             (period, format!("{} s", number::rounded(self.motion.period(), 13))),
-            ("energy / 2mgl", format!("{} (1 on the separatrix)", number::rounded(self.motion.energy_ratio(), 13))),
+            (
+                "energy / 2mgl",
+                format!("{} (1 on the separatrix)", number::rounded(self.motion.energy_ratio(), 13)),
+            ),
         ];
         if let Some(amplitude) = self.motion.amplitude() {
             let degrees = number::short(amplitude.radians().to_degrees(), 12);
-            lines.push(("amplitude", format!("{} rad = {degrees}°", number::rounded(amplitude.radians(), 13))));
+            lines.push((
+                "amplitude",
+                format!("{} rad = {degrees}°", number::rounded(amplitude.radians(), 13)),
+            ));
         }
         lines
     }

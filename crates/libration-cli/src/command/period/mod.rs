@@ -18,7 +18,7 @@ use std::io::Write;
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
-  libration period 1deg:179deg:1deg --formulas bernoulli,kidd-fogg
+  libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period --from-file amplitudes.txt --csv")]
 pub(crate) struct Period {
     #[command(flatten)]
@@ -57,7 +57,7 @@ impl Period {
         match self.form.form() {
             Form::Json => {
                 let formulas = self.formulas.chosen_or_all();
-                let results = amplitudes.iter().map(|a| self.record(&a, small_angle_period, &formulas));
+                let results = amplitudes.iter().map(|a| self.record(&a, small_angle_period, formulas));
                 json::document_with_list(out, self.pendulum.record(), "results", results)?;
             }
             Form::Csv => table::write_csv(out, self, &amplitudes, small_angle_period)?,
@@ -95,10 +95,11 @@ impl Period {
 
     /// What the formulas say, in the order asked for.
     fn estimates<'a>(&self, amplitude: &Amplitude, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
+        let angle = amplitude.angle();
         let estimate = |formula: &'a PeriodFormula| Estimate {
             formula,
-            ratio: formula.period_ratio(amplitude),
-            fractional_error: formula.fractional_error(amplitude),
+            ratio: formula.period_ratio(&angle),
+            fractional_error: formula.fractional_error(&angle),
         };
         let mut estimates: Vec<_> = formulas.iter().map(estimate).collect();
         if self.sort == Order::Error {

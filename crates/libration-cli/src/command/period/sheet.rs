@@ -37,7 +37,13 @@ fn lines(question: &Period, amplitude: &Amplitude, small_angle_period: f64) -> V
         ("T/T₀", digits(amplitude.period_ratio())),
         ("excess T/T₀ − 1", digits(amplitude.period_excess())),
         ("nome q", digits(amplitude.nome())),
-        ("condition", format!("{} (relative change of T per relative change of θ₀)", number::rounded(amplitude.condition(), 6))),
+        (
+            "condition",
+            format!(
+                "{} (relative change of T per relative change of θ₀)",
+                number::rounded(amplitude.condition(), 6)
+            ),
+        ),
     ]
 }
 
@@ -54,7 +60,7 @@ fn formulas(
         Column::numbers("error"),
         Column::words("formula"),
     ]);
-    for estimate in question.estimates(amplitude, &formulas) {
+    for estimate in question.estimates(amplitude, formulas) {
         let cells = vec![
             estimate.formula.key().to_string(),
             number::rounded(small_angle_period * estimate.ratio, 12),

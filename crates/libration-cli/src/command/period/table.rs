@@ -22,7 +22,8 @@ pub(super) fn write(
     let errors = formulas.iter().map(|formula| format!("error of {}", formula.key()));
     let mut table = Table::new(exact.into_iter().chain(errors).map(Column::numbers).collect());
     for amplitude in amplitudes.iter() {
-        let errors = formulas.iter().map(|formula| number::rounded(formula.fractional_error(&amplitude), 3));
+        let errors =
+            formulas.iter().map(|formula| number::rounded(formula.fractional_error(&amplitude.angle()), 3));
         table.row(out, cells(&amplitude, small_angle_period).into_iter().chain(errors).collect())?;
     }
     table.finish(out)
@@ -46,8 +47,18 @@ pub(super) fn write_csv(
     small_angle_period: f64,
 ) -> io::Result<()> {
     let formulas = question.formulas.chosen();
-    let exact = ["amplitude_rad", "complement_rad", "small_angle_period_s", "period_s", "ratio", "excess", "nome", "condition"];
-    let more = formulas.iter().flat_map(|f| [format!("{}_ratio", f.key()), format!("{}_fractional_error", f.key())]);
+    let exact = [
+        "amplitude_rad",
+        "complement_rad",
+        "small_angle_period_s",
+        "period_s",
+        "ratio",
+        "excess",
+        "nome",
+        "condition",
+    ];
+    let more =
+        formulas.iter().flat_map(|f| [format!("{}_ratio", f.key()), format!("{}_fractional_error", f.key())]);
     csv::line(out, &exact.map(String::from).into_iter().chain(more).collect::<Vec<_>>())?;
     for amplitude in amplitudes.iter() {
         let ratio = amplitude.period_ratio();
@@ -61,7 +72,9 @@ pub(super) fn write_csv(
             amplitude.nome(),
             amplitude.condition(),
         ];
-        let more = formulas.iter().flat_map(|f| [f.period_ratio(&amplitude), f.fractional_error(&amplitude)]);
+        let more = formulas
+            .iter()
+            .flat_map(|f| [f.period_ratio(&amplitude.angle()), f.fractional_error(&amplitude.angle())]);
         csv::numbers(out, &exact.into_iter().chain(more).collect::<Vec<_>>())?;
     }
     Ok(())
