@@ -1,4 +1,5 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::LazyLock;
 
 use dashu::base::{BitTest, Signed};
 use dashu::float::FBig;
@@ -23,7 +24,8 @@ impl BigFloat {
 
     pub(crate) fn from_rational(value: &Rational, precision: usize) -> Self {
         let (numerator, denominator) = value.parts();
-        Self::from_big(numerator.clone(), precision) / Self::from_big(IBig::from(denominator.clone()), precision)
+        Self::from_big(numerator.clone(), precision)
+            / Self::from_big(IBig::from(denominator.clone()), precision)
     }
 
     /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for
@@ -33,8 +35,11 @@ impl BigFloat {
         Self(word(words.hi) + word(words.lo))
     }
 
+    /// π; to 1280 bits it is worked out once.
     pub(crate) fn pi(precision: usize) -> Self {
-        Self(Float::pi(precision))
+        const KEPT: usize = 1280;
+        static PI: LazyLock<Float> = LazyLock::new(|| Float::pi(KEPT));
+        if precision < KEPT { Self(rounded(PI.clone(), precision)) } else { Self(Float::pi(precision)) }
     }
 
     /// Bits of the significand.

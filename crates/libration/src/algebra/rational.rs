@@ -63,6 +63,10 @@ impl Rational {
         Self(RBig::from_parts(numerator, denominator))
     }
 
+    pub(crate) fn divided_by_power_of_two(&self, exponent: usize) -> Self {
+        Self(&self.0 / RBig::from(UBig::ONE << exponent))
+    }
+
     pub(crate) fn parts(&self) -> (&IBig, &UBig) {
         (self.0.numerator(), self.0.denominator())
     }

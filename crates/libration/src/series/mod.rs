@@ -13,13 +13,15 @@ use online::{BLOCK, Convolution, Weight};
 /// n·eₙ = Σ hⱼe_{n−j}. `derivative` is h₀, h₁, …; h₀ is not used.
 pub(crate) fn exponential(derivative: &[IBig], length: usize) -> Vec<IBig> {
     let divided = |n: usize, sum: IBig| sum / IBig::from(n);
-    Convolution { known: derivative, weight: Weight::Ordinary, finish: &divided, block: BLOCK }.solve(IBig::ONE, length)
+    Convolution { known: derivative, weight: Weight::Ordinary, finish: &divided, block: BLOCK }
+        .solve(IBig::ONE, length)
 }
 
 /// The first `length` integers bₙ of Σ bₙxⁿ/(2n)! = 1 / Σ aₙxⁿ/(2n)!, where a₀ = 1.
 pub(crate) fn even_reciprocal(a: &[IBig], length: usize) -> Vec<IBig> {
     let negated = |_: usize, sum: IBig| -sum;
-    Convolution { known: a, weight: Weight::EvenFactorial, finish: &negated, block: BLOCK }.solve(IBig::ONE, length)
+    Convolution { known: a, weight: Weight::EvenFactorial, finish: &negated, block: BLOCK }
+        .solve(IBig::ONE, length)
 }
 
 #[cfg(test)]

@@ -3,5 +3,6 @@
 
 mod fit;
 mod measurement;
+mod period_formulas;
 mod quantity;
 mod series;

@@ -67,7 +67,8 @@ fn period_series_satisfies_the_legendre_equation_to_the_200th_correction() {
     let series = period_in_amplitude(corrections);
     let cotangent = cotangent_series(corrections);
     for n in 1..=corrections {
-        let known = (1..n).map(|j| fraction(2 * index(n - j), 1) * cotangent[j].clone() * series[n - j].clone());
+        let known =
+            (1..n).map(|j| fraction(2 * index(n - j), 1) * cotangent[j].clone() * series[n - j].clone());
         let right = known.fold(fraction(1, 4) * series[n - 1].clone(), |rest, term| rest - term);
         assert_eq!(fraction(4 * index(n) * index(n), 1) * series[n].clone(), right, "n = {n}");
     }
