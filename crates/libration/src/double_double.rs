@@ -111,7 +111,7 @@ impl Neg for DoubleDouble {
     }
 }
 
-/// Relative error at most 3u²/(1−4u), with cancellation too (AccurateDWPlusDW).
+/// Relative error at most 3u²/(1−4u), with cancellation too (`AccurateDWPlusDW`).
 impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
@@ -149,7 +149,7 @@ impl Sub<f64> for DoubleDouble {
     }
 }
 
-/// Relative error at most 4u² (DWTimesDW3).
+/// Relative error at most 4u² (`DWTimesDW3`).
 impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
@@ -187,5 +187,32 @@ impl Div<f64> for DoubleDouble {
     #[inline(always)]
     fn div(self, other: f64) -> Self {
         self / Self::from(other)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DoubleDouble, two_prod, two_sum};
+
+    #[test]
+    fn sums_and_products_of_words_are_exact() {
+        assert_eq!(two_sum(1.0, 1e-30), DoubleDouble::new(1.0, 1e-30));
+        let x = 1.0 + f64::EPSILON;
+        assert_eq!(two_prod(x, x), DoubleDouble::new(1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+    }
+
+    #[test]
+    fn quotients_and_roots_undo_products() {
+        for i in 1..1000 {
+            let x = DoubleDouble::PI * f64::from(i) + 1e-20;
+            assert!(((x / DoubleDouble::LN_2) * DoubleDouble::LN_2 - x).to_f64().abs() < 2e-31 * x.hi);
+            assert!((x.sqrt().square() - x).to_f64().abs() < 1e-31 * x.hi);
+        }
+    }
+
+    #[test]
+    fn the_root_of_zero_is_zero_and_of_a_negative_number_nan() {
+        assert_eq!(DoubleDouble::ZERO.sqrt(), DoubleDouble::ZERO);
+        assert!(DoubleDouble::new(-1.0, 0.0).sqrt().hi.is_nan());
     }
 }

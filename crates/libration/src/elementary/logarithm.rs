@@ -21,7 +21,7 @@ pub(crate) struct Logarithm {
     pub(crate) exponent: f64,
     /// Exact in its word.
     pub(crate) leading: f64,
-    /// Good to 2⁻⁶⁰ absolutely.
+    /// Good to 2⁻⁵⁸ absolutely.
     pub(crate) tail: f64,
 }
 

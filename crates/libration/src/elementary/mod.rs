@@ -24,7 +24,7 @@ pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64
     let mut i = N;
     while i > 0 {
         i -= 1;
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             even = y.mul_add(even, coefficients[i]);
         } else {
             odd = y.mul_add(odd, coefficients[i]);
@@ -37,6 +37,13 @@ pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64
 #[inline(always)]
 pub(crate) fn nearest_integer(x: f64) -> f64 {
     (x + ROUNDER) - ROUNDER
+}
+
+/// The low bits of the nearest integer, in two's complement; |x| < 2⁵¹.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "only low bits are wanted")]
+pub(crate) fn nearest_integer_bits(x: f64) -> usize {
+    (x + ROUNDER).to_bits() as usize
 }
 
 /// 1.5·2⁵²: added to a small number it leaves the nearest integer in the low bits.

@@ -1,1 +1,124 @@
+//! The kernels against the multi-precision library, whose functions agree with MPFR.
 
+use super::{atan_of_ratio, sin_cos_of_turns, sinh_cosh, split_logarithm, two_word};
+use crate::algebra::BigFloat;
+use crate::double_double::{DoubleDouble, two_prod};
+
+const BITS: usize = 300;
+
+fn big(x: DoubleDouble) -> BigFloat {
+    BigFloat::from_words(x, BITS)
+}
+
+fn word(x: f64) -> BigFloat {
+    big(DoubleDouble::from(x))
+}
+
+/// |got − exact| in units of the last place of the exact value.
+fn ulps(got: f64, exact: &BigFloat) -> f64 {
+    let nearest = exact.to_f64().abs();
+    let ulp = nearest.next_up() - nearest;
+    ((word(got) - exact.clone()).to_f64() / ulp).abs()
+}
+
+/// |got/exact − 1|.
+fn relative(got: DoubleDouble, exact: &BigFloat) -> f64 {
+    ((big(got) - exact.clone()) / exact.clone()).to_f64().abs()
+}
+
+/// Numbers in (0, 1) without pattern.
+fn uniform() -> impl Iterator<Item = f64> {
+    (1..=2000).map(|i| (f64::from(i) * 0.618_033_988_749_894_8).fract())
+}
+
+fn worst(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn sine_and_cosine_of_turns_are_within_an_ulp() {
+    let tau = BigFloat::pi(BITS) + BigFloat::pi(BITS);
+    let error = worst(uniform().map(|x| {
+        let y = DoubleDouble::new((x - 0.5) / 4.0, (x - 0.3) * 1e-18);
+        let (sin, cos) = sin_cos_of_turns(y);
+        let angle = big(y) * tau.clone();
+        ulps(sin, &angle.sin()).max(ulps(cos, &angle.cos()))
+    }));
+    assert!(error < 0.8, "{error} ulp");
+}
+
+#[test]
+fn the_sine_of_a_tiny_turn_keeps_its_relative_accuracy() {
+    for exponent in [-20, -100, -300] {
+        let y = libm::exp10(f64::from(exponent));
+        let (sin, _) = sin_cos_of_turns(DoubleDouble::from(y));
+        assert!(ulps(sin, &(word(y) * (BigFloat::pi(BITS) + BigFloat::pi(BITS)))) < 1.0);
+    }
+}
+
+#[test]
+fn hyperbolic_sine_and_cosine_are_within_two_ulps() {
+    let error = worst(uniform().flat_map(|x| [x * 1e-9, x, 5.0 * x, 690.0 * x]).map(|z| {
+        let z = DoubleDouble::new(z, z * 1e-17);
+        let (sinh, cosh) = sinh_cosh(z);
+        let power = big(z).exp();
+        let inverse = word(1.0) / power.clone();
+        let exact_sinh = (power.clone() - inverse.clone()).halved();
+        ulps(sinh, &exact_sinh).max(ulps(cosh, &(power + inverse).halved()))
+    }));
+    assert!(error < 2.0, "{error} ulp");
+}
+
+#[test]
+fn the_arctangent_of_a_ratio_inverts_the_tangent() {
+    let error = worst(uniform().flat_map(|x| [x, x * 1e-12]).map(|small| {
+        let angle = atan_of_ratio(small, 1.0);
+        let exact = big(angle);
+        // What is missing of the angle, to first order: tan(exact − angle).
+        let missing = (word(small) * exact.cos() - exact.sin()) / (exact.cos() + word(small) * exact.sin());
+        let nearest = angle.to_f64();
+        (missing.to_f64() / (nearest.next_up() - nearest)).abs()
+    }));
+    assert!(error < 1.1, "{error} ulp");
+}
+
+#[test]
+fn the_split_logarithm_is_good_to_fifty_eight_bits() {
+    let error = worst(uniform().flat_map(|x| [x, 1e-300 * x, 3.0 * x]).map(|x| {
+        let x = DoubleDouble::new(x, x * 1e-17);
+        let log = split_logarithm(x);
+        let sum = word(log.exponent) * word(2.0).ln() + word(log.leading) + word(log.tail);
+        (sum - big(x).ln()).to_f64().abs()
+    }));
+    assert!(error < libm::exp2(-58.0), "{error:e}");
+}
+
+#[test]
+fn two_word_functions_are_good_to_a_hundred_bits() {
+    let bound = libm::exp2(-100.0);
+    for x in uniform() {
+        let x = two_prod(x, 1.0 + 1e-9);
+        let (sin, cos) = two_word::sin_cos(x.scaled(1.5));
+        let angle = big(x.scaled(1.5));
+        assert!(relative(sin, &angle.sin()) < bound);
+        assert!(relative(cos, &angle.cos()) < bound);
+        // The absolute error of the exponent is the relative error of the power.
+        assert!(relative(two_word::exp(x * -300.0), &big(x * -300.0).exp()) < 300.0 * bound);
+        assert!((big(two_word::ln(x)) - big(x).ln()).to_f64().abs() < bound);
+    }
+}
+
+#[test]
+fn the_two_word_arctangent_has_the_sine_and_cosine_of_its_point() {
+    let bound = libm::exp2(-100.0);
+    for x in uniform() {
+        let angle = DoubleDouble::new(6.28 * (x - 0.5), 1e-17 * x);
+        let (sin, cos) = (big(angle).sin(), big(angle).cos());
+        let words = |value: &BigFloat| {
+            let hi = value.to_f64();
+            DoubleDouble::new(hi, (value.clone() - word(hi)).to_f64())
+        };
+        let found = two_word::atan2(words(&sin), words(&cos));
+        assert!(((found - angle).to_f64() / angle.hi).abs() < bound, "{angle:?} {found:?}");
+    }
+}

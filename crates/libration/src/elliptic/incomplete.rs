@@ -4,7 +4,7 @@ use super::{Modulus, carlson};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
 
-/// φ = half_turns·π + rest, |rest| ≤ π/2, with the sine and cosine of the rest.
+/// φ = `half_turns`·π + rest, |rest| ≤ π/2, with the sine and cosine of the rest.
 struct Reduced {
     half_turns: f64,
     sine: DoubleDouble,
@@ -53,7 +53,11 @@ pub(super) fn first(modulus: &Modulus, phi: f64) -> f64 {
     }
     let delta = delta(sine, cosine, modulus.complementary);
     let partial = first_of_point(sine, cosine, delta);
-    if half_turns == 0.0 { partial.to_f64() } else { (modulus.integrals.first * (2.0 * half_turns) + partial).to_f64() }
+    if half_turns == 0.0 {
+        partial.to_f64()
+    } else {
+        (modulus.integrals.first * (2.0 * half_turns) + partial).to_f64()
+    }
 }
 
 pub(super) fn second(modulus: &Modulus, phi: f64) -> f64 {
@@ -66,7 +70,8 @@ pub(super) fn second(modulus: &Modulus, phi: f64) -> f64 {
     } else {
         let delta = delta(sine, cosine, modulus.complementary);
         let parameter = modulus.modulus.square() * sine.square() / 3.0;
-        first_of_point(sine, cosine, delta) - sine * parameter * carlson::second_kind(cosine, delta, DoubleDouble::ONE)
+        first_of_point(sine, cosine, delta)
+            - sine * parameter * carlson::second_kind(cosine, delta, DoubleDouble::ONE)
     };
     (modulus.integrals.second * (2.0 * half_turns) + partial).to_f64()
 }

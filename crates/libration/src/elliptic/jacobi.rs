@@ -133,12 +133,20 @@ impl Quotients {
         let (values, [sn, cn, dn, below], tangent) = match self.expansion {
             Expansion::Circular => {
                 let v = self.series.circular(phase.rest);
-                let quotient = if odd { [v.second, -v.first, v.fourth, v.third] } else { [v.first, v.second, v.third, v.fourth] };
+                let quotient = if odd {
+                    [v.second, -v.first, v.fourth, v.third]
+                } else {
+                    [v.first, v.second, v.third, v.fourth]
+                };
                 (v, quotient, v.second)
             }
             Expansion::Hyperbolic => {
                 let v = self.series.hyperbolic(phase.rest * self.scale);
-                let quotient = if odd { [v.fourth, -v.first, v.second, v.third] } else { [v.first, v.fourth, v.third, v.second] };
+                let quotient = if odd {
+                    [v.fourth, -v.first, v.second, v.third]
+                } else {
+                    [v.first, v.fourth, v.third, v.second]
+                };
                 (v, quotient, v.fourth)
             }
         };
@@ -156,7 +164,11 @@ impl Quotients {
 #[inline(always)]
 fn amplitude(phase: &Phase, values: &ThetaValues, factor: f64, below: f64) -> f64 {
     let above = (factor * values.first).abs();
-    let angle = if above > below { DoubleDouble::FRAC_PI_2 - atan_of_ratio(below, above) } else { atan_of_ratio(above, below) };
+    let angle = if above > below {
+        DoubleDouble::FRAC_PI_2 - atan_of_ratio(below, above)
+    } else {
+        atan_of_ratio(above, below)
+    };
     let angle = if values.first < 0.0 { -angle } else { angle };
     let quarters = phase.turns.mul_add(4.0, phase.quarter);
     let whole = DoubleDouble::FRAC_PI_2 * quarters;
@@ -176,6 +188,15 @@ fn hyperbolic_limit(u: f64) -> Jacobi {
         return Jacobi { sn: sign, cn: sech, dn: sech, am: sign * std::f64::consts::FRAC_PI_2 };
     }
     let (sinh, cosh) = sinh_cosh(DoubleDouble::from(size));
-    let angle = if sinh > 1.0 { DoubleDouble::FRAC_PI_2 - atan_of_ratio(1.0, sinh) } else { atan_of_ratio(sinh, 1.0) };
-    Jacobi { sn: (sign * (sinh / cosh)).clamp(-1.0, 1.0), cn: 1.0 / cosh, dn: 1.0 / cosh, am: sign * angle.to_f64() }
+    let angle = if sinh > 1.0 {
+        DoubleDouble::FRAC_PI_2 - atan_of_ratio(1.0, sinh)
+    } else {
+        atan_of_ratio(sinh, 1.0)
+    };
+    Jacobi {
+        sn: (sign * (sinh / cosh)).clamp(-1.0, 1.0),
+        cn: 1.0 / cosh,
+        dn: 1.0 / cosh,
+        am: sign * angle.to_f64(),
+    }
 }

@@ -17,11 +17,13 @@ mod agm;
 mod carlson;
 mod incomplete;
 mod jacobi;
+mod precise;
 mod theta;
 
 pub use jacobi::Jacobi;
 
 pub(crate) use incomplete::first_of_point;
+pub(crate) use precise::PreciseQuotients;
 pub(crate) use theta::{
     CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
 };
@@ -168,7 +170,11 @@ impl Modulus {
     /// The nome q = exp(−πK′/K); 0 for k = 0, 1 for k = 1.
     #[must_use]
     pub fn nome(&self) -> f64 {
-        if self.integrals.first.is_finite() { nome(self.integrals.first, self.complementary_first).to_f64() } else { 1.0 }
+        if self.integrals.first.is_finite() {
+            nome(self.integrals.first, self.complementary_first).to_f64()
+        } else {
+            1.0
+        }
     }
 
     /// sn, cn, dn and the amplitude am at u.
@@ -254,7 +260,7 @@ fn leg(x: DoubleDouble) -> DoubleDouble {
 
 /// k = θ₂²/θ₃² and k′ = θ₄²/θ₃² of the nome q or, above e^−π, of the complementary nome (DLMF 20.9.1).
 fn modulus_of_nome(nome: f64) -> Modulus {
-    if nome == 0.0 || nome == 1.0 {
+    if nome <= 0.0 || nome >= 1.0 {
         let k = DoubleDouble::from(nome);
         return Modulus::from_words(k, DoubleDouble::ONE - k);
     }
@@ -263,7 +269,11 @@ fn modulus_of_nome(nome: f64) -> Modulus {
     // ln q · ln q′ = π².
     let log = if small { log } else { DoubleDouble::PI.square() / log };
     let (modulus, complementary) = moduli_of_log_nome(log);
-    if small { Modulus::from_words(modulus, complementary) } else { Modulus::from_words(complementary, modulus) }
+    if small {
+        Modulus::from_words(modulus, complementary)
+    } else {
+        Modulus::from_words(complementary, modulus)
+    }
 }
 
 /// k and k′ from ln q ≤ −π, in two words.

@@ -78,7 +78,11 @@ impl ThetaSeries {
             sine: [constant, -linear, square, -q9],
             cosine: [constant, linear, square, q9],
             third: [1.0 - even, 1.0 - 3.0 * q8, q2, q6],
-            zero: ThetaZero { second: 1.0 + (q2 + q6 + q12), third: 1.0 + (odd + even), fourth: 1.0 - (odd - even) },
+            zero: ThetaZero {
+                second: 1.0 + (q2 + q6 + q12),
+                third: 1.0 + (odd + even),
+                fourth: 1.0 - (odd - even),
+            },
         }
     }
 
@@ -206,14 +210,13 @@ impl Phase {
     /// Whether the nearest quarter is odd.
     #[inline(always)]
     pub(crate) fn is_odd(&self) -> bool {
-        self.quarter.abs() == 1.0
+        self.quarter.abs() > 0.5 && self.quarter.abs() < 1.5
     }
 
     /// The sign that sn has at the nearest odd quarter, and its slope at the nearest even one.
     #[inline(always)]
     pub(crate) fn sign(&self) -> f64 {
         // Quarters 0 and 1 are positive; −2, −1 and 2 are negative.
-        if self.quarter == 0.0 || self.quarter == 1.0 { 1.0 } else { -1.0 }
+        if self.quarter > -0.5 && self.quarter < 1.5 { 1.0 } else { -1.0 }
     }
 }
-

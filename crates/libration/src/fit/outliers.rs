@@ -3,8 +3,8 @@
 use super::law::Law;
 use super::{FitError, PeriodTable, Weighting};
 
-/// Beyond five robust standard deviations a row counts as an outlier: a normal table of a thousand rows has
-/// none in a thousand tables.
+/// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
+/// one in 1700 has such a row.
 pub const DEFAULT_OUTLIER_THRESHOLD: f64 = 5.0;
 
 /// The median absolute deviation of a normal distribution is its standard deviation over this.

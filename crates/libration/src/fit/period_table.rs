@@ -1,5 +1,7 @@
 //! Measured periods against amplitudes, checked once.
 
+use std::fmt;
+
 use super::FitError;
 
 /// The standard deviations of the columns, where there are any.
@@ -20,6 +22,20 @@ pub enum Weighting {
     Periods,
     /// None: all rows alike, their uncertainty from the scatter.
     Scatter,
+}
+
+/// What the weights mean, as a sentence for the reader of a fit.
+impl fmt::Display for Weighting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::PeriodsAndAmplitudes => "weighted by the uncertainties of periods and amplitudes",
+            Self::Periods => "weighted by the uncertainties of the periods",
+            Self::Scatter => {
+                "without uncertainties of the periods all rows count alike and their scatter is the uncertainty, \
+                 so that chi2 per degree of freedom would be 1 by construction and is not given"
+            }
+        })
+    }
 }
 
 /// Rows of amplitude and period that a fit can use.

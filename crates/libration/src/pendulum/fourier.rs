@@ -4,7 +4,7 @@
 //! aₙ = ±4/(n cosh(nπK′/2K)); rotation: θ = ±(Ωτ + Σ bₙ sin nΩτ), τ counted from the bottom, with
 //! bₙ = 2/(n cosh(nπK′/K)) (from DLMF 22.11.1 and 22.16.9).
 
-use super::{Motion, Libration, Rotation};
+use super::{Libration, Motion, Rotation};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
 use crate::elliptic::Modulus;

@@ -25,7 +25,11 @@ pub(super) fn energy_deficit(
     let top = cosine.square();
     let kinetic = two_prod(velocity, velocity) * length / gravity.scaled(4.0);
     let difference = top - kinetic;
-    if difference.hi.abs() > LOST * top.hi { difference } else { cancelling_deficit(angle, velocity, (gravity, length)) }
+    if difference.hi.abs() > LOST * top.hi {
+        difference
+    } else {
+        cancelling_deficit(angle, velocity, (gravity, length))
+    }
 }
 
 #[cold]

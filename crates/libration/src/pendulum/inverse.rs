@@ -41,9 +41,7 @@ impl Amplitude {
 /// Newton's method for ln(excess) as a function of ln(amplitude), from excess = θ0²/16.
 fn below(excess: f64) -> Amplitude {
     let mut angle = 4.0 * excess.sqrt();
-    let of = |angle: f64| {
-        Amplitude { angle: Angle::from_radians(angle).expect("an angle below pi") }
-    };
+    let of = |angle: f64| Amplitude { angle: Angle::from_radians(angle).expect("an angle below pi") };
     for _ in 0..STEPS {
         let amplitude = of(angle);
         let (found, slope) = (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
@@ -65,7 +63,8 @@ fn near_top(excess: f64) -> Amplitude {
     };
     for _ in 0..STEPS {
         let amplitude = of(log);
-        let slope = -amplitude.logarithmic_slope().to_f64() * amplitude.complement() * amplitude.period_ratio();
+        let slope =
+            -amplitude.logarithmic_slope().to_f64() * amplitude.complement() * amplitude.period_ratio();
         log -= (amplitude.period_excess() - excess) / slope;
     }
     of(log)
@@ -77,7 +76,11 @@ impl Pendulum {
     ///
     /// # Errors
     /// A length or period that is not positive and finite, or a gravity outside the range of `f64`.
-    pub fn from_length_and_period(length: f64, period: f64, amplitude: &Amplitude) -> Result<Self, PendulumError> {
+    pub fn from_length_and_period(
+        length: f64,
+        period: f64,
+        amplitude: &Amplitude,
+    ) -> Result<Self, PendulumError> {
         positive("length", length)?;
         positive("period", period)?;
         let gravity = squared_frequency(period, amplitude) * length;
@@ -89,7 +92,11 @@ impl Pendulum {
     ///
     /// # Errors
     /// A gravity or period that is not positive and finite, or a length outside the range of `f64`.
-    pub fn from_gravity_and_period(gravity: f64, period: f64, amplitude: &Amplitude) -> Result<Self, PendulumError> {
+    pub fn from_gravity_and_period(
+        gravity: f64,
+        period: f64,
+        amplitude: &Amplitude,
+    ) -> Result<Self, PendulumError> {
         positive("gravity", gravity)?;
         positive("period", period)?;
         let length = DoubleDouble::from(gravity) / squared_frequency(period, amplitude);

@@ -5,7 +5,9 @@ use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+};
 
 /// A libration, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -63,12 +65,18 @@ impl Libration {
 
     /// (8ω0/π)·(E − k′²K).
     pub(super) fn action(&self) -> f64 {
-        (self.modulus.second_less_scaled_first() * self.angular_frequency.scaled(8.0) / DoubleDouble::PI).to_f64()
+        (self.modulus.second_less_scaled_first() * self.angular_frequency.scaled(8.0) / DoubleDouble::PI)
+            .to_f64()
     }
 
     /// ω0 and the turns of 4K gone at t = 0 since the passage of the bottom upwards.
     pub(super) fn angular_frequency_and_clock(&self) -> (DoubleDouble, PhaseClock) {
         (self.angular_frequency, self.orbit.clock)
+    }
+
+    /// The turn of the initial angle, and the angle at its bottom.
+    pub(super) fn start_of_turn(&self) -> (i64, DoubleDouble) {
+        (self.orbit.quotients.turns, self.orbit.quotients.base)
     }
 
     pub(super) fn state_at(&self, time: f64) -> State {

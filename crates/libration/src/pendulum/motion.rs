@@ -81,7 +81,12 @@ impl Pendulum {
         if !deficit.is_finite() {
             return Err(PendulumError::NotFinite { name: "energy of this velocity", value: f64::INFINITY });
         }
-        let start = Start { angle, sine, cosine, velocity: DoubleDouble::from(velocity) / angular_frequency.scaled(2.0) };
+        let start = Start {
+            angle,
+            sine,
+            cosine,
+            velocity: DoubleDouble::from(velocity) / angular_frequency.scaled(2.0),
+        };
         Ok(if deficit.hi > 0.0 {
             Motion::Libration(Libration::through(angular_frequency, &start, deficit))
         } else if deficit.hi < 0.0 {
@@ -128,8 +133,12 @@ impl Pendulum {
     fn passing_the_bottom(&self, energy: DoubleDouble, excess: DoubleDouble) -> Motion {
         let angular_frequency = self.angular_frequency_words();
         let bottom = Angle::from_parts(0, DoubleDouble::ZERO, DoubleDouble::PI);
-        let start =
-            Start { angle: bottom, sine: DoubleDouble::ZERO, cosine: DoubleDouble::ONE, velocity: energy.sqrt() };
+        let start = Start {
+            angle: bottom,
+            sine: DoubleDouble::ZERO,
+            cosine: DoubleDouble::ONE,
+            velocity: energy.sqrt(),
+        };
         if energy.hi == 0.0 {
             Motion::Rest(Rest { angle: bottom, angular_frequency })
         } else if excess.hi < 0.0 {
@@ -252,7 +261,12 @@ impl Motion {
     ///
     /// # Errors
     /// The slices have different lengths.
-    pub fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) -> Result<(), LengthMismatch> {
+    pub fn states_at(
+        &self,
+        times: &[f64],
+        angles: &mut [f64],
+        velocities: &mut [f64],
+    ) -> Result<(), LengthMismatch> {
         LengthMismatch::check(times, angles)?;
         LengthMismatch::check(times, velocities)?;
         match self {

@@ -3,7 +3,9 @@
 use super::state::State;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues};
+use crate::elliptic::{
+    CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues,
+};
 
 /// A periodic motion as quotients of theta values.
 pub(super) trait Quotients: Copy {
@@ -35,8 +37,12 @@ impl<Q: Quotients> Orbit<Q> {
     /// The slices have one length.
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
         match self.expansion {
-            Expansion::Circular => dispatch(Each { orbit: self, side: CircularSide, times, angles, velocities }),
-            Expansion::Hyperbolic => dispatch(Each { orbit: self, side: HyperbolicSide, times, angles, velocities }),
+            Expansion::Circular => {
+                dispatch(Each { orbit: self, side: CircularSide, times, angles, velocities });
+            }
+            Expansion::Hyperbolic => {
+                dispatch(Each { orbit: self, side: HyperbolicSide, times, angles, velocities });
+            }
         }
     }
 }
@@ -109,8 +115,13 @@ impl<Q: Quotients> Orbit<Q> {
             (third[i], fourth[i]) = (values.third, values.fourth);
         }
         for i in 0..BLOCK {
-            let phase = Phase { turns: turns[i], quarter: quarter[i], rest: DoubleDouble::new(rest_hi[i], rest_lo[i]) };
-            let values = ThetaValues { first: first[i], second: second[i], third: third[i], fourth: fourth[i] };
+            let phase = Phase {
+                turns: turns[i],
+                quarter: quarter[i],
+                rest: DoubleDouble::new(rest_hi[i], rest_lo[i]),
+            };
+            let values =
+                ThetaValues { first: first[i], second: second[i], third: third[i], fourth: fourth[i] };
             (angles[i], velocities[i]) = self.quotients.angle_and_velocity::<S>(&phase, &values);
         }
     }

@@ -251,7 +251,7 @@ impl PeriodFunction for RatioNearTop {
     }
     #[inline(always)]
     fn value(complement: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
-        let inside = complement >= f64::MIN_POSITIVE && complement <= DoubleDouble::PI.hi;
+        let inside = (f64::MIN_POSITIVE..=DoubleDouble::PI.hi).contains(&complement);
         let ratio = ratio_of(Self::above(complement), excess_below, ratio_above);
         if inside { ratio } else { f64::NAN }
     }
@@ -422,4 +422,3 @@ fn ratio_at_the_top(complement: f64) -> f64 {
     let log = DoubleDouble::LN_2 * 206.0 - scaled.scaled(2.0);
     (log * FRAC_1_PI).to_f64()
 }
-

@@ -4,7 +4,9 @@ use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, unwrapped, whole_turns};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::{Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point};
+use crate::elliptic::{
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+};
 
 /// A rotation, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -77,6 +79,11 @@ impl Rotation {
     /// √e·ω0 and the turns of 4K (two turns of the pendulum) gone at t = 0 since the passage of the bottom.
     pub(super) fn speed_and_clock(&self) -> (DoubleDouble, PhaseClock) {
         (self.speed, self.orbit.clock)
+    }
+
+    /// The turn of the initial angle, and the angle at its bottom.
+    pub(super) fn start_of_turn(&self) -> (i64, DoubleDouble) {
+        (self.orbit.quotients.turns, self.orbit.quotients.base)
     }
 
     pub(super) fn state_at(&self, time: f64) -> State {

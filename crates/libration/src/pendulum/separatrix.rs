@@ -50,7 +50,8 @@ impl Separatrix {
         let product_lo = time.mul_add(self.angular_frequency.lo, product.lo);
         let x = fast_two_sum(product.hi, product_lo) + self.offset;
         let sign = if x.hi < 0.0 { -self.direction } else { self.direction };
-        let (complement_and_angle, sech) = if x.hi.abs() < FAR { Self::near(x.abs()) } else { Self::far(x.hi.abs()) };
+        let (complement_and_angle, sech) =
+            if x.hi.abs() < FAR { Self::near(x.abs()) } else { Self::far(x.hi.abs()) };
         State {
             turns: self.turns,
             angle_in_turn: sign * complement_and_angle.angle.to_f64(),

@@ -44,8 +44,14 @@ impl DoubledArctangent {
         let far = two_sum(DoubleDouble::PI.hi, -near.hi);
         let far = DoubleDouble::new(far.hi, far.lo + (DoubleDouble::PI.lo - near.lo));
         Self {
-            angle: DoubleDouble::new(if steep { far.hi } else { near.hi }, if steep { far.lo } else { near.lo }),
-            complement: DoubleDouble::new(if steep { near.hi } else { far.hi }, if steep { near.lo } else { far.lo }),
+            angle: DoubleDouble::new(
+                if steep { far.hi } else { near.hi },
+                if steep { far.lo } else { near.lo },
+            ),
+            complement: DoubleDouble::new(
+                if steep { near.hi } else { far.hi },
+                if steep { near.lo } else { far.lo },
+            ),
         }
     }
 }
@@ -58,7 +64,10 @@ pub(super) fn unwrapped(base: DoubleDouble, sign: f64, angle: DoubleDouble) -> f
 }
 
 /// A count of turns held in an `f64`, as an integer.
-#[expect(clippy::cast_possible_truncation, reason = "float-to-integer casts saturate, and beyond 2⁵³ turns the count is not known anyway")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "float-to-integer casts saturate, and beyond 2⁵³ turns the count is not known anyway"
+)]
 pub(super) fn whole_turns(turns: f64) -> i64 {
     turns as i64
 }

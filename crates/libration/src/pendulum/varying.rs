@@ -3,7 +3,8 @@
 
 use super::LengthMismatch;
 use super::period::{
-    Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, ratio_above, root_of_nome, within_pi,
+    Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, ratio_above, root_of_nome,
+    within_pi,
 };
 use super::state::{DoubledArctangent, State};
 use crate::dispatch::{Kernel, dispatch};
@@ -54,8 +55,8 @@ struct Released {
 fn turns(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> DoubleDouble {
     let angle = two_prod(angular_frequency, time);
     let small = angle.hi * FRAC_1_TAU.hi;
-    let small_lo = angle.hi.mul_add(FRAC_1_TAU.hi, -small)
-        + angle.hi.mul_add(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
+    let small_lo =
+        angle.hi.mul_add(FRAC_1_TAU.hi, -small) + angle.hi.mul_add(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
     let inverse = 1.0 / ratio.hi;
     let quotient = small * inverse;
     let residual = (-quotient).mul_add(ratio.hi, small) + quotient.mul_add(-ratio.lo, small_lo);

@@ -8,7 +8,7 @@ use super::pi_combination::PiCombination;
 use crate::double_double::{DoubleDouble, two_sum};
 
 /// Angles above this many radians have no turns that an `f64` could count.
-const LARGEST_RADIANS: f64 = 9_007_199_254_740_992.0;
+pub(super) const LARGEST_RADIANS: f64 = 9_007_199_254_740_992.0;
 /// π − 3.141592653589793 to 2⁻¹⁶⁰ (DLMF 3.12.1).
 const PI_TAIL: DoubleDouble = DoubleDouble::new(1.2246467991473532e-16, -2.9947698097183397e-33);
 const TWO_PI: DoubleDouble = DoubleDouble::new(2.0 * DoubleDouble::PI.hi, 2.0 * DoubleDouble::PI.lo);

@@ -4,12 +4,11 @@
 //! radians is the nearest `f64`; every other number is the decimal.
 
 use std::str::FromStr;
-use std::sync::LazyLock;
 
-use dashu::base::{Abs, Signed};
-use dashu::integer::UBig;
+use dashu::base::Signed;
 use dashu::rational::RBig;
 
+use super::angle::LARGEST_RADIANS;
 use super::decimal::{Decimal, LONGEST_TEXT};
 use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
@@ -21,7 +20,7 @@ const SAY_THE_UNIT: &str = "write the unit of what is taken from degrees, as in 
 const TOO_LARGE: &str = "give an angle of at most 2^53 rad";
 const TOO_SMALL: &str = "give zero or at least 1e-300 rad, and the top exactly or by at least 1e-300 rad";
 /// Below this two words of an angle would be subnormal.
-static SMALLEST: LazyLock<RBig> = LazyLock::new(|| RBig::from_parts(1.into(), UBig::from(10u8).pow(300)));
+const SMALLEST: f64 = 1e-300;
 
 /// Reads an angle.
 ///
@@ -166,11 +165,13 @@ fn divisor_of_pi(text: &str) -> Option<RBig> {
 
 /// The angle, when its turns can be counted and its words are normal numbers.
 fn in_range(angle: &PiCombination) -> Result<Angle, Fault> {
-    if angle.value().abs() > RBig::from(1u64 << 53) {
+    if angle.value().to_words().hi.abs() > LARGEST_RADIANS {
         return Err(Fault::OutOfRange(TOO_LARGE));
     }
-    if angle.nearly_vanishes(&SMALLEST) {
+    let exactly_at_an_end = angle.is_multiple_of_pi();
+    let angle = angle.to_angle();
+    if !exactly_at_an_end && angle.in_turn().abs().min(angle.complement()) < SMALLEST {
         return Err(Fault::OutOfRange(TOO_SMALL));
     }
-    Ok(angle.to_angle())
+    Ok(angle)
 }

@@ -11,8 +11,10 @@ mod angle_text;
 mod decimal;
 mod error;
 mod excerpt;
+mod fraction;
 mod physical;
 mod pi_combination;
+mod progression;
 mod range;
 mod unit;
 

@@ -2,7 +2,7 @@
 //!
 //! The decimal times the unit is taken exactly and rounded once.
 
-use dashu::base::{Abs, Signed};
+use dashu::base::Abs;
 use dashu::rational::RBig;
 
 use super::decimal::{Decimal, LONGEST_TEXT, exponent_length};
@@ -62,25 +62,21 @@ impl ExactQuantity {
             return Err(unreadable());
         }
         let plain = plain(text);
-        let (value, spread) = match plain.split_once('±') {
-            Some((value, spread)) => (value, Some(Amount::parse(spread).ok_or_else(unreadable)?)),
-            None => (plain.as_str(), None),
-        };
+        let (value, spread) = plain.split_once('±').map_or((plain.as_str(), None), |(v, s)| (v, Some(s)));
         let value = Amount::parse(value).ok_or_else(unreadable)?;
-        if spread.is_some() && value.last_digits.is_some() {
-            return Err(unreadable());
-        }
-        let unit_of = |name| unit_named(name, text, dimension);
+        let spread = spread.map(|spread| Amount::parse(spread).ok_or_else(unreadable)).transpose()?;
         let shared = spread.as_ref().map_or("", |spread| spread.unit);
-        let unit = unit_of(if value.unit.is_empty() && shared != PERCENT { shared } else { value.unit })?;
+        let unit_name = if value.unit.is_empty() && shared != PERCENT { shared } else { value.unit };
+        let unit = unit_named(unit_name, text, dimension)?;
         let number = value.number.exact();
-        let uncertainty = match spread {
-            Some(spread) if spread.unit == PERCENT => {
-                Some(unit.times(number.clone().abs() * spread.number.exact() / RBig::from(100)))
-            }
-            Some(spread) if spread.unit.is_empty() => Some(unit.times(spread.number.exact())),
-            Some(spread) => Some(unit_of(spread.unit)?.times(spread.number.exact())),
-            None => value.last_digits.map(|digits| unit.times(digits)),
+        let uncertainty = match (spread, value.last_digits) {
+            (None, last_digits) => last_digits.map(|digits| unit.times(digits)),
+            (Some(_), Some(_)) => return Err(unreadable()),
+            (Some(spread), None) => Some(match spread.unit {
+                "" => unit.times(spread.number.exact()),
+                PERCENT => unit.times(number.clone().abs() * spread.number.exact() / RBig::from(100)),
+                name => unit_named(name, text, dimension)?.times(spread.number.exact()),
+            }),
         };
         Ok(Self { value: unit.times(number), uncertainty })
     }
@@ -135,7 +131,8 @@ fn concise(text: &str) -> Option<(Decimal, Option<RBig>, &str)> {
     let (mantissa, rest) = text.split_once('(')?;
     let (digits, rest) = rest.split_once(')')?;
     let (exponent, unit) = rest.split_at(exponent_length(rest.as_bytes()));
-    let number = Decimal::parse(&format!("{mantissa}{exponent}"))?;
+    let written = format!("{mantissa}{exponent}");
+    let (number, _) = Decimal::split_from(&written).filter(|(_, rest)| rest.is_empty())?;
     let uncertainty = RBig::from(digits.parse::<u32>().ok()?) * number.last_place();
     Some((number, Some(uncertainty), unit))
 }

@@ -2,21 +2,25 @@
 
 use std::sync::LazyLock;
 
-use dashu::base::{Abs, Signed};
+use dashu::base::DivEuclid;
 use dashu::float::{FBig, round::mode::HalfEven};
-use dashu::integer::IBig;
+use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 
 use super::Angle;
-use crate::double_double::{DoubleDouble, fast_two_sum};
+use super::fraction::Fraction;
 
-/// Bits of π held for the conversions. A decimal of the longest text this module reads differs from a multiple
-/// of π by far more than 2⁻⁹⁰⁰, so that the two words of a difference are always there.
+/// Bits of π after the point held for the conversions. A decimal of the longest text this module reads differs
+/// from a multiple of π by far more than 2⁻⁹⁰⁰, so that the two words of a difference are always there.
 const PI_BITS: usize = 1100;
 
-static PI: LazyLock<RBig> = LazyLock::new(|| {
-    let pi = FBig::<HalfEven, 2>::pi(PI_BITS);
-    RBig::try_from(pi).expect("a finite binary number is a rational")
+/// ⌊π·2^[`PI_BITS`]⌋.
+static PI: LazyLock<UBig> = LazyLock::new(|| {
+    let pi = FBig::<HalfEven, 2>::pi(PI_BITS + 8);
+    (pi << PI_BITS.cast_signed())
+        .floor()
+        .try_into()
+        .expect("the floor of a positive number is a natural number")
 });
 
 /// The angle a·π + b radians, exactly.
@@ -46,14 +50,17 @@ impl PiCombination {
 
     /// The nearest angle in two words; the caller keeps the turns within an `i64`.
     pub(super) fn to_angle(&self) -> Angle {
-        if self.is_negative() {
+        let value = self.value();
+        if value.is_negative() {
             return -self.negated().to_angle();
         }
-        let (turns, in_turn) = self.split_turns();
+        let turns = self.whole_turns(&value);
+        let in_turn = self.turned_back(&turns);
+        let value = in_turn.value();
         Angle::from_parts(
             i64::try_from(turns).expect("the callers bound the angle"),
-            two_words(in_turn.value()),
-            two_words(in_turn.complement().value()),
+            value.to_words(),
+            in_turn.complement(&value).to_words(),
         )
     }
 
@@ -62,47 +69,52 @@ impl PiCombination {
         if !self.pi_multiple.is_zero() {
             return self.to_angle();
         }
-        let radians = self.rest.to_f64().value();
-        Angle::from_radians(radians).unwrap_or_else(|_| Self::radians(radians).to_angle())
+        let radians = self.value().to_words().to_f64();
+        Angle::from_radians(radians).unwrap_or_else(|_| self.to_angle())
     }
 
     /// The nearest `f64`, if it is finite.
     pub(super) fn nearest(&self) -> Option<f64> {
-        Some(self.value().to_f64().value()).filter(|x| x.is_finite())
+        Some(self.value().to_rational().to_f64().value()).filter(|x| x.is_finite())
     }
 
-    /// Whether the angle in the turn or its complement is nearer zero than `distance` without being zero.
-    pub(super) fn nearly_vanishes(&self, distance: &RBig) -> bool {
-        let (_, in_turn) = if self.is_negative() { self.negated() } else { self.clone() }.split_turns();
-        let nearly = |part: &Self| {
-            let value = part.value();
-            !value.is_zero() && value.abs() < *distance
-        };
-        nearly(&in_turn) || nearly(&in_turn.complement())
+    /// Whether the angle is an exact multiple of π, which only one without a rest can be.
+    pub(super) fn is_multiple_of_pi(&self) -> bool {
+        self.rest.is_zero() && self.pi_multiple.is_int()
     }
 
     /// a·π + b with π to [`PI_BITS`]; exact when there is no π in it.
-    pub(super) fn value(&self) -> RBig {
-        if self.pi_multiple.is_zero() { self.rest.clone() } else { &self.pi_multiple * &*PI + &self.rest }
+    pub(super) fn value(&self) -> Fraction {
+        let (a, b) = (Fraction::from(&self.pi_multiple), Fraction::from(&self.rest));
+        if a.is_zero() {
+            return b;
+        }
+        let turning = a.numerator * IBig::from(PI.clone()) * &b.denominator;
+        let resting = (b.numerator * &a.denominator) << PI_BITS;
+        Fraction { numerator: turning + resting, denominator: (a.denominator * b.denominator) << PI_BITS }
     }
 
-    /// The whole turns of a positive angle and what is left; an odd multiple of π counts the fewer turns.
-    fn split_turns(&self) -> (IBig, Self) {
+    /// ⌈(angle/π − 1)/2⌉ of a positive angle: an odd multiple of π counts the fewer turns.
+    fn whole_turns(&self, value: &Fraction) -> IBig {
         // Without a rest the quotient is exact, with one it is irrational: a tie is always seen.
-        let half_turns = if self.rest.is_zero() { self.pi_multiple.clone() } else { self.value() / &*PI };
-        let turns = ((half_turns - RBig::ONE) / RBig::from(2)).ceil();
-        let pi_multiple = &self.pi_multiple - RBig::from(&turns * IBig::from(2));
-        (turns, Self { pi_multiple, rest: self.rest.clone() })
+        let half_turns = if self.rest.is_zero() {
+            Fraction::from(&self.pi_multiple)
+        } else {
+            Fraction { numerator: &value.numerator << PI_BITS, denominator: &value.denominator * &*PI }
+        };
+        let one = IBig::from(half_turns.denominator);
+        let to_go: IBig = &one - half_turns.numerator;
+        -to_go.div_euclid(one * IBig::from(2))
     }
 
-    /// π − |a·π + b|.
-    fn complement(&self) -> Self {
-        let Self { pi_multiple, rest } = if self.is_negative() { self.clone() } else { self.negated() };
-        Self { pi_multiple: RBig::ONE + pi_multiple, rest }
+    fn turned_back(&self, turns: &IBig) -> Self {
+        Self { pi_multiple: &self.pi_multiple - RBig::from(turns * IBig::from(2)), rest: self.rest.clone() }
     }
 
-    fn is_negative(&self) -> bool {
-        self.value().is_negative()
+    /// π − |a·π + b|, given a·π + b.
+    fn complement(&self, value: &Fraction) -> Fraction {
+        let Self { pi_multiple, rest } = if value.is_negative() { self.clone() } else { self.negated() };
+        Self { pi_multiple: RBig::ONE + pi_multiple, rest }.value()
     }
 
     fn negated(&self) -> Self {
@@ -113,11 +125,4 @@ impl PiCombination {
 /// The value of a finite `f64`.
 fn exact(x: f64) -> RBig {
     RBig::try_from(x).expect("a finite binary number is a rational")
-}
-
-/// The nearest `f64` and the nearest of what it leaves.
-fn two_words(value: RBig) -> DoubleDouble {
-    let hi = value.to_f64().value();
-    let lo = (value - exact(hi)).to_f64().value();
-    fast_two_sum(hi, lo)
 }

@@ -3,18 +3,12 @@
 //! The k-th element is START + k·STEP in exact arithmetic, rounded once; STOP belongs to the range when a
 //! whole number of steps reaches it to within 5e-10 of a step.
 
-use dashu::base::{Abs, Signed};
-use dashu::rational::RBig;
-
 use super::angle_text::exact_angle;
 use super::decimal::Decimal;
 use super::excerpt::excerpt;
 use super::physical::ExactQuantity;
-use super::pi_combination::PiCombination;
+use super::progression::{MOST_ELEMENTS, Progression};
 use super::{Angle, Dimension, QuantityError};
-
-/// More elements than anybody can look at, and few enough to be held in memory.
-const MOST_ELEMENTS: u64 = 10_000_000;
 
 /// Why a text is no range.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -174,51 +168,5 @@ fn three_parts<'a>(text: &'a str, example: &'static str) -> Result<[&'a str; 3],
     match (parts.next(), parts.next(), parts.next(), parts.next()) {
         (Some(start), Some(stop), Some(step), None) => Ok([start, stop, step]),
         _ => Err(RangeError::NotThreeParts(excerpt(text), example)),
-    }
-}
-
-/// An arithmetic progression, exactly.
-#[derive(Clone, Debug)]
-struct Progression {
-    start: PiCombination,
-    step: PiCombination,
-    count: usize,
-}
-
-impl Progression {
-    fn new(
-        text: &str,
-        start: PiCombination,
-        stop: &PiCombination,
-        step: PiCombination,
-    ) -> Result<Self, RangeError> {
-        let (distance, stride) = (stop.value() - start.value(), step.value());
-        if stride.is_zero() {
-            return Err(RangeError::ZeroStep(excerpt(text)));
-        }
-        if !distance.is_zero() && distance.is_negative() != stride.is_negative() {
-            return Err(RangeError::WrongSign(excerpt(text)));
-        }
-        let tolerance = RBig::from_parts(5.into(), 10_000_000_000u64.into());
-        let steps = (distance / stride).abs() + tolerance;
-        let too_many = || RangeError::TooMany(excerpt(text));
-        let steps = u64::try_from(steps.floor()).map_err(|_| too_many())?;
-        if steps >= MOST_ELEMENTS {
-            return Err(too_many());
-        }
-        let count = usize::try_from(steps + 1).map_err(|_| too_many())?;
-        Ok(Self { start, step, count })
-    }
-
-    fn get(&self, k: usize) -> Option<PiCombination> {
-        (k < self.count).then(|| self.element(k))
-    }
-
-    fn element(&self, k: usize) -> PiCombination {
-        let k = RBig::from(k);
-        PiCombination {
-            pi_multiple: &self.start.pi_multiple + &self.step.pi_multiple * &k,
-            rest: &self.start.rest + &self.step.rest * &k,
-        }
     }
 }

@@ -7,7 +7,8 @@ use libration::fit::{
     small_angle_period,
 };
 use libration::measurement::{Column, Options as ReadOptions, Table};
-use libration::quantity::{Dimension, parse};
+use libration::pendulum::Amplitude;
+use libration::quantity::{Angle, Dimension, parse};
 
 const SYNTHETIC: &[u8] = include_bytes!("../../../../examples/period_table_synthetic.csv");
 
@@ -43,6 +44,10 @@ fn slope(amplitude: f64) -> f64 {
         power *= 2.0;
     }
     (k * k / 2.0 - sum) / (a * 2.0 * k * complement)
+}
+
+fn square(x: f64) -> f64 {
+    x * x
 }
 
 fn close(ours: f64, reference: f64, relative: f64) -> bool {
@@ -118,6 +123,16 @@ fn the_slope_of_the_exact_law_is_its_closed_form() {
     assert_eq!(exact.slope_at(0.0).to_bits(), 0);
 }
 
+#[test]
+fn the_slope_of_the_exact_law_is_the_condition_number_of_the_period() {
+    for k in 1..=62 {
+        let amplitude = f64::from(k) * 0.05;
+        let exact = Amplitude::new(Angle::from_radians(amplitude).unwrap()).unwrap();
+        let slope = exact.period_ratio() * exact.condition() / amplitude;
+        assert!(close(Law::exact().slope_at(amplitude), slope, 1e-8), "{amplitude}");
+    }
+}
+
 /// A linear congruential generator and the sum of twelve uniforms: normal enough for second moments.
 struct Noise(u64);
 
@@ -147,14 +162,15 @@ fn the_uncertainties_are_the_scatter_of_repeated_experiments() {
             small_angle_period(&table, &Law::exact()).unwrap(),
             excess_scale(&table, &Law::exact()).unwrap(),
         );
-        t0_squares += ((law.t0 - 2.0) / law.t0_uncertainty).powi(2);
-        beta_squares += ((beta.beta - 1.0) / beta.beta_uncertainty).powi(2);
+        t0_squares += square((law.t0 - 2.0) / law.t0_uncertainty);
+        beta_squares += square((beta.beta - 1.0) / beta.beta_uncertainty);
         chi2 += law.chi2_per_dof().unwrap();
     }
-    // The mean square of 1000 normal pulls is 1 ± 0.045; amplitudes that scatter bias beta by a tenth of its sigma.
-    for mean_square in [t0_squares, beta_squares, chi2].map(|sum| sum / f64::from(TABLES)) {
-        assert!((mean_square - 1.0).abs() < 0.18, "{t0_squares} {beta_squares} {chi2}");
-    }
+    // Four standard deviations of the mean square of 1000 normal pulls, and of the mean of 1000 χ²/39.
+    let mean = |sum: f64| sum / f64::from(TABLES);
+    assert!((mean(t0_squares) - 1.0).abs() < 4.0 * 0.045, "{}", mean(t0_squares));
+    assert!((mean(beta_squares) - 1.0).abs() < 4.0 * 0.045, "{}", mean(beta_squares));
+    assert!((mean(chi2) - 1.0).abs() < 4.0 * 0.0072, "{}", mean(chi2));
 }
 
 #[test]

@@ -1,8 +1,21 @@
-//! The evidence, one file per kind.
-#![expect(clippy::unwrap_used, reason = "a test may fail")]
+//! The evidence for the library: golden tables, published numbers, identities and the map of its modules.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
+#![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
+mod golden;
+mod promises;
+mod random;
+mod ulp;
+
+mod accuracy;
+mod architecture;
+mod elliptic;
 mod fit;
+mod fourier;
+mod ledger;
 mod measurement;
 mod period_formulas;
+mod motion;
+mod period;
 mod quantity;
 mod series;

@@ -114,3 +114,37 @@ fn an_unclosed_quote_or_a_megabyte_of_one_cell_is_an_error_not_a_stall() {
     assert!(first_two(&long).unwrap_err().to_string().len() < 200);
     assert!(first_two("A,T\n1,2\n\"3,4\n5,6\n").is_err());
 }
+
+#[test]
+fn no_bytes_make_the_reader_panic() {
+    const PIECES: [&[u8]; 16] = [
+        b"1",
+        b"2,5",
+        b"-3.5e2",
+        b",",
+        b";",
+        b"\t",
+        b" ",
+        b"\n",
+        b"\r\n",
+        b"\r",
+        b"\"",
+        b"#",
+        b"A",
+        b"nan",
+        b"\xc3\xa9",
+        b"\xff",
+    ];
+    let mut seed = 1u64;
+    let mut read = 0;
+    for _ in 0..50_000 {
+        let mut bytes = Vec::new();
+        for _ in 0..12 {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            bytes.extend(PIECES[usize::try_from(seed >> 60).unwrap()]);
+        }
+        let table = Table::read(&bytes, &Options::default());
+        read += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
+    }
+    assert!(read > 100, "only {read} of the tables were read at all");
+}

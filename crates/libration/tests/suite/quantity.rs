@@ -110,7 +110,7 @@ fn ranges_may_run_downwards_and_up_to_the_top() {
     assert_eq!(AngleRange::parse("10deg:-10deg:-5deg").unwrap().len(), 5);
     let upwards = AngleRange::parse("pi-1e-6:pi:1e-7").unwrap();
     assert_eq!((upwards.len(), upwards.get(9).unwrap().complement()), (11, 1e-7));
-    assert_eq!(upwards.get(10).unwrap().complement(), 0.0);
+    assert_eq!(upwards.get(10).unwrap().complement().to_bits(), 0);
     assert_eq!(AngleRange::parse("0:180deg:60deg").unwrap().get(3), Some("180deg".parse().unwrap()));
     assert_eq!(AngleRange::parse("1deg:1deg:1deg").unwrap().len(), 1);
     assert_eq!(NumberRange::parse("0:1:0.3", Dimension::Time).unwrap().iter().last(), Some(0.9));
@@ -141,4 +141,35 @@ fn lists_are_read_element_by_element() {
     assert_eq!(angles("60deg, pi-1e-9").unwrap().len(), 2);
     assert_eq!(angles("1deg:3deg:1deg").unwrap().len(), 3);
     assert!(numbers("1,,2", Dimension::Time).is_err());
+}
+
+/// Texts of pieces that the grammars know, in any order.
+fn scrambled(count: usize) -> impl Iterator<Item = String> {
+    const PIECES: [&str; 30] = [
+        "1", "2.5", "0", "9e9", "1e-300", "e", "-", "+", "±", "(", ")", ":", ",", ".", " ", "deg", "°",
+        "rad", "pi", "π", "/", "*", "m", "cm", "s", "m/s^2", "%", "−", "\0", "五",
+    ];
+    let mut seed = 1u64;
+    let mut next = move |below: usize| {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        usize::try_from(seed >> 33).unwrap() % below
+    };
+    (0..count).map(move |_| {
+        let length = next(9);
+        (0..length).map(|_| PIECES[next(PIECES.len())]).collect()
+    })
+}
+
+#[test]
+fn no_text_makes_the_readers_panic() {
+    let mut read = 0;
+    for text in scrambled(50_000) {
+        read += usize::from(text.parse::<Angle>().is_ok());
+        read += usize::from(parse(&text, Dimension::Length).is_ok());
+        if text.matches(':').count() == 2 {
+            read += usize::from(AngleRange::parse(&text).is_ok());
+            read += usize::from(NumberRange::parse(&text, Dimension::Time).is_ok());
+        }
+    }
+    assert!(read > 1000, "only {read} of the texts were read at all");
 }

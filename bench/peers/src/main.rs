@@ -1,0 +1,49 @@
+//! Our side of the comparison: keeps the arrays that `run.py` sends, times one pass over them on request.
+//!
+//! Requests are lines on standard input, answers go to standard output:
+//! `amplitudes N` or `times N`, followed by N binary `f64`, keeps an array (no answer);
+//! `period`, `motion THETA0`, `prepared THETA0` and `varying` make one pass and answer its nanoseconds as a line;
+//! `angles` answers what the last pass wrote, as binary `f64`.
+
+mod work;
+
+use std::io::{self, BufRead, Read, Write};
+use work::{Failure, Work};
+
+fn main() -> Result<(), Failure> {
+    let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
+    let mut work = Work::default();
+    let mut line = String::new();
+    while input.read_line(&mut line)? > 0 {
+        answer(line.trim(), &mut work, &mut input, &mut output)?;
+        output.flush()?;
+        line.clear();
+    }
+    Ok(())
+}
+
+fn answer(
+    request: &str,
+    work: &mut Work,
+    input: &mut impl Read,
+    output: &mut impl Write,
+) -> Result<(), Failure> {
+    let (verb, argument) = request.split_once(' ').unwrap_or((request, ""));
+    match verb {
+        "amplitudes" => work.amplitudes = numbers(argument, input)?,
+        "times" => work.times = numbers(argument, input)?,
+        "period" => writeln!(output, "{}", work.period()?.as_nanos())?,
+        "motion" => writeln!(output, "{}", work.motion(argument.parse()?)?.as_nanos())?,
+        "prepared" => writeln!(output, "{}", work.prepared(argument.parse()?)?.as_nanos())?,
+        "varying" => writeln!(output, "{}", work.varying()?.as_nanos())?,
+        "angles" => work.angles.iter().try_for_each(|angle| output.write_all(&angle.to_le_bytes()))?,
+        _ => return Err(Failure::Request(request.to_owned())),
+    }
+    Ok(())
+}
+
+fn numbers(count: &str, input: &mut impl Read) -> Result<Vec<f64>, Failure> {
+    let mut bytes = vec![0; 8 * count.parse::<usize>()?];
+    input.read_exact(&mut bytes)?;
+    Ok(bytes.as_chunks().0.iter().map(|chunk| f64::from_le_bytes(*chunk)).collect())
+}

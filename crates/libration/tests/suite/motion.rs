@@ -1,0 +1,328 @@
+//! The motion: conservation laws, symmetries, regimes, and the batch against the single call.
+
+use crate::golden::Table;
+use crate::promises::{FOUR_ROUNDOFFS, STATE};
+use crate::random::Random;
+use crate::ulp::ulp;
+use core::f64::consts::PI;
+use libration::elliptic::Modulus;
+use libration::pendulum::{self, Motion, Pendulum, Regime, State};
+use libration::quantity::Angle;
+
+fn unit_pendulum() -> Pendulum {
+    Pendulum::from_angular_frequency(1.0).unwrap()
+}
+
+fn radians(angle: f64) -> Angle {
+    Angle::from_radians(angle).unwrap()
+}
+
+fn launched(angle: f64, velocity: f64) -> Motion {
+    unit_pendulum().launched(radians(angle), velocity).unwrap()
+}
+
+/// Starts of every kind: libration, next to the separatrix on both sides, rotation, several turns away.
+fn starts(seed: u64, count: usize) -> Vec<(f64, f64)> {
+    let mut random = Random::seeded(seed);
+    let mut draw = |n| {
+        let angle = random.between(-PI, PI);
+        match n % 4 {
+            0 => (angle, 0.0),
+            1 => (angle, random.between(-4.0, 4.0)),
+            2 => (angle, 2.0 * libm::cos(angle / 2.0) * (1.0 + random.log_between(-15.0, -1.0))),
+            _ => (random.between(-100.0, 100.0), random.between(-10.0, 10.0)),
+        }
+    };
+    (0..count).map(&mut draw).collect()
+}
+
+/// (θ′/2)² + sin²(θ/2).
+fn energy(state: &State) -> f64 {
+    let sine = libm::sin(state.angle_in_turn / 2.0);
+    state.velocity * state.velocity / 4.0 + sine * sine
+}
+
+#[test]
+fn energy_is_conserved() {
+    let mut random = Random::seeded(1);
+    for (angle, velocity) in starts(1, 4000) {
+        let motion = launched(angle, velocity);
+        let expected = motion.energy_ratio();
+        for time in [0.0, random.between(-20.0, 20.0), random.log_between(0.0, 4.0)] {
+            // The state may be late by 2⁻⁵¹ of the time: dE/dt of either term is at most θ′.
+            let state = motion.state_at(time);
+            let slack = 16.0 * ulp(expected) + FOUR_ROUNDOFFS * (time * state.velocity).abs();
+            assert!((energy(&state) - expected).abs() <= slack, "{angle} {velocity} {time}: {state:?}");
+        }
+    }
+}
+
+#[test]
+fn the_parts_of_a_state_agree() {
+    let mut random = Random::seeded(2);
+    for (angle, velocity) in starts(2, 4000) {
+        let state = launched(angle, velocity).state_at(random.between(-300.0, 300.0));
+        #[expect(clippy::cast_precision_loss, reason = "few turns")]
+        let turns = state.turns as f64;
+        assert!(
+            (state.angle - (2.0 * PI * turns + state.angle_in_turn)).abs() <= 2.0 * ulp(state.angle) + 1e-15,
+            "{state:?}"
+        );
+        assert!((state.complement - (PI - state.angle_in_turn.abs())).abs() <= 1e-15, "{state:?}");
+        assert!(state.angle_in_turn.abs() <= PI && state.complement >= 0.0, "{state:?}");
+    }
+}
+
+#[test]
+fn every_motion_starts_where_it_was_put() {
+    for (angle, velocity) in starts(3, 4000) {
+        let state = launched(angle, velocity).state_at(0.0);
+        assert!((state.angle - angle).abs() <= 4.0 * ulp(angle), "{angle} {velocity}: {state:?}");
+        assert!((state.velocity - velocity).abs() <= 4.0 * ulp(velocity), "{angle} {velocity}: {state:?}");
+    }
+}
+
+#[test]
+fn a_mirrored_start_gives_the_mirrored_motion_bit_for_bit() {
+    let mut random = Random::seeded(4);
+    for (angle, velocity) in starts(4, 4000) {
+        let time = random.between(-100.0, 100.0);
+        let (here, there) =
+            (launched(angle, velocity).state_at(time), launched(-angle, -velocity).state_at(time));
+        assert_eq!(here.angle.to_bits(), (-there.angle).to_bits(), "{angle} {velocity} {time}");
+        assert_eq!(here.velocity.to_bits(), (-there.velocity).to_bits(), "{angle} {velocity} {time}");
+    }
+}
+
+#[test]
+fn a_motion_released_from_rest_is_even_in_time() {
+    let mut random = Random::seeded(5);
+    for _ in 0..4000 {
+        let (angle, time) = (random.between(-PI, PI), random.log_between(-3.0, 3.0));
+        let motion = unit_pendulum().released_from(radians(angle)).unwrap();
+        let (after, before) = (motion.state_at(time), motion.state_at(-time));
+        let slack = FOUR_ROUNDOFFS * time;
+        let allowed = 8.0 * ulp(after.angle) + 2.0 * slack * after.velocity.abs();
+        assert!((after.angle - before.angle).abs() <= allowed, "{angle} {time}");
+        assert!(
+            (after.velocity + before.velocity).abs() <= 8.0 * ulp(after.velocity) + 2.0 * slack,
+            "{angle} {time}"
+        );
+    }
+}
+
+#[test]
+fn a_libration_returns_after_its_period_and_a_rotation_a_turn_further() {
+    let mut random = Random::seeded(6);
+    for (angle, velocity) in starts(6, 4000) {
+        let motion = launched(angle, velocity);
+        let (time, period) = (random.between(0.0, 10.0), motion.period());
+        let turn = if motion.regime() == Regime::Rotation { (2.0 * PI).copysign(velocity) } else { 0.0 };
+        let (now, later) = (motion.state_at(time), motion.state_at(time + period));
+        // The period and the sum are rounded, each by half an ulp of time + period.
+        let late = (2.0 * FOUR_ROUNDOFFS + f64::EPSILON) * (time + period);
+        let slack = 8.0 * ulp(later.angle) + late * now.velocity.abs();
+        assert!((later.angle - turn - now.angle).abs() <= slack + 1e-15, "{angle} {velocity} {time}");
+    }
+}
+
+#[test]
+fn batch_of_states_equals_the_single_call_bit_for_bit() {
+    let mut random = Random::seeded(7);
+    for (angle, velocity) in
+        starts(7, 40).into_iter().chain([(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (1e-150, 0.0)])
+    {
+        let motion = launched(angle, velocity);
+        let mut times: Vec<f64> = (0..2500).map(|_| random.between(-100.0, 100.0)).collect();
+        times.extend([0.0, -0.0, 1e6, f64::NAN, f64::INFINITY, 5e-324, f64::MAX]);
+        let (mut angles, mut velocities) = (vec![0.0; times.len()], vec![0.0; times.len()]);
+        motion.states_at(&times, &mut angles, &mut velocities).unwrap();
+        for ((&time, batch_angle), batch_velocity) in times.iter().zip(&angles).zip(&velocities) {
+            let single = motion.state_at(time);
+            assert_eq!(batch_angle.to_bits(), single.angle.to_bits(), "{angle} {velocity} {time}");
+            assert_eq!(batch_velocity.to_bits(), single.velocity.to_bits(), "{angle} {velocity} {time}");
+        }
+    }
+}
+
+#[test]
+fn batch_of_a_prepared_motion_equals_its_single_call_bit_for_bit() {
+    let mut random = Random::seeded(12);
+    for (angle, velocity) in
+        starts(12, 40).into_iter().chain([(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (1e-150, 0.0)])
+    {
+        let prepared = launched(angle, velocity).prepare();
+        let mut times: Vec<f64> = (0..2500).map(|_| random.between(-100.0, 100.0)).collect();
+        times.extend([0.0, -0.0, 1e6, f64::NAN, f64::INFINITY, 5e-324, f64::MAX]);
+        let (mut angles, mut velocities) = (vec![0.0; times.len()], vec![0.0; times.len()]);
+        prepared.states_at(&times, &mut angles, &mut velocities).unwrap();
+        for ((&time, batch_angle), batch_velocity) in times.iter().zip(&angles).zip(&velocities) {
+            let single = prepared.state_at(time);
+            assert_eq!(batch_angle.to_bits(), single.angle.to_bits(), "{angle} {velocity} {time}");
+            assert_eq!(batch_velocity.to_bits(), single.velocity.to_bits(), "{angle} {velocity} {time}");
+        }
+    }
+}
+
+#[test]
+fn a_prepared_motion_agrees_with_the_motion() {
+    let mut random = Random::seeded(13);
+    for (angle, velocity) in starts(13, 200) {
+        let motion = launched(angle, velocity);
+        let prepared = motion.prepare();
+        for _ in 0..100 {
+            let time = random.between(-1000.0, 1000.0);
+            let (table, direct) = (prepared.state_at(time), motion.state_at(time));
+            let late = 2.0 * FOUR_ROUNDOFFS * time.abs();
+            let slack = 8.0 * ulp(direct.angle) + late * direct.velocity.abs();
+            assert!((table.angle - direct.angle).abs() <= slack, "{angle} {velocity} {time}");
+            let slack = 8.0 * ulp(direct.velocity) + late * libm::sin(direct.complement).abs();
+            assert!((table.velocity - direct.velocity).abs() <= slack, "{angle} {velocity} {time}");
+        }
+    }
+}
+
+/// Amplitudes and times of every kind, with what is none among them.
+fn varying(count: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut random = Random::seeded(10);
+    let mut amplitudes: Vec<f64> = (0..count).map(|_| random.between(-PI, PI)).collect();
+    let mut times: Vec<f64> = (0..count).map(|_| random.between(-300.0, 300.0)).collect();
+    for i in (0..count).step_by(4) {
+        amplitudes[i] = random.log_between(-300.0, 0.0);
+        times[i] = random.log_between(-300.0, 8.0);
+    }
+    let edges =
+        [0.0, -0.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 5e-324, PI, PI.next_down(), PI.next_up(), 1e300];
+    for amplitude in edges {
+        for time in edges {
+            amplitudes.push(amplitude);
+            times.push(time);
+        }
+    }
+    (amplitudes, times)
+}
+
+#[test]
+fn batch_of_varying_states_equals_the_single_call_bit_for_bit() {
+    let (amplitudes, times) = varying(100_000);
+    let count = times.len();
+    let (mut angles, mut velocities) = (vec![0.0; count], vec![0.0; count]);
+    pendulum::states(&amplitudes, 1.5, &times, &mut angles, &mut velocities).unwrap();
+    for i in 0..count {
+        let single = pendulum::state(amplitudes[i], 1.5, times[i]);
+        let bits = (angles[i].to_bits(), velocities[i].to_bits());
+        assert_eq!(
+            bits,
+            (single.angle.to_bits(), single.velocity.to_bits()),
+            "{} {}",
+            amplitudes[i],
+            times[i]
+        );
+    }
+}
+
+#[test]
+fn varying_states_agree_with_prepared_motions() {
+    let mut random = Random::seeded(11);
+    for _ in 0..20_000 {
+        let (amplitude, time) = (random.between(0.0, PI), random.between(0.0, 1000.0));
+        let prepared = unit_pendulum().released_from(radians(amplitude)).unwrap().state_at(time);
+        let single = pendulum::state(amplitude, 1.0, time);
+        let late = 2.0 * FOUR_ROUNDOFFS * time;
+        let (angle, velocity) = (single.angle - prepared.angle, single.velocity - prepared.velocity);
+        assert!(angle.abs() <= 8.0 * ulp(single.angle) + late * single.velocity.abs(), "{amplitude} {time}");
+        let acceleration = libm::sin(single.angle).abs();
+        assert!(velocity.abs() <= 8.0 * ulp(single.velocity) + late * acceleration, "{amplitude} {time}");
+    }
+}
+
+#[test]
+fn regimes_are_told_apart_to_the_last_bit() {
+    assert_eq!(launched(0.0, 0.0).regime(), Regime::RestStable);
+    assert_eq!(launched(0.0, 2.0).regime(), Regime::Separatrix);
+    assert_eq!(launched(0.0, 2.0_f64.next_down()).regime(), Regime::Libration);
+    assert_eq!(launched(0.0, 2.0_f64.next_up()).regime(), Regime::Rotation);
+    assert_eq!(launched(PI, 0.0).regime(), Regime::Libration);
+    assert_eq!(launched(PI, 1e-15).regime(), Regime::Rotation);
+    assert_eq!(unit_pendulum().on_separatrix().regime(), Regime::Separatrix);
+    let from_top = |complement, velocity| {
+        unit_pendulum().launched(Angle::from_complement(complement).unwrap(), velocity).unwrap().regime()
+    };
+    assert_eq!(from_top(0.0, 0.0), Regime::RestUpright);
+    assert_eq!(from_top(1e-300, 0.0), Regime::Libration);
+    for complement in [1e-9, 1e-100, 1e-300] {
+        assert_eq!(from_top(complement, -2.0 * complement), Regime::Rotation, "{complement}");
+        assert_eq!(from_top(complement, complement / 2.0), Regime::Libration, "{complement}");
+    }
+    // 2 cos(θ/2) = 2 sin(δ/2) lies a relative δ²/24 below δ.
+    for complement in [1e-3, 1e-9, 1e-60] {
+        assert_eq!(from_top(complement, complement), Regime::Rotation, "{complement}");
+        assert_eq!(from_top(complement, complement.next_down()), Regime::Libration, "{complement}");
+    }
+}
+
+#[test]
+fn the_separatrix_has_its_elementary_motion() {
+    let motion = unit_pendulum().on_separatrix();
+    let mut random = Random::seeded(8);
+    for _ in 0..2000 {
+        let time = random.between(-40.0, 40.0);
+        let (expected, state) = (2.0 * libm::atan(libm::sinh(time)), motion.state_at(time));
+        assert!((state.angle - expected).abs() <= 8.0 * ulp(expected), "{time}");
+        let velocity = 2.0 / libm::cosh(time);
+        assert!((state.velocity - velocity).abs() <= 8.0 * ulp(velocity), "{time}");
+        let complement = 4.0 * libm::atan(libm::exp(-time.abs()));
+        assert!(
+            (state.complement - complement).abs() <= 8.0 * ulp(complement) + 1e-15 * complement * time.abs(),
+            "{time}"
+        );
+    }
+    assert!(motion.period().is_infinite());
+}
+
+#[test]
+fn rotations_given_by_their_excess_of_energy_keep_the_promise_of_states() {
+    for row in Table::read("separatrix/rotation.csv").rows() {
+        let (excess, time) = (row.input("e"), row.input("tau"));
+        let motion = unit_pendulum().with_energy_excess(excess).unwrap();
+        let (state, late) = (motion.state_at(time), FOUR_ROUNDOFFS * time);
+        let (angle, velocity) = (row.truth("theta"), row.truth("dtheta_dtau"));
+        STATE.holds(angle.error_beyond(state.angle, late * velocity.hi), &("angle", excess, time));
+        let acceleration = libm::sin(angle.hi).abs();
+        STATE.holds(velocity.error_beyond(state.velocity, late * acceleration), &("velocity", excess, time));
+        let turn = motion.period() / (2.0 * PI);
+        assert!(row.truth("turn_time_over_T0").error(turn) <= 3.0, "{excess}");
+    }
+}
+
+#[test]
+fn rotations_through_the_bottom_follow_the_amplitude_function() {
+    // θ = 2 am(√(1+e) τ), m = 1/(1 + e), turn time 2K/√(1+e); mc = e/(1 + e) is rounded.
+    for row in Table::read("separatrix/rotation.csv").rows() {
+        let (e, time) = (row.input("e"), row.input("tau"));
+        let modulus = Modulus::from_complementary_parameter(e / (1.0 + e)).unwrap();
+        let rate = libm::sqrt(1.0 + e);
+        let (theta, velocity) = (row.truth("theta"), row.truth("dtheta_dtau").hi);
+        let j = modulus.jacobi(rate * time);
+        let late = 2.0 * FOUR_ROUNDOFFS * time;
+        assert!(theta.error_beyond(2.0 * j.am, late * velocity) <= 8.0, "{e} {time}");
+        let turn = modulus.first() / (rate * PI);
+        assert!(row.truth("turn_time_over_T0").error(turn) <= 6.0, "{e}");
+    }
+}
+
+#[test]
+fn time_scales_with_the_natural_frequency() {
+    // A power of two scales exactly.
+    let fast = Pendulum::from_angular_frequency(8.0).unwrap();
+    for (angle, velocity) in starts(9, 500) {
+        let (slow, quick) =
+            (launched(angle, velocity), fast.launched(radians(angle), 8.0 * velocity).unwrap());
+        assert_eq!((slow.period() / 8.0).to_bits(), quick.period().to_bits(), "{angle} {velocity}");
+        assert_eq!(
+            slow.state_at(4.0).angle.to_bits(),
+            quick.state_at(0.5).angle.to_bits(),
+            "{angle} {velocity}"
+        );
+    }
+}

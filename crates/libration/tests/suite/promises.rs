@@ -1,0 +1,50 @@
+//! The ledger of accuracy: what is promised, where. Enforced on the golden tables by `accuracy.rs`, on random
+//! inputs by `tests/ledger`.
+
+/// An error bound in ulp of the true value, after an absolute allowance that `beyond` names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Promise {
+    pub(crate) what: &'static str,
+    pub(crate) domain: &'static str,
+    pub(crate) ulp: f64,
+    pub(crate) beyond: &'static str,
+}
+
+impl Promise {
+    /// Fails, naming the input, if `error` (in ulp) breaks the promise.
+    pub(crate) fn holds(&self, error: f64, input: &dyn core::fmt::Debug) {
+        assert!(
+            error <= self.ulp,
+            "{}: {error} ulp at {input:?}, promised {} for {}",
+            self.what,
+            self.ulp,
+            self.domain
+        );
+    }
+}
+
+const fn promise(what: &'static str, domain: &'static str, ulp: f64, beyond: &'static str) -> Promise {
+    Promise { what, domain, ulp, beyond }
+}
+
+pub(crate) const RATIO: Promise = promise("T/T0", "θ0 in [0, π), or π − θ0 ≥ 1e-300", 1.0, "");
+pub(crate) const EXCESS: Promise = promise("T/T0 − 1", "θ0 ≥ 1e-150", 2.0, "");
+pub(crate) const COMPLETE: Promise = promise("K, E, K′", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 2.0, "");
+pub(crate) const NOME: Promise = promise("nome q", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 4.0, "");
+pub(crate) const INCOMPLETE: Promise = promise("F(φ), E(φ)", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 4.0, "");
+pub(crate) const JACOBI: Promise =
+    promise("sn, cn, dn, am", "0 ≤ m ≤ 1, k′ ≥ 1e-300, |u| ≤ 1e6 K", 4.0, "2⁻¹⁰⁰·|u|");
+pub(crate) const STATE: Promise =
+    promise("θ(t), θ′(t)", "any initial state, |t| ≤ 1e6 periods", 4.0, "2⁻⁵¹·|θ′t|, for θ′ 2⁻⁵¹·|θ″t|");
+pub(crate) const COMPLEMENT: Promise =
+    promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 8.0, "2⁻⁵¹·|θ′t|");
+/// 4e-15 relative: 18 ulp at the upper end of a binade.
+pub(crate) const HARMONICS: Promise = promise("harmonics a_n", "|a_n| ≥ 1e-12 rad", 18.0, "");
+
+/// 2⁻⁵¹, four times the unit roundoff: what a time or a velocity may be off, relatively.
+pub(crate) const FOUR_ROUNDOFFS: f64 = 2.0 * f64::EPSILON;
+
+/// What the Jacobi functions may be off by the quarter period in two words.
+pub(crate) fn jacobi_allowance(u: f64) -> f64 {
+    f64::EPSILON * f64::EPSILON * 16.0 * u.abs()
+}

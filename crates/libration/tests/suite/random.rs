@@ -1,0 +1,29 @@
+//! Seeded random inputs: splitmix64 (Steele, Lea and Flood, OOPSLA 2014, doi:10.1145/2660193.2660195).
+
+use core::f64::consts::LN_10;
+
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn seeded(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "53 bits")]
+        let unit = (self.bits() >> 11) as f64 * (f64::EPSILON / 2.0);
+        low + (high - low) * unit
+    }
+
+    /// 10^x with x uniform.
+    pub(crate) fn log_between(&mut self, low: f64, high: f64) -> f64 {
+        libm::exp(LN_10 * self.between(low, high))
+    }
+}
