@@ -14,6 +14,11 @@ pub(crate) struct DoubleDouble {
     pub(crate) lo: f64,
 }
 
+/// Below this the rounding error of a square root underflows.
+const TINY: f64 = 1e-270;
+const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
+const TWO_TO_200: f64 = TWO_TO_100 * TWO_TO_100;
+
 /// `a + b` and its rounding error, exactly.
 #[inline(always)]
 pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
@@ -80,6 +85,9 @@ impl DoubleDouble {
         if self.hi <= 0.0 {
             // Zero stays zero, a negative value becomes NaN.
             return Self::new(self.hi.sqrt(), 0.0);
+        }
+        if self.hi < TINY {
+            return self.scaled(TWO_TO_200).sqrt().scaled(1.0 / TWO_TO_100);
         }
         let root = self.hi.sqrt();
         let residual = (-root).mul_add(root, self.hi) + self.lo;

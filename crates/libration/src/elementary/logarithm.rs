@@ -41,7 +41,7 @@ pub(crate) fn split_logarithm(x: DoubleDouble) -> Logarithm {
     Logarithm { exponent, leading: 2.0 * q, tail }
 }
 
-/// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x above 2⁻¹⁰²².
+/// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; anything for others.
 #[inline(always)]
 fn exponent_and_scale(x: f64) -> (f64, f64) {
     /// The bits of √½: subtracting them makes the exponent field change where the mantissa passes √2.
@@ -51,5 +51,5 @@ fn exponent_and_scale(x: f64) -> (f64, f64) {
     // Biased by 1024 so that it is positive.
     let biased = x.to_bits().wrapping_sub(SQRT_HALF).wrapping_add(1024 << 52) >> 52;
     let exponent = f64::from_bits(biased | BIG) - (4503599627370496.0 + 1024.0);
-    (exponent, f64::from_bits((1023 + 1024 - biased) << 52))
+    (exponent, f64::from_bits((1023u64 + 1024).wrapping_sub(biased) << 52))
 }

@@ -5,6 +5,8 @@
 
 use crate::double_double::DoubleDouble;
 
+const TWO_TO_500: f64 = 3.273390607896142e150;
+
 /// The complete integrals of one modulus.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Complete {
@@ -22,7 +24,10 @@ pub(crate) fn complete(modulus: DoubleDouble, complementary: DoubleDouble) -> Co
         let first = DoubleDouble::from(f64::INFINITY);
         return Complete { first, second: DoubleDouble::ONE, second_less_scaled_first: DoubleDouble::ONE };
     }
-    let (mut a, mut b, mut c) = (DoubleDouble::ONE, complementary, modulus);
+    // A small k′ is scaled with the rest, or the rounding errors of its products would underflow.
+    let scale = if complementary.hi < 1e-150 { TWO_TO_500 } else { 1.0 };
+    let (mut a, mut b, mut c) =
+        (DoubleDouble::from(scale), complementary.scaled(scale), modulus.scaled(scale));
     let mut sum = DoubleDouble::ZERO;
     let mut weight = 0.5;
     // Below 2⁻⁵⁵ the next step, c²/4a, is beyond the second word; k′ = 1e-300 takes 15 steps.
@@ -35,7 +40,8 @@ pub(crate) fn complete(modulus: DoubleDouble, complementary: DoubleDouble) -> Co
         weight *= 2.0;
         sum = sum + c.square() * weight;
     }
-    let first = DoubleDouble::FRAC_PI_2 / a;
+    let first = DoubleDouble::FRAC_PI_2 / a.scaled(1.0 / scale);
+    let sum = sum.scaled(1.0 / scale).scaled(1.0 / scale);
     let half_parameter = modulus.square().scaled(0.5);
     let second_less_scaled_first = first * (half_parameter - sum);
     let second = first * (DoubleDouble::ONE - half_parameter - sum);

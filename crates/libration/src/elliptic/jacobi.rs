@@ -1,8 +1,11 @@
 //! Jacobi's sn, cn, dn and the amplitude am as quotients of theta functions (DLMF 22.2).
 
-use super::{Expansion, Phase, PhaseClock, ThetaSeries, ThetaValues, ThetaZero};
+use super::{
+    CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
+    quotient, scaled_by,
+};
 use crate::dispatch::{Kernel, dispatch};
-use crate::double_double::{DoubleDouble, fast_two_sum};
+use crate::double_double::DoubleDouble;
 use crate::elementary::{atan_of_ratio, sinh_cosh, two_word};
 
 /// Jacobi's functions at one argument.
@@ -34,10 +37,10 @@ pub(crate) struct Quotients {
 
 #[derive(Clone, Copy, Debug)]
 struct Factors {
-    sn: f64,
-    cn: f64,
-    dn: f64,
-    tangent: f64,
+    sn: DoubleDouble,
+    cn: DoubleDouble,
+    dn: DoubleDouble,
+    tangent: DoubleDouble,
 }
 
 impl Quotients {
@@ -78,8 +81,8 @@ impl Quotients {
     }
 }
 
-/// The factors of the quotients in the notes beside [`Quotients::jacobi`], each rounded once.
-fn factors(expansion: Expansion, root: DoubleDouble, zero: ThetaZero<DoubleDouble>) -> [Factors; 2] {
+/// The factors of the quotients in the notes beside [`Quotients::jacobi`].
+fn factors(expansion: Expansion, root: DoubleDouble, zero: ThetaZero) -> [Factors; 2] {
     let ThetaZero { second, third, fourth } = zero;
     let words = match expansion {
         Expansion::Circular => {
@@ -92,12 +95,7 @@ fn factors(expansion: Expansion, root: DoubleDouble, zero: ThetaZero<DoubleDoubl
             [([sn, cn, dn], third / second), ([sn, small * cn, small * dn], small * dn)]
         }
     };
-    words.map(|([sn, cn, dn], tangent)| Factors {
-        sn: sn.to_f64(),
-        cn: cn.to_f64(),
-        dn: dn.to_f64(),
-        tangent: tangent.to_f64(),
-    })
+    words.map(|([sn, cn, dn], tangent)| Factors { sn, cn, dn, tangent })
 }
 
 struct At<'a> {
@@ -129,51 +127,39 @@ impl Quotients {
     fn jacobi(&self, phase: Phase) -> Jacobi {
         let odd = phase.is_odd();
         let sign = phase.sign();
-        let factors = self.factors[usize::from(odd)];
-        let (values, [sn, cn, dn, below], tangent) = match self.expansion {
-            Expansion::Circular => {
-                let v = self.series.circular(phase.rest);
-                let quotient = if odd {
-                    [v.second, -v.first, v.fourth, v.third]
-                } else {
-                    [v.first, v.second, v.third, v.fourth]
-                };
-                (v, quotient, v.second)
-            }
-            Expansion::Hyperbolic => {
-                let v = self.series.hyperbolic(phase.rest * self.scale);
-                let quotient = if odd {
-                    [v.fourth, -v.first, v.second, v.third]
-                } else {
-                    [v.first, v.fourth, v.third, v.second]
-                };
-                (v, quotient, v.fourth)
-            }
+        let Factors { sn, cn, dn, tangent } = self.factors[usize::from(odd)];
+        let values = match self.expansion {
+            Expansion::Circular => CircularSide::values(&self.series, phase.rest, self.scale),
+            Expansion::Hyperbolic => HyperbolicSide::values(&self.series, phase.rest, self.scale),
         };
-        let unit = |x: f64| x.clamp(-1.0, 1.0);
+        let (beside, other) = match self.expansion {
+            Expansion::Circular => CircularSide::beside(&values),
+            Expansion::Hyperbolic => HyperbolicSide::beside(&values),
+        };
+        let ThetaValues { first, third, .. } = values;
+        let (above, below) =
+            if odd { ([beside, -first, other], third) } else { ([first, beside, third], other) };
         Jacobi {
-            sn: unit(sign * (factors.sn * sn / below)),
-            cn: unit(sign * (factors.cn * cn / below)),
-            dn: (factors.dn * dn / below).min(1.0),
-            am: amplitude(&phase, &values, factors.tangent, tangent),
+            sn: (sign * quotient(sn, above[0], below)).clamp(-1.0, 1.0),
+            cn: (sign * quotient(cn, above[1], below)).clamp(-1.0, 1.0),
+            dn: quotient(dn, above[2], below).min(1.0),
+            am: amplitude(&phase, scaled_by(tangent, first), beside),
         }
     }
 }
 
-/// am: the quarters gone and the angle from the nearest.
+/// am: the quarters gone and the angle from the nearest, given its tangent as a quotient.
 #[inline(always)]
-fn amplitude(phase: &Phase, values: &ThetaValues, factor: f64, below: f64) -> f64 {
-    let above = (factor * values.first).abs();
-    let angle = if above > below {
-        DoubleDouble::FRAC_PI_2 - atan_of_ratio(below, above)
+fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble) -> f64 {
+    let size = above.abs();
+    let angle = if size.hi > below.hi {
+        DoubleDouble::FRAC_PI_2 - atan_of_ratio(below, size)
     } else {
-        atan_of_ratio(above, below)
+        atan_of_ratio(size, below)
     };
-    let angle = if values.first < 0.0 { -angle } else { angle };
+    let angle = if above.hi < 0.0 { -angle } else { angle };
     let quarters = phase.turns.mul_add(4.0, phase.quarter);
-    let whole = DoubleDouble::FRAC_PI_2 * quarters;
-    let sum = fast_two_sum(whole.hi, angle.hi);
-    if quarters == 0.0 { angle.to_f64() } else { sum.hi + (sum.lo + (whole.lo + angle.lo)) }
+    (DoubleDouble::FRAC_PI_2 * quarters + angle).to_f64()
 }
 
 /// k = 1: sn = tanh, cn = dn = sech, am the Gudermannian (DLMF 22.5(ii)).
@@ -182,21 +168,18 @@ fn hyperbolic_limit(u: f64) -> Jacobi {
     if !u.is_finite() {
         return Jacobi { sn: f64::NAN, cn: f64::NAN, dn: f64::NAN, am: f64::NAN };
     }
-    let sign = if u < 0.0 { -1.0 } else { 1.0 };
+    let sign = 1f64.copysign(u);
     if size > 690.0 {
         let sech = 2.0 * libm::exp(-size);
         return Jacobi { sn: sign, cn: sech, dn: sech, am: sign * std::f64::consts::FRAC_PI_2 };
     }
     let (sinh, cosh) = sinh_cosh(DoubleDouble::from(size));
-    let angle = if sinh > 1.0 {
-        DoubleDouble::FRAC_PI_2 - atan_of_ratio(1.0, sinh)
+    let one = DoubleDouble::ONE;
+    let angle = if sinh.hi > 1.0 {
+        DoubleDouble::FRAC_PI_2 - atan_of_ratio(one, sinh)
     } else {
-        atan_of_ratio(sinh, 1.0)
+        atan_of_ratio(sinh, one)
     };
-    Jacobi {
-        sn: (sign * (sinh / cosh)).clamp(-1.0, 1.0),
-        cn: 1.0 / cosh,
-        dn: 1.0 / cosh,
-        am: sign * angle.to_f64(),
-    }
+    let sech = cosh.recip().to_f64();
+    Jacobi { sn: sign * (sinh / cosh).to_f64().min(1.0), cn: sech, dn: sech, am: sign * angle.to_f64() }
 }

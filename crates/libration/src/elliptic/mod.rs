@@ -13,7 +13,7 @@
 //! # Ok::<(), libration::elliptic::ModulusError>(())
 //! ```
 
-mod agm;
+pub(crate) mod agm;
 mod carlson;
 mod incomplete;
 mod jacobi;
@@ -25,7 +25,8 @@ pub use jacobi::Jacobi;
 pub(crate) use incomplete::first_of_point;
 pub(crate) use precise::PreciseQuotients;
 pub(crate) use theta::{
-    CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
+    CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient,
+    scaled_by,
 };
 
 use crate::double_double::DoubleDouble;

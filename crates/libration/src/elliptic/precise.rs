@@ -53,11 +53,8 @@ impl PreciseQuotients {
         };
         let [sn, cn, dn] = self.factors[usize::from(odd)];
         // The table beside `Quotients::jacobi`, where (b, d) or (d, b) stand for (beside, other).
-        let (above, below) = match (self.expansion, odd) {
-            (_, true) => ([beside, -first, other], third),
-            (Expansion::Circular, false) => ([first, second, third], fourth),
-            (Expansion::Hyperbolic, false) => ([first, fourth, third], second),
-        };
+        let (above, below) =
+            if odd { ([beside, -first, other], third) } else { ([first, beside, third], other) };
         PreciseJacobi {
             sn: (sn * above[0] / below).scaled(sign),
             cn: (cn * above[1] / below).scaled(sign),

@@ -9,30 +9,28 @@
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{sin_cos_of_turns, sinh_cosh};
 
-/// The series for one nome q ≤ e^−π.
+/// The series for one nome q ≤ e^−π, each less its leading 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ThetaSeries {
     q: f64,
     sine: [f64; 4],
     cosine: [f64; 4],
     third: [f64; 4],
-    /// θ₂(0)/2q^¼, θ₃(0), θ₄(0).
-    pub(crate) zero: ThetaZero<f64>,
 }
 
-/// The values at z = 0, in one word or two.
+/// The values at z = 0 to the second word.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ThetaZero<T> {
+pub(crate) struct ThetaZero {
     /// θ₂(0)/2q^¼.
-    pub(crate) second: T,
+    pub(crate) second: DoubleDouble,
     /// θ₃(0).
-    pub(crate) third: T,
+    pub(crate) third: DoubleDouble,
     /// θ₄(0).
-    pub(crate) fourth: T,
+    pub(crate) fourth: DoubleDouble,
 }
 
-impl ThetaZero<DoubleDouble> {
-    /// In two words, from a nome q ≤ e^−π or a little more.
+impl ThetaZero {
+    /// From a nome q ≤ e^−π or a little more.
     pub(crate) fn in_two_words(q: DoubleDouble) -> Self {
         let one = DoubleDouble::ONE;
         let (mut second, mut third, mut fourth) = (one, one, one);
@@ -52,13 +50,13 @@ impl ThetaZero<DoubleDouble> {
     }
 }
 
-/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter.
-#[derive(Clone, Copy, Debug, Default)]
+/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words good to 2⁻⁵⁵.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct ThetaValues {
-    pub(crate) first: f64,
-    pub(crate) second: f64,
-    pub(crate) third: f64,
-    pub(crate) fourth: f64,
+    pub(crate) first: DoubleDouble,
+    pub(crate) second: DoubleDouble,
+    pub(crate) third: DoubleDouble,
+    pub(crate) fourth: DoubleDouble,
 }
 
 impl ThetaSeries {
@@ -68,50 +66,95 @@ impl ThetaSeries {
         let q4 = q2 * q2;
         let (q5, q6, q8) = (q4 * q, q4 * q2, q4 * q4);
         let (q9, q10, q12) = (q8 * q, q8 * q2, q8 * q4);
-        let constant = 1.0 - (q2 + (q6 - q12));
+        let constant = -(q2 + (q6 - q12));
         let linear = q - (q5 + 2.0 * (q10 * q));
         let square = q4 - q10;
-        let even = 2.0 * q4;
-        let odd = 2.0 * (q + q9);
         Self {
             q,
             sine: [constant, -linear, square, -q9],
             cosine: [constant, linear, square, q9],
-            third: [1.0 - even, 1.0 - 3.0 * q8, q2, q6],
-            zero: ThetaZero {
-                second: 1.0 + (q2 + q6 + q12),
-                third: 1.0 + (odd + even),
-                fourth: 1.0 - (odd - even),
-            },
+            third: [-2.0 * q4, 1.0 - 3.0 * q8, q2, q6],
         }
+    }
+
+    /// θ₂(0)/2q^¼.
+    #[inline(always)]
+    pub(crate) fn second_at_zero(&self) -> DoubleDouble {
+        let q2 = self.q * self.q;
+        let q4 = q2 * q2;
+        fast_two_sum(1.0, q2 + q4 * (q2 + q4 * q4))
+    }
+
+    /// θ₃(0).
+    #[inline(always)]
+    pub(crate) fn third_at_zero(&self) -> DoubleDouble {
+        let (even, odd) = self.at_zero();
+        fast_two_sum(1.0, odd + even)
+    }
+
+    /// θ₄(0).
+    #[inline(always)]
+    pub(crate) fn fourth_at_zero(&self) -> DoubleDouble {
+        let (even, odd) = self.at_zero();
+        fast_two_sum(1.0, even - odd)
+    }
+
+    /// 2q⁴ and 2q + 2q⁹; the next term is below 1e-21.
+    #[inline(always)]
+    fn at_zero(&self) -> (f64, f64) {
+        let q4 = (self.q * self.q) * (self.q * self.q);
+        (2.0 * q4, 2.0 * (self.q + q4 * q4 * self.q))
     }
 
     /// At z = 2πy, |y| ≤ 1/8.
     #[inline(always)]
     pub(crate) fn circular(&self, y: DoubleDouble) -> ThetaValues {
         let (sin, cos) = sin_cos_of_turns(y);
-        self.values(sin, cos, self.q * (-4.0f64).mul_add(sin * sin, 2.0))
+        self.values(sin, cos, self.q * (-4.0f64).mul_add(sin.hi * sin.hi, 2.0))
     }
 
     /// At the imaginary point iz, θ₁ divided by i; e^2z ≤ 1/√q or a little more.
     #[inline(always)]
     pub(crate) fn hyperbolic(&self, z: DoubleDouble) -> ThetaValues {
         let (sinh, cosh) = sinh_cosh(z);
-        self.values(sinh, cosh, self.q * 4.0f64.mul_add(sinh * sinh, 2.0))
+        self.values(sinh, cosh, self.q * 4.0f64.mul_add(sinh.hi * sinh.hi, 2.0))
     }
 
     #[inline(always)]
-    fn values(&self, sine: f64, cosine: f64, y: f64) -> ThetaValues {
+    fn values(&self, sine: DoubleDouble, cosine: DoubleDouble, y: f64) -> ThetaValues {
         let [even, slope, square, cube] = self.third;
         let even = (y * y).mul_add(square, even);
         let odd = y * (y * y).mul_add(cube, slope);
         ThetaValues {
-            first: sine * cubic(&self.sine, y),
-            second: cosine * cubic(&self.cosine, y),
-            third: even + odd,
-            fourth: even - odd,
+            first: raised(sine, cubic(&self.sine, y)),
+            second: raised(cosine, cubic(&self.cosine, y)),
+            third: fast_two_sum(1.0, even + odd),
+            fourth: fast_two_sum(1.0, even - odd),
         }
     }
+}
+
+/// x·(1 + change) for a change below 0.3.
+#[inline(always)]
+fn raised(x: DoubleDouble, change: f64) -> DoubleDouble {
+    fast_two_sum(x.hi, x.hi.mul_add(change, x.lo))
+}
+
+/// factor·above/below, rounded once.
+#[inline(always)]
+pub(crate) fn quotient(factor: DoubleDouble, above: DoubleDouble, below: DoubleDouble) -> f64 {
+    let numerator = scaled_by(factor, above);
+    let inverse = 1.0 / below.hi;
+    let quotient = numerator.hi * inverse;
+    let residual = (-quotient).mul_add(below.hi, numerator.hi) + (-quotient).mul_add(below.lo, numerator.lo);
+    residual.mul_add(inverse, quotient)
+}
+
+/// factor·x, the words not normalised.
+#[inline(always)]
+pub(crate) fn scaled_by(factor: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
+    let product = two_prod(factor.hi, x.hi);
+    DoubleDouble::new(product.hi, factor.hi.mul_add(x.lo, factor.lo.mul_add(x.hi, product.lo)))
 }
 
 /// The expansion of the smaller nome, known when the code is compiled.
@@ -119,7 +162,7 @@ pub(crate) trait Side: Copy {
     /// The values at the rest of a phase, z = rest·scale.
     fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues;
     /// θ₂ and θ₄ in the order in which their quotient stands beside θ₁/θ₃.
-    fn beside(values: &ThetaValues) -> (f64, f64);
+    fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble);
 }
 
 /// Sines and cosines: k ≤ k′.
@@ -136,7 +179,7 @@ impl Side for CircularSide {
         series.circular(rest)
     }
     #[inline(always)]
-    fn beside(values: &ThetaValues) -> (f64, f64) {
+    fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
         (values.second, values.fourth)
     }
 }
@@ -147,7 +190,7 @@ impl Side for HyperbolicSide {
         series.hyperbolic(rest * scale)
     }
     #[inline(always)]
-    fn beside(values: &ThetaValues) -> (f64, f64) {
+    fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
         (values.fourth, values.second)
     }
 }

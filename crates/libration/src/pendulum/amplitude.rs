@@ -3,7 +3,7 @@
 use super::{PendulumError, period};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
-use crate::elliptic::Modulus;
+use crate::elliptic::{Modulus, agm};
 use crate::quantity::Angle;
 
 /// The amplitude of a libration: an angle of at least zero and less than π, with its complement.
@@ -65,7 +65,14 @@ impl Amplitude {
     /// The nome q = exp(−πK′/K) of the modulus sin(θ0/2).
     #[must_use]
     pub fn nome(&self) -> f64 {
-        self.modulus().nome()
+        let (k, complementary) = self.half_angle();
+        let ratio = agm::complete(complementary, k).first / agm::complete(k, complementary).first;
+        let exponent = (DoubleDouble::PI * ratio).hi;
+        if exponent < 740.0 {
+            two_word::exp(DoubleDouble::PI * -ratio).to_f64()
+        } else {
+            libm::exp(-exponent)
+        }
     }
 
     /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: how many times larger
@@ -77,13 +84,13 @@ impl Amplitude {
 
     /// (1/T)·dT/dθ0 = (E − k′²K)/(2kk′K), in 1/rad.
     pub(super) fn logarithmic_slope(&self) -> DoubleDouble {
-        let modulus = self.modulus();
-        let (k, complementary) = (modulus.modulus_words(), modulus.complementary_words());
+        let (k, complementary) = self.half_angle();
         if k.hi == 0.0 {
             return DoubleDouble::ZERO;
         }
+        let integrals = agm::complete(k, complementary);
         // Two quotients, because the product of the denominators may underflow.
-        modulus.second_less_scaled_first() / k / (complementary * modulus.first_words()).scaled(2.0)
+        integrals.second_less_scaled_first / k / (complementary * integrals.first).scaled(2.0)
     }
 
     /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2).
@@ -100,7 +107,8 @@ impl Amplitude {
 
     /// 2πR/ω0.
     pub(super) fn period_in_units_of(&self, angular_frequency: DoubleDouble) -> f64 {
-        (self.modulus().first_words().scaled(4.0) / angular_frequency).to_f64()
+        let (k, complementary) = self.half_angle();
+        (agm::complete(k, complementary).first.scaled(4.0) / angular_frequency).to_f64()
     }
 }
 

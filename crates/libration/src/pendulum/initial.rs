@@ -18,8 +18,9 @@ pub(super) struct Separation {
     pub(super) root: DoubleDouble,
 }
 
-/// Where the difference of the two words has lost more than this it is recomputed.
-const LOST: f64 = 1.0 / 1048576.0;
+/// A difference smaller than this relative to its terms has lost too many bits: of the two words, then of the
+/// first recomputation.
+const LOST: [f64; 2] = [1e-6, 1e-150];
 
 /// Bits of the first and the second recomputation. The second tells apart what a complement of 1e-300 allows,
 /// a relative difference of δ²; equality is possible at θ = 0 only and is exact.
@@ -47,8 +48,8 @@ pub(super) fn separation(
     let top = cosine.scaled(scale).square();
     let kinetic = two_prod(velocity * scale, velocity * scale) * length / gravity.scaled(4.0);
     let mut difference = top - kinetic;
-    for bits in BITS {
-        if difference.hi.abs() > LOST * top.hi {
+    for (bits, lost) in [(BITS[0], LOST[0]), (BITS[1], LOST[1])] {
+        if difference.hi.abs() > lost * top.hi {
             break;
         }
         difference = cancelling_difference(angle, velocity * scale, scale, (gravity, length), bits);

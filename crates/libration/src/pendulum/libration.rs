@@ -3,10 +3,11 @@
 use super::Amplitude;
 use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
-use super::state::{DoubledArctangent, State, unwrapped};
+use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{
     Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+    quotient, scaled_by,
 };
 
 /// A libration, prepared for evaluation at any time.
@@ -20,15 +21,19 @@ pub struct Libration {
 /// Factors of tan(θ/2) and of the velocity next to an even quarter, then an odd one, and the turn.
 #[derive(Clone, Copy, Debug)]
 struct SwingQuotients {
-    tangent: [f64; 2],
-    velocity: [f64; 2],
+    tangent: [DoubleDouble; 2],
+    velocity: [DoubleDouble; 2],
     turns: i64,
     base: DoubleDouble,
 }
 
 impl Libration {
     /// The libration through this state, with k′ = √(1 − e) given.
-    pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, complementary: DoubleDouble) -> Self {
+    pub(super) fn through(
+        angular_frequency: DoubleDouble,
+        start: &Start,
+        complementary: DoubleDouble,
+    ) -> Self {
         let k = hypotenuse(start.sine, start.velocity);
         let modulus = Modulus::from_words(k, complementary);
         let offset = quarter_turns(start, k, modulus.first_words()).scaled(0.25);
@@ -125,12 +130,7 @@ fn orbit(
         clock,
         scale: modulus.turn_scale(),
         series: ThetaSeries::new(root.square().to_f64()),
-        quotients: SwingQuotients {
-            tangent: tangent.map(DoubleDouble::to_f64),
-            velocity: velocity.map(DoubleDouble::to_f64),
-            turns: start.angle.turns(),
-            base: start.base(),
-        },
+        quotients: SwingQuotients { tangent, velocity, turns: start.angle.turns(), base: start.base() },
     }
 }
 
@@ -148,14 +148,16 @@ impl SwingQuotients {
     #[inline(always)]
     fn swing<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Swing {
         let (above, below) = S::beside(values);
+        let ThetaValues { first, third, .. } = *values;
         let odd = phase.is_odd();
         let sign = phase.sign();
-        let tangent = if odd { self.tangent[1] * above } else { self.tangent[0] * values.first };
-        let speed = if odd { -(self.velocity[1] * values.first) } else { self.velocity[0] * above };
+        let factor = pick(odd, self.tangent[1], self.tangent[0]);
+        let tangent = scaled_by(factor, pick(odd, above, first));
+        let speed = pick(odd, self.velocity[1], self.velocity[0]);
         Swing {
-            half: DoubledArctangent::of(tangent.abs(), if odd { below } else { values.third }),
-            sign: 1f64.copysign(sign * tangent),
-            velocity: sign * (speed / if odd { values.third } else { below }),
+            half: DoubledArctangent::of(magnitude(tangent), pick(odd, below, third)),
+            sign: 1f64.copysign(sign * tangent.hi),
+            velocity: sign * quotient(speed, pick(odd, -first, above), pick(odd, third, below)),
         }
     }
 }

@@ -157,7 +157,9 @@ impl Start {
         match separation.energy {
             Ordering::Less => Motion::Libration(Libration::through(angular_frequency, self, separation.root)),
             Ordering::Equal => Motion::Separatrix(Separatrix::through(angular_frequency, self)),
-            Ordering::Greater => Motion::Rotation(Rotation::through(angular_frequency, self, separation.root)),
+            Ordering::Greater => {
+                Motion::Rotation(Rotation::through(angular_frequency, self, separation.root))
+            }
         }
     }
 

@@ -107,22 +107,48 @@ impl<Q: Quotients> Orbit<Q> {
             (turns[i], quarter[i]) = (phase.turns, phase.quarter);
             (rest_hi[i], rest_lo[i]) = (phase.rest.hi, phase.rest.lo);
         }
-        let (mut first, mut second) = ([0.0; BLOCK], [0.0; BLOCK]);
-        let (mut third, mut fourth) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let (mut first, mut second) = (Words::new(), Words::new());
+        let (mut third, mut fourth) = (Words::new(), Words::new());
         for i in 0..BLOCK {
             let values = S::values(&self.series, DoubleDouble::new(rest_hi[i], rest_lo[i]), self.scale);
-            (first[i], second[i]) = (values.first, values.second);
-            (third[i], fourth[i]) = (values.third, values.fourth);
+            first.set(i, values.first);
+            second.set(i, values.second);
+            third.set(i, values.third);
+            fourth.set(i, values.fourth);
         }
         for i in 0..BLOCK {
-            let phase = Phase {
-                turns: turns[i],
-                quarter: quarter[i],
-                rest: DoubleDouble::new(rest_hi[i], rest_lo[i]),
+            let rest = DoubleDouble::new(rest_hi[i], rest_lo[i]);
+            let phase = Phase { turns: turns[i], quarter: quarter[i], rest };
+            let values = ThetaValues {
+                first: first.get(i),
+                second: second.get(i),
+                third: third.get(i),
+                fourth: fourth.get(i),
             };
-            let values =
-                ThetaValues { first: first[i], second: second[i], third: third[i], fourth: fourth[i] };
             (angles[i], velocities[i]) = self.quotients.angle_and_velocity::<S>(&phase, &values);
         }
+    }
+}
+
+/// A block of two-word numbers, word by word for the vector units.
+struct Words {
+    hi: [f64; BLOCK],
+    lo: [f64; BLOCK],
+}
+
+impl Words {
+    #[inline(always)]
+    fn new() -> Self {
+        Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, i: usize, x: DoubleDouble) {
+        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
+    }
+
+    #[inline(always)]
+    fn get(&self, i: usize) -> DoubleDouble {
+        DoubleDouble::new(self.hi[i], self.lo[i])
     }
 }

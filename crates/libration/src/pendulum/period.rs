@@ -120,9 +120,9 @@ fn log_inverse_nome_with(s: DoubleDouble, u: DoubleDouble, polynomial: f64) -> D
 
 /// √q of the amplitude s, u = s².
 #[inline(always)]
-pub(super) fn root_of_nome(s: f64, u: f64) -> f64 {
-    let eighth = 0.125 * s;
-    eighth + eighth * (u * polynomial(u, &ROOT_NOME))
+pub(super) fn root_of_nome(s: DoubleDouble, u: f64) -> DoubleDouble {
+    let eighth = s.scaled(0.125);
+    fast_two_sum(eighth.hi, eighth.hi.mul_add(u * polynomial(u, &ROOT_NOME), eighth.lo))
 }
 
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.

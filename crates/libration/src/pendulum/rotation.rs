@@ -2,10 +2,11 @@
 
 use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
-use super::state::{DoubledArctangent, State, unwrapped, whole_turns};
+use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped, whole_turns};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{
     Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
+    quotient, scaled_by,
 };
 
 /// A rotation, prepared for evaluation at any time.
@@ -23,8 +24,8 @@ pub struct Rotation {
 /// the turn at t = 0.
 #[derive(Clone, Copy, Debug)]
 struct TurnQuotients {
-    tangent: [f64; 2],
-    velocity: [f64; 2],
+    tangent: [DoubleDouble; 2],
+    velocity: [DoubleDouble; 2],
     direction: f64,
     turns: i64,
     base: DoubleDouble,
@@ -119,8 +120,8 @@ fn orbit(
         scale: modulus.turn_scale(),
         series: ThetaSeries::new(root.square().to_f64()),
         quotients: TurnQuotients {
-            tangent: tangent.map(DoubleDouble::to_f64),
-            velocity: velocity.map(DoubleDouble::to_f64),
+            tangent,
+            velocity,
             direction,
             turns: start.angle.turns(),
             base: start.base(),
@@ -143,15 +144,15 @@ impl TurnQuotients {
     #[inline(always)]
     fn turn<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Turn {
         let (beside, other) = S::beside(values);
+        let ThetaValues { first, third, .. } = *values;
         let odd = phase.is_odd();
-        let tangent = values.first * if odd { self.tangent[1] } else { self.tangent[0] };
-        let factor = if odd { self.velocity[1] } else { self.velocity[0] };
-        let (above, below) = if odd { (other, values.third) } else { (values.third, other) };
+        let tangent = scaled_by(pick(odd, self.tangent[1], self.tangent[0]), first);
+        let speed = pick(odd, self.velocity[1], self.velocity[0]);
         Turn {
             half_turns: phase.turns.mul_add(4.0, phase.quarter),
-            half: DoubledArctangent::of(tangent.abs(), beside),
-            sign: 1f64.copysign(tangent),
-            velocity: factor * above / below,
+            half: DoubledArctangent::of(magnitude(tangent), beside),
+            sign: 1f64.copysign(tangent.hi),
+            velocity: quotient(speed, pick(odd, other, third), pick(odd, third, other)),
         }
     }
 

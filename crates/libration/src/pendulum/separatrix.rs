@@ -57,19 +57,19 @@ impl Separatrix {
             angle_in_turn: sign * complement_and_angle.angle.to_f64(),
             complement: complement_and_angle.complement.to_f64(),
             angle: unwrapped(self.base, sign, complement_and_angle.angle),
-            velocity: self.direction * 2.0 * self.angular_frequency.hi * sech,
+            velocity: (self.angular_frequency * sech).to_f64() * (2.0 * self.direction),
         }
     }
 
-    fn near(x: DoubleDouble) -> (DoubledArctangent, f64) {
+    fn near(x: DoubleDouble) -> (DoubledArctangent, DoubleDouble) {
         let (sinh, cosh) = sinh_cosh(x);
-        (DoubledArctangent::of(sinh, 1.0), 1.0 / cosh)
+        (DoubledArctangent::of(sinh, DoubleDouble::ONE), cosh.recip())
     }
 
-    fn far(x: f64) -> (DoubledArctangent, f64) {
+    fn far(x: f64) -> (DoubledArctangent, DoubleDouble) {
         // 2e^−x, in two factors so that it underflows last.
         let sech = 2.0 * libm::exp(-0.5 * x) * libm::exp(-0.5 * x);
         let complement = DoubleDouble::from(2.0 * sech);
-        (DoubledArctangent { angle: DoubleDouble::PI - complement, complement }, sech)
+        (DoubledArctangent { angle: DoubleDouble::PI - complement, complement }, DoubleDouble::from(sech))
     }
 }

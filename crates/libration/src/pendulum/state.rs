@@ -34,26 +34,26 @@ pub(super) struct DoubledArctangent {
 impl DoubledArctangent {
     /// 2 atan(numerator/denominator) for a ratio of positive numbers.
     #[inline(always)]
-    pub(super) fn of(numerator: f64, denominator: f64) -> Self {
-        let steep = numerator > denominator;
-        let half = atan_of_ratio(
-            if steep { denominator } else { numerator },
-            if steep { numerator } else { denominator },
-        );
+    pub(super) fn of(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
+        let steep = numerator.hi > denominator.hi;
+        let half = atan_of_ratio(pick(steep, denominator, numerator), pick(steep, numerator, denominator));
         let near = half.scaled(2.0);
         let far = two_sum(DoubleDouble::PI.hi, -near.hi);
         let far = DoubleDouble::new(far.hi, far.lo + (DoubleDouble::PI.lo - near.lo));
-        Self {
-            angle: DoubleDouble::new(
-                if steep { far.hi } else { near.hi },
-                if steep { far.lo } else { near.lo },
-            ),
-            complement: DoubleDouble::new(
-                if steep { near.hi } else { far.hi },
-                if steep { near.lo } else { far.lo },
-            ),
-        }
+        Self { angle: pick(steep, far, near), complement: pick(steep, near, far) }
     }
+}
+
+/// A choice word by word, which the compiler turns into selections.
+#[inline(always)]
+pub(super) fn pick(condition: bool, yes: DoubleDouble, no: DoubleDouble) -> DoubleDouble {
+    DoubleDouble::new(if condition { yes.hi } else { no.hi }, if condition { yes.lo } else { no.lo })
+}
+
+/// |x|.
+#[inline(always)]
+pub(super) fn magnitude(x: DoubleDouble) -> DoubleDouble {
+    DoubleDouble::new(x.hi.abs(), 1f64.copysign(x.hi) * x.lo)
 }
 
 /// base + sign·angle, rounded once.

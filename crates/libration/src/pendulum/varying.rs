@@ -6,10 +6,10 @@ use super::period::{
     Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, ratio_above, root_of_nome,
     within_pi,
 };
-use super::state::{DoubledArctangent, State};
+use super::state::{DoubledArctangent, State, magnitude, pick};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
-use crate::elliptic::{Phase, ThetaSeries, ThetaValues, ThetaZero};
+use crate::elliptic::{Phase, ThetaSeries, ThetaValues, quotient, scaled_by};
 
 const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.839338337591243e-18);
 
@@ -69,7 +69,7 @@ fn turns(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> DoubleDouble
 struct Place {
     phase: Phase,
     above: bool,
-    root: f64,
+    root: DoubleDouble,
     log: DoubleDouble,
 }
 
@@ -86,7 +86,7 @@ fn place(amplitude: f64, angular_frequency: f64, time: f64) -> Place {
     let low = fast_two_sum(low.hi, low.lo + excess.lo);
     let ratio = DoubleDouble::new(if above { high.hi } else { low.hi }, if above { high.lo } else { low.lo });
     let phase = Phase::of(turns(ratio, angular_frequency, time));
-    Place { phase, above, root: root_of_nome(s.hi, u.hi), log }
+    Place { phase, above, root: root_of_nome(s, u.hi), log }
 }
 
 /// The theta values of either expansion: z = 2πy, or 2y·ln(1/q′) since 2πK/K′ = 2 ln(1/q′).
@@ -94,40 +94,67 @@ fn place(amplitude: f64, angular_frequency: f64, time: f64) -> Place {
 fn values(place: &Place, series: &ThetaSeries) -> ThetaValues {
     let circular = series.circular(place.phase.rest);
     let hyperbolic = series.hyperbolic(place.phase.rest * place.log.scaled(2.0));
-    let pick = |circular, hyperbolic| if place.above { hyperbolic } else { circular };
     ThetaValues {
-        first: pick(circular.first, hyperbolic.first),
-        second: pick(circular.second, hyperbolic.second),
-        third: pick(circular.third, hyperbolic.third),
-        fourth: pick(circular.fourth, hyperbolic.fourth),
+        first: pick(place.above, hyperbolic.first, circular.first),
+        second: pick(place.above, hyperbolic.second, circular.second),
+        third: pick(place.above, hyperbolic.third, circular.third),
+        fourth: pick(place.above, hyperbolic.fourth, circular.fourth),
     }
+}
+
+/// The factors of the quotients: 4√q, θ₂(0)/2q^¼, θ₃(0), θ₄(0).
+struct Factors {
+    small: DoubleDouble,
+    second: DoubleDouble,
+    third: DoubleDouble,
+    fourth: DoubleDouble,
 }
 
 /// The quotients of `Libration`, with their factors left as quotients too.
 #[inline(always)]
 fn released(amplitude: f64, angular_frequency: f64, time: f64) -> Released {
     let place = place(amplitude, angular_frequency, time);
-    let series = ThetaSeries::new(place.root * place.root);
-    let ThetaZero { second: zero_second, third: zero_third, fourth: zero_fourth } = series.zero;
-    let ThetaValues { first, second, third, fourth } = values(&place, &series);
-    let small = 4.0 * place.root;
-    let odd = place.phase.is_odd();
-    let (beside, below) = if place.above { (fourth, second) } else { (second, fourth) };
-    let (numerator, denominator) = if odd { (beside, below) } else { (first, third) };
-    let (rising, falling) = if odd { (-first, third) } else { (beside, below) };
-    let slow = !place.above || odd;
-    let raising = if place.above { zero_fourth } else { small * zero_second };
-    let lowering = if place.above { zero_second * if odd { small } else { 1.0 } } else { zero_fourth };
-    let numerator = raising * numerator;
-    let inside = within_pi(amplitude);
-    let scale = if slow { small } else { 1.0 } * (zero_second * zero_fourth) * rising;
+    let series = ThetaSeries::new(place.root.hi * place.root.hi);
+    let values = values(&place, &series);
+    let factors = Factors {
+        small: place.root.scaled(4.0),
+        second: series.second_at_zero(),
+        third: series.third_at_zero(),
+        fourth: series.fourth_at_zero(),
+    };
     let sign = place.phase.sign() * 1f64.copysign(amplitude);
-    let velocity = sign * (2.0 * angular_frequency) * (scale / ((zero_third * zero_third) * falling));
+    let inside = if within_pi(amplitude) { 1.0 } else { f64::NAN };
+    let (tangent, below) = tangent(&place, &factors, &values);
     Released {
-        half: DoubledArctangent::of(numerator.abs(), if inside { lowering * denominator } else { f64::NAN }),
-        sign: 1f64.copysign(sign * numerator),
-        velocity: if inside { velocity } else { f64::NAN },
+        half: DoubledArctangent::of(magnitude(tangent).scaled(inside), below),
+        sign: 1f64.copysign(sign * tangent.hi),
+        velocity: sign * inside * (2.0 * angular_frequency) * speed(&place, &factors, &values),
     }
+}
+
+/// tan(θ/2) as a quotient.
+#[inline(always)]
+fn tangent(place: &Place, factors: &Factors, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
+    let odd = place.phase.is_odd();
+    let above = pick(odd, pick(place.above, values.fourth, values.second), values.first);
+    let below = pick(odd, pick(place.above, values.second, values.fourth), values.third);
+    let factor_above = pick(place.above, factors.fourth, scaled_by(factors.small, factors.second));
+    let small = pick(odd, factors.small, DoubleDouble::ONE);
+    let factor_below = pick(place.above, scaled_by(small, factors.second), factors.fourth);
+    let below = scaled_by(factor_below, below);
+    (scaled_by(factor_above, above), fast_two_sum(below.hi, below.lo))
+}
+
+/// θ′/2ω0 in size.
+#[inline(always)]
+fn speed(place: &Place, factors: &Factors, values: &ThetaValues) -> f64 {
+    let odd = place.phase.is_odd();
+    let above = pick(odd, -values.first, pick(place.above, values.fourth, values.second));
+    let below = pick(odd, values.third, pick(place.above, values.second, values.fourth));
+    let small = pick(place.above && !odd, DoubleDouble::ONE, factors.small);
+    let factor = scaled_by(small, scaled_by(factors.second, factors.fourth));
+    let below = scaled_by(scaled_by(factors.third, factors.third), below);
+    quotient(factor, above, fast_two_sum(below.hi, below.lo))
 }
 
 struct One {
