@@ -1,1 +1,19 @@
-fn main() {}
+//! The `libration` command: it reads the question, calls the library, and writes the answer.
+
+mod arguments;
+mod command;
+mod failure;
+mod figure;
+mod output;
+
+use clap::Parser;
+use std::io::{BufWriter, Write, stdout};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = arguments::protect_negative_values(std::env::args_os());
+    let question = command::Libration::parse_from(arguments);
+    let mut out = BufWriter::with_capacity(1 << 16, stdout().lock());
+    let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
+    answered.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}

@@ -32,9 +32,11 @@ mod separatrix;
 mod prepared;
 mod varying;
 
+mod approximate_motion;
 mod fourier;
 
 pub use amplitude::Amplitude;
+pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
 pub use fourier::{Harmonic, Harmonics};
 pub use libration::Libration;
 pub use motion::{Motion, Regime, Rest};

@@ -1,5 +1,21 @@
-//! The published approximations to the period.
+//! The published approximations to the period, each with its exact error.
+//!
+//! A formula gives T/T0, the period over that of small swings; its fractional error is formula/exact − 1. Every
+//! formula is written once and evaluated in `f64` or in floats of as many digits as its error needs.
 
+mod catalogue;
+mod error;
 mod expansion;
+mod family;
+mod formula;
+mod grid;
+mod law;
+mod real;
+mod root;
+mod search;
+mod swing;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
+pub use family::MOST_TERMS;
+pub use formula::{Attribution, Complexity, LeadingError, PeriodFormula, UnknownFormula, catalogue};
+pub use search::{Crossover, ErrorTable, WorstError};

@@ -16,5 +16,6 @@ mod ledger;
 mod measurement;
 mod motion;
 mod period;
+mod period_formulas;
 mod quantity;
 mod series;

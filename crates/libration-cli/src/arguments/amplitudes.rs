@@ -1,0 +1,80 @@
+//! The amplitudes a question is about: angles, lists and ranges of angles, or a file of them.
+
+use super::lines;
+use crate::failure::Failure;
+use libration::pendulum::Amplitude;
+use libration::quantity::{Angle, AngleRange, RangeError, angles};
+use std::path::PathBuf;
+
+/// The options that say which amplitudes.
+#[derive(Clone, Debug, clap::Args)]
+#[group(required = true, multiple = false)]
+pub(crate) struct AmplitudeOptions {
+    /// Angles such as 60deg, 1.2rad, pi-1e-6, or ranges such as 1deg:179deg:1deg
+    #[arg(value_name = "AMPLITUDE", value_parser = angle_set)]
+    amplitudes: Vec<AngleSet>,
+    /// Read the amplitudes from a file, one per line; - for the standard input
+    #[arg(long, value_name = "FILE")]
+    from_file: Option<PathBuf>,
+}
+
+/// The angles one argument means.
+#[derive(Clone, Debug)]
+enum AngleSet {
+    List(Vec<Angle>),
+    Range(AngleRange),
+}
+
+/// Amplitudes, all of them known to be below π.
+#[derive(Debug)]
+pub(crate) struct Amplitudes(Vec<AngleSet>);
+
+impl AmplitudeOptions {
+    pub(crate) fn read(&self) -> Result<Amplitudes, Failure> {
+        let sets = match &self.from_file {
+            Some(path) => vec![AngleSet::List(lines::read(path, str::parse::<Angle>)?)],
+            None => self.amplitudes.clone(),
+        };
+        for angle in sets.iter().flat_map(AngleSet::widest) {
+            Amplitude::new(angle).map_err(|error| Failure::no_answer("AMPLITUDE", error))?;
+        }
+        Ok(Amplitudes(sets))
+    }
+}
+
+impl Amplitudes {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Amplitude> + '_ {
+        let below_pi = "an angle no larger than an amplitude is an amplitude";
+        self.0.iter().flat_map(AngleSet::iter).map(|angle| Amplitude::new(angle).expect(below_pi))
+    }
+
+    /// The amplitude, if there is exactly one.
+    pub(crate) fn single(&self) -> Option<Amplitude> {
+        let mut amplitudes = self.iter();
+        amplitudes.next().filter(|_| amplitudes.next().is_none())
+    }
+}
+
+impl AngleSet {
+    fn iter(&self) -> Box<dyn Iterator<Item = Angle> + '_> {
+        match self {
+            Self::List(angles) => Box::new(angles.iter().copied()),
+            Self::Range(range) => Box::new(range.iter()),
+        }
+    }
+
+    /// Angles among which is the largest of the set.
+    fn widest(&self) -> Vec<Angle> {
+        match self {
+            Self::List(angles) => angles.clone(),
+            Self::Range(range) => [range.get(0), range.get(range.len() - 1)].into_iter().flatten().collect(),
+        }
+    }
+}
+
+fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
+    match text.contains(':') {
+        true => AngleRange::parse(text).map(AngleSet::Range),
+        false => angles(text).map(AngleSet::List),
+    }
+}

@@ -1,0 +1,28 @@
+//! The formulas a question is about.
+
+use libration::period_formulas::{PeriodFormula, UnknownFormula, catalogue};
+
+/// The option that chooses formulas.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct FormulaChoice {
+    /// Formulas by their keys (see `libration formulas`)
+    #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = formula)]
+    formulas: Vec<PeriodFormula>,
+}
+
+impl FormulaChoice {
+    /// The formulas asked for; none if none was.
+    pub(crate) fn chosen(&self) -> &[PeriodFormula] {
+        &self.formulas
+    }
+
+    /// The formulas asked for; the whole catalogue if none was.
+    pub(crate) fn chosen_or_all(&self) -> &[PeriodFormula] {
+        if self.formulas.is_empty() { catalogue() } else { &self.formulas }
+    }
+}
+
+/// The formula of a key, in which `-` may stand for `_`.
+pub(crate) fn formula(key: &str) -> Result<PeriodFormula, UnknownFormula> {
+    PeriodFormula::by_key(&key.trim().replace('-', "_"))
+}

@@ -1,0 +1,19 @@
+//! What the commands ask for in common: angles, amplitudes, times, the pendulum, the formulas.
+
+mod amplitudes;
+mod angle_list;
+mod formulas;
+mod lines;
+mod negative;
+mod pendulum;
+mod text;
+mod times;
+
+pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
+pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use formulas::FormulaChoice;
+pub(crate) use lines::bytes as read_bytes;
+pub(crate) use negative::protect_negative_values;
+pub(crate) use pendulum::{PendulumOptions, motion};
+pub(crate) use text::{angle, angular_velocity, length_with_uncertainty, positive};
+pub(crate) use times::TimeOptions;

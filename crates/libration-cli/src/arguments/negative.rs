@@ -1,0 +1,38 @@
+//! Negative values on the command line: `-30deg` is an angle and not an option.
+
+use std::ffi::OsString;
+
+/// Puts a blank before each argument that begins like a negative quantity, which the parsers of quantities
+/// skip and which keeps it from being taken for an option.
+pub(crate) fn protect_negative_values(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    arguments
+        .map(|argument| if is_negative(&argument) { blank_before(&argument) } else { argument })
+        .collect()
+}
+
+fn is_negative(argument: &OsString) -> bool {
+    let after_sign = argument.to_str().and_then(|text| text.strip_prefix(['-', '−']));
+    after_sign.is_some_and(|rest| {
+        rest.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+            || rest.starts_with("pi")
+            || rest.starts_with('π')
+    })
+}
+
+fn blank_before(argument: &OsString) -> OsString {
+    let mut protected = OsString::from(" ");
+    protected.push(argument);
+    protected
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_stay_options() {
+        let given = ["--json", "-o", "-30deg", "-.5", "-pi/2", "60deg", "-"].map(OsString::from);
+        let expected = ["--json", "-o", " -30deg", " -.5", " -pi/2", "60deg", "-"].map(OsString::from);
+        assert_eq!(protect_negative_values(given.into_iter()), expected);
+    }
+}

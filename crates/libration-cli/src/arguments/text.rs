@@ -1,0 +1,40 @@
+//! Quantities from the command line, each checked where it stands.
+
+use libration::quantity::{Angle, Dimension, Quantity, QuantityError, parse};
+
+pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
+    text.parse()
+}
+
+pub(super) fn length(text: &str) -> Result<f64, String> {
+    above_zero(text, Dimension::Length)
+}
+
+/// A length above zero with the uncertainty it was given.
+pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    length(text)?;
+    parse(text, Dimension::Length).map_err(|error| error.to_string())
+}
+
+pub(super) fn gravity(text: &str) -> Result<f64, String> {
+    above_zero(text, Dimension::Acceleration)
+}
+
+pub(crate) fn angular_velocity(text: &str) -> Result<f64, QuantityError> {
+    Ok(parse(text, Dimension::AngularVelocity)?.value)
+}
+
+/// A plain number above zero.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "give a finite number above zero, such as 1e-3".to_owned())
+}
+
+fn above_zero(text: &str, dimension: Dimension) -> Result<f64, String> {
+    let value = parse(text, dimension).map_err(|error| error.to_string())?.value;
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(format!("{dimension} must be above zero: write {}", dimension.examples()))
+    }
+}

@@ -1,0 +1,72 @@
+//! The times a motion is asked at.
+
+use super::lines;
+use crate::failure::Failure;
+use libration::pendulum::{Motion, Pendulum};
+use libration::quantity::{Dimension, NumberRange, QuantityError, RangeError, numbers, parse};
+use std::path::PathBuf;
+
+/// Without an answer to "when?" a period is shown in this many steps.
+const STEPS: u32 = 24;
+
+/// The options that say at which times.
+#[derive(Clone, Debug, clap::Args)]
+#[group(multiple = false)]
+pub(crate) struct TimeOptions {
+    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24 steps]
+    #[arg(long, value_parser = times)]
+    times: Option<Times>,
+    /// Read the times from a file, one per line; - for the standard input
+    #[arg(long, value_name = "FILE")]
+    times_from: Option<PathBuf>,
+}
+
+/// Times in seconds; at least one.
+#[derive(Clone, Debug)]
+pub(crate) enum Times {
+    List(Vec<f64>),
+    Range(NumberRange),
+}
+
+impl TimeOptions {
+    pub(crate) fn read(&self, pendulum: &Pendulum, motion: &Motion) -> Result<Times, Failure> {
+        match (&self.times, &self.times_from) {
+            (Some(times), _) => Ok(times.clone()),
+            (None, Some(path)) => lines::read(path, time).map(Times::List),
+            (None, None) => Ok(Times::one_period(pendulum, motion)),
+        }
+    }
+}
+
+impl Times {
+    /// A period of the motion; of small swings, where it has none.
+    fn one_period(pendulum: &Pendulum, motion: &Motion) -> Self {
+        let own = Some(motion.period()).filter(|period| period.is_finite());
+        let period = own.unwrap_or(pendulum.small_angle_period());
+        Self::List((0..=STEPS).map(|step| period * f64::from(step) / f64::from(STEPS)).collect())
+    }
+
+    pub(crate) fn iter(&self) -> Box<dyn Iterator<Item = f64> + '_> {
+        match self {
+            Self::List(times) => Box::new(times.iter().copied()),
+            Self::Range(range) => Box::new(range.iter()),
+        }
+    }
+
+    /// The earliest and the latest.
+    pub(crate) fn ends(&self) -> (f64, f64) {
+        self.iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), time| (low.min(time), high.max(time)))
+    }
+}
+
+fn times(text: &str) -> Result<Times, RangeError> {
+    match text.contains(':') {
+        true => NumberRange::parse(text, Dimension::Time).map(Times::Range),
+        false => numbers(text, Dimension::Time).map(Times::List),
+    }
+}
+
+fn time(text: &str) -> Result<f64, QuantityError> {
+    Ok(parse(text, Dimension::Time)?.value)
+}

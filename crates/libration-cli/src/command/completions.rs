@@ -1,0 +1,25 @@
+//! `libration completions`: the script that completes the command in a shell.
+
+use super::Libration;
+use crate::failure::Failure;
+use clap::CommandFactory;
+use clap_complete::Shell;
+use std::io::Write;
+
+/// Write the completion script for a shell
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:
+  libration completions bash > ~/.local/share/bash-completion/completions/libration")]
+pub(crate) struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+impl Completions {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        // Written to memory first, because the generator panics when its writer is closed.
+        let mut script = vec![];
+        clap_complete::generate(self.shell, &mut Libration::command(), "libration", &mut script);
+        Ok(out.write_all(&script)?)
+    }
+}

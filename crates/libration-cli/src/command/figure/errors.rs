@@ -1,0 +1,73 @@
+//! `libration figure errors`: the fractional error of the formulas against the amplitude.
+
+use super::PictureOptions;
+use crate::arguments::{self, FormulaChoice};
+use crate::failure::Failure;
+use crate::figure::chart::Picture;
+use crate::figure::errors::{Curve, Frame, errors};
+use libration::period_formulas::PeriodFormula;
+use libration::quantity::Angle;
+
+/// The curves of the first figure of Black and Vel.
+const FIRST_FIGURE: [&str; 8] = [
+    "bernoulli",
+    "molina",
+    "kidd_fogg",
+    "butikov",
+    "power_series_3",
+    "black_vel_1",
+    "black_vel_2",
+    "black_vel_3",
+];
+
+/// Error of the formulas against the amplitude, as in the first figure of Black and Vel
+#[derive(Debug, clap::Args)]
+pub(super) struct Errors {
+    #[command(flatten)]
+    formulas: FormulaChoice,
+    /// The amplitude at the left
+    #[arg(long, default_value = "0deg", value_parser = arguments::angle)]
+    from: Angle,
+    /// The amplitude at the right
+    #[arg(long, default_value = "180deg", value_parser = arguments::angle)]
+    to: Angle,
+    /// The smallest error shown
+    #[arg(long, default_value = "1e-8", value_parser = arguments::positive)]
+    lowest: f64,
+    /// The largest error shown
+    #[arg(long, default_value = "10", value_parser = arguments::positive)]
+    highest: f64,
+    #[command(flatten)]
+    pub(super) options: PictureOptions,
+}
+
+impl Errors {
+    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+        let (from, to) = (self.from.radians().to_degrees(), self.to.radians().to_degrees());
+        if !(0.0 <= from && from < to && to <= 180.0) {
+            let got = format!("from {from}° to {to}°: give 0 ≤ from < to ≤ 180deg");
+            return Err(Failure::no_answer("--from, --to", got));
+        }
+        if self.lowest >= self.highest {
+            let got = format!("{} is not below {}", self.lowest, self.highest);
+            return Err(Failure::no_answer("--lowest, --highest", got));
+        }
+        let formulas = self.curves()?;
+        let curves: Vec<Curve> = formulas.iter().map(curve).collect();
+        Ok(errors(&curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
+    }
+
+    fn curves(&self) -> Result<Vec<PeriodFormula>, Failure> {
+        if !self.formulas.chosen().is_empty() {
+            return Ok(self.formulas.chosen().to_vec());
+        }
+        let found = FIRST_FIGURE.into_iter().map(PeriodFormula::by_key).collect::<Result<_, _>>();
+        found.map_err(|error| Failure::no_answer("--formulas", error))
+    }
+}
+
+fn curve(formula: &PeriodFormula) -> Curve<'_> {
+    let error =
+        |degrees| Angle::from_degrees(degrees).map_or(f64::NAN, |angle| formula.fractional_error(&angle));
+    Curve { label: formula.name().to_owned(), error: Box::new(error) }
+}

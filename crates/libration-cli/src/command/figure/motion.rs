@@ -1,0 +1,36 @@
+//! `libration figure motion`: the angle in time after release from several amplitudes.
+
+use super::PictureOptions;
+use super::releases::releases;
+use crate::arguments::{self, AngleList};
+use crate::failure::Failure;
+use crate::figure::chart::Picture;
+use crate::figure::motion::{self, Release};
+use libration::pendulum::Pendulum;
+use std::f64::consts::TAU;
+
+/// Angle in time after release from several amplitudes, against the small-angle cosine
+#[derive(Debug, clap::Args)]
+pub(super) struct Motion {
+    /// Angles of release
+    #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
+    amplitudes: AngleList,
+    /// How many small-angle periods
+    #[arg(long, default_value = "2", value_parser = arguments::positive)]
+    periods: f64,
+    #[command(flatten)]
+    pub(super) options: PictureOptions,
+}
+
+impl Motion {
+    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+        let no_answer = |error| Failure::no_answer("--amplitudes", error);
+        let pendulum = Pendulum::from_angular_frequency(TAU).map_err(no_answer)?;
+        let mut swings = vec![];
+        for release in releases(&self.amplitudes)? {
+            let motion = pendulum.released_from(release.angle).map_err(no_answer)?;
+            swings.push(Release { label: release.label, amplitude: release.angle.radians(), motion });
+        }
+        Ok(motion::releases(&swings, self.periods))
+    }
+}

@@ -1,0 +1,61 @@
+//! `libration figure phase`: the phase portrait.
+
+use super::PictureOptions;
+use super::releases::releases;
+use crate::arguments::{self, AngleList};
+use crate::failure::Failure;
+use crate::figure::chart::Picture;
+use crate::figure::phase::{Orbit, Portrait, portrait};
+use crate::output::number;
+use libration::pendulum::{Pendulum, PendulumError};
+
+/// Phase portrait: librations, the separatrix, rotations
+#[derive(Debug, clap::Args)]
+pub(super) struct Phase {
+    /// Amplitudes of the librations
+    #[arg(long, default_value = "30deg,75deg,120deg,160deg", value_parser = arguments::angle_list)]
+    amplitudes: AngleList,
+    /// Energies of the rotations, E/(2mgl), each above 1
+    #[arg(long, value_name = "E,E", default_value = "1.3,2", value_delimiter = ',', value_parser = above_one)]
+    energies: Vec<f64>,
+    #[command(flatten)]
+    pub(super) options: PictureOptions,
+}
+
+impl Phase {
+    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+        let pendulum = Pendulum::from_angular_frequency(1.0).map_err(no_answer)?;
+        Ok(portrait(&Portrait {
+            librations: self.librations(&pendulum)?,
+            separatrix: pendulum.on_separatrix(),
+            rotations: self.rotations(&pendulum)?,
+        }))
+    }
+
+    fn librations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, Failure> {
+        let orbit = |release: super::releases::Release| {
+            let motion = pendulum.released_from(release.angle).map_err(no_answer)?;
+            Ok(Orbit { label: format!("libration, {}", release.label), motion })
+        };
+        releases(&self.amplitudes)?.into_iter().map(orbit).collect()
+    }
+
+    fn rotations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, Failure> {
+        let orbit = |&energy: &f64| {
+            let motion = pendulum.with_energy_ratio(energy).map_err(no_answer)?;
+            Ok(Orbit { label: format!("rotation, E = {} × 2mgl", number::short(energy, 6)), motion })
+        };
+        self.energies.iter().map(orbit).collect()
+    }
+}
+
+fn no_answer(error: PendulumError) -> Failure {
+    Failure::no_answer("phase portrait", error)
+}
+
+fn above_one(text: &str) -> Result<f64, String> {
+    let energy = arguments::positive(text).ok().filter(|energy| *energy > 1.0);
+    energy.ok_or_else(|| {
+        "a rotation has more than the energy of the separatrix: give a number above 1".to_owned()
+    })
+}

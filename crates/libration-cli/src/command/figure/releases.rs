@@ -1,0 +1,37 @@
+//! Releases from rest at several amplitudes, for the pictures.
+
+use crate::arguments::AngleList;
+use crate::failure::Failure;
+use crate::output::number;
+use libration::pendulum::Amplitude;
+use libration::quantity::Angle;
+
+/// The angle of a release and its name in the legend.
+pub(super) struct Release {
+    pub(super) angle: Angle,
+    pub(super) label: String,
+}
+
+/// The releases from these angles, each of which must swing.
+pub(super) fn releases(angles: &AngleList) -> Result<Vec<Release>, Failure> {
+    angles.iter().map(|angle| release(*angle)).collect()
+}
+
+fn release(angle: Angle) -> Result<Release, Failure> {
+    let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitudes", error))?;
+    if amplitude.radians() <= 0.0 {
+        return Err(Failure::no_answer(
+            "--amplitudes",
+            "a pendulum released from 0 does not move: give a larger angle",
+        ));
+    }
+    Ok(Release { angle, label: label(&angle) })
+}
+
+/// Degrees, or the distance from the top where degrees would say 180.
+fn label(angle: &Angle) -> String {
+    if angle.complement() < 1e-5 {
+        return format!("π − {} rad", number::short(angle.complement(), 3));
+    }
+    format!("{}°", number::short(angle.radians().to_degrees(), 7))
+}

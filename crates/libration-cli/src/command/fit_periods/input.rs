@@ -1,0 +1,174 @@
+//! The file of a period table: its columns, its unit, its dialect.
+
+use crate::arguments::read_bytes;
+use crate::failure::Failure;
+use libration::fit::{PeriodTable, Uncertainties};
+use libration::measurement::{Column, Delimiter, Header, Options, Selection, Table};
+use libration::quantity::{Angle, QuantityError};
+use std::path::PathBuf;
+
+/// Which file, and how to read it.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct Input {
+    /// A table of amplitudes and periods (s), perhaps with their uncertainties; - for the standard input
+    file: PathBuf,
+    /// Columns of amplitude, period, and the uncertainties of both, by number or name; - for none [default: 1,2 or 1,2,3,4]
+    #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
+    columns: Vec<String>,
+    /// Unit of the amplitudes and of their uncertainties
+    #[arg(long, value_enum, default_value = "rad")]
+    amplitude_unit: AmplitudeUnit,
+    /// What separates the columns [default: found in the file]
+    #[arg(long, value_enum)]
+    delimiter: Option<Separator>,
+    /// Whether the first row names the columns
+    #[arg(long, value_enum, default_value = "detect")]
+    header: FirstRow,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum AmplitudeUnit {
+    Rad,
+    Deg,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Separator {
+    Comma,
+    Semicolon,
+    Tab,
+    Space,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum FirstRow {
+    Detect,
+    Present,
+    Absent,
+}
+
+/// What was measured, as columns (rad and s) and as the table to fit.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    pub(crate) rows: Vec<Measurement>,
+    pub(super) table: PeriodTable,
+    pub(super) lines: Vec<u64>,
+    pub(super) dropped: usize,
+}
+
+/// One row: rad and s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measurement {
+    pub(crate) amplitude: f64,
+    pub(crate) period: f64,
+    pub(crate) amplitude_uncertainty: Option<f64>,
+    pub(crate) period_uncertainty: Option<f64>,
+}
+
+impl Measured {
+    /// The rows without these.
+    pub(super) fn without(&self, left_out: &[usize]) -> Vec<Measurement> {
+        let kept = self.rows.iter().enumerate().filter(|(index, _)| !left_out.contains(index));
+        kept.map(|(_, row)| *row).collect()
+    }
+}
+
+impl Input {
+    pub(super) fn name(&self) -> String {
+        self.file.display().to_string()
+    }
+
+    pub(super) fn read(&self) -> Result<Measured, Failure> {
+        let bytes = read_bytes(&self.file)?;
+        let table = Table::read(&bytes, &self.options()).map_err(|error| self.no_answer(error))?;
+        let columns = self.columns(table.width())?;
+        let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
+        let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
+        self.measured(&columns, selection)
+    }
+
+    fn options(&self) -> Options {
+        let delimiter = self.delimiter.map(|separator| match separator {
+            Separator::Comma => Delimiter::Comma,
+            Separator::Semicolon => Delimiter::Semicolon,
+            Separator::Tab => Delimiter::Tab,
+            Separator::Space => Delimiter::Whitespace,
+        });
+        let header = match self.header {
+            FirstRow::Detect => Header::Detect,
+            FirstRow::Present => Header::Present,
+            FirstRow::Absent => Header::Absent,
+        };
+        Options { delimiter, header, ..Options::default() }
+    }
+
+    /// The columns of amplitude, period and their uncertainties.
+    fn columns(&self, width: usize) -> Result<[Option<Column>; 4], Failure> {
+        let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
+        let columns: Vec<Option<Column>> = match (self.columns.len(), width) {
+            (0, 2) => first(2),
+            (0, 4..) => first(4),
+            (2..=4, _) => self.columns.iter().map(|text| column(text)).collect(),
+            (0, _) => {
+                return Err(self.no_answer(format!(
+                    "the table has {width} columns, not 2 or 4: say which with --columns"
+                )));
+            }
+            (given, _) => {
+                return Err(Failure::usage(
+                    "--columns",
+                    format!("{given} columns given: name 2 to 4, as in 1,2,-,3"),
+                ));
+            }
+        };
+        if columns[0].is_none() || columns[1].is_none() {
+            return Err(Failure::usage(
+                "--columns",
+                "amplitude and period are needed: - stands only for an uncertainty",
+            ));
+        }
+        Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
+    }
+
+    fn measured(&self, columns: &[Option<Column>; 4], selection: Selection) -> Result<Measured, Failure> {
+        let mut numbers = selection.columns.into_iter();
+        let [amplitudes, periods, of_amplitudes, of_periods] =
+            columns.each_ref().map(|column| column.as_ref().and_then(|_| numbers.next()));
+        let amplitudes = self.radians(&amplitudes.unwrap_or_default())?;
+        let periods = periods.unwrap_or_default();
+        let of_amplitudes = of_amplitudes.map(|column| self.radians(&column)).transpose()?;
+        let uncertainties =
+            Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
+        let table =
+            PeriodTable::new(&amplitudes, &periods, uncertainties).map_err(|error| self.no_answer(error))?;
+        let row = |index: usize| Measurement {
+            amplitude: amplitudes[index].abs(),
+            period: periods[index],
+            amplitude_uncertainty: of_amplitudes.as_ref().map(|column| column[index]),
+            period_uncertainty: of_periods.as_ref().map(|column| column[index]),
+        };
+        let rows = (0..periods.len()).map(row).collect();
+        Ok(Measured { rows, table, lines: selection.lines, dropped: selection.dropped })
+    }
+
+    fn radians(&self, values: &[f64]) -> Result<Vec<f64>, Failure> {
+        let radians = |&value: &f64| match self.amplitude_unit {
+            AmplitudeUnit::Rad => Ok(value),
+            AmplitudeUnit::Deg => Angle::from_degrees(value).map(|angle| angle.radians()),
+        };
+        values
+            .iter()
+            .map(radians)
+            .collect::<Result<_, QuantityError>>()
+            .map_err(|error| self.no_answer(error))
+    }
+
+    fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
+        Failure::no_answer(&self.name(), reason)
+    }
+}
+
+fn column(text: &str) -> Option<Column> {
+    let text = text.trim();
+    (text != "-").then(|| text.parse().unwrap_or_else(|never| match never {}))
+}

@@ -1,0 +1,69 @@
+//! `libration formulas`: the catalogue, which formula suffices, and who overtakes whom.
+
+mod catalogue;
+mod crossovers;
+
+use crate::arguments::{self, FormulaChoice};
+use crate::failure::Failure;
+use crate::output::FormOptions;
+use libration::period_formulas::{ErrorTable, PeriodFormula};
+use libration::quantity::Angle;
+use std::io::Write;
+
+/// The catalogue of formulas: which one suffices, where each stops, who overtakes whom
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration formulas
+  libration formulas --tolerance 1e-3                    up to which amplitude each one holds
+  libration formulas --amplitude 90deg --tolerance 1e-3  which suffice at and below 90°, simplest first
+  libration formulas --crossovers --formulas black_vel_1,black_vel_3,butikov")]
+pub(crate) struct Formulas {
+    /// Only formulas that keep the tolerance at this amplitude and all below it
+    #[arg(long, requires = "tolerance", value_parser = arguments::angle)]
+    amplitude: Option<Angle>,
+    /// The fractional error of the period that is allowed, such as 1e-3
+    #[arg(long, value_parser = arguments::positive)]
+    tolerance: Option<f64>,
+    /// At which amplitudes one formula overtakes another
+    #[arg(long, conflicts_with_all = ["amplitude", "tolerance"])]
+    crossovers: bool,
+    #[command(flatten)]
+    formulas: FormulaChoice,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl Formulas {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let formulas = self.formulas.chosen_or_all();
+        if self.crossovers {
+            return crossovers::write(out, self.form.form(), formulas);
+        }
+        let entries = match self.tolerance {
+            None => formulas.iter().map(|formula| catalogue::Entry::new(formula, None)).collect(),
+            Some(tolerance) => self.sufficient(formulas, tolerance)?,
+        };
+        Ok(catalogue::write(out, self.form.form(), &entries)?)
+    }
+
+    /// The formulas that keep the tolerance, each with the amplitude up to which it does.
+    fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<catalogue::Entry>, Failure> {
+        let table = ErrorTable::new(formulas);
+        let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
+        let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
+        let chosen: Vec<&PeriodFormula> = match &self.amplitude {
+            Some(amplitude) => table.simplest(&checked(amplitude)?, tolerance),
+            None => formulas.iter().collect(),
+        };
+        if chosen.is_empty() {
+            let reason = format!("no formula keeps the tolerance {tolerance} there: the exact period always does");
+            return Err(Failure::no_answer("--amplitude", reason));
+        }
+        Ok(chosen.into_iter().map(|formula| catalogue::Entry::new(formula, holds_to(formula.key()))).collect())
+    }
+}
+
+fn checked(amplitude: &Angle) -> Result<Angle, Failure> {
+    let amplitude = libration::pendulum::Amplitude::new(*amplitude);
+    amplitude.map(|amplitude| amplitude.angle()).map_err(|error| Failure::no_answer("--amplitude", error))
+}

@@ -1,0 +1,64 @@
+//! The questions that can be asked, one file each.
+
+mod completions;
+mod figure;
+pub(crate) mod fit_periods;
+mod formulas;
+mod fourier;
+pub(crate) mod motion;
+mod period;
+
+use crate::failure::Failure;
+use std::io::Write;
+
+/// Answers about the pendulum at any amplitude: exact, and by every published formula with its error.
+#[derive(Debug, clap::Parser)]
+#[command(name = "libration", version, arg_required_else_help = true, after_help = EXAMPLES)]
+pub(crate) struct Libration {
+    #[command(subcommand)]
+    question: Question,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  libration period 60deg                      the exact period, and every formula with its error
+  libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
+  libration motion 150deg --times 0:10:0.5    angle and velocity in time
+  libration formulas --amplitude 90deg --tolerance 1e-3
+  libration figure errors --output errors.svg
+  libration fit periods measured.csv --length 0.57m±0.004m
+
+Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
+Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood.";
+
+#[derive(Debug, clap::Subcommand)]
+enum Question {
+    Period(period::Period),
+    Motion(motion::Motion),
+    Fourier(fourier::Fourier),
+    Formulas(formulas::Formulas),
+    Figure(figure::Figure),
+    #[command(subcommand)]
+    Fit(Fit),
+    Completions(completions::Completions),
+}
+
+/// Explain measured data by the exact law
+#[derive(Debug, clap::Subcommand)]
+enum Fit {
+    Periods(fit_periods::FitPeriods),
+}
+
+impl Libration {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        match &self.question {
+            Question::Period(question) => question.answer(out),
+            Question::Motion(question) => question.answer(out),
+            Question::Fourier(question) => question.answer(out),
+            Question::Formulas(question) => question.answer(out),
+            Question::Figure(question) => question.answer(out),
+            Question::Fit(Fit::Periods(question)) => question.answer(out),
+            Question::Completions(question) => question.answer(out),
+        }
+    }
+}

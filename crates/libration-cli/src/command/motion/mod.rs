@@ -1,0 +1,85 @@
+//! `libration motion`: angle and velocity in time, exact and approximate.
+
+mod write;
+
+use crate::arguments::{self, PendulumOptions, TimeOptions};
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::FormOptions;
+use libration::pendulum::ApproximateMotion;
+use libration::quantity::Angle;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Angle and velocity in time, from any angle and velocity at the start
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration motion 60deg                                  one period
+  libration motion 150deg --times 0:10:0.5 --csv
+  libration motion 0 --velocity 7rad/s --times 0,1,2      a rotation
+  libration motion pi-1e-300 --times 0:2000:100           almost upright
+  libration motion 90deg --compare small-angle,fourier-3,fourier-5 --figure motion.svg")]
+pub(crate) struct Motion {
+    /// Angle at the start, such as 60deg, 1.2rad, pi-1e-6; beyond the top counts turns
+    #[arg(value_parser = arguments::angle)]
+    angle: Angle,
+    /// Velocity at the start, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
+    #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
+    velocity: f64,
+    #[command(flatten)]
+    times: TimeOptions,
+    /// Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7
+    #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = ApproximateMotion::by_key)]
+    compare: Vec<ApproximateMotion>,
+    /// Draw the motion to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    pendulum: PendulumOptions,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl Motion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let pendulum = self.pendulum.pendulum()?;
+        let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
+        let comparison = Comparison::new(self, pendulum.angular_frequency())?;
+        let times = self.times.read(&pendulum, &motion)?;
+        if let Some(path) = &self.figure {
+            let picture = figure::motion::compared(&motion, &comparison, times.ends());
+            figure::file::write(path, &picture)?;
+        }
+        let answer = write::Answer { pendulum: self.pendulum, motion: &motion, comparison: &comparison };
+        answer.write(out, self.form.form(), times.iter())
+    }
+}
+
+/// The approximate motions beside the exact one, with what they need.
+#[derive(Clone, Debug)]
+pub(crate) struct Comparison {
+    pub(crate) approximations: Vec<ApproximateMotion>,
+    amplitude: f64,
+    angular_frequency: f64,
+}
+
+impl Comparison {
+    fn new(question: &Motion, angular_frequency: f64) -> Result<Self, Failure> {
+        let amplitude = match question.compare.is_empty() {
+            true => 0.0,
+            false => ApproximateMotion::amplitude_of(&question.angle, question.velocity)
+                .map_err(|error| Failure::no_answer("--compare", error))?,
+        };
+        Ok(Self { approximations: question.compare.clone(), amplitude, angular_frequency })
+    }
+
+    /// The angle of one approximate motion at a time.
+    pub(crate) fn angle_at(&self, approximation: &ApproximateMotion, time: f64) -> f64 {
+        approximation.angle(self.amplitude, self.angular_frequency * time)
+    }
+
+    /// The angle of each approximate motion at a time.
+    fn angles_at(&self, time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.approximations.iter().map(move |approximation| self.angle_at(approximation, time))
+    }
+}

@@ -1,0 +1,110 @@
+//! `libration period`: the exact period, and every published formula with its error.
+
+mod sheet;
+mod table;
+
+use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
+use crate::failure::Failure;
+use crate::output::json::{self, Record};
+use crate::output::{Form, FormOptions};
+use libration::pendulum::Amplitude;
+use libration::period_formulas::PeriodFormula;
+use serde_json::Value;
+use std::io::Write;
+
+/// The exact period at an amplitude, and every published formula with its error
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration period 60deg
+  libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
+  libration period pi-1e-300 --json
+  libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
+  libration period --from-file amplitudes.txt --csv")]
+pub(crate) struct Period {
+    #[command(flatten)]
+    amplitudes: AmplitudeOptions,
+    #[command(flatten)]
+    formulas: FormulaChoice,
+    /// Order of the formulas
+    #[arg(long, value_enum, default_value = "error")]
+    sort: Order,
+    #[command(flatten)]
+    pendulum: PendulumOptions,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Order {
+    /// The smallest error first
+    Error,
+    /// As in the catalogue
+    Catalogue,
+}
+
+/// What one formula says at one amplitude.
+#[derive(Clone, Copy, Debug)]
+struct Estimate<'a> {
+    formula: &'a PeriodFormula,
+    ratio: f64,
+    fractional_error: f64,
+}
+
+impl Period {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let amplitudes = self.amplitudes.read()?;
+        let small_angle_period = self.pendulum.pendulum()?.small_angle_period();
+        match self.form.form() {
+            Form::Json => {
+                let formulas = self.formulas.chosen_or_all();
+                let results = amplitudes.iter().map(|a| self.record(&a, small_angle_period, formulas));
+                json::document_with_list(out, self.pendulum.record(), "results", results)?;
+            }
+            Form::Csv => table::write_csv(out, self, &amplitudes, small_angle_period)?,
+            Form::Table => match amplitudes.single() {
+                Some(amplitude) => sheet::write(out, self, &amplitude, small_angle_period)?,
+                None => table::write(out, self, &amplitudes, small_angle_period)?,
+            },
+        }
+        Ok(())
+    }
+
+    fn record(&self, amplitude: &Amplitude, small_angle_period: f64, formulas: &[PeriodFormula]) -> Record {
+        let ratio = amplitude.period_ratio();
+        let period = small_angle_period * ratio;
+        let estimates = self.estimates(amplitude, formulas).into_iter().map(|estimate| {
+            let record = Record::new()
+                .with("key", estimate.formula.key())
+                .number("ratio", estimate.ratio)
+                .number("period_s", small_angle_period * estimate.ratio)
+                .number("fractional_error", estimate.fractional_error);
+            Value::from(record)
+        });
+        Record::new()
+            .number("amplitude_rad", amplitude.radians())
+            .number("complement_rad", amplitude.complement())
+            .number("small_angle_period_s", small_angle_period)
+            .number("period_s", period)
+            .number("frequency_hz", period.recip())
+            .number("ratio", ratio)
+            .number("excess", amplitude.period_excess())
+            .number("nome", amplitude.nome())
+            .number("condition", amplitude.condition())
+            .with("formulas", estimates.collect::<Vec<_>>())
+    }
+
+    /// What the formulas say, in the order asked for.
+    fn estimates<'a>(&self, amplitude: &Amplitude, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
+        let angle = amplitude.angle();
+        let estimate = |formula: &'a PeriodFormula| Estimate {
+            formula,
+            ratio: formula.period_ratio(&angle),
+            fractional_error: formula.fractional_error(&angle),
+        };
+        let mut estimates: Vec<_> = formulas.iter().map(estimate).collect();
+        if self.sort == Order::Error {
+            estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
+        }
+        estimates
+    }
+}

@@ -1,0 +1,92 @@
+//! Curves cut to the frame of their axes, since the drawing library draws over it.
+
+use super::chart::{Panel, Point, Series};
+
+/// A point in the coordinates in which the axes are evenly divided.
+pub(super) type Place = (f64, f64);
+
+/// The pieces of a curve that lie within the frame; gaps at points that are not numbers.
+pub(super) fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
+    let places: Vec<Place> = series.points.iter().map(|point| place(point, panel)).collect();
+    let mut pieces: Vec<Vec<Place>> = vec![];
+    for pair in places.windows(2) {
+        let Some((start, end)) = visible_part(pair[0], pair[1], panel) else { continue };
+        match pieces.last_mut() {
+            Some(piece) if piece.last() == Some(&start) => piece.push(end),
+            _ => pieces.push(vec![start, end]),
+        }
+    }
+    pieces
+}
+
+/// Where a point is drawn.
+pub(super) fn place(point: &Point, panel: &Panel) -> Place {
+    (panel.x.coordinate(point.x), panel.y.coordinate(point.y))
+}
+
+/// Whether a point lies within the frame.
+pub(super) fn is_visible(point: &Point, panel: &Panel) -> bool {
+    (panel.x.from..=panel.x.to).contains(&point.x) && (panel.y.from..=panel.y.to).contains(&point.y)
+}
+
+/// The part of a segment inside the frame, by Liang and Barsky's method.
+fn visible_part(a: Place, b: Place, panel: &Panel) -> Option<(Place, Place)> {
+    if ![a.0, a.1, b.0, b.1].iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    let (x, y) = (part_within(a.0, b.0, panel.x.ends())?, part_within(a.1, b.1, panel.y.ends())?);
+    let (start, end) = (x.0.max(y.0).max(0.0), x.1.min(y.1).min(1.0));
+    (start < end).then(|| (along(a, b, start), along(a, b, end)))
+}
+
+/// The range of the parameter, 0 at `from` and 1 at `to`, in which the coordinate lies within the ends.
+fn part_within(from: f64, to: f64, (low, high): Place) -> Option<(f64, f64)> {
+    if from.max(to) < low || from.min(to) > high {
+        return None;
+    }
+    let step = to - from;
+    if step.abs() < f64::MIN_POSITIVE {
+        return Some((0.0, 1.0));
+    }
+    let (first, second) = ((low - from) / step, (high - from) / step);
+    Some((first.min(second), first.max(second)))
+}
+
+/// The ends exactly, so that neighbouring pieces meet.
+fn along(a: Place, b: Place, parameter: f64) -> Place {
+    if parameter <= 0.0 {
+        a
+    } else if parameter >= 1.0 {
+        b
+    } else {
+        (a.0 + parameter * (b.0 - a.0), a.1 + parameter * (b.1 - a.1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{chart::Axis, style};
+    use super::*;
+
+    fn pieces(points: &[Place]) -> Vec<Vec<Place>> {
+        let x = Axis::linear("", 0.0, 10.0);
+        let y = Axis::logarithmic("", 0.01, 1.0);
+        let panel = Panel { x, y, series: vec![], share: 1.0 };
+        visible_pieces(&Series::line("", style::curve(0), points.to_vec()), &panel)
+    }
+
+    #[test]
+    fn a_curve_that_leaves_the_frame_ends_at_its_edge() {
+        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001)]), [[(0.0, -1.0), (1.0, -2.0)]]);
+    }
+
+    #[test]
+    fn a_curve_that_comes_back_is_drawn_in_pieces() {
+        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001), (4.0, 0.1)]).len(), 2);
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_a_gap() {
+        assert_eq!(pieces(&[(0.0, 0.1), (1.0, 0.1), (2.0, f64::NAN), (3.0, 0.1), (4.0, 0.1)]).len(), 2);
+    }
+}

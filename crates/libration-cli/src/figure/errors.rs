@@ -1,0 +1,46 @@
+//! The fractional error of period formulas against the amplitude, as in the first figure of Black and Vel.
+
+use super::chart::{Axis, Panel, Picture, Series};
+use super::cusps::sizes;
+use super::style;
+
+const SAMPLES: u32 = 720;
+
+/// A formula's name for the legend and its signed fractional error at an amplitude in degrees.
+pub(crate) struct Curve<'a> {
+    pub(crate) label: String,
+    pub(crate) error: Box<dyn Fn(f64) -> f64 + 'a>,
+}
+
+/// The frame of the picture: amplitudes in degrees, and the errors at the ends of the axis.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) lowest: f64,
+    pub(crate) highest: f64,
+}
+
+/// The picture of the errors; where an error changes sign its curve runs down to the axis.
+pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
+    let signed = |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
+    let series = curves
+        .iter()
+        .enumerate()
+        .map(|(number, curve)| Series::line(&curve.label, style::curve(number), sizes(&signed(curve))));
+    let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
+    let panel = Panel {
+        x: if frame.to - frame.from > 90.0 { x.with_tick_step(30.0) } else { x },
+        y: Axis::logarithmic("|fractional error of T|", frame.lowest, frame.highest),
+        series: series.collect(),
+        share: 1.0,
+    };
+    Picture::new("Error of formulas for the period", vec![panel])
+}
+
+/// Even steps, and the approach to the right end, where formulas and period may be infinite.
+fn amplitudes(frame: Frame) -> impl Iterator<Item = f64> {
+    let step = (frame.to - frame.from) / f64::from(SAMPLES);
+    let even = (0..SAMPLES).map(move |k| frame.from + step * f64::from(k));
+    even.chain([0.1, 0.01, 0.001].map(|part| frame.to - part * step))
+}

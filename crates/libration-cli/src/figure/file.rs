@@ -1,0 +1,29 @@
+//! The file a picture is written to: its ending says whether SVG or PNG.
+
+use super::{chart::Picture, draw};
+use crate::failure::Failure;
+use crate::output::file;
+use std::path::{Path, PathBuf};
+
+/// Reads a file name that ends in `.svg` or `.png`.
+pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if is(&path, "svg") || is(&path, "png") {
+        return Ok(path);
+    }
+    Err("pictures are written as SVG or PNG: give a name that ends in .svg or .png".to_owned())
+}
+
+/// Draws the picture into its file.
+pub(crate) fn write(path: &Path, picture: &Picture) -> Result<(), Failure> {
+    let bytes = if is(path, "svg") {
+        draw::to_svg(picture).into_bytes()
+    } else {
+        draw::to_png(picture).map_err(|reason| Failure::no_answer("the picture", reason))?
+    };
+    file::write(path, &bytes)
+}
+
+fn is(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}

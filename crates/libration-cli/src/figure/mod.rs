@@ -1,0 +1,18 @@
+//! The pictures: what each one shows, and how it is drawn.
+
+pub(crate) mod errors;
+pub(crate) mod motion;
+pub(crate) mod periods;
+pub(crate) mod phase;
+pub(crate) mod spectrum;
+
+pub(crate) mod chart;
+pub(crate) mod file;
+
+mod clip;
+mod cusps;
+mod dashes;
+mod draw;
+mod legend;
+mod range;
+mod style;

@@ -1,0 +1,114 @@
+//! JSON answers: records whose numbers are unrounded, null with a note where they are not finite.
+
+use serde_json::{Map, Value};
+use std::io::{self, Write};
+
+/// The version of the field names, written with every answer.
+const SCHEMA: u64 = 1;
+
+/// A number, or null when it is not finite.
+pub(crate) fn number(value: f64) -> Value {
+    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
+}
+
+/// A JSON object in the making.
+#[derive(Debug, Default)]
+pub(crate) struct Record {
+    fields: Map<String, Value>,
+    notes: Vec<String>,
+}
+
+impl Record {
+    pub(crate) fn new() -> Self {
+        Self::default()
+    }
+
+    /// A number; null and a note when it is not finite.
+    pub(crate) fn number(mut self, name: &str, value: f64) -> Self {
+        let field = number(value);
+        if field.is_null() {
+            let what = if value.is_nan() { "not defined" } else { "infinite" };
+            self.notes.push(format!("{name} is {what}"));
+        }
+        self.fields.insert(name.to_owned(), field);
+        self
+    }
+
+    /// A number, or null with a note why there is none.
+    pub(crate) fn number_or(self, name: &str, value: Option<f64>, why_none: &str) -> Self {
+        match value {
+            Some(value) => self.number(name, value),
+            None => self.with(name, Value::Null).note(&format!("{name} is null: {why_none}")),
+        }
+    }
+
+    pub(crate) fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
+        self.fields.insert(name.to_owned(), value.into());
+        self
+    }
+
+    pub(crate) fn note(mut self, note: &str) -> Self {
+        self.notes.push(note.to_owned());
+        self
+    }
+}
+
+impl From<Record> for Value {
+    fn from(mut record: Record) -> Self {
+        if !record.notes.is_empty() {
+            record.fields.insert("note".to_owned(), record.notes.join("; ").into());
+        }
+        Self::Object(record.fields)
+    }
+}
+
+/// Writes one record as a whole answer.
+pub(crate) fn document(out: &mut dyn Write, record: Record) -> io::Result<()> {
+    let mut fields = Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
+    if let Value::Object(rest) = record.into() {
+        fields.extend(rest);
+    }
+    serde_json::to_writer_pretty(&mut *out, &fields)?;
+    out.write_all(b"\n")
+}
+
+/// Writes an answer that ends in a list, item by item, so that long lists need no memory.
+pub(crate) fn document_with_list(
+    out: &mut dyn Write,
+    head: Record,
+    name: &str,
+    items: impl Iterator<Item = Record>,
+) -> io::Result<()> {
+    write!(out, "{{\"schema\":{SCHEMA}")?;
+    if let Value::Object(fields) = head.into() {
+        for (field, value) in fields {
+            write!(out, ",{}:{value}", Value::from(field))?;
+        }
+    }
+    write!(out, ",{}:[", Value::from(name))?;
+    for (index, item) in items.enumerate() {
+        out.write_all(if index == 0 { b"\n" } else { b",\n" })?;
+        serde_json::to_writer(&mut *out, &Value::from(item))?;
+    }
+    out.write_all(b"\n]}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_are_not_finite_become_null_with_a_note() {
+        let value = Value::from(Record::new().number("period_s", f64::INFINITY).number("x", 0.5));
+        assert_eq!(value.to_string(), r#"{"period_s":null,"x":0.5,"note":"period_s is infinite"}"#);
+    }
+
+    #[test]
+    fn a_streamed_list_is_one_json_document() {
+        let mut text = vec![];
+        let items = (0..3).map(|n| Record::new().with("n", n));
+        document_with_list(&mut text, Record::new().with("a", "b"), "items", items).unwrap();
+        let read: Value = serde_json::from_slice(&text).unwrap();
+        assert_eq!(read, serde_json::json!({"schema": 1, "a": "b", "items": [{"n": 0}, {"n": 1}, {"n": 2}]}));
+    }
+}

@@ -1,0 +1,68 @@
+//! Numbers as text: exact for machines, rounded for people.
+
+/// The shortest decimal that reads back as the same number; `nan`, `inf` and `-inf` otherwise.
+pub(crate) fn exact(value: f64) -> String {
+    serde_json::Number::from_f64(value)
+        .map_or_else(|| non_finite(value).to_owned(), |number| number.to_string())
+}
+
+/// Rounded to this many significant digits; in powers of ten when very small or very large.
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return non_finite(value).to_owned();
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let exponent: i32 = scientific.split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
+    if value != 0.0 && !(-5..=8).contains(&exponent) {
+        return scientific;
+    }
+    let last_place = i32::try_from(digits).unwrap_or(i32::MAX).saturating_sub(1).saturating_sub(exponent);
+    format!("{value:.*}", usize::try_from(last_place).unwrap_or(0))
+}
+
+/// Rounded to this many significant digits, without the zeros at the end: `60` rather than `60.0000`.
+pub(crate) fn short(value: f64, digits: usize) -> String {
+    let text = rounded(value, digits);
+    let (mantissa, exponent) =
+        text.split_once('e').map_or((text.as_str(), ""), |(m, _)| (m, &text[m.len()..]));
+    if !mantissa.contains('.') {
+        return text;
+    }
+    format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
+}
+
+fn non_finite(value: f64) -> &'static str {
+    match value {
+        value if value.is_nan() => "nan",
+        value if value > 0.0 => "inf",
+        _ => "-inf",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_keeps_the_significant_digits() {
+        assert_eq!(rounded(2.006409292589, 5), "2.0064");
+        assert_eq!(rounded(99999.96, 6), "100000");
+        assert_eq!(rounded(1e-300, 3), "1.00e-300");
+        assert_eq!(rounded(0.0, 3), "0.00");
+        assert_eq!(rounded(f64::INFINITY, 3), "inf");
+    }
+
+    #[test]
+    fn short_numbers_lose_their_last_zeros() {
+        assert_eq!(short(60.0, 12), "60");
+        assert_eq!(short(-0.25, 12), "-0.25");
+        assert_eq!(short(1.5e-9, 12), "1.5e-9");
+        assert_eq!(short(200.0, 2), "200");
+    }
+
+    #[test]
+    fn exact_numbers_read_back_as_themselves() {
+        assert_eq!(exact(1e-300), "1e-300");
+        assert_eq!(exact(0.1).parse(), Ok(0.1));
+    }
+}

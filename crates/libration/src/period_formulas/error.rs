@@ -1,0 +1,73 @@
+use super::law::Law;
+use super::swing::{Swing, SwingAmplitude};
+use crate::algebra::BigFloat;
+
+/// Bits of the fractional error that are certain before it is rounded.
+const GOOD_BITS: isize = 64;
+/// Bits that rounding may have spoilt in a formula or in the exact ratio.
+const GUARD_BITS: isize = 24;
+/// The first attempt: enough for errors down to 1e-15.
+const FIRST_PRECISION: usize = 144;
+/// Enough for the smallest positive `f64`, 2⁻¹⁰⁷⁴; a smaller error is zero.
+const LAST_PRECISION: usize = 1216;
+
+/// The exact ratio at one amplitude in as many precisions as the formulas asked for so far.
+pub(super) struct Exact {
+    amplitude: SwingAmplitude,
+    prepared: Vec<Prepared>,
+}
+
+struct Prepared {
+    precision: usize,
+    swing: Swing<BigFloat>,
+    exact: BigFloat,
+}
+
+impl Exact {
+    pub(super) fn new(amplitude: SwingAmplitude) -> Self {
+        Self { amplitude, prepared: Vec::new() }
+    }
+
+    /// formula/exact − 1, rounded from at least 60 good bits; zero when the two agree to 2⁻¹¹²⁸.
+    pub(super) fn fractional_error(&mut self, law: &Law) -> f64 {
+        let mut precision = FIRST_PRECISION;
+        loop {
+            let prepared = self.at_precision(precision);
+            let formula = law.ratio(&prepared.swing);
+            let error = (formula - prepared.exact.clone()) / prepared.exact.clone();
+            let spoilt = GUARD_BITS - signed(precision);
+            let exponent = error.exponent().unwrap_or(isize::MIN);
+            if exponent.saturating_sub(spoilt) >= GOOD_BITS {
+                return error.to_f64();
+            }
+            if precision >= LAST_PRECISION {
+                return 0.0;
+            }
+            precision = next_precision(precision, exponent, spoilt);
+        }
+    }
+
+    fn at_precision(&mut self, precision: usize) -> &Prepared {
+        let known = self.prepared.iter().position(|prepared| prepared.precision >= precision);
+        let index = known.unwrap_or_else(|| {
+            let swing = Swing::with_precision(self.amplitude, precision);
+            let exact = swing.exact_ratio();
+            self.prepared.push(Prepared { precision, swing, exact });
+            self.prepared.len() - 1
+        });
+        &self.prepared[index]
+    }
+}
+
+/// What the error's size asks for, or twice as much when it is lost in rounding.
+fn next_precision(precision: usize, exponent: isize, spoilt: isize) -> usize {
+    let visible = exponent > spoilt;
+    let asked = if visible { GOOD_BITS + GUARD_BITS - exponent + 1 } else { 2 * signed(precision) };
+    // In steps, so that formulas of like error share the exact ratio.
+    let stepped = usize::try_from(asked).unwrap_or(LAST_PRECISION).next_multiple_of(64);
+    stepped.clamp(precision + 1, LAST_PRECISION)
+}
+
+fn signed(precision: usize) -> isize {
+    isize::try_from(precision).unwrap_or(isize::MAX)
+}

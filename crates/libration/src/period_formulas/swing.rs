@@ -1,0 +1,116 @@
+use super::real::Real;
+use crate::algebra::BigFloat;
+use crate::double_double::DoubleDouble;
+use crate::quantity::Angle;
+
+/// An amplitude within [0, π), given by what is smaller of it and its complement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum SwingAmplitude {
+    /// θ0.
+    FromBottom(DoubleDouble),
+    /// π − θ0.
+    FromTop(DoubleDouble),
+}
+
+impl SwingAmplitude {
+    /// `None` at and beyond π, and for angles with turns.
+    pub(super) fn from_angle(angle: &Angle) -> Option<Self> {
+        let (amplitude, complement) = (angle.in_turn_words().abs(), angle.complement_words());
+        let swings = angle.turns() == 0 && amplitude.is_finite() && complement.hi > 0.0;
+        let lower = amplitude.hi <= complement.hi;
+        swings.then_some(if lower { Self::FromBottom(amplitude) } else { Self::FromTop(complement) })
+    }
+
+    /// `None` outside [0, π).
+    pub(super) fn from_radians(amplitude: f64) -> Option<Self> {
+        let words = DoubleDouble::from(amplitude);
+        if !(0.0..=std::f64::consts::PI).contains(&amplitude) {
+            None
+        } else if amplitude < std::f64::consts::FRAC_PI_2 {
+            Some(Self::FromBottom(words))
+        } else {
+            Some(Self::FromTop(DoubleDouble::PI - words))
+        }
+    }
+
+    pub(super) fn to_angle(self) -> Option<Angle> {
+        match self {
+            Self::FromBottom(amplitude) => Angle::from_radians(amplitude.to_f64()).ok(),
+            Self::FromTop(complement) => Some(Angle::from_complement_words(complement)),
+        }
+    }
+
+    pub(super) fn radians(self) -> f64 {
+        match self {
+            Self::FromBottom(amplitude) => amplitude.to_f64(),
+            Self::FromTop(complement) => (DoubleDouble::PI - complement).to_f64(),
+        }
+    }
+
+    pub(super) fn complement(self) -> f64 {
+        match self {
+            Self::FromBottom(amplitude) => (DoubleDouble::PI - amplitude).to_f64(),
+            Self::FromTop(complement) => complement.to_f64(),
+        }
+    }
+}
+
+/// What the formulas are written in: the amplitude and the functions of it that several share.
+#[derive(Clone, Debug)]
+pub(super) struct Swing<R> {
+    /// θ0.
+    pub(super) amplitude: R,
+    /// π − θ0.
+    pub(super) complement: R,
+    /// cos(θ0/2), from the complement near the top.
+    pub(super) cos_half: R,
+    /// sin(θ0/2).
+    pub(super) sin_half: R,
+}
+
+impl<R: Real> Swing<R> {
+    /// 1 − cos(θ0/2), without cancellation.
+    pub(super) fn versine_half(&self) -> R {
+        self.sin_half.square() / (self.number(1) + self.cos_half.clone())
+    }
+
+    pub(super) fn number(&self, integer: i16) -> R {
+        self.amplitude.number(integer)
+    }
+}
+
+impl Swing<f64> {
+    pub(super) fn new(amplitude: SwingAmplitude) -> Self {
+        let (radians, complement) = (amplitude.radians(), amplitude.complement());
+        let (cos_half, sin_half) = match amplitude {
+            SwingAmplitude::FromBottom(_) => (libm::cos(radians / 2.0), libm::sin(radians / 2.0)),
+            SwingAmplitude::FromTop(_) => (libm::sin(complement / 2.0), libm::cos(complement / 2.0)),
+        };
+        Self { amplitude: radians, complement, cos_half, sin_half }
+    }
+}
+
+impl Swing<BigFloat> {
+    pub(super) fn with_precision(amplitude: SwingAmplitude, precision: usize) -> Self {
+        let pi = BigFloat::pi(precision);
+        match amplitude {
+            SwingAmplitude::FromBottom(words) => {
+                let amplitude = BigFloat::from_words(words, precision);
+                let half = amplitude.clone().halved();
+                let complement = pi - amplitude.clone();
+                Self { amplitude, complement, cos_half: half.cos(), sin_half: half.sin() }
+            }
+            SwingAmplitude::FromTop(words) => {
+                let complement = BigFloat::from_words(words, precision);
+                let half = complement.clone().halved();
+                let amplitude = pi - complement.clone();
+                Self { amplitude, complement, cos_half: half.sin(), sin_half: half.cos() }
+            }
+        }
+    }
+
+    /// T/T0 = 1/agm(1, cos(θ0/2)), exactly but for rounding (DLMF 19.8.5).
+    pub(super) fn exact_ratio(&self) -> BigFloat {
+        self.number(1) / self.number(1).agm(&self.cos_half)
+    }
+}
