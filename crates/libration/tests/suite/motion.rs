@@ -216,13 +216,7 @@ fn batch_of_varying_states_equals_the_single_call_bit_for_bit() {
     for i in 0..count {
         let single = pendulum::state(amplitudes[i], 1.5, times[i]);
         let batch = (bits(angles[i]), bits(velocities[i]));
-        assert_eq!(
-            batch,
-            (bits(single.angle), bits(single.velocity)),
-            "{} {}",
-            amplitudes[i],
-            times[i]
-        );
+        assert_eq!(batch, (bits(single.angle), bits(single.velocity)), "{} {}", amplitudes[i], times[i]);
     }
 }
 
