@@ -51,7 +51,9 @@ impl Entry {
 
 pub(super) fn write(out: &mut dyn Write, form: Form, entries: &[Entry]) -> io::Result<()> {
     match form {
-        Form::Json => json::document_with_list(out, Record::new(), "formulas", entries.iter().map(Entry::record)),
+        Form::Json => {
+            json::document_with_list(out, Record::new(), "formulas", entries.iter().map(Entry::record))
+        }
         Form::Csv => write_csv(out, entries),
         Form::Table => write_table(out, entries),
     }

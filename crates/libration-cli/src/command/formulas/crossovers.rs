@@ -36,7 +36,8 @@ fn write_csv(out: &mut dyn Write, crossovers: &[Crossover]) -> io::Result<()> {
     csv::line(out, &["amplitude_rad", "complement_rad", "better_below", "better_above", "error"])?;
     for crossover in crossovers {
         let [radians, complement, error] =
-            [crossover.amplitude.radians(), crossover.amplitude.complement(), crossover.error].map(number::exact);
+            [crossover.amplitude.radians(), crossover.amplitude.complement(), crossover.error]
+                .map(number::exact);
         let (below, above) = (crossover.better_below.clone(), crossover.better_above.clone());
         csv::line(out, &[radians, complement, below, above, error])?;
     }

@@ -47,7 +47,11 @@ impl Formulas {
     }
 
     /// The formulas that keep the tolerance, each with the amplitude up to which it does.
-    fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<catalogue::Entry>, Failure> {
+    fn sufficient(
+        &self,
+        formulas: &[PeriodFormula],
+        tolerance: f64,
+    ) -> Result<Vec<catalogue::Entry>, Failure> {
         let table = ErrorTable::new(formulas);
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
         let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
@@ -56,10 +60,14 @@ impl Formulas {
             None => formulas.iter().collect(),
         };
         if chosen.is_empty() {
-            let reason = format!("no formula keeps the tolerance {tolerance} there: the exact period always does");
+            let reason =
+                format!("no formula keeps the tolerance {tolerance} there: the exact period always does");
             return Err(Failure::no_answer("--amplitude", reason));
         }
-        Ok(chosen.into_iter().map(|formula| catalogue::Entry::new(formula, holds_to(formula.key()))).collect())
+        Ok(chosen
+            .into_iter()
+            .map(|formula| catalogue::Entry::new(formula, holds_to(formula.key())))
+            .collect())
     }
 }
 
