@@ -1,10 +1,10 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
 
-use dashu::base::{BitTest, Signed};
+use dashu::base::BitTest;
 use dashu::float::FBig;
 use dashu::float::round::mode::HalfEven;
-use dashu::integer::{IBig, UBig};
+use dashu::integer::IBig;
 
 use super::Rational;
 use crate::double_double::DoubleDouble;
@@ -54,10 +54,6 @@ impl BigFloat {
 
     pub(crate) fn is_zero(&self) -> bool {
         self.0.repr().significand().is_zero()
-    }
-
-    pub(crate) fn is_positive(&self) -> bool {
-        !self.is_zero() && Signed::is_positive(&self.0)
     }
 
     /// The exponent e with 2^(e−1) ≤ |x| < 2^e; `None` for zero.

@@ -201,7 +201,8 @@ impl Phase {
         let quarter = (4.0 * fraction_hi).round_ties_even();
         let known = whole.abs() < MOST_TURNS;
         let rest = fast_two_sum(
-            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 },
+            // Zero, but NaN for what is not finite.
+            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 * turns.hi },
             if known { fraction.lo } else { 0.0 },
         );
         Self { turns: whole + more, quarter, rest }

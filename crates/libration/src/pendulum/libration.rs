@@ -27,10 +27,10 @@ struct SwingQuotients {
 }
 
 impl Libration {
-    /// The libration through this state, with 1 − e given.
-    pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, deficit: DoubleDouble) -> Self {
+    /// The libration through this state, with k′ = √(1 − e) given.
+    pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, complementary: DoubleDouble) -> Self {
         let k = hypotenuse(start.sine, start.velocity);
-        let modulus = Modulus::from_words(k, deficit.sqrt());
+        let modulus = Modulus::from_words(k, complementary);
         let offset = quarter_turns(start, k, modulus.first_words()).scaled(0.25);
         let frequency = angular_frequency / modulus.first_words().scaled(4.0);
         let clock = PhaseClock { frequency, offset };

@@ -106,6 +106,9 @@ pub enum PendulumError {
     /// An energy below that of the pendulum at rest.
     #[error("the energy ratio is {0}: the least energy, at rest at the bottom, is 0")]
     NegativeEnergy(f64),
+    /// The energy differs from the separatrix's by less than the range of `f64`.
+    #[error("the motion is closer to the separatrix than numbers can tell: give another velocity")]
+    TooCloseToSeparatrix,
     /// A period ratio that no amplitude has.
     #[error(
         "no amplitude has the period ratio T/T0 = {0}: it is 1 for the smallest swings and grows without bound towards the top"

@@ -1,7 +1,9 @@
 //! Motions: a pendulum with an initial state, sorted by regime and prepared for evaluation at any time.
 
+use std::cmp::Ordering;
+
 use super::amplitude::half_angle;
-use super::initial::energy_deficit;
+use super::initial::{Separation, separation};
 use super::state::State;
 use super::{Amplitude, LengthMismatch, Libration, Pendulum, PendulumError, Rotation, Separatrix, finite};
 use crate::double_double::DoubleDouble;
@@ -69,7 +71,8 @@ impl Pendulum {
     /// the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
     ///
     /// # Errors
-    /// A velocity that is not finite, or whose energy is not.
+    /// A velocity that is not finite, or whose energy is not; an energy closer to the separatrix than `f64` can
+    /// tell, which happens only next to the upright position.
     pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
         finite("velocity", velocity)?;
         let angular_frequency = self.angular_frequency_words();
@@ -77,23 +80,14 @@ impl Pendulum {
         if velocity == 0.0 && (sine.hi == 0.0 || cosine.hi == 0.0) {
             return Ok(Motion::Rest(Rest { angle, angular_frequency }));
         }
-        let deficit = energy_deficit(&angle, cosine, velocity, self.gravity_and_length());
-        if !deficit.is_finite() {
+        let scaled_velocity = DoubleDouble::from(velocity) / angular_frequency.scaled(2.0);
+        let separation = separation(&angle, cosine, velocity, scaled_velocity, self.gravity_and_length())
+            .ok_or(PendulumError::TooCloseToSeparatrix)?;
+        if !separation.root.is_finite() {
             return Err(PendulumError::NotFinite { name: "energy of this velocity", value: f64::INFINITY });
         }
-        let start = Start {
-            angle,
-            sine,
-            cosine,
-            velocity: DoubleDouble::from(velocity) / angular_frequency.scaled(2.0),
-        };
-        Ok(if deficit.hi > 0.0 {
-            Motion::Libration(Libration::through(angular_frequency, &start, deficit))
-        } else if deficit.hi < 0.0 {
-            Motion::Rotation(Rotation::through(angular_frequency, &start, -deficit))
-        } else {
-            Motion::Separatrix(Separatrix::through(angular_frequency, &start))
-        })
+        let start = Start { angle, sine, cosine, velocity: scaled_velocity };
+        Ok(start.motion(angular_frequency, &separation))
     }
 
     /// The motion with energy ratio e = E/(2mgl), exactly this `f64`, that passes the bottom with positive
@@ -140,14 +134,10 @@ impl Pendulum {
             velocity: energy.sqrt(),
         };
         if energy.hi == 0.0 {
-            Motion::Rest(Rest { angle: bottom, angular_frequency })
-        } else if excess.hi < 0.0 {
-            Motion::Libration(Libration::through(angular_frequency, &start, -excess))
-        } else if excess.hi > 0.0 {
-            Motion::Rotation(Rotation::through(angular_frequency, &start, excess))
-        } else {
-            Motion::Separatrix(Separatrix::through(angular_frequency, &start))
+            return Motion::Rest(Rest { angle: bottom, angular_frequency });
         }
+        let energy = excess.hi.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
+        start.motion(angular_frequency, &Separation { energy, root: excess.abs().sqrt() })
     }
 }
 
@@ -163,6 +153,14 @@ pub(super) struct Start {
 }
 
 impl Start {
+    fn motion(&self, angular_frequency: DoubleDouble, separation: &Separation) -> Motion {
+        match separation.energy {
+            Ordering::Less => Motion::Libration(Libration::through(angular_frequency, self, separation.root)),
+            Ordering::Equal => Motion::Separatrix(Separatrix::through(angular_frequency, self)),
+            Ordering::Greater => Motion::Rotation(Rotation::through(angular_frequency, self, separation.root)),
+        }
+    }
+
     /// The angle at the bottom of the turn in which the motion starts.
     pub(super) fn base(&self) -> DoubleDouble {
         #[expect(clippy::cast_precision_loss, reason = "an angle has at most 2⁵³ radians")]

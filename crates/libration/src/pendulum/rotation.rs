@@ -31,10 +31,11 @@ struct TurnQuotients {
 }
 
 impl Rotation {
-    /// The rotation through this state, with e − 1 given.
-    pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, excess: DoubleDouble) -> Self {
+    /// The rotation through this state, with √(e − 1) given.
+    pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, root: DoubleDouble) -> Self {
+        let excess = root.square();
         let root_energy = (excess + 1.0).sqrt();
-        let modulus = Modulus::from_words(root_energy.recip(), excess.sqrt() / root_energy);
+        let modulus = Modulus::from_words(root_energy.recip(), root / root_energy);
         let speed = root_energy * angular_frequency;
         let direction = if start.velocity.hi < 0.0 { -1.0 } else { 1.0 };
         let ahead = if (start.sine.hi < 0.0) == (start.velocity.hi < 0.0) { 1.0 } else { -1.0 };

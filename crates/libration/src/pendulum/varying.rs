@@ -81,6 +81,7 @@ fn place(amplitude: f64, angular_frequency: f64, time: f64) -> Place {
     let log = log_inverse_nome(s, u);
     let log = fast_two_sum(log.hi, log.lo);
     let high = ratio_above(excess, log);
+    let high = fast_two_sum(high.hi, high.lo);
     let low = fast_two_sum(1.0, excess.hi);
     let low = fast_two_sum(low.hi, low.lo + excess.lo);
     let ratio = DoubleDouble::new(if above { high.hi } else { low.hi }, if above { high.lo } else { low.lo });

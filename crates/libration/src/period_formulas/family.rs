@@ -50,7 +50,7 @@ impl Family {
             also: if bernoulli { vec![numbered] } else { Vec::new() },
             name: if bernoulli { "Bernoulli".to_owned() } else { self.name(corrections) },
             authors: self.authors(bernoulli).to_owned(),
-            year: self.year(bernoulli),
+            year: self.year(),
             source: self.source(bernoulli).to_owned(),
             attribution: Attribution::Certain,
             latex,
@@ -95,18 +95,14 @@ impl Family {
         }
     }
 
-    fn year(self, bernoulli: bool) -> Option<u16> {
-        match self {
-            Self::PowerSeries => bernoulli.then_some(1749),
-            Self::FourierPerturbation => Some(2023),
-            Self::SineSquared => None,
-        }
+    fn year(self) -> Option<u16> {
+        (self == Self::FourierPerturbation).then_some(2023)
     }
 
     fn source(self, bernoulli: bool) -> &'static str {
         match self {
             Self::PowerSeries if bernoulli => {
-                "equation (4) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
+                "D. Bernoulli in the late 1740s; equation (4) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
             }
             Self::PowerSeries => {
                 "equation (14) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"

@@ -225,7 +225,7 @@ impl PeriodFormula {
         self.year
     }
 
-    /// Where; begins with `attributed to` when it rests on memory alone.
+    /// Where; what rests on memory alone is `attributed to` its source.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source

@@ -13,14 +13,14 @@ pub(super) fn zero_between(
     let mut window = 2.0 * (b.0 - a.0).abs();
     while (high.0 - low.0).abs() > tolerance && low.1 != 0.0 && high.1 != 0.0 {
         let x = itp_point(low, high, window, tolerance);
-        if x == low.0 || x == high.0 {
+        if x <= low.0.min(high.0) || x >= low.0.max(high.0) {
             break;
         }
         let value = (x, f(x));
         if (value.1 > 0.0) == (low.1 > 0.0) {
-            low = value
+            low = value;
         } else {
-            high = value
+            high = value;
         }
         window /= 2.0;
     }

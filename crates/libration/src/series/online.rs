@@ -15,7 +15,7 @@ pub(super) enum Weight {
     EvenFactorial,
 }
 
-/// An equation y₀ = first, yₙ = finish(n, Σ_{k=1}^{n} wₙ/(w_k w_{n−k})·known_k·y_{n−k}), whose sums need the
+/// An equation y₀ = first, `yₙ = finish(n, Σ wₙ/(w_k w_{n−k})·known_k·y_{n−k})` over 1 ≤ k ≤ n, whose sums need the
 /// answers already found: solved by halves, the first half entering the second by one product.
 ///
 /// Reference: J. van der Hoeven, *Relax, but don't be too lazy*, J. Symbolic Comput. 34, 479 (2002), section 4.1.

@@ -1,4 +1,5 @@
 //! The published formulas: their errors against mpmath, their crossovers, and identities of theta functions.
+#![expect(clippy::disallowed_methods, clippy::float_cmp, reason = "expectations, some of them exact")]
 
 use std::ops::ControlFlow;
 use std::sync::LazyLock;

@@ -78,8 +78,10 @@ fn amplitude() {
         ratio.add(&record, "Amplitude", record.truths[0], amplitude.period_ratio(), 0.0);
         excess.add(&record, "Amplitude", record.truths[1], amplitude.period_excess(), 0.0);
     }
-    ratio.report();
-    excess.report();
+    ratio.print();
+    excess.print();
+    ratio.enforce();
+    excess.enforce();
 }
 
 #[test]
@@ -95,8 +97,10 @@ fn complete_integrals() {
         }
         nome.add(&record, "q", record.truths[3], modulus.nome(), 0.0);
     }
-    integrals.report();
-    nome.report();
+    integrals.print();
+    nome.print();
+    integrals.enforce();
+    nome.enforce();
 }
 
 #[test]
@@ -157,8 +161,10 @@ impl States {
     }
 
     fn report(self) {
-        self.1.report();
-        self.0.report();
+        self.0.print();
+        self.1.print();
+        self.0.enforce();
+        self.1.enforce();
     }
 }
 

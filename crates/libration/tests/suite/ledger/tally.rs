@@ -47,18 +47,23 @@ impl<'a> Tally<'a> {
 
     /// Prints the table; fails if the promise is broken or nothing was counted.
     pub(super) fn report(self) {
+        self.print();
+        self.enforce();
+    }
+
+    pub(super) fn print(&self) {
         println!("\n{}\n", heading(&self.promise));
         println!(
             "| answer | region | inputs | mean ulp | max ulp | worst input |\n|---|---|---|---|---|---|"
         );
         for ((answer, region), cell) in &self.cells {
-            let mean = cell.sum / f64::from(cell.count);
-            let (region, mean, largest) = (self.regions[*region], short(mean), short(cell.largest));
-            println!(
-                "| {answer} | {region} | {} | {mean} | {largest} | {:?} |",
-                cell.count, cell.worst_input
-            );
+            let (mean, largest) = (short(cell.sum / f64::from(cell.count)), short(cell.largest));
+            let (region, worst) = (self.regions[*region], &cell.worst_input);
+            println!("| {answer} | {region} | {} | {mean} | {largest} | {worst:?} |", cell.count);
         }
+    }
+
+    pub(super) fn enforce(&self) {
         assert!(!self.cells.is_empty(), "the oracle gave no records");
         let largest = self.cells.values().map(|cell| cell.largest).fold(0.0, f64::max);
         assert!(largest <= self.promise.ulp, "{}: {largest} ulp", heading(&self.promise));
