@@ -67,7 +67,7 @@ fn harmonics_follow_the_nome() {
     for (index, term) in answer["harmonics"].as_array().unwrap().iter().enumerate() {
         let n = [1.0, 3.0, 5.0][index];
         let sign = [1.0, -1.0, 1.0][index];
-        assert_eq!(term["n"].as_f64().unwrap(), n);
+        close(&term["n"], n, 0.0);
         close(&term["angle_rad"], sign * 8.0 * q.powf(n / 2.0) / (n * (1.0 + q.powf(n))), 1e-14);
         assert!(term["velocity_rad_per_s"].is_number());
     }

@@ -14,7 +14,7 @@ fn every_field_of_the_contract_is_there() {
     close(&answer["length_m"], 1.0, 0.0);
     close(&answer["gravity_m_per_s2"], 9.80665, 0.0);
     let result = &answer["results"][0];
-    close(&result["amplitude_rad"], std::f64::consts::FRAC_PI_3, 1e-16);
+    close(&result["amplitude_rad"], std::f64::consts::FRAC_PI_3, 0.0);
     close(&result["complement_rad"], 2.0 * std::f64::consts::FRAC_PI_3, 1e-16);
     close(&result["small_angle_period_s"], 2.006409292589, 1e-12);
     close(&result["period_s"], 2.1532423517838, 1e-12);
