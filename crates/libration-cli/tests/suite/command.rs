@@ -1,7 +1,7 @@
 //! Running the command.
 
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Runs `libration` with these arguments, separated by blanks.
@@ -35,7 +35,8 @@ pub(crate) fn message(output: &Output) -> String {
 
 /// A fresh directory of this test's own.
 pub(crate) fn directory(name: &str) -> PathBuf {
-    let path = std::env::temp_dir().join(format!("libration-{name}-{}", std::process::id()));
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
     std::fs::create_dir_all(&path).unwrap();
     path
 }

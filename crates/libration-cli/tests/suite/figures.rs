@@ -3,7 +3,7 @@
 use crate::command::{directory, json, libration, message, text};
 
 fn drawn(arguments: &str) -> String {
-    let path = directory("figures").join(format!("{}.svg", arguments.split(' ').next().unwrap()));
+    let path = directory(&format!("figure-{}", arguments.split(' ').next().unwrap())).join("figure.svg");
     let output = libration(&format!("figure {arguments} --output {}", path.display()));
     assert!(output.status.success(), "{arguments}: {}", message(&output));
     std::fs::read_to_string(path).unwrap()

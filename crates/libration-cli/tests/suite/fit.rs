@@ -46,8 +46,9 @@ fn a_length_gives_gravity_with_its_uncertainty() {
 
 #[test]
 fn the_picture_is_drawn_and_the_table_lists_the_laws() {
-    let picture = directory("fit-picture").join("fit.svg");
-    let sheet = text(&format!("fit periods {} --figure {}", exact_table("fit-picture"), picture.display()));
+    let table = exact_table("fit-picture");
+    let picture = directory("fit-drawn").join("fit.svg");
+    let sheet = text(&format!("fit periods {table} --figure {}", picture.display()));
     assert!(sheet.contains("exact") && sheet.contains("kidd_fogg"));
     assert!(std::fs::read_to_string(picture).unwrap().contains("residual"));
 }
@@ -64,8 +65,8 @@ fn unusable_tables_are_refused_with_a_reason() {
         ("beyond", "0.1,2.0\n60,2.0\n", "check the unit"),
     ];
     for (name, text, expected) in cases {
-        let picture = directory(name).join("never.svg");
         let path = table(name, text);
+        let picture = path.with_file_name("never.svg");
         let output = libration(&format!("fit periods {} --figure {}", path.display(), picture.display()));
         assert_eq!(output.status.code(), Some(1), "{name}");
         assert!(message(&output).contains(expected), "{name}: {}", message(&output));
