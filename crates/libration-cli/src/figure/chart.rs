@@ -91,7 +91,7 @@ impl Axis {
 
     pub(crate) fn logarithmic(label: &str, from: f64, to: f64) -> Self {
         let decades = to.log10() - from.log10();
-        let tick_step = if decades <= 12.0 { 1.0 } else { range::tick_step(0.0, decades).ceil() };
+        let tick_step = (decades / 12.0).ceil();
         Self { scale: Scale::Logarithmic, tick_step, ..Self::linear(label, from, to) }
     }
 

@@ -5,7 +5,7 @@ use kuva::render::color::Color;
 use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 
 const TEXT_SIZE: u32 = 17;
-/// Widths of DejaVu Sans letters are about 0.6 of their size on average.
+/// The letters of the font are about 0.6 of their size wide on average.
 const LETTER: f64 = 0.6 * 17.0;
 const ROW: f64 = 28.0;
 const SAMPLE: f64 = 54.0;

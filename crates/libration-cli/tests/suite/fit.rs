@@ -1,0 +1,78 @@
+//! `libration fit periods`.
+
+use crate::command::{close, directory, json, libration, message, text};
+use std::path::PathBuf;
+
+/// Periods of the exact law with T0 = 2 s, made with mpmath's `ellipk`; amplitudes in degrees.
+const EXACT: &str = "angle,time,error\n\
+    10,2.00381437629,0.001\n\
+    40,2.06268103826,0.001\n\
+    -70,2.20428981928,0.001\n\
+    100,2.46445839348,0.001\n\
+    130,2.93963865179,0.001\n";
+
+fn table(name: &str, text: &str) -> PathBuf {
+    let path = directory(name).join("table.csv");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+fn exact_table(name: &str) -> String {
+    format!("{} --columns angle,time,-,error --amplitude-unit deg", table(name, EXACT).display())
+}
+
+#[test]
+fn exact_data_give_beta_one() {
+    let answer = json(&format!("fit periods {}", exact_table("fit-exact")));
+    assert_eq!(answer["rows"], 5);
+    close(&answer["beta"], 1.0, 1e-8);
+    let law = &answer["laws"][0];
+    assert_eq!(law["key"], "exact");
+    close(&law["t0_s"], 2.0, 1e-9);
+    assert!(law["t0_uncertainty_s"].as_f64().unwrap() > 0.0);
+    assert!(law["chi2_per_dof"].as_f64().unwrap() < 1e-8);
+    assert_eq!(answer["laws"][1]["key"], "constant");
+    assert!(answer["laws"].as_array().unwrap().len() > 20);
+    assert!(answer["beta_uncertainty"].is_number() && answer["gravity_m_per_s2"].is_null());
+    assert!(answer["note"].as_str().unwrap().contains("--length"));
+}
+
+#[test]
+fn a_length_gives_gravity_with_its_uncertainty() {
+    let answer = json(&format!("fit periods {} --length 1m±0.01m", exact_table("fit-gravity")));
+    close(&answer["gravity_m_per_s2"], std::f64::consts::PI.powi(2), 1e-8);
+    close(&answer["gravity_uncertainty_m_per_s2"], 0.01 * std::f64::consts::PI.powi(2), 0.05);
+}
+
+#[test]
+fn the_picture_is_drawn_and_the_table_lists_the_laws() {
+    let table = exact_table("fit-picture");
+    let picture = directory("fit-drawn").join("fit.svg");
+    let sheet = text(&format!("fit periods {table} --figure {}", picture.display()));
+    assert!(sheet.contains("exact") && sheet.contains("kidd_fogg"));
+    assert!(std::fs::read_to_string(picture).unwrap().contains("residual"));
+}
+
+#[test]
+fn unusable_tables_are_refused_with_a_reason() {
+    let cases = [
+        ("empty", "", "no rows"),
+        ("ragged", "0.1,2.0\n0.2,2.0,3\n", "line 2 has 3 cells"),
+        ("binary", "\0\u{1}\u{2}", "not a table"),
+        ("words", "0.1,2.0\n0.2,two\n", "`two` is not a finite number"),
+        ("three", "0.1,2.0,0.1\n0.2,2.0,0.1\n", "--columns"),
+        ("nan", "0.1,2.0\nnan,2.0\n0.2,inf\n", "not a finite number"),
+        ("beyond", "0.1,2.0\n60,2.0\n", "check the unit"),
+    ];
+    for (name, text, expected) in cases {
+        let path = table(name, text);
+        let picture = path.with_file_name("never.svg");
+        let output = libration(&format!("fit periods {} --figure {}", path.display(), picture.display()));
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        assert!(message(&output).contains(expected), "{name}: {}", message(&output));
+        assert!(!picture.exists() && output.stdout.is_empty(), "{name}");
+    }
+    let missing =
+        libration(&format!("fit periods {} --columns angle,period", table("missing", EXACT).display()));
+    assert!(message(&missing).contains("no column `period`"), "{}", message(&missing));
+}

@@ -1,0 +1,11 @@
+//! The command as its users meet it: run, with its answers read back.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
+
+mod bad_input;
+mod command;
+mod figures;
+mod files;
+mod fit;
+mod formulas;
+mod motion;
+mod period;

@@ -1,0 +1,106 @@
+//! `libration period`.
+
+use crate::command::{close, directory, json, libration, text};
+
+#[test]
+fn decimal_degrees_mean_the_decimal() {
+    let answer = json("period 179.999999deg --formulas bernoulli");
+    assert_eq!(answer["results"][0]["ratio"], 12.696222116445628);
+}
+
+#[test]
+fn every_field_of_the_contract_is_there() {
+    let answer = json("period 60deg --formulas kidd_fogg");
+    close(&answer["length_m"], 1.0, 0.0);
+    close(&answer["gravity_m_per_s2"], 9.80665, 0.0);
+    let result = &answer["results"][0];
+    close(&result["amplitude_rad"], std::f64::consts::FRAC_PI_3, 0.0);
+    close(&result["complement_rad"], 2.0 * std::f64::consts::FRAC_PI_3, 1e-16);
+    close(&result["small_angle_period_s"], 2.006409292589, 1e-12);
+    close(&result["period_s"], 2.1532423517838, 1e-12);
+    close(&result["ratio"], 1.0731820071493643, 1e-15);
+    close(&result["excess"], 0.0731820071493643, 1e-13);
+    close(&result["nome"], 0.017972387008967, 1e-12);
+    assert!(result["condition"].as_f64().unwrap() > 0.0);
+    let formula = &result["formulas"][0];
+    assert_eq!(formula["key"], "kidd_fogg");
+    // 1/√cos 30°
+    close(&formula["ratio"], 1.0745699318235418, 1e-15);
+    close(&formula["period_s"], 1.0745699318235418 * 2.006409292589, 1e-12);
+    close(&formula["fractional_error"], 1.0745699318235418 / 1.0731820071493643 - 1.0, 1e-10);
+}
+
+#[test]
+fn the_complement_is_kept_all_the_way() {
+    let result = &json("period pi-1e-300 --formulas butikov")["results"][0];
+    assert_eq!(result["complement_rad"], 1e-300);
+    // (2/π) ln(8/δ)
+    close(&result["ratio"], std::f64::consts::FRAC_2_PI * (8f64.ln() + 300.0 * 10f64.ln()), 1e-14);
+}
+
+#[test]
+fn the_whole_catalogue_is_in_the_json_and_sorted_as_asked() {
+    let errors = |order: &str| -> Vec<f64> {
+        let answer = json(&format!("period 60deg --sort {order}"));
+        let formulas = answer["results"][0]["formulas"].as_array().unwrap().clone();
+        formulas.iter().map(|formula| formula["fractional_error"].as_f64().unwrap().abs()).collect()
+    };
+    assert!(errors("error").is_sorted() && errors("error").len() > 15);
+    assert!(!errors("catalogue").is_sorted());
+}
+
+#[test]
+fn a_range_is_a_table_with_one_row_per_amplitude() {
+    let table = text("period 1deg:179deg:1deg --csv --formulas bernoulli");
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines.len(), 180);
+    assert!(lines[0].starts_with("amplitude_rad,complement_rad,small_angle_period_s,period_s,ratio,excess"));
+    assert!(lines[0].ends_with("bernoulli_ratio,bernoulli_fractional_error"));
+    assert_eq!(text("period 1deg:179deg:1deg").lines().count(), 184);
+}
+
+#[test]
+fn amplitudes_come_from_a_file_too() {
+    let file = directory("amplitudes").join("amplitudes.txt");
+    std::fs::write(&file, "# released from\n60deg\n\n1.2\npi-1e-6\n").unwrap();
+    let answer = json(&format!("period --from-file {} --formulas molina", file.display()));
+    assert_eq!(answer["results"].as_array().unwrap().len(), 3);
+    assert_eq!(answer["results"][1]["amplitude_rad"], 1.2);
+}
+
+#[test]
+fn the_sign_of_an_amplitude_does_not_count() {
+    assert_eq!(text("period -30deg --csv"), text("period 30deg --csv"));
+}
+
+#[test]
+fn the_defaults_are_said() {
+    let sheet = text("period 60deg");
+    assert!(sheet.contains("1 m (default)") && sheet.contains("9.80665 m/s² (default)"));
+    assert!(!text("period 60deg --length 2m --gravity 9.81").contains("default"));
+}
+
+#[test]
+fn length_and_gravity_set_the_scale() {
+    let answer = json("period 60deg --length 57cm --gravity 9.81m/s^2 --formulas bernoulli");
+    close(&answer["length_m"], 0.57, 1e-15);
+    let period = std::f64::consts::TAU * (0.57f64 / 9.81).sqrt();
+    close(&answer["results"][0]["small_angle_period_s"], period, 1e-15);
+}
+
+#[test]
+fn a_reader_that_stops_reading_is_no_error() {
+    let command = format!("{} period 0deg:179deg:0.001deg --csv | head -1", env!("CARGO_BIN_EXE_libration"));
+    let script = format!("set -o pipefail; {command}");
+    let output = std::process::Command::new("bash").args(["-c", &script]).output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty());
+}
+
+#[test]
+fn completions_and_help_are_written_to_the_output() {
+    assert!(text("completions bash").contains("libration"));
+    for command in ["period", "motion", "fourier", "formulas", "figure", "fit periods"] {
+        assert!(libration(&format!("{command} --help")).status.success());
+        assert!(text(&format!("{command} --help")).contains("Examples:"), "{command}");
+    }
+}
