@@ -26,22 +26,43 @@ const TAN_PI_8: f64 = 0.41421356237309503;
 /// atan(small/large) for 0 ≤ small ≤ large, within [0, π/4], in two words, relative error below 2⁻⁵⁴.
 #[inline(always)]
 pub(crate) fn atan_of_ratio(small: DoubleDouble, large: DoubleDouble) -> DoubleDouble {
-    let upper = small.hi > TAN_PI_8 * large.hi;
-    let shift = if upper { large.hi } else { 0.0 };
-    let shift_lo = if upper { large.lo } else { 0.0 };
-    let base = if upper { FRAC_PI_4.hi } else { 0.0 };
-    let base_lo = if upper { FRAC_PI_4.lo } else { 0.0 };
-    // tan(a − π/4) = (small − large)/(small + large); the difference of the first words is exact.
-    let numerator = small.hi - shift;
-    let numerator_lo = small.lo - shift_lo;
-    let denominator = fast_two_sum(large.hi, if upper { small.hi } else { 0.0 });
-    let denominator_lo = denominator.lo + (large.lo + if upper { small.lo } else { 0.0 });
-    let inverse = 1.0 / denominator.hi;
-    let t = numerator * inverse;
-    let residual = (-t).mul_add(denominator.hi, numerator) + (-t).mul_add(denominator_lo, numerator_lo);
-    let x = t * t;
-    let tail = (t * x).mul_add(polynomial(x, &ARCTANGENT), residual.mul_add(inverse, base_lo));
-    // Above, π/4 is the larger of the two; below, it is absent.
-    let leading = two_sum(base, t);
-    fast_two_sum(leading.hi, leading.lo + tail)
+    ReducedArctangent::of(small, large).angle()
+}
+
+/// An arctangent as upper·π/4 + atan t, |t| ≤ √2 − 1.
+#[derive(Clone, Copy)]
+pub(crate) struct ReducedArctangent {
+    /// One or zero.
+    pub(crate) upper: f64,
+    /// t to the nearest word.
+    pub(crate) t: f64,
+    /// What is missing of it.
+    pub(crate) t_lo: f64,
+}
+
+impl ReducedArctangent {
+    #[inline(always)]
+    pub(crate) fn of(small: DoubleDouble, large: DoubleDouble) -> Self {
+        // A weight of one or zero in place of a selection, which would become a selection of two divisions.
+        let upper = if small.hi > TAN_PI_8 * large.hi { 1.0 } else { 0.0 };
+        // tan(a − π/4) = (small − large)/(small + large); the difference of the first words is exact.
+        let numerator = large.hi.mul_add(-upper, small.hi);
+        let numerator_lo = large.lo.mul_add(-upper, small.lo);
+        let denominator = fast_two_sum(large.hi, upper * small.hi);
+        let denominator_lo = denominator.lo + small.lo.mul_add(upper, large.lo);
+        let inverse = 1.0 / denominator.hi;
+        let t = numerator * inverse;
+        let residual = (-t).mul_add(denominator.hi, numerator) + (-t).mul_add(denominator_lo, numerator_lo);
+        Self { upper, t, t_lo: residual * inverse }
+    }
+
+    #[inline(always)]
+    pub(crate) fn angle(&self) -> DoubleDouble {
+        let x = self.t * self.t;
+        let tail =
+            (self.t * x).mul_add(polynomial(x, &ARCTANGENT), self.upper.mul_add(FRAC_PI_4.lo, self.t_lo));
+        // Above, π/4 is the larger of the two; below, it is absent.
+        let leading = two_sum(self.upper * FRAC_PI_4.hi, self.t);
+        fast_two_sum(leading.hi, leading.lo + tail)
+    }
 }

@@ -28,17 +28,43 @@ pub(crate) struct Logarithm {
 /// The parts of ln x for a normal positive x.
 #[inline(always)]
 pub(crate) fn split_logarithm(x: DoubleDouble) -> Logarithm {
-    let (exponent, scale) = exponent_and_scale(x.hi);
-    let (f, f_lo) = (x.hi * scale, x.lo * scale);
-    let numerator = f - 1.0;
-    let denominator = f + 1.0;
-    let denominator_lo = (f - (denominator - 1.0)) + f_lo;
-    let inverse = 1.0 / denominator;
-    let q = numerator * inverse;
-    let residual = (-q).mul_add(denominator, numerator) + (f_lo - q * denominator_lo);
-    let y = q * q;
-    let tail = (q * y).mul_add(polynomial(y, &ATANH), 2.0 * (residual * inverse));
-    Logarithm { exponent, leading: 2.0 * q, tail }
+    let reduced = ReducedLogarithm::of(x);
+    Logarithm { exponent: reduced.exponent, leading: reduced.leading(), tail: reduced.tail() }
+}
+
+/// A number x = 2ᵉf on the way to its logarithm, ln f = 2 artanh q with q = (f − 1)/(f + 1).
+pub(crate) struct ReducedLogarithm {
+    pub(crate) exponent: f64,
+    /// q to the nearest word.
+    pub(crate) q: f64,
+    /// What is missing of it.
+    pub(crate) q_lo: f64,
+}
+
+impl ReducedLogarithm {
+    #[inline(always)]
+    pub(crate) fn of(x: DoubleDouble) -> Self {
+        let (exponent, scale) = exponent_and_scale(x.hi);
+        let (f, f_lo) = (x.hi * scale, x.lo * scale);
+        let numerator = f - 1.0;
+        let denominator = f + 1.0;
+        let denominator_lo = (f - (denominator - 1.0)) + f_lo;
+        let inverse = 1.0 / denominator;
+        let q = numerator * inverse;
+        let residual = (-q).mul_add(denominator, numerator) + (f_lo - q * denominator_lo);
+        Self { exponent, q, q_lo: residual * inverse }
+    }
+
+    #[inline(always)]
+    pub(crate) fn leading(&self) -> f64 {
+        2.0 * self.q
+    }
+
+    #[inline(always)]
+    pub(crate) fn tail(&self) -> f64 {
+        let square = self.q * self.q;
+        (self.q * square).mul_add(polynomial(square, &ATANH), 2.0 * self.q_lo)
+    }
 }
 
 /// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; anything for others.

@@ -11,9 +11,9 @@ mod hyperbolic;
 mod logarithm;
 mod sine;
 
-pub(crate) use arctangent::atan_of_ratio;
+pub(crate) use arctangent::{ReducedArctangent, atan_of_ratio};
 pub(crate) use hyperbolic::sinh_cosh;
-pub(crate) use logarithm::{Logarithm, split_logarithm};
+pub(crate) use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
 pub(crate) use sine::sin_cos_of_turns;
 
 /// Σ coefficients\[i\]·xⁱ, even and odd powers summed apart to shorten the chain of dependent operations.

@@ -85,39 +85,17 @@ impl ThetaSeries {
         fast_two_sum(1.0, q2 + q4 * (q2 + q4 * q4))
     }
 
-    /// θ₃(0).
-    #[inline(always)]
-    pub(crate) fn third_at_zero(&self) -> DoubleDouble {
-        let (even, odd) = self.at_zero();
-        fast_two_sum(1.0, odd + even)
-    }
-
-    /// θ₄(0).
+    /// θ₄(0); the next term is below 1e-21.
     #[inline(always)]
     pub(crate) fn fourth_at_zero(&self) -> DoubleDouble {
-        let (even, odd) = self.at_zero();
-        fast_two_sum(1.0, even - odd)
-    }
-
-    /// 2q⁴ and 2q + 2q⁹; the next term is below 1e-21.
-    #[inline(always)]
-    fn at_zero(&self) -> (f64, f64) {
         let q4 = (self.q * self.q) * (self.q * self.q);
-        (2.0 * q4, 2.0 * (self.q + q4 * q4 * self.q))
+        fast_two_sum(1.0, 2.0 * q4 - 2.0 * (self.q + q4 * q4 * self.q))
     }
 
-    /// At z = 2πy, |y| ≤ 1/8.
+    /// From the sine and cosine, or their hyperbolic counterparts, of z.
     #[inline(always)]
-    pub(crate) fn circular(&self, y: DoubleDouble) -> ThetaValues {
-        let (sin, cos) = sin_cos_of_turns(y);
-        self.values(sin, cos, self.q * (-4.0f64).mul_add(sin.hi * sin.hi, 2.0))
-    }
-
-    /// At the imaginary point iz, θ₁ divided by i; e^2z ≤ 1/√q or a little more.
-    #[inline(always)]
-    pub(crate) fn hyperbolic(&self, z: DoubleDouble) -> ThetaValues {
-        let (sinh, cosh) = sinh_cosh(z);
-        self.values(sinh, cosh, self.q * 4.0f64.mul_add(sinh.hi * sinh.hi, 2.0))
+    pub(crate) fn at<S: Side>(&self, sine: DoubleDouble, cosine: DoubleDouble) -> ThetaValues {
+        self.values(sine, cosine, self.q * S::SQUARE.mul_add(sine.hi * sine.hi, 2.0))
     }
 
     #[inline(always)]
@@ -159,10 +137,19 @@ pub(crate) fn scaled_by(factor: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
 
 /// The expansion of the smaller nome, known when the code is compiled.
 pub(crate) trait Side: Copy {
-    /// The values at the rest of a phase, z = rest·scale.
-    fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues;
+    /// X = 2 + SQUARE·sine².
+    const SQUARE: f64;
+    /// The sine and cosine, or their hyperbolic counterparts, of z = rest·scale: |rest| ≤ 1/8 turn.
+    fn sine_cosine(rest: DoubleDouble, scale: DoubleDouble) -> (DoubleDouble, DoubleDouble);
     /// θ₂ and θ₄ in the order in which their quotient stands beside θ₁/θ₃.
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble);
+
+    /// The values at the rest of a phase; θ₁ divided by i where z is imaginary.
+    #[inline(always)]
+    fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues {
+        let (sine, cosine) = Self::sine_cosine(rest, scale);
+        series.at::<Self>(sine, cosine)
+    }
 }
 
 /// Sines and cosines: k ≤ k′.
@@ -174,9 +161,10 @@ pub(crate) struct CircularSide;
 pub(crate) struct HyperbolicSide;
 
 impl Side for CircularSide {
+    const SQUARE: f64 = -4.0;
     #[inline(always)]
-    fn values(series: &ThetaSeries, rest: DoubleDouble, _: DoubleDouble) -> ThetaValues {
-        series.circular(rest)
+    fn sine_cosine(rest: DoubleDouble, _: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+        sin_cos_of_turns(rest)
     }
     #[inline(always)]
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
@@ -185,9 +173,10 @@ impl Side for CircularSide {
 }
 
 impl Side for HyperbolicSide {
+    const SQUARE: f64 = 4.0;
     #[inline(always)]
-    fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues {
-        series.hyperbolic(rest * scale)
+    fn sine_cosine(rest: DoubleDouble, scale: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+        sinh_cosh(rest * scale)
     }
     #[inline(always)]
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {

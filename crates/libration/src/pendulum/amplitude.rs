@@ -66,6 +66,9 @@ impl Amplitude {
     #[must_use]
     pub fn nome(&self) -> f64 {
         let (k, complementary) = self.half_angle();
+        if k.hi == 0.0 {
+            return 0.0;
+        }
         let ratio = agm::complete(complementary, k).first / agm::complete(k, complementary).first;
         let exponent = (DoubleDouble::PI * ratio).hi;
         if exponent < 740.0 {

@@ -9,7 +9,7 @@
 use super::LengthMismatch;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
-use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
+use crate::elementary::{Logarithm, ReducedLogarithm, polynomial, split_logarithm, two_word};
 
 /// (G − 1 − u/16)/u² in u on [0, (π/2)²]: relative error of (G − 1)/u 1.2e-17. The first coefficient is
 /// 11/3072, kept in two words.
@@ -67,7 +67,7 @@ const ROOT_NOME: [f64; 13] = [
 
 /// ln 2 with a first word short enough that its product with an integer below 2¹² is exact.
 const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949582897082e-12);
-const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
+pub(super) const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
 /// 2¹⁰⁰.
 const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
 /// π in three words: two are a `DoubleDouble`, this is the third.
@@ -101,20 +101,19 @@ fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
 /// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
 #[inline(always)]
 pub(super) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
-    log_inverse_nome_with(s, u, polynomial(u.hi, &LOG_NOME))
+    log_inverse_nome_with(&split_logarithm(s), u, polynomial(u.hi, &LOG_NOME))
 }
 
-/// [`log_inverse_nome`] from the value of its polynomial.
+/// [`log_inverse_nome`] from ln s and the value of the polynomial.
 #[inline(always)]
-fn log_inverse_nome_with(s: DoubleDouble, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
-    let Logarithm { exponent, leading, tail } = split_logarithm(s);
-    let powers = 2.0f64.mul_add(-exponent, 6.0);
+fn log_inverse_nome_with(log: &Logarithm, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
+    let powers = 2.0f64.mul_add(-log.exponent, 6.0);
     let first = two_prod(u.hi, LOG_NOME_LEADING.hi);
     let first_lo = u.hi.mul_add(LOG_NOME_LEADING.lo, u.lo.mul_add(LOG_NOME_LEADING.hi, first.lo));
     let rest = (u.hi * u.hi).mul_add(polynomial, first_lo);
-    let sum = fast_two_sum(powers * LN_2_SHORT.hi, -2.0 * leading);
+    let sum = fast_two_sum(powers * LN_2_SHORT.hi, -2.0 * log.leading);
     let difference = fast_two_sum(sum.hi, -first.hi);
-    let lo = powers.mul_add(LN_2_SHORT.lo, sum.lo + difference.lo) - 2.0f64.mul_add(tail, rest);
+    let lo = powers.mul_add(LN_2_SHORT.lo, sum.lo + difference.lo) - 2.0f64.mul_add(log.tail, rest);
     DoubleDouble::new(difference.hi, lo)
 }
 
@@ -127,7 +126,7 @@ pub(super) fn root_of_nome(s: DoubleDouble, u: f64) -> DoubleDouble {
 
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.
 #[inline(always)]
-pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
     let gauss = fast_two_sum(1.0, excess.hi);
     let product = two_prod(gauss.hi, log.hi);
     let gauss_lo = gauss.lo + excess.lo;
@@ -272,7 +271,7 @@ impl<P: PeriodFunction> Kernel for One<P> {
 
 /// How many arguments go through the stages together: enough to hide the latency of the long chains of
 /// dependent operations, few enough to stay in the first-level cache.
-const BLOCK: usize = 64;
+pub(super) const BLOCK: usize = 128;
 
 /// A function at many arguments, stage by stage.
 struct Each<'a, P>(P, &'a [f64], &'a mut [f64]);
@@ -283,8 +282,9 @@ impl<P: PeriodFunction> Kernel for Each<'_, P> {
     fn run(self) {
         let (arguments, rest) = self.1.as_chunks::<BLOCK>();
         let (values, rest_values) = self.2.as_chunks_mut::<BLOCK>();
+        let mut stages = Stages::ZERO;
         for (x, y) in arguments.iter().zip(values) {
-            block::<P>(x, y);
+            stages.block::<P>(x, y);
         }
         for (x, y) in rest.iter().zip(rest_values) {
             *y = One(self.0, *x).run();
@@ -292,32 +292,90 @@ impl<P: PeriodFunction> Kernel for Each<'_, P> {
     }
 }
 
-#[inline(always)]
-fn block<P: PeriodFunction>(arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
-    let (mut s_hi, mut s_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
-    let (mut u_hi, mut u_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
-    for i in 0..BLOCK {
-        let nearer = P::nearer(arguments[i]);
-        (s_hi[i], s_lo[i]) = (nearer.s.hi, nearer.s.lo);
-        (u_hi[i], u_lo[i]) = (nearer.u.hi, nearer.u.lo);
+/// What one stage leaves for the next, word by word for the vector units.
+pub(super) struct Stages {
+    pub(super) s: Words,
+    pub(super) u: Words,
+    pub(super) excess: Words,
+    pub(super) log: Words,
+    exponent: [f64; BLOCK],
+    tail: [f64; BLOCK],
+}
+
+/// A block of two-word numbers.
+pub(super) struct Words {
+    pub(super) hi: [f64; BLOCK],
+    pub(super) lo: [f64; BLOCK],
+}
+
+impl Words {
+    pub(super) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, i: usize, x: DoubleDouble) {
+        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
     }
-    let (mut excess, mut log_nome) = ([0.0; BLOCK], [0.0; BLOCK]);
-    for i in 0..BLOCK {
-        excess[i] = polynomial(u_hi[i], &EXCESS);
+
+    #[inline(always)]
+    pub(super) fn get(&self, i: usize) -> DoubleDouble {
+        DoubleDouble::new(self.hi[i], self.lo[i])
     }
-    for i in 0..BLOCK {
-        log_nome[i] = polynomial(u_hi[i], &LOG_NOME);
+}
+
+impl Stages {
+    pub(super) const ZERO: Self = Self {
+        s: Words::ZERO,
+        u: Words::ZERO,
+        excess: Words::ZERO,
+        log: Words::ZERO,
+        exponent: [0.0; BLOCK],
+        tail: [0.0; BLOCK],
+    };
+
+    #[inline(always)]
+    fn block<P: PeriodFunction>(&mut self, arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
+        for i in 0..BLOCK {
+            let nearer = P::nearer(arguments[i]);
+            self.s.set(i, nearer.s);
+            self.u.set(i, nearer.u);
+        }
+        self.excess();
+        self.log();
+        for i in 0..BLOCK {
+            let excess = self.excess.get(i);
+            values[i] = P::value(arguments[i], excess, ratio_above(excess, self.log.get(i)));
+        }
     }
-    let (mut log_hi, mut log_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
-    for i in 0..BLOCK {
-        let s = DoubleDouble::new(s_hi[i], s_lo[i]);
-        let log = log_inverse_nome_with(s, DoubleDouble::new(u_hi[i], u_lo[i]), log_nome[i]);
-        (log_hi[i], log_lo[i]) = (log.hi, log.lo);
+
+    #[inline(always)]
+    pub(super) fn excess(&mut self) {
+        for i in 0..BLOCK {
+            self.excess.hi[i] = polynomial(self.u.hi[i], &EXCESS);
+        }
+        for i in 0..BLOCK {
+            self.excess.set(i, excess_with(self.u.get(i), self.excess.hi[i]));
+        }
     }
-    for i in 0..BLOCK {
-        let excess = excess_with(DoubleDouble::new(u_hi[i], u_lo[i]), excess[i]);
-        let ratio = ratio_above(excess, DoubleDouble::new(log_hi[i], log_lo[i]));
-        values[i] = P::value(arguments[i], excess, ratio);
+
+    #[inline(always)]
+    pub(super) fn log(&mut self) {
+        for i in 0..BLOCK {
+            let reduced = ReducedLogarithm::of(self.s.get(i));
+            self.exponent[i] = reduced.exponent;
+            self.log.set(i, DoubleDouble::new(reduced.q, reduced.q_lo));
+        }
+        for i in 0..BLOCK {
+            let DoubleDouble { hi: q, lo: q_lo } = self.log.get(i);
+            let reduced = ReducedLogarithm { exponent: self.exponent[i], q, q_lo };
+            (self.log.hi[i], self.tail[i]) = (reduced.leading(), reduced.tail());
+        }
+        for i in 0..BLOCK {
+            self.log.lo[i] = polynomial(self.u.hi[i], &LOG_NOME);
+        }
+        for i in 0..BLOCK {
+            let log = Logarithm { exponent: self.exponent[i], leading: self.log.hi[i], tail: self.tail[i] };
+            self.log.set(i, log_inverse_nome_with(&log, self.u.get(i), self.log.lo[i]));
+        }
     }
 }
 

@@ -41,6 +41,9 @@ struct Table {
     /// What is gained in all segments once through, in rotation.
     cycle: Option<Cycle>,
     turns: i64,
+    /// One less than the number of segments, a power of two. Taken from a field and not from the length, it
+    /// leaves a check of the index in the loop, without which the compiler would gather across segments.
+    mask: usize,
     segments: Vec<Segment>,
 }
 
@@ -57,7 +60,8 @@ struct Cycle {
 /// A polynomial for the angle from `base`, the lowest point or the upright position.
 #[derive(Clone, Copy, Debug)]
 struct Segment {
-    coefficients: [f64; DEGREE + 1],
+    /// Coefficients of powers of y² of the four polynomials that make angle = a + y·b and velocity = c + y·d.
+    rows: [[f64; 4]; DEGREE / 2 + 1],
     base: DoubleDouble,
     /// ±1 where the angle counts from ±π of the turn.
     top: f64,
@@ -151,14 +155,19 @@ impl Table {
                 let at = quotients.at(fraction);
                 let k = modulus.modulus_words();
                 let velocity = k * at.cn * step.scaled(2.0);
-                Segment::about(&Middle { sine: k * at.sn, cosine: at.dn, velocity }, step.to_f64(), base)
+                Segment::about(
+                    &Middle { sine: k * at.sn, cosine: at.dn, velocity },
+                    step.to_f64(),
+                    rate.hi,
+                    base,
+                )
             })
             .collect();
         // θ(t + T/2) = −θ(t).
         let mirrored: Vec<Segment> = segments.iter().map(|segment| segment.mirrored(base)).collect();
         segments.extend(mirrored);
         let clock = PhaseClock { frequency: rate, offset: clock.offset * count };
-        Some(Self { clock, cycle: None, turns, segments })
+        Some(Self { clock, cycle: None, turns, mask: segments.len() - 1, segments })
     }
 
     fn of_rotation(rotation: &Rotation) -> Option<Self> {
@@ -172,17 +181,23 @@ impl Table {
         let step = (speed * modulus.modulus_words() / rate).to_f64();
         let (turns, base) = rotation.start_of_turn();
         let advance = DoubleDouble::PI.scaled(2.0 * direction);
-        let segments = fractions(count, count)
+        let segments: Vec<Segment> = fractions(count, count)
             .map(|fraction| {
                 let at = quotients.at(0.5 * if fraction >= 0.5 { fraction - 1.0 } else { fraction });
                 let velocity = at.dn * (speed / rate).scaled(2.0 * direction);
                 let middle = Middle { sine: at.sn.scaled(direction), cosine: at.cn, velocity };
                 let gone = if fraction >= 0.5 { direction } else { 0.0 };
-                Segment { turns: gone, ..Segment::about(&middle, step, base + advance * gone.abs()) }
+                Segment { turns: gone, ..Segment::about(&middle, step, rate.hi, base + advance * gone.abs()) }
             })
             .collect();
         let clock = PhaseClock { frequency: rate, offset: clock.offset * (2.0 * count) };
-        Some(Self { clock, cycle: Some(Cycle { advance, direction, inverse: 1.0 / count }), turns, segments })
+        Some(Self {
+            clock,
+            cycle: Some(Cycle { advance, direction, inverse: 1.0 / count }),
+            turns,
+            mask: segments.len() - 1,
+            segments,
+        })
     }
 }
 
@@ -205,8 +220,8 @@ fn fractions(number: f64, count: f64) -> impl Iterator<Item = f64> {
 }
 
 impl Segment {
-    /// The polynomial about this state, `step` = ω0·Δt of a segment.
-    fn about(middle: &Middle, step: f64, base: DoubleDouble) -> Self {
+    /// The polynomial about this state, for segments of which there are `rate` in a second, `step` = ω0/rate.
+    fn about(middle: &Middle, step: f64, rate: f64, base: DoubleDouble) -> Self {
         let Middle { sine, cosine, velocity } = *middle;
         let size = sine.abs();
         let top = if size.hi > cosine.hi { 1f64.copysign(sine.hi) } else { 0.0 };
@@ -219,16 +234,32 @@ impl Segment {
         let flip = if top == 0.0 { 1.0 } else { -1.0 };
         let sin = (sine * cosine).to_f64() * (2.0 * flip);
         let cos = (cosine.square() - sine.square()).to_f64() * flip;
-        let coefficients = taylor([away.hi, velocity.to_f64()], [sin, cos], -flip * step * step);
+        let rows = rows(&taylor([away.hi, velocity.to_f64()], [sin, cos], -flip * step * step), rate);
         let base = base + DoubleDouble::PI * top;
-        Self { coefficients, base: DoubleDouble::new(base.hi, base.lo + away.lo), top, turns: 0.0 }
+        Self { rows, base: DoubleDouble::new(base.hi, base.lo + away.lo), top, turns: 0.0 }
     }
 
     /// The segment half a period later.
     fn mirrored(&self, base: DoubleDouble) -> Self {
         let own = self.base - base;
-        Self { coefficients: self.coefficients.map(|c| -c), base: base - own, top: -self.top, turns: 0.0 }
+        Self { rows: self.rows.map(|row| row.map(|c| -c)), base: base - own, top: -self.top, turns: 0.0 }
     }
+}
+
+/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity.
+fn rows(x: &[f64; DEGREE + 1], rate: f64) -> [[f64; 4]; DEGREE / 2 + 1] {
+    let mut slopes = [0.0; DEGREE + 2];
+    let mut k = 1.0;
+    for (slope, x) in slopes.iter_mut().zip(&x[1..]) {
+        *slope = k * x * rate;
+        k += 1.0;
+    }
+    let mut rows = [[0.0; 4]; DEGREE / 2 + 1];
+    for (i, row) in rows.iter_mut().rev().enumerate() {
+        let odd = x.get(2 * i + 1).copied().unwrap_or(0.0);
+        *row = [x[2 * i], odd, slopes[2 * i], slopes[2 * i + 1]];
+    }
+    rows
 }
 
 /// Taylor coefficients of x″ = factor·sin x from x, x′ and sin x, cos x at the middle, by
@@ -289,19 +320,22 @@ impl Place {
 
 impl Table {
     #[inline(always)]
-    fn evaluate(&self, place: Place) -> Evaluated<'_> {
-        let index = nearest_integer_bits(place.gone) & (self.segments.len() - 1);
-        let segment = &self.segments[index];
-        let c = &segment.coefficients;
+    fn index(&self, gone: f64) -> usize {
+        nearest_integer_bits(gone) & self.mask
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, place: Place, index: usize, sums: &[f64; 4]) -> Evaluated<'_> {
+        let [even, odd, even_slope, odd_slope] = *sums;
         let y = place.rest;
-        let (mut value, mut slope) = (y.mul_add(c[DEGREE], c[DEGREE - 1]), c[DEGREE]);
-        for coefficient in c[..DEGREE - 1].iter().rev() {
-            slope = slope.mul_add(y, value);
-            value = value.mul_add(y, *coefficient);
-        }
         #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
         let start = place.gone - index as f64;
-        Evaluated { segment, start, away: value, velocity: slope * self.clock.frequency.hi }
+        Evaluated {
+            segment: &self.segments[index],
+            start,
+            away: y.mul_add(odd, even),
+            velocity: y.mul_add(odd_slope, even_slope),
+        }
     }
 
     #[inline(always)]
@@ -319,6 +353,21 @@ impl Table {
             complement: if upper { size } else { far },
             angle,
             velocity: at.velocity,
+        }
+    }
+}
+
+impl Segment {
+    /// The four polynomials in y².
+    #[inline(always)]
+    fn sums(&self, rest: f64, sums: &mut [f64; 4]) {
+        let square = rest * rest;
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            let mut value = self.rows[0][lane];
+            for row in &self.rows[1..] {
+                value = square.mul_add(value, row[lane]);
+            }
+            *sum = value;
         }
     }
 }
@@ -368,7 +417,10 @@ impl<U: Unwrap> Kernel for One<'_, U> {
         if !place.is_counted() {
             return self.motion.state_at(self.time);
         }
-        let at = self.table.evaluate(place);
+        let index = self.table.index(place.gone);
+        let mut sums = [0.0; 4];
+        self.table.segments[index].sums(place.rest, &mut sums);
+        let at = self.table.evaluate(place, index, &sums);
         self.table.state(&at, self.unwrap.angle(&at))
     }
 }
@@ -390,19 +442,25 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
     #[inline(always)]
     fn run(self) {
         let Self { table, unwrap, motion, times, angles, velocities } = self;
+        let (mut gone, mut rest) = ([0.0; BLOCK], [0.0; BLOCK]);
+        // The lanes go through memory, for which the compiler makes vector operations of them.
+        let mut sums = [[0.0; 4]; BLOCK];
         let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
         for ((times, angles), velocities) in blocks {
-            let (mut gone, mut rest) = ([0.0; BLOCK], [0.0; BLOCK]);
             for ((gone, rest), time) in gone.iter_mut().zip(&mut rest).zip(times) {
                 let place = Place::new(&table.clock, *time);
                 (*gone, *rest) = (place.gone, place.rest);
             }
-            if !gone.iter().all(|gone| Place { gone: *gone, rest: 0.0 }.is_counted()) {
+            if !gone[..times.len()].iter().all(|gone| Place { gone: *gone, rest: 0.0 }.is_counted()) {
                 one_by_one(table, unwrap, motion, times, angles, velocities);
                 continue;
             }
-            for (((gone, rest), angle), velocity) in gone.iter().zip(&rest).zip(angles).zip(velocities) {
-                let at = table.evaluate(Place { gone: *gone, rest: *rest });
+            for ((gone, rest), sums) in gone.iter().zip(&rest).zip(&mut sums) {
+                table.segments[table.index(*gone)].sums(*rest, sums);
+            }
+            for (i, (angle, velocity)) in angles.iter_mut().zip(velocities).enumerate() {
+                let place = Place { gone: gone[i], rest: rest[i] };
+                let at = table.evaluate(place, table.index(gone[i]), &sums[i]);
                 (*angle, *velocity) = (unwrap.angle(&at), at.velocity);
             }
         }

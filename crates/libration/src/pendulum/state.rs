@@ -1,7 +1,7 @@
 //! The state of a pendulum at one time.
 
 use crate::double_double::{DoubleDouble, two_sum};
-use crate::elementary::atan_of_ratio;
+use crate::elementary::ReducedArctangent;
 
 /// A state: near the top the angle alone would lose its complement, in rotation it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,16 +31,37 @@ pub(super) struct DoubledArctangent {
     pub(super) complement: DoubleDouble,
 }
 
+/// A ratio on the way to its doubled arctangent.
+#[derive(Clone, Copy)]
+pub(super) struct ReducedRatio {
+    /// The arctangent of the ratio, or of its inverse where it is steep.
+    pub(super) arctangent: ReducedArctangent,
+    pub(super) steep: bool,
+}
+
+impl ReducedRatio {
+    /// For positive numbers.
+    #[inline(always)]
+    pub(super) fn of(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
+        let steep = numerator.hi > denominator.hi;
+        let (small, large) = (pick(steep, denominator, numerator), pick(steep, numerator, denominator));
+        Self { arctangent: ReducedArctangent::of(small, large), steep }
+    }
+}
+
 impl DoubledArctangent {
     /// 2 atan(numerator/denominator) for a ratio of positive numbers.
     #[inline(always)]
     pub(super) fn of(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
-        let steep = numerator.hi > denominator.hi;
-        let half = atan_of_ratio(pick(steep, denominator, numerator), pick(steep, numerator, denominator));
-        let near = half.scaled(2.0);
+        Self::from_reduced(ReducedRatio::of(numerator, denominator))
+    }
+
+    #[inline(always)]
+    pub(super) fn from_reduced(ratio: ReducedRatio) -> Self {
+        let near = ratio.arctangent.angle().scaled(2.0);
         let far = two_sum(DoubleDouble::PI.hi, -near.hi);
         let far = DoubleDouble::new(far.hi, far.lo + (DoubleDouble::PI.lo - near.lo));
-        Self { angle: pick(steep, far, near), complement: pick(steep, near, far) }
+        Self { angle: pick(ratio.steep, far, near), complement: pick(ratio.steep, near, far) }
     }
 }
 

@@ -1,15 +1,20 @@
 //! States released from rest where the amplitude varies from one to the next: the period kernel gives period
 //! and nome of each, the theta quotients of libration the state.
+//!
+//! Amplitudes up to π/2 take the circular expansion of the nome, those above the hyperbolic one of the
+//! complementary nome; a batch sorts its elements by side, so that each loop does one kind of work.
 
 use super::LengthMismatch;
+use super::period::{BLOCK, FRAC_1_PI, Words};
 use super::period::{
-    Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, ratio_above, root_of_nome,
+    Nearer, Stages, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
     within_pi,
 };
-use super::state::{DoubledArctangent, State, magnitude, pick};
+use super::state::{DoubledArctangent, ReducedRatio, State, magnitude, pick};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
-use crate::elliptic::{Phase, ThetaSeries, ThetaValues, quotient, scaled_by};
+use crate::elementary::ReducedArctangent;
+use crate::elliptic::{CircularSide, HyperbolicSide, Phase, Side, ThetaSeries, ThetaValues, scaled_by};
 
 const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.839338337591243e-18);
 
@@ -43,118 +48,134 @@ pub fn states(
     Ok(())
 }
 
-/// |θ| as a doubled arctangent, its sign, and θ′.
-struct Released {
-    half: DoubledArctangent,
-    sign: f64,
-    velocity: f64,
+/// What the two expansions do differently. The factors are those of `Libration`, left as quotients.
+trait ReleaseSide: Side {
+    /// Whether the amplitudes are above π/2.
+    const ABOVE: bool;
+    /// T/T0 from the period ratio of the nearer side and the log of its inverse nome.
+    fn ratio(gauss: DoubleDouble, log: DoubleDouble) -> DoubleDouble;
+    /// The factors of tan(θ/2) above and below the line.
+    fn tangent_factors(odd: bool, factors: &Factors) -> (DoubleDouble, DoubleDouble);
+    /// The factor of θ′/2ω0 beside θ₄(0)/θ₃(0)².
+    fn speed_factor(odd: bool, factors: &Factors) -> DoubleDouble;
 }
 
-/// ω0t/2πR turns, for a period ratio R in two words.
-#[inline(always)]
-fn turns(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> DoubleDouble {
-    let angle = two_prod(angular_frequency, time);
-    let small = angle.hi * FRAC_1_TAU.hi;
-    let small_lo =
-        angle.hi.mul_add(FRAC_1_TAU.hi, -small) + angle.hi.mul_add(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
-    let inverse = 1.0 / ratio.hi;
-    let quotient = small * inverse;
-    let residual = (-quotient).mul_add(ratio.hi, small) + quotient.mul_add(-ratio.lo, small_lo);
-    // Released at the turning point, a quarter turn after the bottom.
-    let sum = two_sum(quotient, 0.25);
-    DoubleDouble::new(sum.hi, sum.lo + residual * inverse)
-}
-
-/// Where in its orbit the pendulum is, and the nome and scale of its theta functions.
-struct Place {
-    phase: Phase,
-    above: bool,
-    root: DoubleDouble,
-    log: DoubleDouble,
-}
-
-#[inline(always)]
-fn place(amplitude: f64, angular_frequency: f64, time: f64) -> Place {
-    let above = amplitude_above(amplitude);
-    let Nearer { s, u } = nearer_of_amplitude(amplitude);
-    let excess = excess_below(u);
-    let log = log_inverse_nome(s, u);
-    let log = fast_two_sum(log.hi, log.lo);
-    let high = ratio_above(excess, log);
-    let high = fast_two_sum(high.hi, high.lo);
-    let low = fast_two_sum(1.0, excess.hi);
-    let low = fast_two_sum(low.hi, low.lo + excess.lo);
-    let ratio = DoubleDouble::new(if above { high.hi } else { low.hi }, if above { high.lo } else { low.lo });
-    let phase = Phase::of(turns(ratio, angular_frequency, time));
-    Place { phase, above, root: root_of_nome(s, u.hi), log }
-}
-
-/// The theta values of either expansion: z = 2πy, or 2y·ln(1/q′) since 2πK/K′ = 2 ln(1/q′).
-#[inline(always)]
-fn values(place: &Place, series: &ThetaSeries) -> ThetaValues {
-    let circular = series.circular(place.phase.rest);
-    let hyperbolic = series.hyperbolic(place.phase.rest * place.log.scaled(2.0));
-    ThetaValues {
-        first: pick(place.above, hyperbolic.first, circular.first),
-        second: pick(place.above, hyperbolic.second, circular.second),
-        third: pick(place.above, hyperbolic.third, circular.third),
-        fourth: pick(place.above, hyperbolic.fourth, circular.fourth),
-    }
-}
-
-/// The factors of the quotients: 4√q, θ₂(0)/2q^¼, θ₃(0), θ₄(0).
+/// The factors of `Libration` that depend on the amplitude, left unmultiplied.
+#[derive(Clone, Copy)]
 struct Factors {
-    small: DoubleDouble,
+    /// 4√q·θ₂(0)/2q^¼.
+    small_second: DoubleDouble,
+    /// θ₂(0)/2q^¼.
     second: DoubleDouble,
-    third: DoubleDouble,
+    /// θ₄(0).
     fourth: DoubleDouble,
 }
 
-/// The quotients of `Libration`, with their factors left as quotients too.
-#[inline(always)]
-fn released(amplitude: f64, angular_frequency: f64, time: f64) -> Released {
-    let place = place(amplitude, angular_frequency, time);
-    let series = ThetaSeries::new(place.root.hi * place.root.hi);
-    let values = values(&place, &series);
-    let factors = Factors {
-        small: place.root.scaled(4.0),
-        second: series.second_at_zero(),
-        third: series.third_at_zero(),
-        fourth: series.fourth_at_zero(),
-    };
-    let sign = place.phase.sign() * 1f64.copysign(amplitude);
-    let inside = if within_pi(amplitude) { 1.0 } else { f64::NAN };
-    let (tangent, below) = tangent(&place, &factors, &values);
-    Released {
-        half: DoubledArctangent::of(magnitude(tangent).scaled(inside), below),
-        sign: 1f64.copysign(sign * tangent.hi),
-        velocity: sign * inside * (2.0 * angular_frequency) * speed(&place, &factors, &values),
+impl Factors {
+    #[inline(always)]
+    fn of(root: DoubleDouble) -> Self {
+        let series = ThetaSeries::new(root.hi * root.hi);
+        let second = series.second_at_zero();
+        Self { small_second: scaled_by(root.scaled(4.0), second), second, fourth: series.fourth_at_zero() }
     }
 }
 
-/// tan(θ/2) as a quotient.
-#[inline(always)]
-fn tangent(place: &Place, factors: &Factors, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
-    let odd = place.phase.is_odd();
-    let above = pick(odd, pick(place.above, values.fourth, values.second), values.first);
-    let below = pick(odd, pick(place.above, values.second, values.fourth), values.third);
-    let factor_above = pick(place.above, factors.fourth, scaled_by(factors.small, factors.second));
-    let small = pick(odd, factors.small, DoubleDouble::ONE);
-    let factor_below = pick(place.above, scaled_by(small, factors.second), factors.fourth);
-    let below = scaled_by(factor_below, below);
-    (scaled_by(factor_above, above), fast_two_sum(below.hi, below.lo))
+impl ReleaseSide for CircularSide {
+    const ABOVE: bool = false;
+    #[inline(always)]
+    fn ratio(gauss: DoubleDouble, _: DoubleDouble) -> DoubleDouble {
+        gauss
+    }
+    #[inline(always)]
+    fn tangent_factors(_: bool, factors: &Factors) -> (DoubleDouble, DoubleDouble) {
+        (factors.small_second, factors.fourth)
+    }
+    #[inline(always)]
+    fn speed_factor(_: bool, factors: &Factors) -> DoubleDouble {
+        factors.small_second
+    }
 }
 
-/// θ′/2ω0 in size.
+impl ReleaseSide for HyperbolicSide {
+    const ABOVE: bool = true;
+    #[inline(always)]
+    fn ratio(gauss: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+        gauss * (log * FRAC_1_PI)
+    }
+    #[inline(always)]
+    fn tangent_factors(odd: bool, factors: &Factors) -> (DoubleDouble, DoubleDouble) {
+        (factors.fourth, pick(odd, factors.small_second, factors.second))
+    }
+    #[inline(always)]
+    fn speed_factor(odd: bool, factors: &Factors) -> DoubleDouble {
+        pick(odd, factors.small_second, factors.second)
+    }
+}
+
+/// 1 + excess = θ₃(0)².
 #[inline(always)]
-fn speed(place: &Place, factors: &Factors, values: &ThetaValues) -> f64 {
-    let odd = place.phase.is_odd();
-    let above = pick(odd, -values.first, pick(place.above, values.fourth, values.second));
-    let below = pick(odd, values.third, pick(place.above, values.second, values.fourth));
-    let small = pick(place.above && !odd, DoubleDouble::ONE, factors.small);
-    let factor = scaled_by(small, scaled_by(factors.second, factors.fourth));
-    let below = scaled_by(scaled_by(factors.third, factors.third), below);
-    quotient(factor, above, fast_two_sum(below.hi, below.lo))
+fn gauss(excess: DoubleDouble) -> DoubleDouble {
+    let sum = fast_two_sum(1.0, excess.hi);
+    fast_two_sum(sum.hi, sum.lo + excess.lo)
+}
+
+/// Where in its orbit a pendulum of period ratio R is at ω0t: ω0t/2πR turns after the turning point.
+#[inline(always)]
+fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
+    let angle = two_prod(angular_frequency, time);
+    let turns = angle.hi * FRAC_1_TAU.hi;
+    let turns_lo =
+        angle.hi.mul_add(FRAC_1_TAU.hi, -turns) + angle.hi.mul_add(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
+    let inverse = 1.0 / ratio.hi;
+    let quotient = turns * inverse;
+    let residual = (-quotient).mul_add(ratio.hi, turns) + quotient.mul_add(-ratio.lo, turns_lo);
+    let sum = two_sum(quotient, 0.25);
+    Phase::of(DoubleDouble::new(sum.hi, sum.lo + residual * inverse))
+}
+
+/// tan(|θ|/2) as a quotient, and the sign of θ.
+struct Tangent {
+    above: DoubleDouble,
+    below: DoubleDouble,
+    sign: f64,
+}
+
+#[inline(always)]
+fn tangent<S: ReleaseSide>(
+    amplitude: f64,
+    phase: &Phase,
+    factors: &Factors,
+    values: &ThetaValues,
+) -> Tangent {
+    let odd = phase.is_odd();
+    let (beside, other) = S::beside(values);
+    let (raising, lowering) = S::tangent_factors(odd, factors);
+    let tangent = scaled_by(raising, pick(odd, beside, values.first));
+    let below = scaled_by(lowering, pick(odd, other, values.third));
+    let inside = if within_pi(amplitude) { 1.0 } else { f64::NAN };
+    Tangent {
+        above: magnitude(tangent).scaled(inside),
+        below: fast_two_sum(below.hi, below.lo),
+        sign: 1f64.copysign(phase.sign() * 1f64.copysign(amplitude) * tangent.hi),
+    }
+}
+
+/// θ′, in one word: seven roundings.
+#[inline(always)]
+fn velocity<S: ReleaseSide>(
+    amplitude: f64,
+    angular_frequency: f64,
+    phase: &Phase,
+    (factors, gauss): (&Factors, f64),
+    values: &ThetaValues,
+) -> f64 {
+    let odd = phase.is_odd();
+    let (beside, other) = S::beside(values);
+    let inside = if within_pi(amplitude) { 2.0 * angular_frequency } else { f64::NAN };
+    let factor = scaled_by(S::speed_factor(odd, factors), factors.fourth).hi * inside;
+    let above = if odd { -values.first.hi } else { beside.hi };
+    let below = if odd { values.third.hi } else { other.hi };
+    phase.sign() * 1f64.copysign(amplitude) * (factor * above / (gauss * below))
 }
 
 struct One {
@@ -167,7 +188,31 @@ impl Kernel for One {
     type Output = State;
     #[inline(always)]
     fn run(self) -> State {
-        let Released { half, sign, velocity } = released(self.amplitude, self.angular_frequency, self.time);
+        if amplitude_above(self.amplitude) {
+            self.state::<HyperbolicSide>()
+        } else {
+            self.state::<CircularSide>()
+        }
+    }
+}
+
+impl One {
+    #[inline(always)]
+    fn state<S: ReleaseSide>(&self) -> State {
+        let Nearer { s, u } = nearer_of_amplitude(self.amplitude);
+        let excess = excess_below(u);
+        let log = log_inverse_nome(s, u);
+        let log = fast_two_sum(log.hi, log.lo);
+        let gauss = gauss(excess);
+        let phase = phase(S::ratio(gauss, log), self.angular_frequency, self.time);
+        let root = root_of_nome(s, u.hi);
+        // 2πK/K′ = 2 ln(1/q′) of the complementary nome.
+        let values = S::values(&ThetaSeries::new(root.hi * root.hi), phase.rest, log.scaled(2.0));
+        let factors = Factors::of(root);
+        let Tangent { above, below, sign } = tangent::<S>(self.amplitude, &phase, &factors, &values);
+        let half = DoubledArctangent::of(above, below);
+        let velocity =
+            velocity::<S>(self.amplitude, self.angular_frequency, &phase, (&factors, gauss.hi), &values);
         let angle = sign * half.angle.to_f64();
         State { turns: 0, angle_in_turn: angle, complement: half.complement.to_f64(), angle, velocity }
     }
@@ -185,11 +230,206 @@ impl Kernel for Each<'_> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let outputs = self.angles.iter_mut().zip(self.velocities);
-        for ((amplitude, time), (angle, velocity)) in self.amplitudes.iter().zip(self.times).zip(outputs) {
-            let released = released(*amplitude, self.angular_frequency, *time);
-            *angle = released.sign * released.half.angle.to_f64();
-            *velocity = released.velocity;
+        let mut below = Queue::new();
+        let mut above = Queue::new();
+        let mut stages = ReleaseStages::new(self.angular_frequency);
+        for (i, (amplitude, time)) in self.amplitudes.iter().zip(self.times).enumerate() {
+            // Without a branch, which random amplitudes would make unpredictable.
+            let is_above = usize::from(amplitude_above(*amplitude));
+            above.offer(i, *amplitude, *time, is_above);
+            below.offer(i, *amplitude, *time, 1 - is_above);
+            if above.count.max(below.count) == BLOCK {
+                if above.count == BLOCK {
+                    stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
+                } else {
+                    stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
+                }
+            }
+        }
+        stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
+        stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
+    }
+}
+
+/// Elements of one side waiting for a block to fill.
+struct Queue {
+    count: usize,
+    place: [usize; BLOCK],
+    amplitude: [f64; BLOCK],
+    time: [f64; BLOCK],
+}
+
+impl Queue {
+    fn new() -> Self {
+        Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
+    }
+
+    /// Appends `taken` = 1 or 0 of the element; the count is below `BLOCK`.
+    #[inline(always)]
+    fn offer(&mut self, place: usize, amplitude: f64, time: f64, taken: usize) {
+        // The remainder spares the check of the index.
+        let slot = self.count % BLOCK;
+        self.place[slot] = place;
+        self.amplitude[slot] = amplitude;
+        self.time[slot] = time;
+        self.count += taken;
+    }
+}
+
+/// What one stage leaves for the next.
+struct ReleaseStages {
+    angular_frequency: f64,
+    period: Stages,
+    root: [f64; BLOCK],
+    gauss: [f64; BLOCK],
+    small_second: Words,
+    zero_second: Words,
+    zero_fourth: Words,
+    quarter: [f64; BLOCK],
+    rest: Words,
+    first: Words,
+    second: Words,
+    third: Words,
+    fourth: Words,
+    angle: [f64; BLOCK],
+    sign: [f64; BLOCK],
+    steep: [f64; BLOCK],
+    velocity: [f64; BLOCK],
+}
+
+impl ReleaseStages {
+    fn new(angular_frequency: f64) -> Self {
+        Self {
+            angular_frequency,
+            period: Stages::ZERO,
+            root: [0.0; BLOCK],
+            gauss: [0.0; BLOCK],
+            small_second: Words::ZERO,
+            zero_second: Words::ZERO,
+            zero_fourth: Words::ZERO,
+            quarter: [0.0; BLOCK],
+            rest: Words::ZERO,
+            first: Words::ZERO,
+            second: Words::ZERO,
+            third: Words::ZERO,
+            fourth: Words::ZERO,
+            angle: [0.0; BLOCK],
+            sign: [0.0; BLOCK],
+            steep: [0.0; BLOCK],
+            velocity: [0.0; BLOCK],
+        }
+    }
+
+    /// Empties the queue; what is behind its count is computed too and dropped.
+    #[inline(always)]
+    fn run<S: ReleaseSide>(&mut self, queue: &mut Queue, angles: &mut [f64], velocities: &mut [f64]) {
+        self.places::<S>(queue);
+        self.values::<S>();
+        for i in 0..BLOCK {
+            let factors = (&self.factors(i), self.gauss[i]);
+            let theta = self.theta(i);
+            self.velocity[i] =
+                velocity::<S>(queue.amplitude[i], self.angular_frequency, &self.phase(i), factors, &theta);
+        }
+        self.angles::<S>(queue);
+        for i in 0..queue.count {
+            (angles[queue.place[i]], velocities[queue.place[i]]) = (self.angle[i], self.velocity[i]);
+        }
+        queue.count = 0;
+    }
+
+    /// The angles, over the theta values.
+    #[inline(always)]
+    fn angles<S: ReleaseSide>(&mut self, queue: &Queue) {
+        for i in 0..BLOCK {
+            let tangent = tangent::<S>(queue.amplitude[i], &self.phase(i), &self.factors(i), &self.theta(i));
+            self.first.set(i, tangent.above);
+            self.second.set(i, tangent.below);
+            self.sign[i] = tangent.sign;
+        }
+        for i in 0..BLOCK {
+            let ratio = ReducedRatio::of(self.first.get(i), self.second.get(i));
+            self.steep[i] = if ratio.steep { 1.0 } else { 0.0 };
+            self.third.set(i, DoubleDouble::new(ratio.arctangent.t, ratio.arctangent.t_lo));
+            self.fourth.hi[i] = ratio.arctangent.upper;
+        }
+        for i in 0..BLOCK {
+            let DoubleDouble { hi: t, lo: t_lo } = self.third.get(i);
+            let arctangent = ReducedArctangent { upper: self.fourth.hi[i], t, t_lo };
+            let ratio = ReducedRatio { arctangent, steep: self.steep[i] > 0.5 };
+            self.angle[i] = self.sign[i] * DoubledArctangent::from_reduced(ratio).angle.to_f64();
+        }
+    }
+
+    #[inline(always)]
+    fn places<S: ReleaseSide>(&mut self, queue: &Queue) {
+        for i in 0..BLOCK {
+            let Nearer { s, u } = nearer_of_amplitude(queue.amplitude[i]);
+            self.period.s.set(i, s);
+            self.period.u.set(i, u);
+        }
+        self.period.excess();
+        if S::ABOVE {
+            self.period.log();
+        }
+        for i in 0..BLOCK {
+            let root = root_of_nome(self.period.s.get(i), self.period.u.hi[i]);
+            let factors = Factors::of(root);
+            self.root[i] = root.hi;
+            self.small_second.set(i, factors.small_second);
+            self.zero_second.set(i, factors.second);
+            self.zero_fourth.set(i, factors.fourth);
+        }
+        for i in 0..BLOCK {
+            let log = self.period.log.get(i);
+            let log = fast_two_sum(log.hi, log.lo);
+            self.period.log.set(i, log.scaled(2.0));
+            let gauss = gauss(self.period.excess.get(i));
+            self.gauss[i] = gauss.hi;
+            let phase = phase(S::ratio(gauss, log), self.angular_frequency, queue.time[i]);
+            self.quarter[i] = phase.quarter;
+            self.rest.set(i, phase.rest);
+        }
+    }
+
+    #[inline(always)]
+    fn values<S: ReleaseSide>(&mut self) {
+        for i in 0..BLOCK {
+            let (sine, cosine) = S::sine_cosine(self.rest.get(i), self.period.log.get(i));
+            self.first.set(i, sine);
+            self.second.set(i, cosine);
+        }
+        for i in 0..BLOCK {
+            let series = ThetaSeries::new(self.root[i] * self.root[i]);
+            let values = series.at::<S>(self.first.get(i), self.second.get(i));
+            self.first.set(i, values.first);
+            self.second.set(i, values.second);
+            self.third.set(i, values.third);
+            self.fourth.set(i, values.fourth);
+        }
+    }
+
+    #[inline(always)]
+    fn factors(&self, i: usize) -> Factors {
+        Factors {
+            small_second: self.small_second.get(i),
+            second: self.zero_second.get(i),
+            fourth: self.zero_fourth.get(i),
+        }
+    }
+
+    #[inline(always)]
+    fn phase(&self, i: usize) -> Phase {
+        Phase { turns: 0.0, quarter: self.quarter[i], rest: self.rest.get(i) }
+    }
+
+    #[inline(always)]
+    fn theta(&self, i: usize) -> ThetaValues {
+        ThetaValues {
+            first: self.first.get(i),
+            second: self.second.get(i),
+            third: self.third.get(i),
+            fourth: self.fourth.get(i),
         }
     }
 }
