@@ -25,7 +25,7 @@ const COSINE: [f64; 6] = [
     -1.1382632425521638e-11,
 ];
 
-/// sin 2πy and cos 2πy for |y| ≤ 1/8 in two words, relative error below 2⁻⁵⁵.
+/// sin 2πy and cos 2πy for |y| ≤ 1/8 in two words, relative error below 2⁻⁵⁴.
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let r = y.hi * TAU.hi;

@@ -50,7 +50,7 @@ impl ThetaZero {
     }
 }
 
-/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words good to 2⁻⁵⁵.
+/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words good to 2⁻⁵².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ThetaValues {
     pub(crate) first: DoubleDouble,
