@@ -334,16 +334,16 @@ impl Stages {
 
     #[inline(always)]
     fn block<P: PeriodFunction>(&mut self, arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
-        for i in 0..BLOCK {
-            let nearer = P::nearer(arguments[i]);
+        for (i, argument) in arguments.iter().enumerate() {
+            let nearer = P::nearer(*argument);
             self.s.set(i, nearer.s);
             self.u.set(i, nearer.u);
         }
         self.excess();
         self.log();
-        for i in 0..BLOCK {
+        for (i, (argument, value)) in arguments.iter().zip(values).enumerate() {
             let excess = self.excess.get(i);
-            values[i] = P::value(arguments[i], excess, ratio_above(excess, self.log.get(i)));
+            *value = P::value(*argument, excess, ratio_above(excess, self.log.get(i)));
         }
     }
 

@@ -117,3 +117,23 @@ fn the_fundamental_is_the_frequency_of_the_motion() {
         assert!((fundamental * motion.period() / (2.0 * PI) - 1.0).abs() <= 4.0 * f64::EPSILON);
     }
 }
+
+/// The amplitude in (low, high) at which the increasing function of the harmonics passes one.
+fn where_one(low: f64, high: f64, of: impl Fn(&Harmonics) -> f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        let passed = of(&libration(middle).harmonics(0.0, 2)) > 1.0;
+        (low, high) = if passed { (low, middle) } else { (middle, high) };
+    }
+    0.5 * (low + high)
+}
+
+/// From the same 50-digit root finding as the other claims of `tests/data/formulas_claims.csv`.
+#[test]
+fn the_third_harmonic_is_not_small_next_to_the_top() {
+    let tenth = where_one(2.0, 3.0, |it| it.terms[1].angle.abs() / 0.1);
+    assert!((tenth - 2.31510063692584016183797860615).abs() < 1e-12, "{tenth}");
+    let product = where_one(2.0, 3.1, |it| (it.terms[0].angle * it.terms[1].angle).abs());
+    assert!((product - 2.89776545350273670491012503848).abs() < 1e-12, "{product}");
+}
