@@ -160,22 +160,22 @@ fn tangent<S: ReleaseSide>(
     }
 }
 
-/// θ′, in one word: seven roundings.
+/// θ′, with four roundings; `gauss` is θ₃(0)².
 #[inline(always)]
 fn velocity<S: ReleaseSide>(
     amplitude: f64,
     angular_frequency: f64,
     phase: &Phase,
-    (factors, gauss): (&Factors, f64),
+    (factors, gauss): (&Factors, DoubleDouble),
     values: &ThetaValues,
 ) -> f64 {
     let odd = phase.is_odd();
     let (beside, other) = S::beside(values);
     let inside = if within_pi(amplitude) { 2.0 * angular_frequency } else { f64::NAN };
-    let factor = scaled_by(S::speed_factor(odd, factors), factors.fourth).hi * inside;
-    let above = if odd { -values.first.hi } else { beside.hi };
-    let below = if odd { values.third.hi } else { other.hi };
-    phase.sign() * 1f64.copysign(amplitude) * (factor * above / (gauss * below))
+    let factor = scaled_by(S::speed_factor(odd, factors), factors.fourth);
+    let above = scaled_by(factor, pick(odd, -values.first, beside)).to_f64();
+    let below = scaled_by(gauss, pick(odd, values.third, other)).to_f64();
+    phase.sign() * 1f64.copysign(amplitude) * inside * (above / below)
 }
 
 struct One {
@@ -212,7 +212,7 @@ impl One {
         let Tangent { above, below, sign } = tangent::<S>(self.amplitude, &phase, &factors, &values);
         let half = DoubledArctangent::of(above, below);
         let velocity =
-            velocity::<S>(self.amplitude, self.angular_frequency, &phase, (&factors, gauss.hi), &values);
+            velocity::<S>(self.amplitude, self.angular_frequency, &phase, (&factors, gauss), &values);
         let angle = sign * half.angle.to_f64();
         State { turns: 0, angle_in_turn: angle, complement: half.complement.to_f64(), angle, velocity }
     }
@@ -281,7 +281,7 @@ struct ReleaseStages {
     angular_frequency: f64,
     period: Stages,
     root: [f64; BLOCK],
-    gauss: [f64; BLOCK],
+    gauss: Words,
     small_second: Words,
     zero_second: Words,
     zero_fourth: Words,
@@ -303,7 +303,7 @@ impl ReleaseStages {
             angular_frequency,
             period: Stages::ZERO,
             root: [0.0; BLOCK],
-            gauss: [0.0; BLOCK],
+            gauss: Words::ZERO,
             small_second: Words::ZERO,
             zero_second: Words::ZERO,
             zero_fourth: Words::ZERO,
@@ -326,7 +326,7 @@ impl ReleaseStages {
         self.places::<S>(queue);
         self.values::<S>();
         for i in 0..BLOCK {
-            let factors = (&self.factors(i), self.gauss[i]);
+            let factors = (&self.factors(i), self.gauss.get(i));
             let theta = self.theta(i);
             self.velocity[i] =
                 velocity::<S>(queue.amplitude[i], self.angular_frequency, &self.phase(i), factors, &theta);
@@ -385,7 +385,7 @@ impl ReleaseStages {
             let log = fast_two_sum(log.hi, log.lo);
             self.period.log.set(i, log.scaled(2.0));
             let gauss = gauss(self.period.excess.get(i));
-            self.gauss[i] = gauss.hi;
+            self.gauss.set(i, gauss);
             let phase = phase(S::ratio(gauss, log), self.angular_frequency, queue.time[i]);
             self.quarter[i] = phase.quarter;
             self.rest.set(i, phase.rest);
