@@ -25,11 +25,11 @@
 //! // θ(t) = Σ aₙ cos nΩt over odd n: the third harmonic is 0.6 % of the first.
 //! let harmonics = motion.harmonics(1e-6, 10);
 //! assert_eq!(harmonics.terms[1].n, 3);
-//! assert!((harmonics.terms[1].angle / harmonics.terms[0].angle + 0.0062).abs() < 1e-4);
+//! assert!((harmonics.terms[1].angle / harmonics.terms[0].angle + 0.0061).abs() < 1e-4);
 //!
-//! // Bernoulli's 1 + θ0²/16 underestimates the period by half a percent.
+//! // Bernoulli's 1 + θ0²/16 falls short of the exact period by 0.43 %.
 //! let bernoulli = PeriodFormula::by_key("bernoulli")?;
-//! assert!((bernoulli.fractional_error(&amplitude) + 0.00433).abs() < 1e-4);
+//! assert!((bernoulli.fractional_error(&amplitude) + 0.00433).abs() < 1e-5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
