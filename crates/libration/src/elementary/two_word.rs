@@ -24,7 +24,7 @@ fn sin_cos_series(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (x * sine, cosine)
 }
 
-/// eˣ for |x| ≤ 700.
+/// eˣ for |x| ≤ 740; below −700 the second word begins to underflow.
 pub(crate) fn exp(x: DoubleDouble) -> DoubleDouble {
     let n = (x.hi * std::f64::consts::LOG2_E).round();
     let r = x - DoubleDouble::LN_2 * n;

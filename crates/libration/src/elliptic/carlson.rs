@@ -8,6 +8,10 @@ use crate::double_double::DoubleDouble;
 /// Where the seventh-order series ends the duplication: its error is below the eighth power of this.
 const CLOSE: f64 = 6e-5;
 
+/// Each step divides the distances by four, after some ten that bring arguments of any size together; more
+/// steps than this mean that an argument was not a number.
+const MOST_STEPS: usize = 100;
+
 /// One step of the duplication: the roots of the arguments become the roots of (argument + λ)/4.
 struct Duplication {
     roots: [DoubleDouble; 3],
@@ -46,13 +50,14 @@ impl Duplication {
 /// `R_F(x², y², z²)`, at most one of the roots zero.
 pub(crate) fn first_kind(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> DoubleDouble {
     let mut duplication = Duplication::new([x, y, z]);
-    loop {
+    for _ in 0..MOST_STEPS {
         let (deviations, mean) = duplication.deviations([1.0; 3]);
         if Duplication::close(&deviations) {
             return first_kind_series(deviations) / mean.sqrt();
         }
         duplication.step();
     }
+    DoubleDouble::from(f64::NAN)
 }
 
 /// DLMF 19.36.1.
@@ -70,7 +75,7 @@ pub(crate) fn second_kind(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> 
     let mut duplication = Duplication::new([x, y, z]);
     let mut sum = DoubleDouble::ZERO;
     let mut power = 1.0;
-    loop {
+    for _ in 0..MOST_STEPS {
         let (deviations, mean) = duplication.deviations([1.0, 1.0, 3.0]);
         if Duplication::close(&deviations) {
             return sum * 3.0 + second_kind_series(deviations) * power / (mean * mean.sqrt());
@@ -80,6 +85,7 @@ pub(crate) fn second_kind(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> 
         power *= 0.25;
         duplication.step();
     }
+    DoubleDouble::from(f64::NAN)
 }
 
 /// DLMF 19.36.2.

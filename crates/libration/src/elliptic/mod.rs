@@ -47,6 +47,9 @@ pub struct Modulus {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModulusError {
+    /// A nome so close to 1 that k′ is below the range kept.
+    #[error("the nome is {0}: its complementary modulus is below 1e-300; give at most 0.9929, or 1")]
+    NomeTooClose(f64),
     /// Outside [0, 1], or NaN.
     #[error("{name} is {value}: give a number from 0 to 1")]
     OutOfRange {
@@ -56,6 +59,9 @@ pub enum ModulusError {
         value: f64,
     },
 }
+
+/// Above it k′ is below 1e-300.
+const LARGEST_NOME: f64 = 0.9929;
 
 /// Which of the two nomes is the smaller, and so which expansion serves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,9 +115,12 @@ impl Modulus {
     /// The modulus whose nome q = exp(−πK′/K) is exactly this `f64` (DLMF 22.2.2).
     ///
     /// # Errors
-    /// q outside [0, 1].
+    /// q outside [0, 1], or above 0.9929 without being 1: k′ is then below 1e-300.
     pub fn from_nome(nome: f64) -> Result<Self, ModulusError> {
         unit("the nome q", nome)?;
+        if nome > LARGEST_NOME && nome < 1.0 {
+            return Err(ModulusError::NomeTooClose(nome));
+        }
         Ok(modulus_of_nome(nome))
     }
 
@@ -279,10 +288,6 @@ fn modulus_of_nome(nome: f64) -> Modulus {
 
 /// k and k′ from ln q ≤ −π, in two words.
 fn moduli_of_log_nome(log: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    // exp(-700) is about the smallest root whose modulus is a normal number.
-    if log.hi < -1400.0 {
-        return (DoubleDouble::ZERO, DoubleDouble::ONE);
-    }
     let root = two_word::exp(log.scaled(0.5));
     let ThetaZero { second, third, fourth } = ThetaZero::in_two_words(root.square());
     (root.scaled(4.0) * (second / third).square(), (fourth / third).square())

@@ -17,7 +17,8 @@ pub struct Harmonics {
     /// The mean velocity in rad/s: ±Ω in rotation, else zero.
     pub mean_velocity: f64,
     /// The time in seconds at which τ = 0: of a positive turning point in libration, of a passage of the
-    /// bottom in rotation; the one nearest before or at t = 0 within rounding.
+    /// bottom in rotation; one of them, from which the others are whole periods away. The angle counts from the
+    /// bottom of the turn in which the motion starts.
     pub epoch: f64,
     /// The harmonics in increasing order.
     pub terms: Vec<Harmonic>,

@@ -1,13 +1,14 @@
 //! From an initial state to the energy, without cancellation next to the separatrix.
 //!
 //! The motion is a libration, a separatrix or a rotation as 4g·cos²(θ/2) − l·θ′² is positive, zero or
-//! negative. The difference divided by 4g is 1 − e, with e = E/(2mgl), and it is needed relatively accurate:
-//! next to the separatrix the period is its logarithm.
+//! negative. With w = θ′/2ω0 the difference divided by 4g is 1 − e = cos²(θ/2) − w², e = E/(2mgl), and it is
+//! needed relatively accurate: next to the separatrix the period is its logarithm.
 
 use std::cmp::Ordering;
 
+use super::Size;
 use crate::algebra::BigFloat;
-use crate::double_double::{DoubleDouble, two_prod};
+use crate::double_double::DoubleDouble;
 use crate::quantity::Angle;
 
 /// How the energy lies to that of the separatrix, with √|1 − e|.
@@ -18,61 +19,50 @@ pub(super) struct Separation {
     pub(super) root: DoubleDouble,
 }
 
-/// A difference smaller than this relative to its terms has lost too many bits: of the two words, then of the
-/// first recomputation.
+/// A relative difference below this has lost too many bits: of the two words, then of the first recomputation.
 const LOST: [f64; 2] = [1e-6, 1e-150];
 
 /// Bits of the first and the second recomputation. The second tells apart what a complement of 1e-300 allows,
 /// a relative difference of δ²; equality is possible at θ = 0 only and is exact.
 const BITS: [usize; 2] = [640, 2600];
 
-/// Below this the squares are formed after scaling by its inverse square root.
-const SMALL: f64 = 1e-150;
-/// 2⁵⁰⁰.
-const SCALE: f64 = 3.273390607896142e150;
-
 /// The energy of the state against that of the separatrix, `None` where the difference is not zero but below
-/// the range of `f64`; `cosine` is cos(θ/2) ≥ 0, `scaled_velocity` θ′/2ω0.
+/// the range of `f64`; `cosine` is cos(θ/2) ≥ 0, `speed` is |w| > 0.
 pub(super) fn separation(
     angle: &Angle,
     cosine: DoubleDouble,
     velocity: f64,
-    scaled_velocity: DoubleDouble,
-    (gravity, length): (DoubleDouble, f64),
+    speed: DoubleDouble,
+    size: Size,
 ) -> Option<Separation> {
-    if velocity == 0.0 {
-        return Some(Separation { energy: Ordering::Less, root: cosine });
+    let rotates = speed.hi > cosine.hi;
+    let (larger, smaller) = if rotates { (speed, cosine) } else { (cosine, speed) };
+    let ratio = smaller / larger;
+    let difference = (DoubleDouble::ONE - ratio) * (DoubleDouble::ONE + ratio);
+    if difference.hi > LOST[0] {
+        let energy = if rotates { Ordering::Greater } else { Ordering::Less };
+        return Some(Separation { energy, root: larger * difference.sqrt() });
     }
-    let small = cosine.hi.max(scaled_velocity.hi.abs()) < SMALL;
-    let scale = if small { SCALE } else { 1.0 };
-    let top = cosine.scaled(scale).square();
-    let kinetic = two_prod(velocity * scale, velocity * scale) * length / gravity.scaled(4.0);
-    let mut difference = top - kinetic;
-    for (bits, lost) in [(BITS[0], LOST[0]), (BITS[1], LOST[1])] {
-        if difference.hi.abs() > lost * top.hi {
-            break;
-        }
-        difference = cancelling_difference(angle, velocity * scale, scale, (gravity, length), bits);
+    let mut difference = relative_difference(angle, velocity, size, BITS[0]);
+    if difference.hi.abs() < LOST[1] {
+        difference = relative_difference(angle, velocity, size, BITS[1]);
     }
     if difference.hi == 0.0 && angle.in_turn() != 0.0 {
         return None;
     }
-    let energy = 0f64.partial_cmp(&difference.hi).unwrap_or(Ordering::Greater);
-    Some(Separation { energy, root: difference.abs().sqrt().scaled(1.0 / scale) })
+    let energy = 0f64.partial_cmp(&difference.hi)?;
+    Some(Separation { energy, root: cosine * difference.abs().sqrt() })
 }
 
-/// The difference in so many bits.
+/// 1 − l·θ′²/(4g·cos²(θ/2)) in so many bits.
 #[cold]
-fn cancelling_difference(
-    angle: &Angle,
-    velocity: f64,
-    scale: f64,
-    (gravity, length): (DoubleDouble, f64),
-    bits: usize,
-) -> DoubleDouble {
+fn relative_difference(angle: &Angle, velocity: f64, size: Size, bits: usize) -> DoubleDouble {
     let big = |words| BigFloat::from_words(words, bits);
     let word = |x: f64| big(DoubleDouble::from(x));
-    let kinetic = word(velocity) * word(velocity) * word(length);
+    let (gravity, length) = match size {
+        Size::LengthAndGravity { length, gravity } => (word(gravity), word(length)),
+        Size::AngularFrequency(omega) => (word(omega) * word(omega), word(1.0)),
+    };
     // An angle given in radians is exact, one given by its complement has that exact.
     let in_turn = angle.in_turn_words();
     let cosine = if in_turn.lo != 0.0 && angle.complement() < 1.0 {
@@ -80,9 +70,8 @@ fn cancelling_difference(
     } else {
         big(in_turn).halved().cos()
     };
-    let cosine = cosine * word(scale);
-    let four_gravity = big(gravity.scaled(4.0));
-    let difference = (cosine.clone() * cosine * four_gravity.clone() - kinetic) / four_gravity;
+    let top = word(4.0) * gravity * cosine.clone() * cosine;
+    let difference = (top.clone() - word(velocity) * word(velocity) * length) / top;
     let hi = difference.to_f64();
     let lo = (difference - word(hi)).to_f64();
     DoubleDouble::new(hi, lo)

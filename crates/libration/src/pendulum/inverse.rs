@@ -14,7 +14,7 @@ impl Amplitude {
     /// bits that the ratio determines.
     ///
     /// # Errors
-    /// A ratio below 1, not finite, or beyond the largest complement kept, 1e-300 (T/T0 about 441).
+    /// A ratio below 1, not finite, or beyond the smallest complement kept, 1e-300 (T/T0 about 441).
     pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> {
         // Exact below 2, and above it the excess is not small.
         Self::from_excess(ratio - 1.0).ok_or(PendulumError::NoSuchPeriod(ratio))
@@ -56,16 +56,14 @@ fn below(excess: f64) -> Amplitude {
 
 /// Newton's method for T/T0 as a function of the logarithm of the complement, from 8e^(−πR/2).
 fn near_top(excess: f64) -> Amplitude {
-    let mut log = LN_8 - std::f64::consts::FRAC_PI_2 * (1.0 + excess);
-    let of = |log: f64| {
-        let complement = two_word::exp(DoubleDouble::from(log));
-        Amplitude { angle: Angle::from_complement_words(complement) }
-    };
+    // In two words: one would not resolve the last bits of a large ratio.
+    let mut log = DoubleDouble::from(LN_8 - std::f64::consts::FRAC_PI_2 * (1.0 + excess));
+    let of = |log: DoubleDouble| Amplitude { angle: Angle::from_complement_words(two_word::exp(log)) };
     for _ in 0..STEPS {
         let amplitude = of(log);
         let slope =
             -amplitude.logarithmic_slope().to_f64() * amplitude.complement() * amplitude.period_ratio();
-        log -= (amplitude.period_excess() - excess) / slope;
+        log = log - (amplitude.period_excess() - excess) / slope;
     }
     of(log)
 }

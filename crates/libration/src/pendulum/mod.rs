@@ -50,7 +50,7 @@ pub use separatrix::Separatrix;
 pub use state::State;
 pub use varying::{state, states};
 
-use crate::double_double::{DoubleDouble, two_prod};
+use crate::double_double::DoubleDouble;
 
 /// A simple pendulum: a point mass on a massless rod.
 ///
@@ -68,6 +68,9 @@ enum Size {
     AngularFrequency(f64),
 }
 
+/// Angular frequencies whose periods and velocities stay within the range of `f64`, second words included.
+const USABLE: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
+
 /// Why a pendulum or a motion cannot be.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -80,9 +83,12 @@ pub enum PendulumError {
         /// What was got.
         value: f64,
     },
-    /// The frequency or the period leaves the range of `f64`.
+    /// An angular frequency whose period or velocities would leave the range of `f64`.
+    #[error("an angular frequency of {0} rad/s is out of range: give 1e-290 to 1e290")]
+    FrequencyOutOfRange(f64),
+    /// The frequency is outside 1e-290 … 1e290 rad/s.
     #[error(
-        "length {length} m and gravity {gravity} m/s^2 give an angular frequency outside the range of f64"
+        "length {length} m and gravity {gravity} m/s^2 give an angular frequency out of range: it must be 1e-290 to 1e290 rad/s"
     )]
     OutOfRange {
         /// The length.
@@ -106,6 +112,11 @@ pub enum PendulumError {
     /// An energy below that of the pendulum at rest.
     #[error("the energy ratio is {0}: the least energy, at rest at the bottom, is 0")]
     NegativeEnergy(f64),
+    /// A velocity whose energy leaves the range of `f64`.
+    #[error(
+        "a velocity of {0} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency"
+    )]
+    TooFast(f64),
     /// The energy differs from the separatrix's by less than the range of `f64`.
     #[error("the motion is closer to the separatrix than numbers can tell: give another velocity")]
     TooCloseToSeparatrix,
@@ -144,19 +155,22 @@ impl Pendulum {
     pub fn new(length: f64, gravity: f64) -> Result<Self, PendulumError> {
         positive("length", length)?;
         positive("gravity", gravity)?;
-        let ratio = gravity / length;
-        if !ratio.is_normal() {
+        let pendulum = Self { size: Size::LengthAndGravity { length, gravity } };
+        if !USABLE.contains(&pendulum.angular_frequency()) || !(gravity / length).is_normal() {
             return Err(PendulumError::OutOfRange { length, gravity });
         }
-        Ok(Self { size: Size::LengthAndGravity { length, gravity } })
+        Ok(pendulum)
     }
 
     /// A pendulum given by ω0 = √(g/l) in rad/s alone.
     ///
     /// # Errors
-    /// ω0 not positive and finite.
+    /// ω0 not positive and finite, or outside 1e-290 … 1e290.
     pub fn from_angular_frequency(angular_frequency: f64) -> Result<Self, PendulumError> {
         positive("angular frequency", angular_frequency)?;
+        if !USABLE.contains(&angular_frequency) {
+            return Err(PendulumError::FrequencyOutOfRange(angular_frequency));
+        }
         Ok(Self { size: Size::AngularFrequency(angular_frequency) })
     }
 
@@ -203,16 +217,6 @@ impl Pendulum {
                 (DoubleDouble::from(gravity) / DoubleDouble::from(length)).sqrt()
             }
             Size::AngularFrequency(angular_frequency) => DoubleDouble::from(angular_frequency),
-        }
-    }
-
-    /// Gravity and length up to a common factor, exactly: ω0² is their quotient.
-    fn gravity_and_length(&self) -> (DoubleDouble, f64) {
-        match self.size {
-            Size::LengthAndGravity { length, gravity } => (DoubleDouble::from(gravity), length),
-            Size::AngularFrequency(angular_frequency) => {
-                (two_prod(angular_frequency, angular_frequency), 1.0)
-            }
         }
     }
 }

@@ -9,6 +9,9 @@ use super::{Amplitude, LengthMismatch, Libration, Pendulum, PendulumError, Rotat
 use crate::double_double::DoubleDouble;
 use crate::quantity::Angle;
 
+/// The largest |θ′|/2ω0, whose square is the energy ratio.
+const FASTEST: f64 = 1e150;
+
 /// A motion of the pendulum.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
@@ -62,31 +65,38 @@ impl Pendulum {
     /// The motion released at rest from this angle at t = 0; from exactly ±π it stays upright.
     ///
     /// # Errors
-    /// None today; the result leaves room for them.
+    /// As [`Self::launched`], with velocity zero.
     pub fn released_from(&self, angle: Angle) -> Result<Motion, PendulumError> {
         self.launched(angle, 0.0)
     }
 
     /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact;
-    /// the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
+    /// a velocity and angle below 2.2e-308 are rest; the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
     ///
     /// # Errors
-    /// A velocity that is not finite, or whose energy is not; an energy closer to the separatrix than `f64` can
+    /// A velocity that is not finite or above 2e150·ω0; an energy closer to the separatrix than `f64` can
     /// tell, which happens only next to the upright position.
     pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
         finite("velocity", velocity)?;
         let angular_frequency = self.angular_frequency_words();
         let (sine, cosine) = half_angle(&angle);
-        if velocity == 0.0 && (sine.hi == 0.0 || cosine.hi == 0.0) {
+        let scaled_velocity = DoubleDouble::from(velocity) / angular_frequency.scaled(2.0);
+        let speed = scaled_velocity.abs();
+        if speed.hi > FASTEST {
+            return Err(PendulumError::TooFast(velocity));
+        }
+        let still = speed.hi < f64::MIN_POSITIVE;
+        if still && (sine.hi.abs() < f64::MIN_POSITIVE || cosine.hi == 0.0) {
             return Ok(Motion::Rest(Rest { angle, angular_frequency }));
         }
-        let scaled_velocity = DoubleDouble::from(velocity) / angular_frequency.scaled(2.0);
-        let separation = separation(&angle, cosine, velocity, scaled_velocity, self.gravity_and_length())
-            .ok_or(PendulumError::TooCloseToSeparatrix)?;
-        if !separation.root.is_finite() {
-            return Err(PendulumError::NotFinite { name: "energy of this velocity", value: f64::INFINITY });
-        }
-        let start = Start { angle, sine, cosine, velocity: scaled_velocity };
+        let start =
+            Start { angle, sine, cosine, velocity: if still { DoubleDouble::ZERO } else { scaled_velocity } };
+        let separation = if still {
+            Separation { energy: Ordering::Less, root: cosine }
+        } else {
+            separation(&angle, cosine, velocity, speed, self.size)
+                .ok_or(PendulumError::TooCloseToSeparatrix)?
+        };
         Ok(start.motion(angular_frequency, &separation))
     }
 

@@ -1,5 +1,7 @@
 //! What the periodic motions share: a phase clock, theta series, and quotients of their values.
 
+use std::marker::PhantomData;
+
 use super::state::State;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
@@ -29,8 +31,8 @@ pub(super) struct Orbit<Q> {
 impl<Q: Quotients> Orbit<Q> {
     pub(super) fn state_at(&self, time: f64) -> State {
         match self.expansion {
-            Expansion::Circular => dispatch(One { orbit: self, side: CircularSide, time }),
-            Expansion::Hyperbolic => dispatch(One { orbit: self, side: HyperbolicSide, time }),
+            Expansion::Circular => dispatch(One { orbit: self, side: PhantomData::<CircularSide>, time }),
+            Expansion::Hyperbolic => dispatch(One { orbit: self, side: PhantomData::<HyperbolicSide>, time }),
         }
     }
 
@@ -38,10 +40,16 @@ impl<Q: Quotients> Orbit<Q> {
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
         match self.expansion {
             Expansion::Circular => {
-                dispatch(Each { orbit: self, side: CircularSide, times, angles, velocities });
+                dispatch(Each { orbit: self, side: PhantomData::<CircularSide>, times, angles, velocities });
             }
             Expansion::Hyperbolic => {
-                dispatch(Each { orbit: self, side: HyperbolicSide, times, angles, velocities });
+                dispatch(Each {
+                    orbit: self,
+                    side: PhantomData::<HyperbolicSide>,
+                    times,
+                    angles,
+                    velocities,
+                });
             }
         }
     }
@@ -49,8 +57,7 @@ impl<Q: Quotients> Orbit<Q> {
 
 struct One<'a, Q, S> {
     orbit: &'a Orbit<Q>,
-    #[expect(dead_code, reason = "only its type is of use")]
-    side: S,
+    side: PhantomData<S>,
     time: f64,
 }
 
@@ -66,8 +73,7 @@ impl<Q: Quotients, S: Side> Kernel for One<'_, Q, S> {
 
 struct Each<'a, Q, S> {
     orbit: &'a Orbit<Q>,
-    #[expect(dead_code, reason = "only its type is of use")]
-    side: S,
+    side: PhantomData<S>,
     times: &'a [f64],
     angles: &'a mut [f64],
     velocities: &'a mut [f64],

@@ -6,7 +6,7 @@ use crate::elementary::ReducedArctangent;
 /// A state: near the top the angle alone would lose its complement, in rotation it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
-    /// Whole turns: angle = 2π·turns + angle in the turn.
+    /// Whole turns: angle = 2π·turns + angle in the turn. Not exact beyond 2⁵³, and no larger than an `i64`.
     pub turns: i64,
     /// The angle in the turn, within [−π, π] radians.
     pub angle_in_turn: f64,

@@ -4,7 +4,7 @@ use crate::golden::Table;
 use crate::promises::{FOUR_ROUNDOFFS, STATE};
 use crate::random::Random;
 use crate::ulp::ulp;
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_PI_2, PI};
 use libration::elliptic::Modulus;
 use libration::pendulum::{self, Motion, Pendulum, Regime, State};
 use libration::quantity::Angle;
@@ -328,4 +328,31 @@ fn time_scales_with_the_natural_frequency() {
             "{angle} {velocity}"
         );
     }
+}
+
+#[test]
+fn extreme_states_are_answered_or_refused() {
+    let at =
+        |angle: f64, velocity: f64| unit_pendulum().launched(Angle::from_radians(angle).unwrap(), velocity);
+    assert!(at(0.0, 1e300).is_err(), "an energy beyond the range of f64");
+    assert_eq!(at(0.0, 1e140).unwrap().regime(), Regime::Rotation);
+    assert_eq!(at(0.0, 5e-324).unwrap().regime(), Regime::RestStable);
+    let slow = at(0.0, 1e-300).unwrap();
+    assert_eq!(slow.regime(), Regime::Libration);
+    assert!((slow.state_at(FRAC_PI_2).angle / 1e-300 - 1.0).abs() < 1e-15);
+    for (length, gravity) in [(1e308, 1e308), (1e-300, 1e-300), (1e-150, 1e150)] {
+        let pendulum = Pendulum::new(length, gravity).unwrap();
+        let motion =
+            pendulum.launched(Angle::from_radians(1.0).unwrap(), pendulum.angular_frequency()).unwrap();
+        assert_eq!(motion.regime(), Regime::Libration, "{length} {gravity}");
+        assert!(motion.period().is_finite() && motion.state_at(1.0).angle.is_finite());
+    }
+    for frequency in [1e308, 1e-310, 5e-324] {
+        assert!(Pendulum::from_angular_frequency(frequency).is_err(), "{frequency}");
+    }
+    // l·θ′² = 9e-340 against 4g·cos²(θ/2) = 4e-340.
+    let weak = Pendulum::new(1.0, 1e-300).unwrap();
+    let top = Angle::from_complement(2e-20).unwrap();
+    assert_eq!(weak.launched(top, 3e-170).unwrap().regime(), Regime::Rotation);
+    assert_eq!(weak.launched(top, 1e-170).unwrap().regime(), Regime::Libration);
 }
