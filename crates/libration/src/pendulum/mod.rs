@@ -15,6 +15,7 @@
 //! equals its own scalar function bit for bit.
 
 mod period;
+mod period_stages;
 
 mod amplitude;
 mod initial;
@@ -30,7 +31,10 @@ mod rotation;
 mod separatrix;
 
 mod prepared;
+mod table;
+
 mod varying;
+mod varying_stages;
 
 mod approximate_motion;
 mod fourier;

@@ -7,14 +7,15 @@
 //! is rounded once.
 
 use super::LengthMismatch;
+use super::period_stages::Each;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
-use crate::elementary::{Logarithm, ReducedLogarithm, polynomial, split_logarithm, two_word};
+use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
 
 /// (G − 1 − u/16)/u² in u on [0, (π/2)²]: relative error of (G − 1)/u 1.2e-17. The first coefficient is
 /// 11/3072, kept in two words.
 const EXCESS_LEADING: DoubleDouble = DoubleDouble::new(0.0035807291666666665, 1.4456028966473392e-19);
-const EXCESS: [f64; 13] = [
+pub(super) const EXCESS: [f64; 13] = [
     0.0002346462673611112,
     1.735611567420198e-05,
     1.3867625066360802e-06,
@@ -32,7 +33,7 @@ const EXCESS: [f64; 13] = [
 
 /// ln(64 q/u)/u in u on [0, (π/2)²]: relative error 1.8e-17. The first coefficient is 1/24, kept in two words.
 const LOG_NOME_LEADING: DoubleDouble = DoubleDouble::new(0.041666666666666664, 2.3129646346357427e-18);
-const LOG_NOME: [f64; 13] = [
+pub(super) const LOG_NOME: [f64; 13] = [
     0.0015842013888888891,
     9.205866953259369e-05,
     6.332422691189751e-06,
@@ -88,7 +89,7 @@ pub(super) fn excess_below(u: DoubleDouble) -> DoubleDouble {
 
 /// [`excess_below`] from the value of its polynomial.
 #[inline(always)]
-fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
+pub(super) fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
     let square = two_prod(u.hi, u.hi);
     let square_lo = (2.0 * u.hi).mul_add(u.lo, square.lo);
     let second = two_prod(square.hi, EXCESS_LEADING.hi);
@@ -106,7 +107,7 @@ pub(super) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble
 
 /// [`log_inverse_nome`] from ln s and the value of the polynomial.
 #[inline(always)]
-fn log_inverse_nome_with(log: &Logarithm, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
+pub(super) fn log_inverse_nome_with(log: &Logarithm, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
     let powers = 2.0f64.mul_add(-log.exponent, 6.0);
     let first = two_prod(u.hi, LOG_NOME_LEADING.hi);
     let first_lo = u.hi.mul_add(LOG_NOME_LEADING.lo, u.lo.mul_add(LOG_NOME_LEADING.hi, first.lo));
@@ -126,7 +127,7 @@ pub(super) fn root_of_nome(s: DoubleDouble, u: f64) -> DoubleDouble {
 
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.
 #[inline(always)]
-fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
     let gauss = fast_two_sum(1.0, excess.hi);
     let product = two_prod(gauss.hi, log.hi);
     let gauss_lo = gauss.lo + excess.lo;
@@ -155,24 +156,8 @@ impl Nearer {
     }
 }
 
-/// T/T0, rounded once.
-#[inline(always)]
-fn ratio_of(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
-    let below = fast_two_sum(1.0, excess_below.hi);
-    if above { ratio_above.to_f64() } else { below.hi + (below.lo + excess_below.lo) }
-}
-
-/// T/T0 − 1, rounded once.
-#[inline(always)]
-fn excess_of(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
-    let from_above = (ratio_above.hi - 1.0) + ratio_above.lo;
-    if above { from_above } else { excess_below.hi + excess_below.lo }
-}
-
 /// A quantity of the period as a function of one number.
-trait PeriodFunction: Copy {
-    /// Whether the amplitude is above π/2.
-    fn above(argument: f64) -> bool;
+pub(super) trait PeriodFunction: Copy {
     /// The nearer side for an argument; anything outside the domain.
     fn nearer(argument: f64) -> Nearer;
     /// The value, from the period of the nearer side; NaN outside the domain.
@@ -195,43 +180,49 @@ pub(super) fn within_pi(amplitude: f64) -> bool {
     amplitude.abs() <= DoubleDouble::PI.hi
 }
 
-/// T/T0 of an amplitude.
+/// A function of the amplitude: T/T0 or the excess, as the rounding says.
+#[derive(Clone, Copy)]
+struct OfAmplitude<R>(R);
+
+/// How the two forms of the period are rounded to one answer.
+trait Rounding: Copy {
+    /// The answer, from T/T0 − 1 below π/2 and T/T0 above.
+    fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
+}
+
+/// T/T0.
 #[derive(Clone, Copy)]
 struct Ratio;
 
-impl PeriodFunction for Ratio {
+impl Rounding for Ratio {
     #[inline(always)]
-    fn above(amplitude: f64) -> bool {
-        amplitude_above(amplitude)
-    }
-    #[inline(always)]
-    fn nearer(amplitude: f64) -> Nearer {
-        nearer_of_amplitude(amplitude)
-    }
-    #[inline(always)]
-    fn value(amplitude: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
-        let ratio = ratio_of(Self::above(amplitude), excess_below, ratio_above);
-        if within_pi(amplitude) { ratio } else { f64::NAN }
+    fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+        let below = fast_two_sum(1.0, excess_below.hi);
+        if above { ratio_above.to_f64() } else { below.hi + (below.lo + excess_below.lo) }
     }
 }
 
-/// T/T0 − 1 of an amplitude.
+/// T/T0 − 1.
 #[derive(Clone, Copy)]
 struct Excess;
 
-impl PeriodFunction for Excess {
+impl Rounding for Excess {
     #[inline(always)]
-    fn above(amplitude: f64) -> bool {
-        amplitude_above(amplitude)
+    fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
+        let from_above = (ratio_above.hi - 1.0) + ratio_above.lo;
+        if above { from_above } else { excess_below.to_f64() }
     }
+}
+
+impl<R: Rounding> PeriodFunction for OfAmplitude<R> {
     #[inline(always)]
     fn nearer(amplitude: f64) -> Nearer {
         nearer_of_amplitude(amplitude)
     }
     #[inline(always)]
     fn value(amplitude: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
-        let excess = excess_of(Self::above(amplitude), excess_below, ratio_above);
-        if within_pi(amplitude) { excess } else { f64::NAN }
+        let value = R::round(amplitude_above(amplitude), excess_below, ratio_above);
+        if within_pi(amplitude) { value } else { f64::NAN }
     }
 }
 
@@ -241,23 +232,20 @@ struct RatioNearTop;
 
 impl PeriodFunction for RatioNearTop {
     #[inline(always)]
-    fn above(complement: f64) -> bool {
-        complement < std::f64::consts::FRAC_PI_2
-    }
-    #[inline(always)]
     fn nearer(complement: f64) -> Nearer {
-        Nearer::new(Self::above(complement), complement_of(complement), DoubleDouble::from(complement))
+        let above = complement < std::f64::consts::FRAC_PI_2;
+        Nearer::new(above, complement_of(complement), DoubleDouble::from(complement))
     }
     #[inline(always)]
     fn value(complement: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64 {
         let inside = (f64::MIN_POSITIVE..=DoubleDouble::PI.hi).contains(&complement);
-        let ratio = ratio_of(Self::above(complement), excess_below, ratio_above);
+        let ratio = Ratio::round(complement < std::f64::consts::FRAC_PI_2, excess_below, ratio_above);
         if inside { ratio } else { f64::NAN }
     }
 }
 
 /// A function at one argument.
-struct One<P>(P, f64);
+pub(super) struct One<P>(pub(super) P, pub(super) f64);
 
 impl<P: PeriodFunction> Kernel for One<P> {
     type Output = f64;
@@ -266,116 +254,6 @@ impl<P: PeriodFunction> Kernel for One<P> {
         let Nearer { s, u } = P::nearer(self.1);
         let excess = excess_below(u);
         P::value(self.1, excess, ratio_above(excess, log_inverse_nome(s, u)))
-    }
-}
-
-/// How many arguments go through the stages together: enough to hide the latency of the long chains of
-/// dependent operations, few enough to stay in the first-level cache.
-pub(super) const BLOCK: usize = 128;
-
-/// A function at many arguments, stage by stage.
-struct Each<'a, P>(P, &'a [f64], &'a mut [f64]);
-
-impl<P: PeriodFunction> Kernel for Each<'_, P> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let (arguments, rest) = self.1.as_chunks::<BLOCK>();
-        let (values, rest_values) = self.2.as_chunks_mut::<BLOCK>();
-        let mut stages = Stages::ZERO;
-        for (x, y) in arguments.iter().zip(values) {
-            stages.block::<P>(x, y);
-        }
-        for (x, y) in rest.iter().zip(rest_values) {
-            *y = One(self.0, *x).run();
-        }
-    }
-}
-
-/// What one stage leaves for the next, word by word for the vector units.
-pub(super) struct Stages {
-    pub(super) s: Words,
-    pub(super) u: Words,
-    pub(super) excess: Words,
-    pub(super) log: Words,
-    exponent: [f64; BLOCK],
-    tail: [f64; BLOCK],
-}
-
-/// A block of two-word numbers.
-pub(super) struct Words {
-    pub(super) hi: [f64; BLOCK],
-    pub(super) lo: [f64; BLOCK],
-}
-
-impl Words {
-    pub(super) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
-
-    #[inline(always)]
-    pub(super) fn set(&mut self, i: usize, x: DoubleDouble) {
-        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
-    }
-
-    #[inline(always)]
-    pub(super) fn get(&self, i: usize) -> DoubleDouble {
-        DoubleDouble::new(self.hi[i], self.lo[i])
-    }
-}
-
-impl Stages {
-    pub(super) const ZERO: Self = Self {
-        s: Words::ZERO,
-        u: Words::ZERO,
-        excess: Words::ZERO,
-        log: Words::ZERO,
-        exponent: [0.0; BLOCK],
-        tail: [0.0; BLOCK],
-    };
-
-    #[inline(always)]
-    fn block<P: PeriodFunction>(&mut self, arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
-        for (i, argument) in arguments.iter().enumerate() {
-            let nearer = P::nearer(*argument);
-            self.s.set(i, nearer.s);
-            self.u.set(i, nearer.u);
-        }
-        self.excess();
-        self.log();
-        for (i, (argument, value)) in arguments.iter().zip(values).enumerate() {
-            let excess = self.excess.get(i);
-            *value = P::value(*argument, excess, ratio_above(excess, self.log.get(i)));
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn excess(&mut self) {
-        for i in 0..BLOCK {
-            self.excess.hi[i] = polynomial(self.u.hi[i], &EXCESS);
-        }
-        for i in 0..BLOCK {
-            self.excess.set(i, excess_with(self.u.get(i), self.excess.hi[i]));
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn log(&mut self) {
-        for i in 0..BLOCK {
-            let reduced = ReducedLogarithm::of(self.s.get(i));
-            self.exponent[i] = reduced.exponent;
-            self.log.set(i, DoubleDouble::new(reduced.q, reduced.q_lo));
-        }
-        for i in 0..BLOCK {
-            let DoubleDouble { hi: q, lo: q_lo } = self.log.get(i);
-            let reduced = ReducedLogarithm { exponent: self.exponent[i], q, q_lo };
-            (self.log.hi[i], self.tail[i]) = (reduced.leading(), reduced.tail());
-        }
-        for i in 0..BLOCK {
-            self.log.lo[i] = polynomial(self.u.hi[i], &LOG_NOME);
-        }
-        for i in 0..BLOCK {
-            let log = Logarithm { exponent: self.exponent[i], leading: self.log.hi[i], tail: self.tail[i] };
-            self.log.set(i, log_inverse_nome_with(&log, self.u.get(i), self.log.lo[i]));
-        }
     }
 }
 
@@ -392,7 +270,7 @@ impl Stages {
 /// ```
 #[must_use]
 pub fn period_ratio(amplitude: f64) -> f64 {
-    dispatch(One(Ratio, amplitude))
+    dispatch(One(OfAmplitude(Ratio), amplitude))
 }
 
 /// T/T0 − 1 for an amplitude in radians, with full relative accuracy however small it is.
@@ -404,7 +282,7 @@ pub fn period_ratio(amplitude: f64) -> f64 {
 /// (ledger in `tests/suite/accuracy.rs`).
 #[must_use]
 pub fn period_excess(amplitude: f64) -> f64 {
-    dispatch(One(Excess, amplitude))
+    dispatch(One(OfAmplitude(Excess), amplitude))
 }
 
 /// T/T0 of the amplitude π − δ, for a complement δ in radians.
@@ -424,7 +302,7 @@ pub fn period_ratio_near_top(complement: f64) -> f64 {
 /// The slices have different lengths.
 pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(amplitudes, ratios)?;
-    dispatch(Each(Ratio, amplitudes, ratios));
+    dispatch(Each(OfAmplitude(Ratio), amplitudes, ratios));
     Ok(())
 }
 
@@ -434,7 +312,7 @@ pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), Lengt
 /// The slices have different lengths.
 pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(amplitudes, excesses)?;
-    dispatch(Each(Excess, amplitudes, excesses));
+    dispatch(Each(OfAmplitude(Excess), amplitudes, excesses));
     Ok(())
 }
 
@@ -456,7 +334,7 @@ pub(super) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble
     let above = amplitude_above(amplitude.hi);
     let Nearer { s, u } = Nearer::new(above, amplitude, complement);
     let excess = excess_below(u);
-    ratio_of(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
+    Ratio::round(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
 }
 
 /// T/T0 − 1 from the amplitude and its complement in two words each.
@@ -467,7 +345,7 @@ pub(super) fn excess_from_words(amplitude: DoubleDouble, complement: DoubleDoubl
     let above = amplitude_above(amplitude.hi);
     let Nearer { s, u } = Nearer::new(above, amplitude, complement);
     let excess = excess_below(u);
-    excess_of(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
+    Excess::round(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
 }
 
 /// T/T0 for subnormal complements, where G(s) = 1 and only the logarithm counts.

@@ -5,15 +5,14 @@
 //! complementary nome; a batch sorts its elements by side, so that each loop does one kind of work.
 
 use super::LengthMismatch;
-use super::period::{BLOCK, FRAC_1_PI, Words};
 use super::period::{
-    Nearer, Stages, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
+    FRAC_1_PI, Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
     within_pi,
 };
-use super::state::{DoubledArctangent, ReducedRatio, State, magnitude, pick};
+use super::state::{DoubledArctangent, State, magnitude, pick};
+use super::varying_stages::Each;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
-use crate::elementary::ReducedArctangent;
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, Side, ThetaSeries, ThetaValues, scaled_by};
 
 const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.839338337591243e-18);
@@ -49,7 +48,7 @@ pub fn states(
 }
 
 /// What the two expansions do differently. The factors are those of `Libration`, left as quotients.
-trait ReleaseSide: Side {
+pub(super) trait ReleaseSide: Side {
     /// Whether the amplitudes are above π/2.
     const ABOVE: bool;
     /// T/T0 from the period ratio of the nearer side and the log of its inverse nome.
@@ -62,18 +61,18 @@ trait ReleaseSide: Side {
 
 /// The factors of `Libration` that depend on the amplitude, left unmultiplied.
 #[derive(Clone, Copy)]
-struct Factors {
+pub(super) struct Factors {
     /// 4√q·θ₂(0)/2q^¼.
-    small_second: DoubleDouble,
+    pub(super) small_second: DoubleDouble,
     /// θ₂(0)/2q^¼.
-    second: DoubleDouble,
+    pub(super) second: DoubleDouble,
     /// θ₄(0).
-    fourth: DoubleDouble,
+    pub(super) fourth: DoubleDouble,
 }
 
 impl Factors {
     #[inline(always)]
-    fn of(root: DoubleDouble) -> Self {
+    pub(super) fn of(root: DoubleDouble) -> Self {
         let series = ThetaSeries::new(root.hi * root.hi);
         let second = series.second_at_zero();
         Self { small_second: scaled_by(root.scaled(4.0), second), second, fourth: series.fourth_at_zero() }
@@ -114,14 +113,14 @@ impl ReleaseSide for HyperbolicSide {
 
 /// 1 + excess = θ₃(0)².
 #[inline(always)]
-fn gauss(excess: DoubleDouble) -> DoubleDouble {
+pub(super) fn gauss(excess: DoubleDouble) -> DoubleDouble {
     let sum = fast_two_sum(1.0, excess.hi);
     fast_two_sum(sum.hi, sum.lo + excess.lo)
 }
 
 /// Where in its orbit a pendulum of period ratio R is at ω0t: ω0t/2πR turns after the turning point.
 #[inline(always)]
-fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
+pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
     let angle = two_prod(angular_frequency, time);
     let turns = angle.hi * FRAC_1_TAU.hi;
     let turns_lo =
@@ -134,14 +133,14 @@ fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
 }
 
 /// tan(|θ|/2) as a quotient, and the sign of θ.
-struct Tangent {
-    above: DoubleDouble,
-    below: DoubleDouble,
-    sign: f64,
+pub(super) struct Tangent {
+    pub(super) above: DoubleDouble,
+    pub(super) below: DoubleDouble,
+    pub(super) sign: f64,
 }
 
 #[inline(always)]
-fn tangent<S: ReleaseSide>(
+pub(super) fn tangent<S: ReleaseSide>(
     amplitude: f64,
     phase: &Phase,
     factors: &Factors,
@@ -162,7 +161,7 @@ fn tangent<S: ReleaseSide>(
 
 /// θ′, with four roundings; `gauss` is θ₃(0)².
 #[inline(always)]
-fn velocity<S: ReleaseSide>(
+pub(super) fn velocity<S: ReleaseSide>(
     amplitude: f64,
     angular_frequency: f64,
     phase: &Phase,
@@ -215,221 +214,5 @@ impl One {
             velocity::<S>(self.amplitude, self.angular_frequency, &phase, (&factors, gauss), &values);
         let angle = sign * half.angle.to_f64();
         State { turns: 0, angle_in_turn: angle, complement: half.complement.to_f64(), angle, velocity }
-    }
-}
-
-struct Each<'a> {
-    amplitudes: &'a [f64],
-    angular_frequency: f64,
-    times: &'a [f64],
-    angles: &'a mut [f64],
-    velocities: &'a mut [f64],
-}
-
-impl Kernel for Each<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let mut below = Queue::new();
-        let mut above = Queue::new();
-        let mut stages = ReleaseStages::new(self.angular_frequency);
-        for (i, (amplitude, time)) in self.amplitudes.iter().zip(self.times).enumerate() {
-            // Without a branch, which random amplitudes would make unpredictable.
-            let is_above = usize::from(amplitude_above(*amplitude));
-            above.offer(i, *amplitude, *time, is_above);
-            below.offer(i, *amplitude, *time, 1 - is_above);
-            if above.count.max(below.count) == BLOCK {
-                if above.count == BLOCK {
-                    stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
-                } else {
-                    stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
-                }
-            }
-        }
-        stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
-        stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
-    }
-}
-
-/// Elements of one side waiting for a block to fill.
-struct Queue {
-    count: usize,
-    place: [usize; BLOCK],
-    amplitude: [f64; BLOCK],
-    time: [f64; BLOCK],
-}
-
-impl Queue {
-    fn new() -> Self {
-        Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
-    }
-
-    /// Appends `taken` = 1 or 0 of the element; the count is below `BLOCK`.
-    #[inline(always)]
-    fn offer(&mut self, place: usize, amplitude: f64, time: f64, taken: usize) {
-        // The remainder spares the check of the index.
-        let slot = self.count % BLOCK;
-        self.place[slot] = place;
-        self.amplitude[slot] = amplitude;
-        self.time[slot] = time;
-        self.count += taken;
-    }
-}
-
-/// What one stage leaves for the next.
-struct ReleaseStages {
-    angular_frequency: f64,
-    period: Stages,
-    root: [f64; BLOCK],
-    gauss: Words,
-    small_second: Words,
-    zero_second: Words,
-    zero_fourth: Words,
-    quarter: [f64; BLOCK],
-    rest: Words,
-    first: Words,
-    second: Words,
-    third: Words,
-    fourth: Words,
-    angle: [f64; BLOCK],
-    sign: [f64; BLOCK],
-    steep: [f64; BLOCK],
-    velocity: [f64; BLOCK],
-}
-
-impl ReleaseStages {
-    fn new(angular_frequency: f64) -> Self {
-        Self {
-            angular_frequency,
-            period: Stages::ZERO,
-            root: [0.0; BLOCK],
-            gauss: Words::ZERO,
-            small_second: Words::ZERO,
-            zero_second: Words::ZERO,
-            zero_fourth: Words::ZERO,
-            quarter: [0.0; BLOCK],
-            rest: Words::ZERO,
-            first: Words::ZERO,
-            second: Words::ZERO,
-            third: Words::ZERO,
-            fourth: Words::ZERO,
-            angle: [0.0; BLOCK],
-            sign: [0.0; BLOCK],
-            steep: [0.0; BLOCK],
-            velocity: [0.0; BLOCK],
-        }
-    }
-
-    /// Empties the queue; what is behind its count is computed too and dropped.
-    #[inline(always)]
-    fn run<S: ReleaseSide>(&mut self, queue: &mut Queue, angles: &mut [f64], velocities: &mut [f64]) {
-        self.places::<S>(queue);
-        self.values::<S>();
-        for i in 0..BLOCK {
-            let factors = (&self.factors(i), self.gauss.get(i));
-            let theta = self.theta(i);
-            self.velocity[i] =
-                velocity::<S>(queue.amplitude[i], self.angular_frequency, &self.phase(i), factors, &theta);
-        }
-        self.angles::<S>(queue);
-        for i in 0..queue.count {
-            (angles[queue.place[i]], velocities[queue.place[i]]) = (self.angle[i], self.velocity[i]);
-        }
-        queue.count = 0;
-    }
-
-    /// The angles, over the theta values.
-    #[inline(always)]
-    fn angles<S: ReleaseSide>(&mut self, queue: &Queue) {
-        for i in 0..BLOCK {
-            let tangent = tangent::<S>(queue.amplitude[i], &self.phase(i), &self.factors(i), &self.theta(i));
-            self.first.set(i, tangent.above);
-            self.second.set(i, tangent.below);
-            self.sign[i] = tangent.sign;
-        }
-        for i in 0..BLOCK {
-            let ratio = ReducedRatio::of(self.first.get(i), self.second.get(i));
-            self.steep[i] = if ratio.steep { 1.0 } else { 0.0 };
-            self.third.set(i, DoubleDouble::new(ratio.arctangent.t, ratio.arctangent.t_lo));
-            self.fourth.hi[i] = ratio.arctangent.upper;
-        }
-        for i in 0..BLOCK {
-            let DoubleDouble { hi: t, lo: t_lo } = self.third.get(i);
-            let arctangent = ReducedArctangent { upper: self.fourth.hi[i], t, t_lo };
-            let ratio = ReducedRatio { arctangent, steep: self.steep[i] > 0.5 };
-            self.angle[i] = self.sign[i] * DoubledArctangent::from_reduced(ratio).angle.to_f64();
-        }
-    }
-
-    #[inline(always)]
-    fn places<S: ReleaseSide>(&mut self, queue: &Queue) {
-        for i in 0..BLOCK {
-            let Nearer { s, u } = nearer_of_amplitude(queue.amplitude[i]);
-            self.period.s.set(i, s);
-            self.period.u.set(i, u);
-        }
-        self.period.excess();
-        if S::ABOVE {
-            self.period.log();
-        }
-        for i in 0..BLOCK {
-            let root = root_of_nome(self.period.s.get(i), self.period.u.hi[i]);
-            let factors = Factors::of(root);
-            self.root[i] = root.hi;
-            self.small_second.set(i, factors.small_second);
-            self.zero_second.set(i, factors.second);
-            self.zero_fourth.set(i, factors.fourth);
-        }
-        for i in 0..BLOCK {
-            let log = self.period.log.get(i);
-            let log = fast_two_sum(log.hi, log.lo);
-            self.period.log.set(i, log.scaled(2.0));
-            let gauss = gauss(self.period.excess.get(i));
-            self.gauss.set(i, gauss);
-            let phase = phase(S::ratio(gauss, log), self.angular_frequency, queue.time[i]);
-            self.quarter[i] = phase.quarter;
-            self.rest.set(i, phase.rest);
-        }
-    }
-
-    #[inline(always)]
-    fn values<S: ReleaseSide>(&mut self) {
-        for i in 0..BLOCK {
-            let (sine, cosine) = S::sine_cosine(self.rest.get(i), self.period.log.get(i));
-            self.first.set(i, sine);
-            self.second.set(i, cosine);
-        }
-        for i in 0..BLOCK {
-            let series = ThetaSeries::new(self.root[i] * self.root[i]);
-            let values = series.at::<S>(self.first.get(i), self.second.get(i));
-            self.first.set(i, values.first);
-            self.second.set(i, values.second);
-            self.third.set(i, values.third);
-            self.fourth.set(i, values.fourth);
-        }
-    }
-
-    #[inline(always)]
-    fn factors(&self, i: usize) -> Factors {
-        Factors {
-            small_second: self.small_second.get(i),
-            second: self.zero_second.get(i),
-            fourth: self.zero_fourth.get(i),
-        }
-    }
-
-    #[inline(always)]
-    fn phase(&self, i: usize) -> Phase {
-        Phase { turns: 0.0, quarter: self.quarter[i], rest: self.rest.get(i) }
-    }
-
-    #[inline(always)]
-    fn theta(&self, i: usize) -> ThetaValues {
-        ThetaValues {
-            first: self.first.get(i),
-            second: self.second.get(i),
-            third: self.third.get(i),
-            fourth: self.fourth.get(i),
-        }
     }
 }

@@ -1,0 +1,120 @@
+//! The period of many amplitudes, stage by stage.
+//!
+//! One amplitude is a long chain of dependent operations. A block of them goes through the chain in short
+//! loops, each of which the compiler vectorises and the processor overlaps; the operations, and so the bits,
+//! are those of one amplitude.
+
+use super::period::{EXCESS, LOG_NOME, One, PeriodFunction, excess_with, log_inverse_nome_with, ratio_above};
+use crate::dispatch::Kernel;
+use crate::double_double::DoubleDouble;
+use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
+
+/// How many arguments go through the stages together: enough to hide the latency of the long chains of
+/// dependent operations, few enough to stay in the first-level cache.
+pub(super) const BLOCK: usize = 128;
+
+/// A function at many arguments, stage by stage.
+pub(super) struct Each<'a, P>(pub(super) P, pub(super) &'a [f64], pub(super) &'a mut [f64]);
+
+impl<P: PeriodFunction> Kernel for Each<'_, P> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let (arguments, rest) = self.1.as_chunks::<BLOCK>();
+        let (values, rest_values) = self.2.as_chunks_mut::<BLOCK>();
+        let mut stages = Stages::ZERO;
+        for (x, y) in arguments.iter().zip(values) {
+            stages.block::<P>(x, y);
+        }
+        for (x, y) in rest.iter().zip(rest_values) {
+            *y = One(self.0, *x).run();
+        }
+    }
+}
+
+/// What one stage leaves for the next, word by word for the vector units.
+pub(super) struct Stages {
+    pub(super) s: Words,
+    pub(super) u: Words,
+    pub(super) excess: Words,
+    pub(super) log: Words,
+    exponent: [f64; BLOCK],
+    tail: [f64; BLOCK],
+}
+
+/// A block of two-word numbers.
+pub(super) struct Words {
+    pub(super) hi: [f64; BLOCK],
+    pub(super) lo: [f64; BLOCK],
+}
+
+impl Words {
+    pub(super) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, i: usize, x: DoubleDouble) {
+        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, i: usize) -> DoubleDouble {
+        DoubleDouble::new(self.hi[i], self.lo[i])
+    }
+}
+
+impl Stages {
+    pub(super) const ZERO: Self = Self {
+        s: Words::ZERO,
+        u: Words::ZERO,
+        excess: Words::ZERO,
+        log: Words::ZERO,
+        exponent: [0.0; BLOCK],
+        tail: [0.0; BLOCK],
+    };
+
+    #[inline(always)]
+    fn block<P: PeriodFunction>(&mut self, arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
+        for (i, argument) in arguments.iter().enumerate() {
+            let nearer = P::nearer(*argument);
+            self.s.set(i, nearer.s);
+            self.u.set(i, nearer.u);
+        }
+        self.excess();
+        self.log();
+        for (i, (argument, value)) in arguments.iter().zip(values).enumerate() {
+            let excess = self.excess.get(i);
+            *value = P::value(*argument, excess, ratio_above(excess, self.log.get(i)));
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn excess(&mut self) {
+        for i in 0..BLOCK {
+            self.excess.hi[i] = polynomial(self.u.hi[i], &EXCESS);
+        }
+        for i in 0..BLOCK {
+            self.excess.set(i, excess_with(self.u.get(i), self.excess.hi[i]));
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn log(&mut self) {
+        for i in 0..BLOCK {
+            let reduced = ReducedLogarithm::of(self.s.get(i));
+            self.exponent[i] = reduced.exponent;
+            self.log.set(i, DoubleDouble::new(reduced.q, reduced.q_lo));
+        }
+        for i in 0..BLOCK {
+            let DoubleDouble { hi: q, lo: q_lo } = self.log.get(i);
+            let reduced = ReducedLogarithm { exponent: self.exponent[i], q, q_lo };
+            (self.log.hi[i], self.tail[i]) = (reduced.leading(), reduced.tail());
+        }
+        for i in 0..BLOCK {
+            self.log.lo[i] = polynomial(self.u.hi[i], &LOG_NOME);
+        }
+        for i in 0..BLOCK {
+            let log = Logarithm { exponent: self.exponent[i], leading: self.log.hi[i], tail: self.tail[i] };
+            self.log.set(i, log_inverse_nome_with(&log, self.u.get(i), self.log.lo[i]));
+        }
+    }
+}

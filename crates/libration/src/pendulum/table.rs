@@ -1,0 +1,210 @@
+//! The table of a prepared motion: Taylor polynomials in time.
+//!
+//! The period is cut into 2ᵖ segments. On each the polynomial of degree 10 about its middle comes from the
+//! equation of motion by the recurrences of sine and cosine; half a segment is at most 1/45 of the distance
+//! to the nearest singularity, K′ away in imaginary time, so the remainder is below 45⁻¹¹·11 < 2⁻⁵⁶. In
+//! the upper half of the circle the polynomial is that of the angle from the upright position.
+
+use super::{Libration, Rotation};
+use crate::double_double::DoubleDouble;
+use crate::elementary::two_word;
+use crate::elliptic::{Modulus, PhaseClock, PreciseQuotients};
+
+const DEGREE: usize = 10;
+
+/// Distance of the nearest singularity in half segments.
+const CLEARANCE: f64 = 45.0;
+
+const FEWEST_SEGMENTS: f64 = 32.0;
+
+/// A table of more than 2¹² segments would outgrow the caches: next to the separatrix the theta quotients are
+/// faster.
+const MOST_SEGMENTS: f64 = 4096.0;
+
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    /// Segments per second, and segments gone at t = 0.
+    pub(super) clock: PhaseClock,
+    /// What is gained in all segments once through, in rotation.
+    pub(super) cycle: Option<Cycle>,
+    pub(super) turns: i64,
+    /// One less than the number of segments, a power of two. Taken from a field and not from the length, it
+    /// leaves a check of the index in the loop, without which the compiler would gather across segments.
+    pub(super) mask: usize,
+    pub(super) segments: Vec<Segment>,
+}
+
+/// A turn of a rotation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cycle {
+    /// ±2π.
+    pub(super) advance: DoubleDouble,
+    pub(super) direction: f64,
+    /// 1/segments, a power of two.
+    pub(super) inverse: f64,
+}
+
+/// A polynomial for the angle from `base`, the lowest point or the upright position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment {
+    /// Coefficients of powers of y² of the four polynomials that make angle = a + y·b and velocity = c + y·d.
+    pub(super) rows: [[f64; 4]; DEGREE / 2 + 1],
+    pub(super) base: DoubleDouble,
+    /// ±1 where the angle counts from ±π of the turn.
+    pub(super) top: f64,
+    /// Turns gone in the cycle.
+    pub(super) turns: f64,
+}
+
+/// The state at the middle of a segment.
+struct Middle {
+    /// sin(θ/2) and cos(θ/2).
+    sine: DoubleDouble,
+    cosine: DoubleDouble,
+    /// θ′ in segments.
+    velocity: DoubleDouble,
+}
+
+impl Table {
+    pub(super) fn of_libration(libration: &Libration) -> Option<Self> {
+        let (angular_frequency, clock) = libration.angular_frequency_and_clock();
+        let modulus = libration.modulus();
+        let count = segments(&modulus, 2.0)?;
+        let quotients = PreciseQuotients::new(&modulus);
+        let rate = clock.frequency * count;
+        let step = angular_frequency / rate;
+        let (turns, base) = libration.start_of_turn();
+        let mut segments: Vec<Segment> = fractions(0.5 * count, count)
+            .map(|fraction| {
+                let at = quotients.at(fraction);
+                let k = modulus.modulus_words();
+                let velocity = k * at.cn * step.scaled(2.0);
+                Segment::about(
+                    &Middle { sine: k * at.sn, cosine: at.dn, velocity },
+                    step.to_f64(),
+                    rate.hi,
+                    base,
+                )
+            })
+            .collect();
+        // θ(t + T/2) = −θ(t).
+        let mirrored: Vec<Segment> = segments.iter().map(|segment| segment.mirrored(base)).collect();
+        segments.extend(mirrored);
+        let clock = PhaseClock { frequency: rate, offset: clock.offset * count };
+        Some(Self { clock, cycle: None, turns, mask: segments.len() - 1, segments })
+    }
+
+    pub(super) fn of_rotation(rotation: &Rotation) -> Option<Self> {
+        let (speed, clock) = rotation.speed_and_clock();
+        let modulus = rotation.modulus();
+        // One turn of the pendulum is half of 4K.
+        let count = segments(&modulus, 1.0)?;
+        let quotients = PreciseQuotients::new(&modulus);
+        let rate = clock.frequency * (2.0 * count);
+        let direction = rotation.direction();
+        let step = (speed * modulus.modulus_words() / rate).to_f64();
+        let (turns, base) = rotation.start_of_turn();
+        let advance = DoubleDouble::PI.scaled(2.0 * direction);
+        let segments: Vec<Segment> = fractions(count, count)
+            .map(|fraction| {
+                let at = quotients.at(0.5 * if fraction >= 0.5 { fraction - 1.0 } else { fraction });
+                let velocity = at.dn * (speed / rate).scaled(2.0 * direction);
+                let middle = Middle { sine: at.sn.scaled(direction), cosine: at.cn, velocity };
+                let gone = if fraction >= 0.5 { direction } else { 0.0 };
+                Segment { turns: gone, ..Segment::about(&middle, step, rate.hi, base + advance * gone.abs()) }
+            })
+            .collect();
+        let clock = PhaseClock { frequency: rate, offset: clock.offset * (2.0 * count) };
+        Some(Self {
+            clock,
+            cycle: Some(Cycle { advance, direction, inverse: 1.0 / count }),
+            turns,
+            mask: segments.len() - 1,
+            segments,
+        })
+    }
+}
+
+/// How many segments a cycle of `half_periods`·2K needs, if that is not too many.
+fn segments(modulus: &Modulus, half_periods: f64) -> Option<f64> {
+    let ratio = modulus.first_words() / modulus.complementary_first_words();
+    let needed = (CLEARANCE * half_periods * ratio.hi).max(FEWEST_SEGMENTS);
+    let mut count = FEWEST_SEGMENTS;
+    while count < needed && count <= MOST_SEGMENTS {
+        count *= 2.0;
+    }
+    (count <= MOST_SEGMENTS).then_some(count)
+}
+
+/// 0, 1/count, 2/count …, `number` of them.
+fn fractions(number: f64, count: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(0.0), |i| Some(i + 1.0))
+        .take_while(move |i| *i < number)
+        .map(move |i| i / count)
+}
+
+impl Segment {
+    /// The polynomial about this state, for segments of which there are `rate` in a second, `step` = ω0/rate.
+    fn about(middle: &Middle, step: f64, rate: f64, base: DoubleDouble) -> Self {
+        let Middle { sine, cosine, velocity } = *middle;
+        let size = sine.abs();
+        let top = if size.hi > cosine.hi { 1f64.copysign(sine.hi) } else { 0.0 };
+        let away = if top == 0.0 {
+            two_word::atan2(sine, cosine).scaled(2.0)
+        } else {
+            two_word::atan2(cosine, size).scaled(-2.0 * top)
+        };
+        // Of the angle from the base, which is θ or θ ∓ π.
+        let flip = if top == 0.0 { 1.0 } else { -1.0 };
+        let sin = (sine * cosine).to_f64() * (2.0 * flip);
+        let cos = (cosine.square() - sine.square()).to_f64() * flip;
+        let rows = rows(&taylor([away.hi, velocity.to_f64()], [sin, cos], -flip * step * step), rate);
+        let base = base + DoubleDouble::PI * top;
+        Self { rows, base: DoubleDouble::new(base.hi, base.lo + away.lo), top, turns: 0.0 }
+    }
+
+    /// The segment half a period later.
+    fn mirrored(&self, base: DoubleDouble) -> Self {
+        let own = self.base - base;
+        Self { rows: self.rows.map(|row| row.map(|c| -c)), base: base - own, top: -self.top, turns: 0.0 }
+    }
+}
+
+/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity.
+fn rows(x: &[f64; DEGREE + 1], rate: f64) -> [[f64; 4]; DEGREE / 2 + 1] {
+    let mut slopes = [0.0; DEGREE + 2];
+    let mut k = 1.0;
+    for (slope, x) in slopes.iter_mut().zip(&x[1..]) {
+        *slope = k * x * rate;
+        k += 1.0;
+    }
+    let mut rows = [[0.0; 4]; DEGREE / 2 + 1];
+    for (i, row) in rows.iter_mut().rev().enumerate() {
+        let odd = x.get(2 * i + 1).copied().unwrap_or(0.0);
+        *row = [x[2 * i], odd, slopes[2 * i], slopes[2 * i + 1]];
+    }
+    rows
+}
+
+/// Taylor coefficients of x″ = factor·sin x from x, x′ and sin x, cos x at the middle, by
+/// (j+1)·sⱼ₊₁ = Σ(i+1)xᵢ₊₁cⱼ₋ᵢ and (j+1)·cⱼ₊₁ = −Σ(i+1)xᵢ₊₁sⱼ₋ᵢ.
+fn taylor(start: [f64; 2], [sin, cos]: [f64; 2], factor: f64) -> [f64; DEGREE + 1] {
+    let mut x = [0.0; DEGREE + 1];
+    let (mut s, mut c) = ([0.0; DEGREE], [0.0; DEGREE]);
+    (x[0], x[1]) = (start[0], start[1]);
+    (s[0], c[0]) = (sin, cos);
+    let mut order = 0.0;
+    for j in 0..DEGREE - 1 {
+        x[j + 2] = factor * s[j] / ((order + 1.0) * (order + 2.0));
+        let (mut ds, mut dc) = (0.0, 0.0);
+        let mut i_plus_1 = 1.0;
+        for i in 0..=j {
+            ds += i_plus_1 * x[i + 1] * c[j - i];
+            dc -= i_plus_1 * x[i + 1] * s[j - i];
+            i_plus_1 += 1.0;
+        }
+        order += 1.0;
+        (s[j + 1], c[j + 1]) = (ds / order, dc / order);
+    }
+    x
+}
