@@ -74,6 +74,10 @@ impl Libration {
             .to_f64()
     }
 
+    pub(super) fn angular_frequency(&self) -> DoubleDouble {
+        self.angular_frequency
+    }
+
     /// ω0 and the turns of 4K gone at t = 0 since the passage of the bottom upwards.
     pub(super) fn angular_frequency_and_clock(&self) -> (DoubleDouble, PhaseClock) {
         (self.angular_frequency, self.orbit.clock)

@@ -228,6 +228,18 @@ impl Motion {
         }
     }
 
+    /// E/(m·l²) in rad²/s², counted from the bottom: 2ω0²e.
+    #[must_use]
+    pub fn specific_energy(&self) -> f64 {
+        let omega = match self {
+            Self::Rest(rest) => rest.angular_frequency,
+            Self::Libration(libration) => libration.angular_frequency(),
+            Self::Separatrix(separatrix) => separatrix.angular_frequency(),
+            Self::Rotation(rotation) => return rotation.specific_energy(),
+        };
+        omega.square().to_f64() * (2.0 * self.energy_ratio())
+    }
+
     /// The amplitude, of a libration.
     #[must_use]
     pub fn amplitude(&self) -> Option<Amplitude> {

@@ -73,6 +73,11 @@ impl Rotation {
         self.excess.to_f64()
     }
 
+    /// 2ω0²e.
+    pub(super) fn specific_energy(&self) -> f64 {
+        self.speed.square().scaled(2.0).to_f64()
+    }
+
     /// (4ω0√e/π)·E.
     pub(super) fn action(&self) -> f64 {
         (self.modulus.second_words() * self.speed.scaled(4.0) / DoubleDouble::PI).to_f64()

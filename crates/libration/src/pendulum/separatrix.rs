@@ -40,6 +40,10 @@ impl Separatrix {
         self.direction
     }
 
+    pub(super) fn angular_frequency(&self) -> DoubleDouble {
+        self.angular_frequency
+    }
+
     /// 4ω0/π.
     pub(super) fn action(&self) -> f64 {
         (self.angular_frequency.scaled(4.0) / DoubleDouble::PI).to_f64()

@@ -356,3 +356,18 @@ fn extreme_states_are_answered_or_refused() {
     assert_eq!(weak.launched(top, 3e-170).unwrap().regime(), Regime::Rotation);
     assert_eq!(weak.launched(top, 1e-170).unwrap().regime(), Regime::Libration);
 }
+
+#[test]
+fn the_specific_energy_is_that_of_the_initial_state() {
+    let pendulum = Pendulum::new(0.7, 9.81).unwrap();
+    let square = 9.81 / 0.7;
+    for (angle, velocity) in [(0.0, 0.0), (1.0, 0.0), (0.3, -2.0), (3.0, 9.0), (PI, 0.1)] {
+        let motion = pendulum.launched(Angle::from_radians(angle).unwrap(), velocity).unwrap();
+        let expected = 0.5 * velocity * velocity + square * (1.0 - libm::cos(angle));
+        // Four roundings of terms of one sign.
+        assert!(
+            (motion.specific_energy() - expected).abs() <= 4.0 * f64::EPSILON * expected,
+            "{angle} {velocity}"
+        );
+    }
+}
