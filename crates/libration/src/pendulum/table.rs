@@ -79,12 +79,7 @@ impl Table {
                 let at = quotients.at(fraction);
                 let k = modulus.modulus_words();
                 let velocity = k * at.cn * step.scaled(2.0);
-                Segment::about(
-                    &Middle { sine: k * at.sn, cosine: at.dn, velocity },
-                    step.to_f64(),
-                    rate.hi,
-                    base,
-                )
+                Segment::about(&Middle { sine: k * at.sn, cosine: at.dn, velocity }, step, rate, base)
             })
             .collect();
         // θ(t + T/2) = −θ(t).
@@ -102,7 +97,7 @@ impl Table {
         let quotients = PreciseQuotients::new(&modulus);
         let rate = clock.frequency * (2.0 * count);
         let direction = rotation.direction();
-        let step = (speed * modulus.modulus_words() / rate).to_f64();
+        let step = speed * modulus.modulus_words() / rate;
         let (turns, base) = rotation.start_of_turn();
         let advance = DoubleDouble::PI.scaled(2.0 * direction);
         let segments: Vec<Segment> = fractions(count, count)
@@ -111,7 +106,7 @@ impl Table {
                 let velocity = at.dn * (speed / rate).scaled(2.0 * direction);
                 let middle = Middle { sine: at.sn.scaled(direction), cosine: at.cn, velocity };
                 let gone = if fraction >= 0.5 { direction } else { 0.0 };
-                Segment { turns: gone, ..Segment::about(&middle, step, rate.hi, base + advance * gone.abs()) }
+                Segment { turns: gone, ..Segment::about(&middle, step, rate, base + advance * gone.abs()) }
             })
             .collect();
         let clock = PhaseClock { frequency: rate, offset: clock.offset * (2.0 * count) };
@@ -145,7 +140,7 @@ fn fractions(number: f64, count: f64) -> impl Iterator<Item = f64> {
 
 impl Segment {
     /// The polynomial about this state, for segments of which there are `rate` in a second, `step` = ω0/rate.
-    fn about(middle: &Middle, step: f64, rate: f64, base: DoubleDouble) -> Self {
+    fn about(middle: &Middle, step: DoubleDouble, rate: DoubleDouble, base: DoubleDouble) -> Self {
         let Middle { sine, cosine, velocity } = *middle;
         let size = sine.abs();
         let top = if size.hi > cosine.hi { 1f64.copysign(sine.hi) } else { 0.0 };
@@ -156,9 +151,13 @@ impl Segment {
         };
         // Of the angle from the base, which is θ or θ ∓ π.
         let flip = if top == 0.0 { 1.0 } else { -1.0 };
-        let sin = (sine * cosine).to_f64() * (2.0 * flip);
+        let sin = (sine * cosine).scaled(2.0 * flip);
         let cos = (cosine.square() - sine.square()).to_f64() * flip;
-        let rows = rows(&taylor([away.hi, velocity.to_f64()], [sin, cos], -flip * step * step), rate);
+        let factor = step.square().scaled(-flip);
+        let x = taylor([away.hi, velocity.to_f64()], [sin.to_f64(), cos], factor.to_f64());
+        // The first two decide the last bits of the velocity, the second next to a turning point.
+        let slopes = [(velocity * rate).to_f64(), (factor * sin * rate).to_f64()];
+        let rows = rows(&x, rate.hi, slopes);
         let base = base + DoubleDouble::PI * top;
         Self { rows, base: DoubleDouble::new(base.hi, base.lo + away.lo), top, turns: 0.0 }
     }
@@ -170,14 +169,16 @@ impl Segment {
     }
 }
 
-/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity.
-fn rows(x: &[f64; DEGREE + 1], rate: f64) -> [[f64; 4]; DEGREE / 2 + 1] {
+/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity, the first two of
+/// these given.
+fn rows(x: &[f64; DEGREE + 1], rate: f64, leading: [f64; 2]) -> [[f64; 4]; DEGREE / 2 + 1] {
     let mut slopes = [0.0; DEGREE + 2];
     let mut k = 1.0;
     for (slope, x) in slopes.iter_mut().zip(&x[1..]) {
         *slope = k * x * rate;
         k += 1.0;
     }
+    [slopes[0], slopes[1]] = leading;
     let mut rows = [[0.0; 4]; DEGREE / 2 + 1];
     for (i, row) in rows.iter_mut().rev().enumerate() {
         let odd = x.get(2 * i + 1).copied().unwrap_or(0.0);
