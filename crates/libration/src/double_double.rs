@@ -16,7 +16,8 @@ pub(crate) struct DoubleDouble {
 
 /// Below this the rounding error of a square root underflows.
 const TINY: f64 = 1e-270;
-const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
+/// 2¹⁰⁰.
+pub(crate) const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
 const TWO_TO_200: f64 = TWO_TO_100 * TWO_TO_100;
 
 /// `a + b` and its rounding error, exactly.
@@ -46,6 +47,8 @@ impl DoubleDouble {
     pub(crate) const ONE: Self = Self::new(1.0, 0.0);
     /// π to 2⁻¹⁰⁷ (DLMF 3.12.1).
     pub(crate) const PI: Self = Self::new(3.141592653589793, 1.2246467991473532e-16);
+    /// π − `PI.hi` to 2⁻¹⁶⁰: the second and the third word of π.
+    pub(crate) const PI_TAIL: Self = Self::new(Self::PI.lo, -2.9947698097183397e-33);
     /// π/2.
     pub(crate) const FRAC_PI_2: Self = Self::new(1.5707963267948966, 6.123233995736766e-17);
     /// ln 2.

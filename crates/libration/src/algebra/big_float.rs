@@ -1,3 +1,5 @@
+//! Binary floats of any precision, for what two words cannot decide.
+
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
 

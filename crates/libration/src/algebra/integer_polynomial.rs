@@ -1,3 +1,5 @@
+//! The product of polynomials with integer coefficients, as one product of two large integers.
+
 use dashu::base::{BitTest, Sign};
 use dashu::integer::{IBig, UBig};
 

@@ -1,3 +1,5 @@
+//! Exact fractions: the coefficients of series and of leading errors.
+
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;

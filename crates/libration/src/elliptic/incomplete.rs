@@ -19,7 +19,7 @@ fn reduce(phi: f64) -> Reduced {
     if half_turns.abs() > MOST_HALF_TURNS {
         return Reduced { half_turns, sine: DoubleDouble::ZERO, cosine: DoubleDouble::ONE };
     }
-    let third_word = -2.9947698097183397e-33 * half_turns;
+    let third_word = DoubleDouble::PI_TAIL.lo * half_turns;
     let rest = DoubleDouble::from(phi)
         - crate::double_double::two_prod(DoubleDouble::PI.hi, half_turns)
         - crate::double_double::two_prod(DoubleDouble::PI.lo, half_turns)

@@ -9,7 +9,7 @@
 use super::LengthMismatch;
 use super::period_stages::Each;
 use crate::dispatch::{Kernel, dispatch};
-use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
+use crate::double_double::{DoubleDouble, TWO_TO_100, fast_two_sum, two_prod};
 use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
 
 /// (G − 1 − u/16)/u² in u on [0, (π/2)²]: relative error of (G − 1)/u 1.2e-17. The first coefficient is
@@ -69,16 +69,12 @@ const ROOT_NOME: [f64; 13] = [
 /// ln 2 with a first word short enough that its product with an integer below 2¹² is exact.
 const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949582897082e-12);
 pub(super) const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
-/// 2¹⁰⁰.
-const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
-/// π in three words: two are a `DoubleDouble`, this is the third.
-const PI_THIRD_WORD: f64 = -2.9947698097183397e-33;
 
 /// π − θ for π/2 ≤ θ ≤ π, relatively accurate to the last `f64` below π: the first difference is exact.
 #[inline(always)]
 fn complement_of(amplitude: f64) -> DoubleDouble {
     let sum = fast_two_sum(DoubleDouble::PI.hi - amplitude, DoubleDouble::PI.lo);
-    DoubleDouble::new(sum.hi, sum.lo + PI_THIRD_WORD)
+    DoubleDouble::new(sum.hi, sum.lo + DoubleDouble::PI_TAIL.lo)
 }
 
 /// G(s) − 1 for u = s²; the second word is below 0.4 % of the first, not below its last bit.

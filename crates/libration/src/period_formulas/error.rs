@@ -1,3 +1,5 @@
+//! The exact error of a formula: formula and period in as many bits as leave 60 good ones in the difference.
+
 use super::law::Law;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::BigFloat;

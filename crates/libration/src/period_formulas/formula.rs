@@ -1,3 +1,5 @@
+//! A formula with what is known about it, and the catalogue in which it is found by its key.
+
 use std::fmt;
 use std::sync::LazyLock;
 

@@ -1,3 +1,5 @@
+//! Where searches over all amplitudes begin: points that crowd at neither the bottom nor the top.
+
 use super::swing::SwingAmplitude;
 use crate::double_double::DoubleDouble;
 

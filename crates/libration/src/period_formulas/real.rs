@@ -1,3 +1,5 @@
+//! What a formula needs of a number, for `f64` and for floats of any precision.
+
 use crate::algebra::{BigFloat, Rational};
 
 /// The numbers a formula is evaluated in: `f64` when speed matters, [`BigFloat`] when its error does.

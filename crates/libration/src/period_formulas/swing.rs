@@ -1,3 +1,5 @@
+//! The amplitude as the formulas take it, relatively accurate at the bottom and at the top.
+
 use super::real::Real;
 use crate::algebra::BigFloat;
 use crate::double_double::DoubleDouble;
@@ -23,14 +25,9 @@ impl SwingAmplitude {
 
     /// `None` outside [0, π).
     pub(super) fn from_radians(amplitude: f64) -> Option<Self> {
-        let words = DoubleDouble::from(amplitude);
-        if !(0.0..=std::f64::consts::PI).contains(&amplitude) {
-            None
-        } else if amplitude < std::f64::consts::FRAC_PI_2 {
-            Some(Self::FromBottom(words))
-        } else {
-            Some(Self::FromTop(DoubleDouble::PI - words))
-        }
+        let swings = (0.0..=std::f64::consts::PI).contains(&amplitude);
+        let angle = Angle::from_radians(amplitude).ok().filter(|_| swings)?;
+        Self::from_angle(&angle)
     }
 
     pub(super) fn to_angle(self) -> Option<Angle> {

@@ -9,8 +9,6 @@ use crate::double_double::{DoubleDouble, two_sum};
 
 /// Angles above this many radians have no turns that an `f64` could count.
 pub(super) const LARGEST_RADIANS: f64 = 9_007_199_254_740_992.0;
-/// π − 3.141592653589793 to 2⁻¹⁶⁰ (DLMF 3.12.1).
-const PI_TAIL: DoubleDouble = DoubleDouble::new(1.2246467991473532e-16, -2.9947698097183397e-33);
 const TWO_PI: DoubleDouble = DoubleDouble::new(2.0 * DoubleDouble::PI.hi, 2.0 * DoubleDouble::PI.lo);
 const DEGREES_PER_RADIAN: DoubleDouble = DoubleDouble::new(57.29577951308232, -1.9878495670576283e-15);
 /// Below this complement an angle is shown as `pi-δ`.
@@ -47,7 +45,7 @@ impl Angle {
     pub fn from_radians(radians: f64) -> Result<Self, QuantityError> {
         if radians.abs() <= DoubleDouble::PI.hi {
             // π in three words: the first difference is exact, and what is left of it is not cancelled again.
-            let complement = two_sum(DoubleDouble::PI.hi, -radians.abs()) + PI_TAIL;
+            let complement = two_sum(DoubleDouble::PI.hi, -radians.abs()) + DoubleDouble::PI_TAIL;
             return Ok(Self { turns: 0, in_turn: radians.into(), complement });
         }
         if radians.abs() <= LARGEST_RADIANS {
@@ -80,7 +78,7 @@ impl Angle {
 
     /// The angle π − `complement`, which the caller keeps within [0, π].
     pub(crate) fn from_complement_words(complement: DoubleDouble) -> Self {
-        let in_turn = two_sum(DoubleDouble::PI.hi, -complement.hi) + (PI_TAIL - complement.lo);
+        let in_turn = two_sum(DoubleDouble::PI.hi, -complement.hi) + (DoubleDouble::PI_TAIL - complement.lo);
         Self { turns: 0, in_turn, complement }
     }
 

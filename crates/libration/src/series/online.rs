@@ -1,3 +1,5 @@
+//! Equations that give each coefficient of a series from those before it, solved with fast products.
+
 use dashu::integer::IBig;
 
 use crate::algebra::product;

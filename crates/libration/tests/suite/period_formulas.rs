@@ -220,6 +220,18 @@ fn near_the_top_the_complement_counts() {
 }
 
 #[test]
+fn the_last_amplitudes_below_the_top_are_the_same_as_angles_and_in_radians() {
+    let mut radians = std::f64::consts::PI;
+    for _ in 0..40 {
+        let angle = Angle::from_radians(radians).unwrap();
+        for formula in catalogue() {
+            assert_eq!(formula.fractional_error_at(radians), formula.fractional_error(&angle), "{radians}");
+        }
+        radians = radians.next_down();
+    }
+}
+
+#[test]
 fn simplest_formulas_come_first_and_keep_their_tolerance() {
     let amplitude = degrees(90.0);
     let sufficient = TABLE.simplest(&amplitude, 1e-4);

@@ -50,7 +50,7 @@ fn cotangent_series(length: usize) -> Vec<Rational> {
         inverse_factorials.push(next);
     }
     let signed = |n: usize, k: usize| {
-        if n % 2 == 0 { inverse_factorials[k].clone() } else { -inverse_factorials[k].clone() }
+        if n.is_multiple_of(2) { inverse_factorials[k].clone() } else { -inverse_factorials[k].clone() }
     };
     let mut series: Vec<Rational> = Vec::new();
     for n in 0..length {
