@@ -73,7 +73,7 @@ enum Size {
 #[non_exhaustive]
 pub enum PendulumError {
     /// A length, gravity, frequency or period that is not a positive finite number.
-    #[error("the {name} is {value}: give a positive, finite number")]
+    #[error("the {name} is {value:?}: give a positive, finite number")]
     NotPositive {
         /// Which quantity.
         name: &'static str,
@@ -82,7 +82,7 @@ pub enum PendulumError {
     },
     /// The frequency or the period leaves the range of `f64`.
     #[error(
-        "length {length} m and gravity {gravity} m/s^2 give an angular frequency outside the range of f64"
+        "length {length:?} m and gravity {gravity:?} m/s^2 give an angular frequency outside the range of f64: give less extreme ones"
     )]
     OutOfRange {
         /// The length.

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::{Form, FormOptions};
 use libration::pendulum::Amplitude;
-use libration::period_formulas::PeriodFormula;
+use libration::period_formulas::{PeriodFormula, fractional_errors};
 use serde_json::Value;
 use std::io::Write;
 
@@ -96,12 +96,13 @@ impl Period {
     /// What the formulas say, in the order asked for.
     fn estimates<'a>(&self, amplitude: &Amplitude, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
         let angle = amplitude.angle();
-        let estimate = |formula: &'a PeriodFormula| Estimate {
+        let errors = fractional_errors(formulas, &angle);
+        let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| Estimate {
             formula,
             ratio: formula.period_ratio(&angle),
-            fractional_error: formula.fractional_error(&angle),
+            fractional_error,
         };
-        let mut estimates: Vec<_> = formulas.iter().map(estimate).collect();
+        let mut estimates: Vec<_> = formulas.iter().zip(errors).map(estimate).collect();
         if self.sort == Order::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }

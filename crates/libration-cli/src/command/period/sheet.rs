@@ -25,14 +25,14 @@ fn lines(question: &Period, amplitude: &Amplitude, small_angle_period: f64) -> V
     let [length, gravity] = question.pendulum.lines();
     let period = small_angle_period * amplitude.period_ratio();
     let digits = |value| number::rounded(value, 15);
-    let degrees = number::short(amplitude.radians().to_degrees(), 12);
+    let degrees = number::short(amplitude.angle().degrees(), 12);
     vec![
         ("amplitude θ₀", format!("{} rad = {degrees}°", digits(amplitude.radians()))),
         ("π − θ₀", format!("{} rad", digits(amplitude.complement()))),
         length,
         gravity,
-        ("small-angle period T₀", format!("{} s", digits(small_angle_period))),
-        ("exact period T", format!("{} s", digits(period))),
+        ("small-angle period T₀", number::seconds(small_angle_period, 15)),
+        ("exact period T", number::seconds(period, 15)),
         ("frequency 1/T", format!("{} Hz", digits(period.recip()))),
         ("T/T₀", digits(amplitude.period_ratio())),
         ("excess T/T₀ − 1", digits(amplitude.period_excess())),

@@ -5,6 +5,7 @@ use crate::arguments::Amplitudes;
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use libration::pendulum::Amplitude;
+use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
 pub(super) fn write(
@@ -14,7 +15,7 @@ pub(super) fn write(
     small_angle_period: f64,
 ) -> io::Result<()> {
     let [length, gravity] = question.pendulum.lines();
-    let period = ("small-angle period T₀", format!("{} s", number::rounded(small_angle_period, 15)));
+    let period = ("small-angle period T₀", number::seconds(small_angle_period, 15));
     table::sheet(out, &[length, gravity, period])?;
     writeln!(out)?;
     let formulas = question.formulas.chosen();
@@ -22,8 +23,8 @@ pub(super) fn write(
     let errors = formulas.iter().map(|formula| format!("error of {}", formula.key()));
     let mut table = Table::new(exact.into_iter().chain(errors).map(Column::numbers).collect());
     for amplitude in amplitudes.iter() {
-        let errors =
-            formulas.iter().map(|formula| number::rounded(formula.fractional_error(&amplitude.angle()), 3));
+        let errors = fractional_errors(formulas, &amplitude.angle());
+        let errors = errors.into_iter().map(|error| number::rounded(error, 3));
         table.row(out, cells(&amplitude, small_angle_period).into_iter().chain(errors).collect())?;
     }
     table.finish(out)
@@ -32,7 +33,7 @@ pub(super) fn write(
 fn cells(amplitude: &Amplitude, small_angle_period: f64) -> [String; 5] {
     let ratio = amplitude.period_ratio();
     [
-        number::short(amplitude.radians().to_degrees(), 12),
+        number::short(amplitude.angle().degrees(), 12),
         number::rounded(amplitude.complement(), 8),
         number::rounded(small_angle_period * ratio, 12),
         number::rounded(ratio, 12),
@@ -72,9 +73,9 @@ pub(super) fn write_csv(
             amplitude.nome(),
             amplitude.condition(),
         ];
-        let more = formulas
-            .iter()
-            .flat_map(|f| [f.period_ratio(&amplitude.angle()), f.fractional_error(&amplitude.angle())]);
+        let errors = fractional_errors(formulas, &amplitude.angle());
+        let more =
+            formulas.iter().zip(errors).flat_map(|(f, error)| [f.period_ratio(&amplitude.angle()), error]);
         csv::numbers(out, &exact.into_iter().chain(more).collect::<Vec<_>>())?;
     }
     Ok(())
