@@ -15,5 +15,5 @@ pub(crate) use formulas::FormulaChoice;
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
 pub(crate) use pendulum::{PendulumOptions, motion};
-pub(crate) use text::{angle, angular_velocity, length_with_uncertainty, positive};
+pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, positive};
 pub(crate) use times::TimeOptions;

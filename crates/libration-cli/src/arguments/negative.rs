@@ -14,8 +14,7 @@ fn is_negative(argument: &OsString) -> bool {
     let after_sign = argument.to_str().and_then(|text| text.strip_prefix(['-', '−']));
     after_sign.is_some_and(|rest| {
         rest.starts_with(|c: char| c.is_ascii_digit() || c == '.')
-            || rest.starts_with("pi")
-            || rest.starts_with('π')
+            || ["pi", "π", "inf", "nan"].iter().any(|word| rest.to_lowercase().starts_with(word))
     })
 }
 
@@ -31,8 +30,9 @@ mod tests {
 
     #[test]
     fn options_stay_options() {
-        let given = ["--json", "-o", "-30deg", "-.5", "-pi/2", "60deg", "-"].map(OsString::from);
-        let expected = ["--json", "-o", " -30deg", " -.5", " -pi/2", "60deg", "-"].map(OsString::from);
+        let given = ["--json", "-o", "-30deg", "-.5", "-pi/2", "-Inf", "60deg", "-"].map(OsString::from);
+        let expected =
+            ["--json", "-o", " -30deg", " -.5", " -pi/2", " -Inf", "60deg", "-"].map(OsString::from);
         assert_eq!(protect_negative_values(given.into_iter()), expected);
     }
 }

@@ -30,6 +30,12 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "give a finite number above zero, such as 1e-3".to_owned())
 }
 
+/// A whole number from one to `MOST`.
+pub(crate) fn count<const MOST: usize>(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|number| (1..=MOST).contains(number));
+    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}"))
+}
+
 fn above_zero(text: &str, dimension: Dimension) -> Result<f64, String> {
     let value = parse(text, dimension).map_err(|error| error.to_string())?.value;
     if value > 0.0 {

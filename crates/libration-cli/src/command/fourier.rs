@@ -28,8 +28,8 @@ pub(crate) struct Fourier {
     #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
     /// How many harmonics
-    #[arg(long, conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    harmonics: Option<u32>,
+    #[arg(long, conflicts_with = "tolerance", value_parser = arguments::count::<LIMIT>)]
+    harmonics: Option<usize>,
     /// All harmonics of the angle at least this large, in radians
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     tolerance: f64,
@@ -56,7 +56,7 @@ impl Fourier {
             return Err(Failure::no_answer("motion", reason));
         }
         let harmonics = match self.harmonics {
-            Some(count) => motion.harmonics(0.0, usize::try_from(count).unwrap_or(LIMIT)),
+            Some(count) => motion.harmonics(0.0, count),
             None => motion.harmonics(self.tolerance, LIMIT),
         };
         Ok(harmonics)
@@ -92,7 +92,7 @@ impl Fourier {
                 length,
                 gravity,
                 ("regime", motion.regime().to_string()),
-                ("period", format!("{} s", number::rounded(motion.period(), 13))),
+                ("period", number::seconds(motion.period(), 13)),
                 ("fundamental Ω", format!("{} rad/s", number::rounded(harmonics.fundamental, 13))),
                 ("mean velocity", format!("{} rad/s", number::rounded(harmonics.mean_velocity, 13))),
             ],

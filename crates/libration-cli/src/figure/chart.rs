@@ -108,6 +108,8 @@ impl Axis {
     pub(crate) fn coordinate(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => value,
+            // Nothing at all is below every axis, but not so far that a line could not lead there.
+            Scale::Logarithmic if value == 0.0 => f64::MIN_POSITIVE.log10(),
             Scale::Logarithmic => value.log10(),
         }
     }

@@ -13,7 +13,7 @@ pub(super) fn sizes(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
         }
     }
     sizes.extend(samples.last().map(|(x, y)| (*x, y.abs())));
-    sizes.into_iter().map(|(x, y)| (x, if y > 0.0 { y } else { y + f64::MIN_POSITIVE })).collect()
+    sizes
 }
 
 /// Down from the one side and up to the other, in steps that halve.
@@ -25,7 +25,7 @@ fn cusp(before: (f64, f64), after: (f64, f64)) -> impl Iterator<Item = (f64, f64
     };
     let down = (1..HALVINGS).map(move |k| beside(before, k));
     let up = (1..HALVINGS).rev().map(move |k| beside(after, k));
-    down.chain([(zero, f64::MIN_POSITIVE)]).chain(up)
+    down.chain([(zero, 0.0)]).chain(up)
 }
 
 #[cfg(test)]
@@ -36,7 +36,7 @@ mod tests {
     fn a_change_of_sign_reaches_down_to_nothing() {
         let sizes = sizes(&[(0.0, 1.0), (2.0, -1.0)]);
         let (x, least) = sizes.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-        assert!((x - 1.0).abs() < 1e-15 && least <= f64::MIN_POSITIVE);
+        assert!((x - 1.0).abs() < 1e-15 && least == 0.0);
         assert!(sizes.windows(2).all(|pair| pair[0].0 <= pair[1].0));
     }
 

@@ -22,6 +22,11 @@ pub(crate) fn rounded(value: f64, digits: usize) -> String {
     format!("{value:.*}", usize::try_from(last_place).unwrap_or(0))
 }
 
+/// A time in seconds, rounded; `none` where there is no such time.
+pub(crate) fn seconds(value: f64, digits: usize) -> String {
+    if value.is_nan() { "none".to_owned() } else { format!("{} s", rounded(value, digits)) }
+}
+
 /// Rounded to this many significant digits, without the zeros at the end: `60` rather than `60.0000`.
 pub(crate) fn short(value: f64, digits: usize) -> String {
     let text = rounded(value, digits);

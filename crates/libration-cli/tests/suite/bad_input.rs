@@ -3,9 +3,14 @@
 use crate::command::{libration, message};
 
 /// Arguments, exit status, parts of the message.
-const CASES: [(&str, i32, &[&str]); 30] = [
+const CASES: [(&str, i32, &[&str]); 35] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
+    ("period -inf", 2, &["AMPLITUDE", "-inf", "60deg"]),
+    ("period 60deg --length 1e-320", 1, &["length 1e-320 m", "less extreme"]),
+    ("motion 60deg --velocity 1e200", 1, &["energy", "finite"]),
+    ("fourier 60deg --harmonics 1e9", 2, &["--harmonics", "1e9", "whole number"]),
+    ("formulas --amplitude 179.999deg --tolerance 1e-9", 1, &["1e-9", "larger"]),
     ("period 60furlongs", 2, &["AMPLITUDE", "60furlongs", "60deg"]),
     ("period 180deg", 1, &["AMPLITUDE", "below pi"]),
     ("period 200deg", 1, &["AMPLITUDE", "below pi"]),

@@ -104,3 +104,12 @@ fn completions_and_help_are_written_to_the_output() {
         assert!(text(&format!("{command} --help")).contains("Examples:"), "{command}");
     }
 }
+
+#[test]
+fn period_and_motion_say_the_same_period_to_the_last_bit() {
+    for angle in ["1deg", "1.2", "60deg", "179.999999deg", "pi-1e-300"] {
+        let period = json(&format!("period {angle} --formulas bernoulli"));
+        let motion = json(&format!("motion {angle} --times 0"));
+        assert_eq!(period["results"][0]["period_s"], motion["period_s"], "{angle}");
+    }
+}

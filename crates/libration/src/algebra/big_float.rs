@@ -33,7 +33,10 @@ impl BigFloat {
     /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for
     /// words that are not finite.
     pub(crate) fn from_words(words: DoubleDouble, precision: usize) -> Self {
-        let word = |x: f64| rounded(Float::try_from(x).unwrap_or_default(), precision);
+        let word = |x: f64| match Float::try_from(x) {
+            Ok(word) if x.is_finite() => rounded(word, precision),
+            _ => Float::default(),
+        };
         Self(word(words.hi) + word(words.lo))
     }
 

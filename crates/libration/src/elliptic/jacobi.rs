@@ -63,7 +63,7 @@ impl Quotients {
             Expansion::Hyperbolic => exponent.scaled(4.0),
         };
         let frequency = first.scaled(4.0).recip();
-        let clock = PhaseClock { frequency, offset: DoubleDouble::ZERO };
+        let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
         let factors = factors(expansion, root, ThetaZero::in_two_words(root.square()));
         Self { expansion, clock, scale, root, series, factors, degenerate: complementary.hi == 0.0 }
     }

@@ -6,6 +6,7 @@
 //! cosh and q into the complementary nome, with the same p. Moving by a quarter period exchanges p₁ with
 //! p₂ and p₃ with p₄, so one evaluation, within an eighth of a turn of the nearest quarter, serves all.
 
+use super::first_of_point;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{sin_cos_of_turns, sinh_cosh};
 
@@ -197,13 +198,52 @@ pub(crate) struct Phase {
     pub(crate) rest: DoubleDouble,
 }
 
-/// The uniform advance of a phase: turns = frequency·t + offset.
+/// The uniform advance of a phase: turns = frequency·t + quarter/4 + offset.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PhaseClock {
     /// Turns per unit of the argument.
     pub(crate) frequency: DoubleDouble,
-    /// Turns at argument zero.
+    /// The quarter nearest at argument zero, −2 … 2.
+    pub(crate) quarter: f64,
+    /// Turns at argument zero from that quarter, relatively accurate: a start next to the turning point must
+    /// keep its small velocity.
     pub(crate) offset: DoubleDouble,
+}
+
+impl PhaseClock {
+    /// A clock through the point of an orbit of quarter period K with these sn, cn and dn at argument zero.
+    /// Past the middle of the quarter the distance is that to its end, v = K − u, with sn v = cn u/dn u,
+    /// cn v = k′ sn u/dn u and dn v = k′/dn u (DLMF 22.4.3).
+    pub(crate) fn through(
+        [sn, cn, dn]: [DoubleDouble; 3],
+        complementary: DoubleDouble,
+        first: DoubleDouble,
+        frequency: DoubleDouble,
+    ) -> Self {
+        let (sn_size, cn_size) = (sn.abs(), cn.abs());
+        let from_end = cn_size / dn;
+        let ends = from_end.hi < sn_size.hi;
+        let distance = if ends {
+            let dn = complementary / dn;
+            first_of_point(from_end, sn_size * dn, dn)
+        } else {
+            first_of_point(sn_size, cn_size, dn)
+        };
+        // The nearest quarter, and whether the point is past it.
+        let (quarter, past) = match (ends, cn.hi < 0.0) {
+            (true, falling) => (1.0, falling),
+            (false, false) => (0.0, true),
+            (false, true) => (2.0, false),
+        };
+        let sign = if sn.hi < 0.0 { -1.0 } else { 1.0 };
+        let offset = (distance / first).scaled(if past { 0.25 * sign } else { -0.25 * sign });
+        Self { frequency, quarter: sign * quarter, offset }
+    }
+
+    /// The phase of argument zero, in turns.
+    pub(crate) fn start(&self) -> DoubleDouble {
+        self.offset + 0.25 * self.quarter
+    }
 }
 
 /// Beyond this many turns the two words of the frequency say nothing of the fraction: the phase is taken as
@@ -217,7 +257,7 @@ impl PhaseClock {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
         let lo = t.mul_add(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
-        Phase::of(DoubleDouble::new(sum.hi, lo))
+        Phase::of(DoubleDouble::new(sum.hi, lo)).advanced(self.quarter)
     }
 }
 
@@ -238,6 +278,16 @@ impl Phase {
             if known { fraction.lo } else { 0.0 },
         );
         Self { turns: whole + more, quarter, rest }
+    }
+
+    /// The phase so many quarters later, −2 … 2.
+    #[inline(always)]
+    fn advanced(self, quarters: f64) -> Self {
+        let quarter = self.quarter + quarters;
+        let over = if quarter > 2.0 { 1.0 } else { 0.0 };
+        let under = if quarter < -2.0 { 1.0 } else { 0.0 };
+        let turn = over - under;
+        Self { turns: self.turns + turn, quarter: (-4.0f64).mul_add(turn, quarter), rest: self.rest }
     }
 
     /// Whether the nearest quarter is odd.

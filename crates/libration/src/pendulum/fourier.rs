@@ -61,7 +61,7 @@ fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> Harmonic
     let terms = terms((1..).step_by(2), limit, tolerance, fundamental, |n, times| {
         hyperbolic_secant(step * times).scaled(4.0 * sign(n)) / times
     });
-    let epoch = (DoubleDouble::from(0.25) - clock.offset) / clock.frequency;
+    let epoch = (DoubleDouble::from(0.25) - clock.start()) / clock.frequency;
     Harmonics { fundamental: fundamental.to_f64(), mean_velocity: 0.0, epoch: epoch.to_f64(), terms }
 }
 
@@ -77,7 +77,7 @@ fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> Harmonics {
     Harmonics {
         fundamental: fundamental.to_f64(),
         mean_velocity: direction * fundamental.to_f64(),
-        epoch: -(clock.offset / clock.frequency).to_f64(),
+        epoch: -(clock.start() / clock.frequency).to_f64(),
         terms,
     }
 }

@@ -6,8 +6,7 @@ use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{
-    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
-    quotient, scaled_by,
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient, scaled_by,
 };
 
 /// A libration, prepared for evaluation at any time.
@@ -36,9 +35,9 @@ impl Libration {
     ) -> Self {
         let k = hypotenuse(start.sine, start.velocity);
         let modulus = Modulus::from_words(k, complementary);
-        let offset = quarter_turns(start, k, modulus.first_words()).scaled(0.25);
-        let frequency = angular_frequency / modulus.first_words().scaled(4.0);
-        let clock = PhaseClock { frequency, offset };
+        let first = modulus.first_words();
+        let point = [start.sine / k, start.velocity / k, start.cosine];
+        let clock = PhaseClock::through(point, complementary, first, angular_frequency / first.scaled(4.0));
         Self { angular_frequency, modulus, orbit: orbit(angular_frequency, &modulus, clock, start) }
     }
 
@@ -102,16 +101,6 @@ fn hypotenuse(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
     let (x, y) = (x.abs(), y.abs());
     let (large, small) = if x.hi > y.hi { (x, y) } else { (y, x) };
     large * (DoubleDouble::ONE + (small / large).square()).sqrt()
-}
-
-/// u0/K: where on the orbit the motion starts.
-fn quarter_turns(start: &Start, k: DoubleDouble, first: DoubleDouble) -> DoubleDouble {
-    let (sn, cn) = (start.sine / k, start.velocity / k);
-    let upward = first_of_point(sn.abs(), cn.abs(), start.cosine) / first;
-    // At rest the quarter is whole.
-    let upward = if cn.hi == 0.0 { DoubleDouble::ONE } else { upward };
-    let size = if cn.hi < 0.0 { DoubleDouble::from(2.0) - upward } else { upward };
-    if sn.hi < 0.0 { -size } else { size }
 }
 
 fn orbit(

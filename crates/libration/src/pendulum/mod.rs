@@ -80,7 +80,7 @@ const USABLE: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
 #[non_exhaustive]
 pub enum PendulumError {
     /// A length, gravity, frequency or period that is not a positive finite number.
-    #[error("the {name} is {value}: give a positive, finite number")]
+    #[error("the {name} is {value:?}: give a positive, finite number")]
     NotPositive {
         /// Which quantity.
         name: &'static str,
@@ -92,7 +92,7 @@ pub enum PendulumError {
     FrequencyOutOfRange(f64),
     /// The frequency is outside 1e-290 … 1e290 rad/s.
     #[error(
-        "length {length} m and gravity {gravity} m/s^2 give an angular frequency out of range: it must be 1e-290 to 1e290 rad/s"
+        "length {length:?} m and gravity {gravity:?} m/s^2 give an angular frequency out of range: it must be 1e-290 to 1e290 rad/s"
     )]
     OutOfRange {
         /// The length.

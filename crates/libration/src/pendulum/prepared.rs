@@ -8,7 +8,6 @@ use super::table::{Cycle, Segment, Table};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{nearest_integer, nearest_integer_bits};
-use crate::elliptic::PhaseClock;
 
 /// Beyond this many segments the index would lose bits.
 const MOST_GONE: f64 = 1125899906842624.0;
@@ -101,12 +100,12 @@ struct Place {
 
 impl Place {
     #[inline(always)]
-    fn new(clock: &PhaseClock, time: f64) -> Self {
-        let product = two_prod(time, clock.frequency.hi);
-        let sum = two_sum(product.hi, clock.offset.hi);
-        let lo = time.mul_add(clock.frequency.lo, product.lo) + (sum.lo + clock.offset.lo);
+    fn new(table: &Table, time: f64) -> Self {
+        let product = two_prod(time, table.rate.hi);
+        let sum = two_sum(product.hi, table.offset.hi);
+        let lo = time.mul_add(table.rate.lo, product.lo) + (sum.lo + table.offset.lo);
         let gone = nearest_integer(sum.hi);
-        Self { gone, rest: (sum.hi - gone) + lo }
+        Self { gone: gone + table.start, rest: (sum.hi - gone) + lo }
     }
 
     /// Whether the segments gone have been counted exactly; not for NaN.
@@ -211,7 +210,7 @@ impl<U: Unwrap> Kernel for One<'_, U> {
     type Output = State;
     #[inline(always)]
     fn run(self) -> State {
-        let place = Place::new(&self.table.clock, self.time);
+        let place = Place::new(self.table, self.time);
         if !place.is_counted() {
             return self.motion.state_at(self.time);
         }
@@ -246,7 +245,7 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
         let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
         for ((times, angles), velocities) in blocks {
             for ((gone, rest), time) in gone.iter_mut().zip(&mut rest).zip(times) {
-                let place = Place::new(&table.clock, *time);
+                let place = Place::new(table, *time);
                 (*gone, *rest) = (place.gone, place.rest);
             }
             if !gone[..times.len()].iter().all(|gone| Place { gone: *gone, rest: 0.0 }.is_counted()) {

@@ -5,8 +5,7 @@ use super::orbit::{Orbit, Quotients};
 use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped, whole_turns};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{
-    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, first_of_point,
-    quotient, scaled_by,
+    Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient, scaled_by,
 };
 
 /// A rotation, prepared for evaluation at any time.
@@ -39,11 +38,10 @@ impl Rotation {
         let modulus = Modulus::from_words(root_energy.recip(), root / root_energy);
         let speed = root_energy * angular_frequency;
         let direction = if start.velocity.hi < 0.0 { -1.0 } else { 1.0 };
-        let ahead = if (start.sine.hi < 0.0) == (start.velocity.hi < 0.0) { 1.0 } else { -1.0 };
-        let delta = start.velocity.abs() / root_energy;
-        let gone = first_of_point(start.sine.abs(), start.cosine, delta) / modulus.first_words().scaled(4.0);
-        let clock =
-            PhaseClock { frequency: speed / modulus.first_words().scaled(4.0), offset: gone.scaled(ahead) };
+        let first = modulus.first_words();
+        let point = [start.sine.scaled(direction), start.cosine, start.velocity.abs() / root_energy];
+        let complementary = modulus.complementary_words();
+        let clock = PhaseClock::through(point, complementary, first, speed / first.scaled(4.0));
         Self { speed, excess, modulus, orbit: orbit(speed, &modulus, clock, direction, start) }
     }
 

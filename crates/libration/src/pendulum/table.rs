@@ -8,7 +8,7 @@
 use super::{Libration, Rotation};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
-use crate::elliptic::{Modulus, PhaseClock, PreciseQuotients};
+use crate::elliptic::{Modulus, PreciseQuotients};
 
 const DEGREE: usize = 10;
 
@@ -23,8 +23,11 @@ const MOST_SEGMENTS: f64 = 4096.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// Segments per second, and segments gone at t = 0.
-    pub(super) clock: PhaseClock,
+    /// Segments per second.
+    pub(super) rate: DoubleDouble,
+    /// Segments from the nearest quarter at t = 0, and whole segments to that quarter.
+    pub(super) offset: DoubleDouble,
+    pub(super) start: f64,
     /// What is gained in all segments once through, in rotation.
     pub(super) cycle: Option<Cycle>,
     pub(super) turns: i64,
@@ -85,8 +88,8 @@ impl Table {
         // θ(t + T/2) = −θ(t).
         let mirrored: Vec<Segment> = segments.iter().map(|segment| segment.mirrored(base)).collect();
         segments.extend(mirrored);
-        let clock = PhaseClock { frequency: rate, offset: clock.offset * count };
-        Some(Self { clock, cycle: None, turns, mask: segments.len() - 1, segments })
+        let (offset, start) = (clock.offset * count, 0.25 * count * clock.quarter);
+        Some(Self { rate, offset, start, cycle: None, turns, mask: segments.len() - 1, segments })
     }
 
     pub(super) fn of_rotation(rotation: &Rotation) -> Option<Self> {
@@ -109,9 +112,11 @@ impl Table {
                 Segment { turns: gone, ..Segment::about(&middle, step, rate, base + advance * gone.abs()) }
             })
             .collect();
-        let clock = PhaseClock { frequency: rate, offset: clock.offset * (2.0 * count) };
+        let (offset, start) = (clock.offset * (2.0 * count), 0.5 * count * clock.quarter);
         Some(Self {
-            clock,
+            rate,
+            offset,
+            start,
             cycle: Some(Cycle { advance, direction, inverse: 1.0 / count }),
             turns,
             mask: segments.len() - 1,

@@ -270,6 +270,17 @@ impl LeadingError {
     }
 }
 
+/// The fractional error of each formula at one amplitude, as [`PeriodFormula::fractional_error`] gives it; the
+/// exact period is worked out once for all of them.
+#[must_use]
+pub fn fractional_errors(formulas: &[PeriodFormula], amplitude: &Angle) -> Vec<f64> {
+    let Some(amplitude) = SwingAmplitude::from_angle(amplitude) else {
+        return vec![f64::NAN; formulas.len()];
+    };
+    let mut exact = Exact::new(amplitude);
+    formulas.iter().map(|formula| formula.error_beside(amplitude, &mut exact)).collect()
+}
+
 fn nearest_keys(asked: &str) -> Vec<String> {
     const SHOWN: usize = 3;
     let mut keys: Vec<&String> = catalogue().iter().flat_map(PeriodFormula::keys).collect();

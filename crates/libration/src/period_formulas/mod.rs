@@ -17,5 +17,7 @@ mod swing;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 pub use family::MOST_TERMS;
-pub use formula::{Attribution, Complexity, LeadingError, PeriodFormula, UnknownFormula, catalogue};
+pub use formula::{
+    Attribution, Complexity, LeadingError, PeriodFormula, UnknownFormula, catalogue, fractional_errors,
+};
 pub use search::{Crossover, ErrorTable, WorstError};

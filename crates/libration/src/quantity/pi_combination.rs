@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use dashu::base::DivEuclid;
+use dashu::base::{DivEuclid, Signed};
 use dashu::float::{FBig, round::mode::HalfEven};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
@@ -22,6 +22,12 @@ static PI: LazyLock<UBig> = LazyLock::new(|| {
         .try_into()
         .expect("the floor of a positive number is a natural number")
 });
+
+/// Bits of π that give a·π in two words, where nothing is taken from it.
+const SHORT_PI_BITS: usize = 320;
+
+/// ⌊π·2^[`SHORT_PI_BITS`]⌋.
+static SHORT_PI: LazyLock<IBig> = LazyLock::new(|| IBig::from(&*PI >> (PI_BITS - SHORT_PI_BITS)));
 
 /// The angle a·π + b radians, exactly.
 #[derive(Clone, Debug)]
@@ -50,6 +56,9 @@ impl PiCombination {
 
     /// The nearest angle in two words; the caller keeps the turns within an `i64`.
     pub(super) fn to_angle(&self) -> Angle {
+        if let Some(angle) = self.to_angle_within_half_turn() {
+            return angle;
+        }
         let value = self.value();
         if value.is_negative() {
             return -self.negated().to_angle();
@@ -62,6 +71,18 @@ impl PiCombination {
             value.to_words(),
             in_turn.complement(&value).to_words(),
         )
+    }
+
+    /// The angle a·π with 0 ≤ a ≤ 1, which has no turns and whose complement (1 − a)·π is as plain.
+    fn to_angle_within_half_turn(&self) -> Option<Angle> {
+        let Fraction { numerator, denominator } = Fraction::from(&self.pi_multiple);
+        let complement = IBig::from(denominator.clone()) - &numerator;
+        let within = self.rest.is_zero() && !numerator.is_negative() && !complement.is_negative();
+        let denominator = denominator << SHORT_PI_BITS;
+        let words = |numerator: IBig| {
+            Fraction { numerator: numerator * &*SHORT_PI, denominator: denominator.clone() }.to_words()
+        };
+        within.then(|| Angle::from_parts(0, words(numerator), words(complement)))
     }
 
     /// As text is meant: plain radians are the nearest `f64`, everything else is exact.

@@ -371,3 +371,29 @@ fn the_specific_energy_is_that_of_the_initial_state() {
         );
     }
 }
+
+#[test]
+fn a_start_next_to_a_quarter_keeps_its_small_part() {
+    for velocity in [1e-20, -1e-200, 3e-9] {
+        for angle in [1.0, -3.0] {
+            let state = launched(angle, velocity).state_at(0.0);
+            assert!((state.velocity / velocity - 1.0).abs() <= 4.0 * f64::EPSILON, "{angle} {velocity}");
+            assert!((state.angle - angle).abs() <= 4.0 * ulp(angle), "{angle} {velocity}");
+            let prepared = launched(angle, velocity).prepare().state_at(0.0);
+            assert!((prepared.velocity / velocity - 1.0).abs() <= 4.0 * f64::EPSILON, "{angle} {velocity}");
+        }
+        let below = launched(velocity, 1.0).state_at(0.0);
+        assert!((below.angle / velocity - 1.0).abs() <= 4.0 * f64::EPSILON, "{velocity}");
+    }
+    for complement in [1e-20, 1e-200] {
+        let top = Angle::from_complement(complement).unwrap();
+        for velocity in [1.0, -1.0] {
+            let motion = unit_pendulum().launched(top, velocity).unwrap();
+            for state in [motion.state_at(0.0), motion.prepare().state_at(0.0)] {
+                let close = (state.complement / complement - 1.0).abs() <= 4.0 * f64::EPSILON;
+                assert!(close, "{complement} {velocity} {state:?}");
+                assert!(state.turns == 0 && state.angle_in_turn > 3.0, "{complement} {velocity} {state:?}");
+            }
+        }
+    }
+}

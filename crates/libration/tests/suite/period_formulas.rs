@@ -4,7 +4,9 @@
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
-use libration::period_formulas::{Complexity, ErrorTable, MOST_TERMS, PeriodFormula, catalogue};
+use libration::period_formulas::{
+    Complexity, ErrorTable, MOST_TERMS, PeriodFormula, catalogue, fractional_errors,
+};
 use libration::quantity::Angle;
 
 fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
@@ -269,4 +271,16 @@ fn a_search_can_be_stopped_and_keeps_what_it_has() {
     let some = TABLE.all_crossovers(&mut stop);
     assert_eq!(pairs, 40);
     assert!(!some.is_empty());
+}
+
+#[test]
+fn errors_that_share_the_exact_period_are_those_of_each_formula_alone() {
+    for text in ["0", "1e-9", "60deg", "170deg", "pi-1e-12"] {
+        let amplitude: Angle = text.parse().unwrap();
+        for (formula, shared) in catalogue().iter().zip(fractional_errors(catalogue(), &amplitude)) {
+            let alone = formula.fractional_error(&amplitude);
+            let same = shared == alone || (shared - alone).abs() <= 2.0 * f64::EPSILON * alone.abs();
+            assert!(same, "{} at {text}: {shared} beside {alone}", formula.key());
+        }
+    }
 }

@@ -43,7 +43,7 @@ pub(super) struct Errors {
 
 impl Errors {
     pub(super) fn picture(&self) -> Result<Picture, Failure> {
-        let (from, to) = (self.from.radians().to_degrees(), self.to.radians().to_degrees());
+        let (from, to) = (self.from.degrees(), self.to.degrees());
         if !(0.0 <= from && from < to && to <= 180.0) {
             let got = format!("from {from}° to {to}°: give 0 ≤ from < to ≤ 180deg");
             return Err(Failure::no_answer("--from, --to", got));

@@ -33,5 +33,5 @@ fn label(angle: &Angle) -> String {
     if angle.complement() < 1e-5 {
         return format!("π − {} rad", number::short(angle.complement(), 3));
     }
-    format!("{}°", number::short(angle.radians().to_degrees(), 7))
+    format!("{}°", number::short(angle.degrees(), 7))
 }

@@ -8,8 +8,8 @@ use crate::figure::chart::Picture;
 use crate::figure::spectrum::spectra;
 use libration::pendulum::Pendulum;
 
-/// More harmonics than a picture can show apart.
-const LIMIT: usize = 2000;
+/// The highest harmonic that may be asked for.
+const HIGHEST: usize = 4000;
 
 /// Harmonics of the angle at several amplitudes
 #[derive(Debug, clap::Args)]
@@ -21,8 +21,8 @@ pub(super) struct Spectrum {
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     lowest: f64,
     /// The highest harmonic shown
-    #[arg(long, default_value = "41", value_parser = clap::value_parser!(u32).range(1..=4000))]
-    highest: u32,
+    #[arg(long, default_value = "41", value_parser = arguments::count::<HIGHEST>)]
+    highest: usize,
     #[command(flatten)]
     pub(super) options: PictureOptions,
 }
@@ -34,8 +34,8 @@ impl Spectrum {
         let mut shown = vec![];
         for release in releases(&self.amplitudes)? {
             let motion = pendulum.released_from(release.angle).map_err(no_answer)?;
-            let mut harmonics = motion.harmonics(self.lowest, LIMIT);
-            harmonics.terms.retain(|term| u32::try_from(term.n).is_ok_and(|n| n <= self.highest));
+            let mut harmonics = motion.harmonics(self.lowest, self.highest);
+            harmonics.terms.retain(|term| term.n <= self.highest);
             shown.push((release.label, harmonics));
         }
         Ok(spectra(&shown, self.lowest))

@@ -60,8 +60,9 @@ impl Formulas {
             None => formulas.iter().collect(),
         };
         if chosen.is_empty() {
-            let reason =
-                format!("no formula keeps the tolerance {tolerance} there: the exact period always does");
+            let reason = format!(
+                "no formula keeps the tolerance {tolerance:?} there: give a larger one, or take the exact period"
+            );
             return Err(Failure::no_answer("--amplitude", reason));
         }
         Ok(chosen

@@ -111,14 +111,14 @@ impl Answer<'_> {
             length,
             gravity,
             ("regime", self.motion.regime().to_string()),
-            (period, format!("{} s", number::rounded(self.motion.period(), 13))),
+            (period, number::seconds(self.motion.period(), 13)),
             (
                 "energy / 2mgl",
                 format!("{} (1 on the separatrix)", number::rounded(self.motion.energy_ratio(), 13)),
             ),
         ];
         if let Some(amplitude) = self.motion.amplitude() {
-            let degrees = number::short(amplitude.radians().to_degrees(), 12);
+            let degrees = number::short(amplitude.angle().degrees(), 12);
             lines.push((
                 "amplitude",
                 format!("{} rad = {degrees}°", number::rounded(amplitude.radians(), 13)),

@@ -7,8 +7,8 @@ use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::{Form, FormOptions};
-use libration::pendulum::Amplitude;
-use libration::period_formulas::PeriodFormula;
+use libration::pendulum::{Amplitude, Pendulum};
+use libration::period_formulas::{PeriodFormula, fractional_errors};
 use serde_json::Value;
 use std::io::Write;
 
@@ -53,40 +53,39 @@ struct Estimate<'a> {
 impl Period {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let amplitudes = self.amplitudes.read()?;
-        let small_angle_period = self.pendulum.pendulum()?.small_angle_period();
+        let pendulum = self.pendulum.pendulum()?;
         match self.form.form() {
             Form::Json => {
                 let formulas = self.formulas.chosen_or_all();
-                let results = amplitudes.iter().map(|a| self.record(&a, small_angle_period, formulas));
+                let results = amplitudes.iter().map(|a| self.record(&a, &pendulum, formulas));
                 json::document_with_list(out, self.pendulum.record(), "results", results)?;
             }
-            Form::Csv => table::write_csv(out, self, &amplitudes, small_angle_period)?,
+            Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
             Form::Table => match amplitudes.single() {
-                Some(amplitude) => sheet::write(out, self, &amplitude, small_angle_period)?,
-                None => table::write(out, self, &amplitudes, small_angle_period)?,
+                Some(amplitude) => sheet::write(out, self, &amplitude, &pendulum)?,
+                None => table::write(out, self, &amplitudes, &pendulum)?,
             },
         }
         Ok(())
     }
 
-    fn record(&self, amplitude: &Amplitude, small_angle_period: f64, formulas: &[PeriodFormula]) -> Record {
-        let ratio = amplitude.period_ratio();
-        let period = small_angle_period * ratio;
+    fn record(&self, amplitude: &Amplitude, pendulum: &Pendulum, formulas: &[PeriodFormula]) -> Record {
+        let period = pendulum.period(amplitude);
         let estimates = self.estimates(amplitude, formulas).into_iter().map(|estimate| {
             let record = Record::new()
                 .with("key", estimate.formula.key())
                 .number("ratio", estimate.ratio)
-                .number("period_s", small_angle_period * estimate.ratio)
+                .number("period_s", pendulum.small_angle_period() * estimate.ratio)
                 .number("fractional_error", estimate.fractional_error);
             Value::from(record)
         });
         Record::new()
             .number("amplitude_rad", amplitude.radians())
             .number("complement_rad", amplitude.complement())
-            .number("small_angle_period_s", small_angle_period)
+            .number("small_angle_period_s", pendulum.small_angle_period())
             .number("period_s", period)
             .number("frequency_hz", period.recip())
-            .number("ratio", ratio)
+            .number("ratio", amplitude.period_ratio())
             .number("excess", amplitude.period_excess())
             .number("nome", amplitude.nome())
             .number("condition", amplitude.condition())
@@ -96,12 +95,13 @@ impl Period {
     /// What the formulas say, in the order asked for.
     fn estimates<'a>(&self, amplitude: &Amplitude, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
         let angle = amplitude.angle();
-        let estimate = |formula: &'a PeriodFormula| Estimate {
+        let errors = fractional_errors(formulas, &angle);
+        let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| Estimate {
             formula,
             ratio: formula.period_ratio(&angle),
-            fractional_error: formula.fractional_error(&angle),
+            fractional_error,
         };
-        let mut estimates: Vec<_> = formulas.iter().map(estimate).collect();
+        let mut estimates: Vec<_> = formulas.iter().zip(errors).map(estimate).collect();
         if self.sort == Order::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }

@@ -4,17 +4,18 @@ use super::Period;
 use crate::arguments::Amplitudes;
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
-use libration::pendulum::Amplitude;
+use libration::pendulum::{Amplitude, Pendulum};
+use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
 pub(super) fn write(
     out: &mut dyn Write,
     question: &Period,
     amplitudes: &Amplitudes,
-    small_angle_period: f64,
+    pendulum: &Pendulum,
 ) -> io::Result<()> {
     let [length, gravity] = question.pendulum.lines();
-    let period = ("small-angle period T₀", format!("{} s", number::rounded(small_angle_period, 15)));
+    let period = ("small-angle period T₀", number::seconds(pendulum.small_angle_period(), 15));
     table::sheet(out, &[length, gravity, period])?;
     writeln!(out)?;
     let formulas = question.formulas.chosen();
@@ -22,20 +23,19 @@ pub(super) fn write(
     let errors = formulas.iter().map(|formula| format!("error of {}", formula.key()));
     let mut table = Table::new(exact.into_iter().chain(errors).map(Column::numbers).collect());
     for amplitude in amplitudes.iter() {
-        let errors =
-            formulas.iter().map(|formula| number::rounded(formula.fractional_error(&amplitude.angle()), 3));
-        table.row(out, cells(&amplitude, small_angle_period).into_iter().chain(errors).collect())?;
+        let errors = fractional_errors(formulas, &amplitude.angle());
+        let errors = errors.into_iter().map(|error| number::rounded(error, 3));
+        table.row(out, cells(&amplitude, pendulum).into_iter().chain(errors).collect())?;
     }
     table.finish(out)
 }
 
-fn cells(amplitude: &Amplitude, small_angle_period: f64) -> [String; 5] {
-    let ratio = amplitude.period_ratio();
+fn cells(amplitude: &Amplitude, pendulum: &Pendulum) -> [String; 5] {
     [
-        number::short(amplitude.radians().to_degrees(), 12),
+        number::short(amplitude.angle().degrees(), 12),
         number::rounded(amplitude.complement(), 8),
-        number::rounded(small_angle_period * ratio, 12),
-        number::rounded(ratio, 12),
+        number::rounded(pendulum.period(amplitude), 12),
+        number::rounded(amplitude.period_ratio(), 12),
         number::rounded(amplitude.period_excess(), 12),
     ]
 }
@@ -44,7 +44,7 @@ pub(super) fn write_csv(
     out: &mut dyn Write,
     question: &Period,
     amplitudes: &Amplitudes,
-    small_angle_period: f64,
+    pendulum: &Pendulum,
 ) -> io::Result<()> {
     let formulas = question.formulas.chosen();
     let exact = [
@@ -61,20 +61,19 @@ pub(super) fn write_csv(
         formulas.iter().flat_map(|f| [format!("{}_ratio", f.key()), format!("{}_fractional_error", f.key())]);
     csv::line(out, &exact.map(String::from).into_iter().chain(more).collect::<Vec<_>>())?;
     for amplitude in amplitudes.iter() {
-        let ratio = amplitude.period_ratio();
         let exact = [
             amplitude.radians(),
             amplitude.complement(),
-            small_angle_period,
-            small_angle_period * ratio,
-            ratio,
+            pendulum.small_angle_period(),
+            pendulum.period(&amplitude),
+            amplitude.period_ratio(),
             amplitude.period_excess(),
             amplitude.nome(),
             amplitude.condition(),
         ];
-        let more = formulas
-            .iter()
-            .flat_map(|f| [f.period_ratio(&amplitude.angle()), f.fractional_error(&amplitude.angle())]);
+        let errors = fractional_errors(formulas, &amplitude.angle());
+        let more =
+            formulas.iter().zip(errors).flat_map(|(f, error)| [f.period_ratio(&amplitude.angle()), error]);
         csv::numbers(out, &exact.into_iter().chain(more).collect::<Vec<_>>())?;
     }
     Ok(())
