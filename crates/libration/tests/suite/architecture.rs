@@ -131,6 +131,21 @@ fn every_use_on_the_map_is_made() {
     }
 }
 
+/// The names in backquotes.
+fn quoted(text: &str) -> Vec<&str> {
+    text.split('`').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn the_tables_of_the_architecture_are_the_map() {
+    let text = include_str!("../../../../ARCHITECTURE.md");
+    for (module, uses) in MAP.iter().chain(FOUNDATIONS) {
+        let row = text.lines().find(|line| line.starts_with(&format!("| `{module}` |")));
+        let cells: Vec<&str> = row.unwrap_or_else(|| panic!("{module} has no row")).split(" | ").collect();
+        assert_eq!(quoted(cells.last().unwrap()), *uses, "{module}");
+    }
+}
+
 #[test]
 fn uses_are_found_in_every_spelling() {
     let source =
