@@ -68,7 +68,7 @@ def positive(function, at_zero):
 
 u_max = (pi / 2) ** 2 * (1 + mpf(2) ** -40)
 tiny = mpf(10) ** -30
-table("(T/T0 - 1)/u, u = amplitude^2", lambda u: (ratio(sqrt(u)) - 1) / u, tiny, u_max, 15, pairs=2,
+table("(T/T0 - 1)/u, u = amplitude^2", lambda u: (ratio(sqrt(u)) - 1) / u, tiny, u_max, 15,
       exact=(mpf(1) / 16, mpf(11) / 3072))
 table("ln(64 q/u)/u, q the nome of amplitude sqrt(u)", lambda u: log(64 * nome(sqrt(u)) / u) / u, tiny, u_max, 14,
       pairs=1, exact=(mpf(1) / 24,))

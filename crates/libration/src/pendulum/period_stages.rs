@@ -11,7 +11,7 @@ use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
 
 /// How many arguments go through the stages together: enough to hide the latency of the long chains of
 /// dependent operations, few enough to stay in the first-level cache.
-pub(super) const BLOCK: usize = 128;
+pub(super) const BLOCK: usize = 64;
 
 /// A function at many arguments, stage by stage.
 pub(super) struct Each<'a, P>(pub(super) P, pub(super) &'a [f64], pub(super) &'a mut [f64]);

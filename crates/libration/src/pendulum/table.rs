@@ -1,8 +1,9 @@
 //! The table of a prepared motion: Taylor polynomials in time.
 //!
-//! The period is cut into 2ᵖ segments. On each the polynomial of degree 10 about its middle comes from the
-//! equation of motion by the recurrences of sine and cosine; half a segment is at most 1/45 of the distance
-//! to the nearest singularity, K′ away in imaginary time, so the remainder is below 45⁻¹¹·11 < 2⁻⁵⁶. In
+//! The period is cut into 2ᵖ segments. On each the polynomial of degree 12 about its middle comes from the
+//! equation of motion by the recurrences of sine and cosine; half a segment is at most 1/24 of the distance
+//! to the nearest singularity, K′ away in imaginary time, so the remainder is below 24⁻¹³ < 2⁻⁵⁹ and that of the
+//! velocity below 24⁻¹² < 2⁻⁵⁴ of its scale. In
 //! the upper half of the circle the polynomial is that of the angle from the upright position.
 
 use super::{Libration, Rotation};
@@ -10,10 +11,10 @@ use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
 use crate::elliptic::{Modulus, PreciseQuotients};
 
-const DEGREE: usize = 10;
+const DEGREE: usize = 12;
 
 /// Distance of the nearest singularity in half segments.
-const CLEARANCE: f64 = 45.0;
+const CLEARANCE: f64 = 24.0;
 
 const FEWEST_SEGMENTS: f64 = 32.0;
 
