@@ -50,7 +50,7 @@ impl Amplitude {
         self.angle.complement()
     }
 
-    /// T/T0, within 0.54 ulp.
+    /// T/T0, within 0.56 ulp.
     #[must_use]
     pub fn period_ratio(&self) -> f64 {
         period::ratio_from_words(self.angle.in_turn_words(), self.angle.complement_words())

@@ -252,7 +252,7 @@ impl<P: PeriodFunction> Kernel for One<P> {
 /// # Domain
 /// |θ0| up to the last `f64` below π, where it is 24.64…; NaN above.
 /// # Accuracy
-/// 0.54 ulp (ledger in `tests/suite/accuracy.rs`).
+/// 0.56 ulp (ledger in `tests/suite/accuracy.rs`).
 /// # Examples
 /// ```
 /// use libration::pendulum::period_ratio;
@@ -280,7 +280,7 @@ pub fn period_excess(amplitude: f64) -> f64 {
 /// # Domain
 /// 2.3e-308 ≤ δ ≤ π; NaN outside.
 /// # Accuracy
-/// 0.54 ulp (ledger in `tests/suite/accuracy.rs`).
+/// 0.56 ulp (ledger in `tests/suite/accuracy.rs`).
 #[must_use]
 pub fn period_ratio_near_top(complement: f64) -> f64 {
     dispatch(One(RatioNearTop, complement))

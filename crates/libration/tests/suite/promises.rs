@@ -27,7 +27,7 @@ const fn promise(what: &'static str, domain: &'static str, ulp: f64, beyond: &'s
     Promise { what, domain, ulp, beyond }
 }
 
-pub(crate) const RATIO: Promise = promise("T/T0", "θ0 in [0, π), or π − θ0 ≥ 1e-300", 0.54, "");
+pub(crate) const RATIO: Promise = promise("T/T0", "θ0 in [0, π), or π − θ0 ≥ 1e-300", 0.56, "");
 pub(crate) const EXCESS: Promise = promise("T/T0 − 1", "θ0 ≥ 1e-150", 1.0, "");
 pub(crate) const COMPLETE: Promise = promise("K, E, K′", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 2.0, "");
 pub(crate) const NOME: Promise = promise("nome q", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 4.0, "");
