@@ -88,7 +88,7 @@ pub enum PendulumError {
         value: f64,
     },
     /// An angular frequency whose period or velocities would leave the range of `f64`.
-    #[error("an angular frequency of {0} rad/s is out of range: give 1e-290 to 1e290")]
+    #[error("an angular frequency of {0:?} rad/s is out of range: give 1e-290 to 1e290")]
     FrequencyOutOfRange(f64),
     /// The frequency is outside 1e-290 … 1e290 rad/s.
     #[error(
@@ -101,7 +101,7 @@ pub enum PendulumError {
         gravity: f64,
     },
     /// A velocity or an energy that is not finite.
-    #[error("the {name} is {value}: give a finite number")]
+    #[error("the {name} is {value:?}: give a finite number")]
     NotFinite {
         /// Which quantity.
         name: &'static str,
@@ -118,7 +118,7 @@ pub enum PendulumError {
     NegativeEnergy(f64),
     /// A velocity whose energy leaves the range of `f64`.
     #[error(
-        "a velocity of {0} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency"
+        "a velocity of {0:?} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency"
     )]
     TooFast(f64),
     /// The energy differs from the separatrix's by less than the range of `f64`.
