@@ -54,7 +54,7 @@ impl Motion {
 }
 
 fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> Harmonics {
-    let (_, clock) = libration.angular_frequency_and_clock();
+    let clock = libration.clock();
     let fundamental = DoubleDouble::PI.scaled(2.0) * clock.frequency;
     let step = quarter_ratio(&libration.modulus());
     let sign = |n: usize| if n % 4 == 1 { 1.0 } else { -1.0 };
@@ -66,7 +66,7 @@ fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> Harmonic
 }
 
 fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> Harmonics {
-    let (_, clock) = rotation.speed_and_clock();
+    let clock = rotation.clock();
     // The pendulum turns twice in 4K.
     let fundamental = DoubleDouble::PI.scaled(4.0) * clock.frequency;
     let step = quarter_ratio(&rotation.modulus()).scaled(2.0);

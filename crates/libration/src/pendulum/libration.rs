@@ -77,9 +77,9 @@ impl Libration {
         self.angular_frequency
     }
 
-    /// ω0 and the turns of 4K gone at t = 0 since the passage of the bottom upwards.
-    pub(super) fn angular_frequency_and_clock(&self) -> (DoubleDouble, PhaseClock) {
-        (self.angular_frequency, self.orbit.clock)
+    /// Turns of 4K gone since the passage of the bottom upwards.
+    pub(super) fn clock(&self) -> PhaseClock {
+        self.orbit.clock
     }
 
     /// The turn of the initial angle, and the angle at its bottom.

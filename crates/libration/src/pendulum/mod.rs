@@ -14,6 +14,7 @@
 //! Angles are radians from the downward vertical, times seconds, lengths metres, velocities rad/s. A batch
 //! equals its own scalar function bit for bit.
 
+mod block;
 mod period;
 mod period_stages;
 

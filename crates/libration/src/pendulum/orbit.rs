@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use super::block::{BLOCK, Words};
 use super::state::State;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
@@ -79,10 +80,6 @@ struct Each<'a, Q, S> {
     velocities: &'a mut [f64],
 }
 
-/// How many times go through the stages together: enough to hide the latency of long chains of dependent
-/// operations, few enough to stay in the first-level cache.
-const BLOCK: usize = 64;
-
 impl<Q: Quotients, S: Side> Kernel for Each<'_, Q, S> {
     type Output = ();
     #[inline(always)]
@@ -113,8 +110,8 @@ impl<Q: Quotients> Orbit<Q> {
             (turns[i], quarter[i]) = (phase.turns, phase.quarter);
             (rest_hi[i], rest_lo[i]) = (phase.rest.hi, phase.rest.lo);
         }
-        let (mut first, mut second) = (Words::new(), Words::new());
-        let (mut third, mut fourth) = (Words::new(), Words::new());
+        let (mut first, mut second) = (Words::ZERO, Words::ZERO);
+        let (mut third, mut fourth) = (Words::ZERO, Words::ZERO);
         for i in 0..BLOCK {
             let values = S::values(&self.series, DoubleDouble::new(rest_hi[i], rest_lo[i]), self.scale);
             first.set(i, values.first);
@@ -133,28 +130,5 @@ impl<Q: Quotients> Orbit<Q> {
             };
             (angles[i], velocities[i]) = self.quotients.angle_and_velocity::<S>(&phase, &values);
         }
-    }
-}
-
-/// A block of two-word numbers, word by word for the vector units.
-struct Words {
-    hi: [f64; BLOCK],
-    lo: [f64; BLOCK],
-}
-
-impl Words {
-    #[inline(always)]
-    fn new() -> Self {
-        Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] }
-    }
-
-    #[inline(always)]
-    fn set(&mut self, i: usize, x: DoubleDouble) {
-        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
-    }
-
-    #[inline(always)]
-    fn get(&self, i: usize) -> DoubleDouble {
-        DoubleDouble::new(self.hi[i], self.lo[i])
     }
 }

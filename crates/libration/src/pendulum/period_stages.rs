@@ -4,14 +4,11 @@
 //! loops, each of which the compiler vectorises and the processor overlaps; the operations, and so the bits,
 //! are those of one amplitude.
 
+use super::block::{BLOCK, Words};
 use super::period::{EXCESS, LOG_NOME, One, PeriodFunction, excess_with, log_inverse_nome_with, ratio_above};
 use crate::dispatch::Kernel;
 use crate::double_double::DoubleDouble;
 use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
-
-/// How many arguments go through the stages together: enough to hide the latency of the long chains of
-/// dependent operations, few enough to stay in the first-level cache.
-pub(super) const BLOCK: usize = 64;
 
 /// A function at many arguments, stage by stage.
 pub(super) struct Each<'a, P>(pub(super) P, pub(super) &'a [f64], pub(super) &'a mut [f64]);
@@ -40,26 +37,6 @@ pub(super) struct Stages {
     pub(super) log: Words,
     exponent: [f64; BLOCK],
     tail: [f64; BLOCK],
-}
-
-/// A block of two-word numbers.
-pub(super) struct Words {
-    pub(super) hi: [f64; BLOCK],
-    pub(super) lo: [f64; BLOCK],
-}
-
-impl Words {
-    pub(super) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
-
-    #[inline(always)]
-    pub(super) fn set(&mut self, i: usize, x: DoubleDouble) {
-        (self.hi[i], self.lo[i]) = (x.hi, x.lo);
-    }
-
-    #[inline(always)]
-    pub(super) fn get(&self, i: usize) -> DoubleDouble {
-        DoubleDouble::new(self.hi[i], self.lo[i])
-    }
 }
 
 impl Stages {

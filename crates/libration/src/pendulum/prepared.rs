@@ -2,6 +2,7 @@
 //! lanes.
 
 use super::LengthMismatch;
+use super::block::BLOCK;
 use super::motion::Motion;
 use super::state::{State, whole_turns};
 use super::table::{Cycle, Segment, Table};
@@ -230,9 +231,6 @@ struct Each<'a, U> {
     angles: &'a mut [f64],
     velocities: &'a mut [f64],
 }
-
-/// How many times are placed on the orbit together.
-const BLOCK: usize = 64;
 
 impl<U: Unwrap> Kernel for Each<'_, U> {
     type Output = ();

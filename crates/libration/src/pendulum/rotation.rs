@@ -81,9 +81,14 @@ impl Rotation {
         (self.modulus.second_words() * self.speed.scaled(4.0) / DoubleDouble::PI).to_f64()
     }
 
-    /// √e·ω0 and the turns of 4K (two turns of the pendulum) gone at t = 0 since the passage of the bottom.
-    pub(super) fn speed_and_clock(&self) -> (DoubleDouble, PhaseClock) {
-        (self.speed, self.orbit.clock)
+    /// Turns of 4K, two turns of the pendulum, gone since the passage of the bottom.
+    pub(super) fn clock(&self) -> PhaseClock {
+        self.orbit.clock
+    }
+
+    /// √e·ω0.
+    pub(super) fn speed(&self) -> DoubleDouble {
+        self.speed
     }
 
     /// The turn of the initial angle, and the angle at its bottom.

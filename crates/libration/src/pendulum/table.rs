@@ -71,7 +71,7 @@ struct Middle {
 
 impl Table {
     pub(super) fn of_libration(libration: &Libration) -> Option<Self> {
-        let (angular_frequency, clock) = libration.angular_frequency_and_clock();
+        let (angular_frequency, clock) = (libration.angular_frequency(), libration.clock());
         let modulus = libration.modulus();
         let count = segments(&modulus, 2.0)?;
         let quotients = PreciseQuotients::new(&modulus);
@@ -94,7 +94,7 @@ impl Table {
     }
 
     pub(super) fn of_rotation(rotation: &Rotation) -> Option<Self> {
-        let (speed, clock) = rotation.speed_and_clock();
+        let (speed, clock) = (rotation.speed(), rotation.clock());
         let modulus = rotation.modulus();
         // One turn of the pendulum is half of 4K.
         let count = segments(&modulus, 1.0)?;

@@ -1,7 +1,8 @@
 //! States of many amplitudes and times, sorted by side and stage by stage, as `period_stages` does it.
 
+use super::block::{BLOCK, Words};
 use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
-use super::period_stages::{BLOCK, Stages, Words};
+use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
 use super::varying::{Factors, ReleaseSide, gauss, phase, tangent, velocity};
 use crate::dispatch::Kernel;
