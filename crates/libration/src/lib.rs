@@ -61,6 +61,8 @@ pub mod period_formulas;
 pub mod algebra;
 mod series;
 
+pub mod expression;
+
 pub mod measurement;
 
 pub mod fit;

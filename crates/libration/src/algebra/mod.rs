@@ -2,9 +2,14 @@
 //! integer polynomials.
 
 mod big_float;
+mod function;
 mod integer_polynomial;
 mod rational;
+mod ring;
 
 pub(crate) use big_float::BigFloat;
+pub use function::Function;
 pub(crate) use integer_polynomial::product;
 pub use rational::{NotARational, Rational};
+#[expect(unused_imports, reason = "used when the tape arrives")]
+pub(crate) use ring::Ring;

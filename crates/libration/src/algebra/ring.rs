@@ -1,0 +1,39 @@
+//! What the coefficients of a power series must be able to do.
+
+use std::fmt::Debug;
+
+use super::{Function, Rational};
+
+/// A commutative ring that contains the integers. What its elements share, such as a modulus or a precision,
+/// is held by the ring, so that elements are plain data.
+pub(crate) trait Ring {
+    /// A member of the ring.
+    type Element: Clone + Debug;
+
+    fn zero(&self) -> Self::Element;
+    fn is_zero(&self, a: &Self::Element) -> bool;
+    /// `None` when the fraction is not in the ring.
+    fn rational(&self, value: &Rational) -> Option<Self::Element>;
+    fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    fn negate(&self, a: &Self::Element) -> Self::Element;
+    fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element;
+    /// `None` when there is no quotient in the ring.
+    fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element>;
+    /// `None` when there is no quotient in the ring.
+    fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element>;
+
+    /// The value of a function; `None` when it is not in the ring.
+    fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element>;
+    /// aᵖ for a fraction p; `None` when it is not in the ring.
+    fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element>;
+    /// π; `None` when it is not in the ring.
+    fn pi(&self) -> Option<Self::Element>;
+
+    /// Σ aᵢ·b_{n−1−i} over two slices of the same length n.
+    fn convolution(&self, a: &[Self::Element], b: &[Self::Element]) -> Self::Element {
+        let products = a.iter().zip(b.iter().rev()).filter(|(a, b)| !self.is_zero(a) && !self.is_zero(b));
+        products.fold(self.zero(), |sum, (a, b)| self.add(&sum, &self.multiply(a, b)))
+    }
+}
