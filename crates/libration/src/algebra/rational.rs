@@ -86,6 +86,11 @@ impl Rational {
         self.parts().1.is_one()
     }
 
+    /// The number as a natural one, when it is that and fits.
+    pub(crate) fn to_natural(&self) -> Option<u64> {
+        self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
+    }
+
     /// The root, when it is a fraction.
     #[must_use]
     pub fn square_root(&self) -> Option<Self> {

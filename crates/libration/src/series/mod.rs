@@ -4,6 +4,7 @@
 //! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
 
 mod online;
+pub(crate) mod recurrences;
 
 use dashu::integer::IBig;
 
