@@ -22,6 +22,8 @@ pub(crate) struct Excitation<'a, R: PhaseRing> {
     pub(crate) slope: Number<R>,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
+    /// The acceleration is odd: x′ and x have odd harmonics only.
+    pub(crate) symmetric: bool,
 }
 
 /// The highest harmonic at order n.
@@ -122,8 +124,9 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
         let nothing = || Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let symmetric = self.excitation.symmetric;
         let forced = (0..=highest_harmonic(self.excitation.degree, n))
-            .map(|k| if k == 1 { Some(nothing()) } else { self.forced(&rest, k) })
+            .map(|k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) })
             .collect::<Option<Vec<_>>>()?;
         self.orders.push(forced);
         let position = self.sum_of(&self.orders[n]);
