@@ -163,9 +163,10 @@ fn constant<R: PhaseRing>(ring: &R, value: &Number<R>) -> R::Element {
 
 /// The harmonics divided by a unit of length.
 fn in_units<R: Ring>(ring: &R, mut family: Family<R::Element>, unit: &R::Element) -> Option<Family<R::Element>> {
+    let per_unit = ring.divide(&ring.rational(&Rational::from(1))?, unit)?;
     for harmonic in family.harmonics.iter_mut().flatten() {
-        harmonic.cosine = ring.divide(&harmonic.cosine, unit)?;
-        harmonic.sine = ring.divide(&harmonic.sine, unit)?;
+        harmonic.cosine = ring.multiply(&harmonic.cosine, &per_unit);
+        harmonic.sine = ring.multiply(&harmonic.sine, &per_unit);
     }
     Some(family)
 }
