@@ -2,6 +2,7 @@
 //! integer polynomials.
 
 mod big_float;
+mod floats;
 mod function;
 mod harmonics;
 mod integer_polynomial;
@@ -12,6 +13,7 @@ mod ring;
 mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub(crate) use floats::Floats;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;

@@ -5,6 +5,7 @@
 
 mod online;
 pub(crate) mod recurrences;
+pub(crate) mod truncated;
 
 use dashu::integer::IBig;
 

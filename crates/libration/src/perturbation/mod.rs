@@ -1,0 +1,18 @@
+//! Periodic motions of any oscillator as exact series.
+
+mod certificate;
+mod conservative;
+mod expansion;
+mod gauge;
+mod limit_cycle;
+mod lindstedt;
+mod model;
+mod modular;
+mod selection;
+mod series_set;
+
+pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
+pub use gauge::{Gauge, NotAGauge};
+
+#[cfg(test)]
+mod tests;
