@@ -1,15 +1,16 @@
-//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and the product of
-//! integer polynomials.
+//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and polynomials
+//! in named variables, and the product of integer polynomials.
 
 mod big_float;
 mod function;
 mod integer_polynomial;
+mod polynomial;
 mod rational;
 mod ring;
 
 pub(crate) use big_float::BigFloat;
 pub use function::Function;
 pub(crate) use integer_polynomial::product;
+pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
 pub use rational::{NotARational, Rational};
-#[expect(unused_imports, reason = "used when the tape arrives")]
 pub(crate) use ring::Ring;
