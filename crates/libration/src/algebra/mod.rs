@@ -3,14 +3,23 @@
 
 mod big_float;
 mod function;
+mod harmonics;
 mod integer_polynomial;
 mod polynomial;
+mod prime_field;
 mod rational;
+mod reconstruction;
 mod ring;
+mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
 pub use function::Function;
+pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;
 pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
+pub(crate) use prime_field::{PrimeField, primes_with_roots};
+pub(crate) use rational::Rationals;
 pub use rational::{NotARational, Rational};
+pub(crate) use reconstruction::{Images, reconstruct};
 pub(crate) use ring::Ring;
+pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};
