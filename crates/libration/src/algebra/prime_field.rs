@@ -247,9 +247,8 @@ fn is_prime(n: u64) -> bool {
     if let Some(&small) = BASES.iter().find(|&&base| n.is_multiple_of(base)) {
         return n == small;
     }
-    let multiply = |a: u64, b: u64| {
-        u64::try_from(u128::from(a) * u128::from(b) % u128::from(n)).expect("it is below n")
-    };
+    let multiply =
+        |a: u64, b: u64| u64::try_from(u128::from(a) * u128::from(b) % u128::from(n)).expect("it is below n");
     let raise = |base: u64, exponent: u64| {
         let bits = (0..u64::BITS - exponent.leading_zeros()).rev();
         bits.fold(1, |power, bit| {

@@ -127,8 +127,7 @@ impl Rational {
         if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {
             return None;
         }
-        let power =
-            Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
+        let power = Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
         if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
     }
 
