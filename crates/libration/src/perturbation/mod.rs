@@ -3,6 +3,7 @@
 mod certificate;
 mod conservative;
 mod expansion;
+mod first_integral;
 mod gauge;
 mod limit_cycle;
 mod lindstedt;
