@@ -94,12 +94,16 @@ pub struct AmplitudeSeries {
 /// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
 /// fresh primes of 62 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Certificate {
     /// All coefficients were computed again in plain rational arithmetic: they are proven.
     PlainRationals,
     /// Frequency and turning points agree exactly with the reversion of the potential, which proves them; the single
     /// harmonics rest on the fresh primes.
     Potential,
+    /// The period agrees exactly with the integral of the first integral, which proves it; the rest rests on the
+    /// fresh primes.
+    FirstIntegral,
     /// All coefficients rest on the fresh primes.
     FreshPrimes,
     /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
@@ -110,7 +114,7 @@ impl Certificate {
     /// Whether the frequency is proven by an exact check.
     #[must_use]
     pub fn is_proof(self) -> bool {
-        matches!(self, Self::PlainRationals | Self::Potential)
+        matches!(self, Self::PlainRationals | Self::Potential | Self::FirstIntegral)
     }
 }
 
