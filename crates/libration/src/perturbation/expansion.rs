@@ -94,7 +94,6 @@ pub struct AmplitudeSeries {
 /// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
 /// fresh primes of 62 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Certificate {
     /// All coefficients were computed again in plain rational arithmetic: they are proven.
     PlainRationals,
