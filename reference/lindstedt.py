@@ -7,7 +7,7 @@ from math import comb
 
 from flint import fmpq, fmpq_poly
 
-ONE, ZERO = fmpq_poly([1]), fmpq_poly([0])
+ZERO = fmpq_poly([])
 
 
 def second_derivative(x):
@@ -31,16 +31,13 @@ def fundamental(x):
 
 def conservative(force, order, gauge):
     """W to eps^(order-1) and [x_0, ..., x_order] for f(x) = sum force[k] x^k, fundamental sum gauge[n] eps^n."""
-    first = fmpq(gauge[1])
+    first, top = fmpq(gauge[1]), max(k for k, a in enumerate(force[: order + 1]) if a)
     frequency, x = [fmpq(1)], [ZERO, fmpq_poly([0, first])]
-    powers = {k: [ZERO] * (order + 1) for k in range(2, order + 1) if force[k]}
-    powers |= {k: [ZERO] * (order + 1) for k in range(2, max(powers, default=1))}
+    powers = {1: x} | {k: [ZERO] * (order + 1) for k in range(2, top + 1)}
     for n in range(2, order + 1):
-        rest = ZERO
-        for k in range(2, min(n, max(powers, default=1)) + 1):
-            lower = x if k == 2 else powers[k - 1]
-            powers[k][n] = sum((x[j] * lower[n - j] for j in range(1, n - k + 2)), ZERO)
-            rest += force[k] * powers[k][n]
+        for k in range(2, min(n, top) + 1):
+            powers[k][n] = sum((x[j] * powers[k - 1][n - j] for j in range(1, n - k + 2)), ZERO)
+        rest = sum((force[k] * powers[k][n] for k in range(2, min(n, top) + 1)), ZERO)
         rest += sum((frequency[n - j] * second_derivative(x[j]) for j in range(2, n)), ZERO)
         found = without_resonance(rest, n)
         frequency.append((rest[1] + 6 * found[3]) / first)
@@ -87,32 +84,29 @@ class Laurent:
 
 
 def van_der_pol(order):
-    """x'' + x = mu (1 - x^2) x' with mu = i nu: Omega to nu^(order-1), [x_0, ..., x_(order-1)] as Laurent polynomials.
+    """x'' + x = mu (1 - x^2) x' with mu = i nu: Omega to nu^order, [x_0, ..., x_(order-1)] as Laurent polynomials.
 
     -W D^2 x + x = -nu Omega D(x - x^3/3), D = z d/dz, all rational; x_n is even in tau for even n, odd for odd n.
-    No sin(tau) occurs, and the coefficient of cos(tau) in x_(n-1) is what lets x_n be periodic.
+    No sin(tau) occurs, and the coefficient of cos(tau) in x_(n-1) is what lets x_n be periodic for odd n.
     """
-    omega, square = [fmpq(1)], [fmpq(1)]
-    x, nonlinear = [Laurent(fmpq_poly([1, 1]), 1)], []
+    omega, square, x, bent = [fmpq(1)], [fmpq(1)], [Laurent(fmpq_poly([1, 1]), 1)], []
     for n in range(1, order + 1):
-        if n % 2 == 0:
-            nonlinear.append(x[n - 1] + cube(x, n - 1).times(fmpq(-1, 3)))
-            rest = driving(omega, square, x, nonlinear, n)
-            square.append(-rest[1])
-            inner = sum((omega[j] * omega[n - j] for j in range(1, n)), fmpq(0))
-            omega.append((square[n] - inner) / 2)
-        else:
-            omega.append(fmpq(0))
-            square.append(fmpq(0))
-            nonlinear.append(x[n - 1] + cube(x, n - 1).times(fmpq(-1, 3)))
-            if n > 1:
-                # alpha (z + 1/z) in x_(n-1) puts -2 alpha (z + ...) into the nonlinear part, 2 alpha z into its right side.
-                amplitude = -driving(omega, square, x, nonlinear, n)[1] / 2
-                x[n - 1] += Laurent(fmpq_poly([1, 1]) * amplitude, 1)
-                nonlinear[n - 1] = x[n - 1] + cube(x, n - 1).times(fmpq(-1, 3))
-            rest = driving(omega, square, x, nonlinear, n)
-        x.append(periodic(rest, n))
+        bent.append(bend(x, n - 1))
+        if n % 2 and n > 1:
+            # alpha (z + 1/z) more in x_(n-1) is 2 alpha z more on the right.
+            alpha = -right_side(omega, square, x, bent, n)[1] / 2
+            x[n - 1] += Laurent(fmpq_poly([alpha, alpha]), 1)
+            bent[n - 1] = bend(x, n - 1)
+        right = right_side(omega, square, x, bent, n)
+        square.append(-right[1])
+        omega.append((square[n] - sum((omega[j] * omega[n - j] for j in range(1, n)), fmpq(0))) / 2)
+        x.append(periodic(right, n))
     return omega, x[:order]
+
+
+def bend(x, n):
+    """What stands before nu^n in x - x^3/3."""
+    return x[n] + cube(x, n).times(fmpq(-1, 3))
 
 
 def cube(x, n):
@@ -132,15 +126,15 @@ def sum_of(terms):
     return total
 
 
-def driving(omega, square, x, nonlinear, n):
+def right_side(omega, square, x, bent, n):
     """x_n - D^2 x_n but for the term with W_n."""
-    total = sum_of(nonlinear[n - 1 - j].derivative().times(-omega[j]) for j in range(n))
+    total = sum_of(bent[n - 1 - j].derivative().times(-omega[j]) for j in range(n))
     for j in range(1, n):
         total += x[n - j].derivative().derivative().times(square[j])
     return total
 
 
-def periodic(rest, n):
-    """x with x - D^2 x = rest, without z and 1/z."""
+def periodic(right, n):
+    """x with x - D^2 x = right, without z and 1/z."""
     d = 2 * n + 1
-    return Laurent(fmpq_poly([0 if abs(k) == 1 else rest[k] / (1 - k * k) for k in range(-d, d + 1, 2)]), d)
+    return Laurent(fmpq_poly([0 if abs(k) == 1 else right[k] / (1 - k * k) for k in range(-d, d + 1, 2)]), d)

@@ -3,7 +3,8 @@
 Every tool gets each case and order in a process of its own, on one core, with a time limit; starting the tool is not
 timed. The tools' last coefficients are compared with each other exactly. Exit status 1 if ours disagree.
 
-A cell shows the median time, the growth N^p since the order above, and the quotient by our time (theirs/ours).
+Times are seconds of the processor, so that other work on the machine matters less. A cell shows the
+median, the growth N^p since the order above, and the quotient by our time (theirs/ours).
 """
 import argparse
 import json
@@ -82,7 +83,9 @@ class Pari:
 
 
 class Libration:
-    """A command that prints lines {"case", "order", "seconds", "check"}; it is given the case and the order."""
+    """A command that is given case and order and prints lines {"case", "order", "seconds", "check"}.
+
+    `seconds` is a number or a list of passes, `check` the last coefficients as the other tools give them."""
 
     name = OURS
 
@@ -126,19 +129,19 @@ def work(module, cases, case=None, order=None):
 
 
 def passes_of(task, order):
-    """Seconds of up to 7 passes, each a mean over as many runs as make 20 ms, after one pass for warming up; of slow
+    """Processor seconds of up to 7 passes, each a mean over as many runs as make 20 ms, after one pass for warming up; of slow
     tasks that first pass itself."""
-    start = time.perf_counter()
+    start = time.process_time()
     check = task(order)[-1]
-    once = time.perf_counter() - start
+    once = time.process_time() - start
     if once > 2:
         return [once], check
     runs, passes = max(1, math.ceil(0.02 / once)), []
     while len(passes) < 7:
-        start = time.perf_counter()
+        start = time.process_time()
         for _ in range(runs):
             task(order)
-        passes.append((time.perf_counter() - start) / runs)
+        passes.append((time.process_time() - start) / runs)
     return passes, check
 
 

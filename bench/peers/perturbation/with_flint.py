@@ -12,6 +12,45 @@ VERSION = f"python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
 ZERO, ONE, U = fmpq_poly([]), fmpq_poly([1]), fmpq_poly([0, 1])
 
 
+def total(terms):
+    return sum(terms, ZERO)
+
+
+def second(p):
+    """d^2/dtau^2 of c p(c^2)."""
+    slope = p.derivative()
+    return 4 * U * (1 - U) * slope.derivative() + (6 - 8 * U) * slope - p
+
+
+def twice(p, odd):
+    """D^2 of c p(c^2), or of s p(c^2); D = -i d/dtau, s = i sin(tau)."""
+    if not odd:
+        return -second(p)
+    slope = p.derivative()
+    return 4 * U * (U - 1) * slope.derivative() + (8 * U - 2) * slope + p
+
+
+def triangular(rest, size, odd):
+    """Coefficients p_1, ... with (c p)'' + c p = -c rest (odd) or (s p)'' + s p = -s rest, and p_0 = 0 for now."""
+    found = [fmpq(0)] * (size + 2)
+    for i in range(size, 0, -1):
+        k = 2 * i + odd
+        found[i] = ((k + 2) * (k + 1) * found[i + 1] + rest[i]) / (k * k - 1 if odd else k * k + 2 * k)
+    return found
+
+
+def without_cosine(found):
+    """c p with the p_0 that leaves no cos(tau)."""
+    found[0] = -sum((a * comb(2 * i + 1, i) / 4**i for i, a in enumerate(found)), fmpq(0))
+    return fmpq_poly(found)
+
+
+def without_sine(found):
+    """s p with the p_0 that leaves no sin(tau)."""
+    found[0] = -sum((a * comb(2 * i, i) / ((i + 1) * 4**i) for i, a in enumerate(found)), fmpq(0))
+    return fmpq_poly(found)
+
+
 class Lindstedt:
     """The part of the recurrence that no force changes. `square` is Omega^2, all dictionaries by the power of eps."""
 
@@ -21,20 +60,10 @@ class Lindstedt:
     def step(self, n, force):
         """Finds x_n and the square of the frequency before eps^(n-1) from the force at order n without its term x_n."""
         rest = force + total(self.square[n - j] * self.second[j] for j in range(3, n, 2))
-        found = [fmpq(0)] * (n // 2 + 2)
-        for i in range(n // 2, 0, -1):
-            k = 2 * i + 1
-            found[i] = ((k + 2) * (k + 1) * found[i + 1] + rest[i]) / (k * k - 1)
+        found = triangular(rest, n // 2, 1)
         self.square[n - 1] = rest[0] + 6 * found[1]
-        found[0] = -sum(a * comb(2 * i + 1, i) / 4**i for i, a in enumerate(found))
-        self.x[n] = fmpq_poly(found)
-        self.second[n] = fmpq_poly(
-            [(2 * i + 3) * (2 * i + 2) * found[i + 1] - (2 * i + 1) ** 2 * found[i] for i in range(n // 2 + 1)]
-        )
-
-
-def total(terms):
-    return sum(terms, ZERO)
+        self.x[n] = without_cosine(found)
+        self.second[n] = second(self.x[n])
 
 
 def pendulum(order):
@@ -113,84 +142,65 @@ def matrix(rows):
 class LimitCycle:
     """Van der Pol with mu = i nu: - W D^2 x + x = - nu Omega D(x - x^3/3), D = -i d/dtau, all rational.
 
-    x_n is c p(c^2) for even n and s p(c^2) with s = i sin(tau) for odd n; D c = s, D s = c, s^2 = c^2 - 1.
+    x_n is c p(c^2) for even n and s p(c^2) with s = i sin(tau) for odd n; D c = s, D s = c, s^2 = c^2 - 1. `pairs` is
+    x^2 (divided by c s for odd n), `bend` is D(x - x^3/3), all by the power of nu.
     """
 
     def __init__(self):
         self.omega, self.square = {0: fmpq(1)}, {0: fmpq(1)}
         self.x, self.pairs, self.bend = {}, {}, {}
+        self.keep(0, fmpq_poly([2]))
 
     def keep(self, n, x):
-        """x_n, and what stands before nu^n in x^2 and in D(x - x^3/3)."""
         self.x[n] = x
-        u1, g, p = U - 1, self.pairs, self.x
+        p, g = self.x, self.pairs
         if n % 2:
-            g[n] = 2 * total(p[j] * p[n - j] for j in range(0, n, 2))
-            cube = total(p[j] * g[n - j] for j in range(1, n + 1, 2)) + U * total(p[j] * g[n - j] for j in range(0, n, 2))
-            smooth = x - cube / 3
-            self.bend[n] = smooth + 2 * u1 * smooth.derivative()
+            g[n] = 2 * alternate(p, p, n, 0)
+            cube = alternate(p, g, n, 1) + U * alternate(p, g, n, 0)
         else:
-            g[n] = U * mirrored(p, n, 0) + u1 * mirrored(p, n, 1)
-            cube = total(p[j] * g[n - j] for j in range(0, n + 1, 2)) + u1 * total(p[j] * g[n - j] for j in range(1, n, 2))
-            smooth = x - cube / 3
-            self.bend[n] = smooth + 2 * U * smooth.derivative()
+            g[n] = U * mirrored(p, n, 0) + (U - 1) * mirrored(p, n, 1)
+            cube = alternate(p, g, n, 0) + (U - 1) * alternate(p, g, n, 1)
+        smooth = x - cube / 3
+        self.bend[n] = smooth + 2 * (U - n % 2) * smooth.derivative()
 
-    def shift_fundamental(self, n, amount):
-        """Adds amount cos(tau) to x_n for even n."""
-        self.x[n] += amount
-        self.pairs[n] += 4 * amount * U
-        self.bend[n] += amount * (1 - 12 * U)
+    def step(self, n):
+        rest = total(self.square[j] * twice(self.x[n - j], n % 2) for j in range(2, n, 2))
+        rest -= total(self.omega[j] * self.bend[n - 1 - j] for j in range(0, n, 2))
+        found = triangular(-rest, n, 1 - n % 2)
+        if n % 2:
+            self.set_fundamental(n, found, rest[0])
+            self.keep(n, without_sine(found))
+        else:
+            self.square[n] = 3 * found[1] - rest[0] / 2
+            self.omega[n] = (self.square[n] - sum(self.omega[j] * self.omega[n - j] for j in range(2, n, 2))) / 2
+            self.keep(n, without_cosine(found))
 
-    def rest(self, n):
-        bends = total(self.omega[j] * self.bend[n - 1 - j] for j in range(0, n, 2))
-        return total(self.square[j] * second(self.x[n - j], n % 2) for j in range(2, n, 2)) - bends
-
-    def even(self, n):
-        """The balance of cos(tau) fixes the frequency; the fundamental of x_n waits for the next order."""
-        rest, found = self.rest(n), [fmpq(0)] * (n + 2)
-        for i in range(n, 0, -1):
-            k = 2 * i + 1
-            found[i] = ((k + 2) * (k + 1) * found[i + 1] - rest[i]) / (k * k - 1)
-        self.square[n] = 3 * found[1] - rest[0] / 2
-        self.omega[n] = (self.square[n] - sum(self.omega[j] * self.omega[n - j] for j in range(2, n, 2))) / 2
-        found[0] = -sum(a * comb(2 * i + 1, i) / 4**i for i, a in enumerate(found))
-        self.keep(n, fmpq_poly(found))
-
-    def odd(self, n):
-        """The balance of sin(tau) fixes the fundamental of x_(n-1)."""
-        rest, found = self.rest(n), [fmpq(0)] * (n + 2)
-        for i in range(n, 0, -1):
-            k = 2 * i
-            found[i] = ((k + 2) * (k + 1) * found[i + 1] - rest[i]) / (k * k + 2 * k)
+    def set_fundamental(self, n, found, first):
+        """The balance of sin(tau) at order n fixes the coefficient of cos(tau) in x_(n-1)."""
         if n > 1:
-            amount = found[1] - rest[0] / 2
-            self.shift_fundamental(n - 1, amount)
+            amount = found[1] - first / 2
+            self.x[n - 1] += amount
+            self.pairs[n - 1] += 4 * amount * U
+            self.bend[n - 1] += amount * (1 - 12 * U)
             found[1] -= 3 * amount / 2
-        found[0] = -sum(a * comb(2 * i, i) / ((i + 1) * 4**i) for i, a in enumerate(found))
-        self.keep(n, fmpq_poly(found))
 
 
-def mirrored(p, n, parity):
-    """The sum of p_j p_(n-j) over j of one parity."""
-    if n % 4 == 2 * parity:
-        pairs, middle = range(parity, n // 2, 2), p[n // 2] * p[n // 2]
-    else:
-        pairs, middle = range(parity, (n + 1) // 2, 2), ZERO
-    return 2 * total(p[j] * p[n - j] for j in pairs) + middle
+def alternate(a, b, n, first):
+    """The sum of a_j b_(n-j) over j of one parity."""
+    return total(a[j] * b[n - j] for j in range(first, n + 1, 2))
 
 
-def second(p, odd):
-    """D^2 of c p(c^2), or of s p(c^2)."""
-    a = p.coeffs() + [0]
-    return fmpq_poly([(2 * i + 1) ** 2 * a[i] - (2 * i + 3 - odd) * (2 * i + 2 - odd) * a[i + 1] for i in range(len(a) - 1)])
+def mirrored(p, n, first):
+    """The same for p and p, each pair once."""
+    middle = p[n // 2] * p[n // 2] if n % 4 == 2 * first else ZERO
+    return 2 * total(p[j] * p[n - j] for j in range(first, (n + 1) // 2, 2)) + middle
 
 
 def van_der_pol(order):
     """Omega to mu^order; the check is its last coefficient and the last amplitude of cos(tau) found with it."""
     found = LimitCycle()
-    found.keep(0, fmpq_poly([2]))
     for n in range(1, order + 1):
-        (found.odd if n % 2 else found.even)(n)
+        found.step(n)
     amplitude = sum(a * comb(2 * i + 1, i) / 4**i for i, a in enumerate(found.x[order - 2].coeffs()))
     sign = (-1) ** (order // 2)
     return found, (sign * found.omega[order], -sign * amplitude)

@@ -4,7 +4,7 @@
 /* d^2/dtau^2 of c p(u). */
 second(p) = 4*u*(1 - u)*p'' + (6 - 8*u)*p' - p;
 
-/* Coefficients [p_0, ..., p_d] of c p with (c p)'' + c p = -c rest, but for p_0; k = 2 i + first is the power of c or s. */
+/* Coefficients p_1, ... with (c p)'' + c p = -c rest (odd) or (s p)'' + s p = -s rest, and p_0 = 0 for now. */
 triangular(rest, d, odd) =
 {
   my(p = vector(d + 2), k);
@@ -19,7 +19,7 @@ close_c(p) = { p[1] = -sum(i = 1, #p - 1, p[i+1]*binomial(2*i + 1, i)/4^i); Polr
 close_s(p) = { p[1] = -sum(i = 1, #p - 1, p[i+1]*binomial(2*i, i)/((i + 1)*4^i)); Polrev(p, u) };
 
 /* x_(2m-1) and the square of the frequency before it, from the force without its own term. */
-lindstedt(X, Y, W, m, force) =
+lindstedt(Y, W, m, force) =
 {
   my(rest = force + sum(i = 2, m - 1, W[m - i + 1]*Y[i]), p = triangular(rest, m - 1, 1));
   [close_c(p), polcoef(rest, 0) + 6*p[2]]
@@ -33,7 +33,7 @@ pendulum(size) =
   for(m = 2, size,
     C[m] = -u*sum(i = 1, m - 1, J[i]*S[m - i])/(2*m - 2);
     force = sum(i = 1, m - 1, J[i]*C[m - i + 1])/(2*m - 1);
-    found = lindstedt(X, Y, W, m, force);
+    found = lindstedt(Y, W, m, force);
     X[m] = found[1]; W[m] = found[2];
     Y[m] = second(X[m]); J[m] = (2*m - 1)*X[m]; S[m] = force + X[m]);
   [X, W]
@@ -45,7 +45,7 @@ duffing(size) =
   X = Y = W = Q = vector(size);
   X[1] = Q[1] = u^0; Y[1] = -u^0; W[1] = 1;
   for(m = 2, size,
-    found = lindstedt(X, Y, W, m, u*sum(i = 1, m - 1, X[i]*Q[m - i]));
+    found = lindstedt(Y, W, m, u*sum(i = 1, m - 1, X[i]*Q[m - i]));
     X[m] = found[1]; W[m] = found[2]; Y[m] = second(X[m]);
     Q[m] = 2*sum(i = 1, m\2, X[i]*X[m - i + 1]) + if(m % 2, X[(m + 1)\2]^2));
   [X, W]
@@ -167,18 +167,18 @@ run(name, order) =
      name == "period, composition", period_by_composition(order), 0)
 };
 
-/* Prints seconds of up to 7 passes, each a mean over as many runs as make 0.1 s (the clock counts milliseconds), and the check, as JSON. */
+/* Prints processor seconds of up to 7 passes, each a mean over as many runs as make 0.1 s (the clock counts milliseconds), and the check, as JSON. */
 bench(name, order) =
 {
-  my(start = getwalltime(), last = run(name, order), once, runs, times = List(), check);
+  my(start = getabstime(), last = run(name, order), once, runs, times = List(), check);
   if(!last, print("{\"seconds\": null, \"check\": []}"); return);
-  once = max(getwalltime() - start, 1/8);
+  once = max(getabstime() - start, 1/8);
   runs = ceil(100/once);
   if(once > 2000, listput(times, once));
   while(#times < 7 && once <= 2000,
-    start = getwalltime();
+    start = getabstime();
     for(i = 1, runs, run(name, order));
-    listput(times, (getwalltime() - start)/runs));
+    listput(times, (getabstime() - start)/runs));
   check = apply(it -> Str("\"", it, "\""), last[#last]);
   print("{\"seconds\": ", "[", strjoin(apply(it -> strprintf("%.9f", it/1000), Vec(times)), ", "), "]", ", \"check\": ", "[", strjoin(check, ", "), "]", "}")
 };

@@ -35,7 +35,7 @@ def twice(p, odd):
 
 
 def triangular(rest, size, odd):
-    """Coefficients p with (c p)'' + c p = c rest (odd), (s p)'' + s p = s rest (not odd), but for p_0."""
+    """Coefficients p with (c p)'' + c p = -c rest (odd) or (s p)'' + s p = -s rest, p_0 = 0 for now; and rest_0."""
     found, rest = [QQ(0)] * (size + 2), coefficients(rest, size + 1)
     for i in range(size, 0, -1):
         k = 2 * i + odd
