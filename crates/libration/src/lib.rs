@@ -63,6 +63,8 @@ mod series;
 
 pub mod expression;
 
+pub mod oscillator;
+
 pub mod perturbation;
 
 pub mod measurement;

@@ -54,10 +54,6 @@ impl Expression {
     }
 }
 
-pub(super) fn integer(value: i64) -> Expression {
-    Expression::Number(Rational::from(value))
-}
-
 pub(super) fn negative(a: Expression) -> Expression {
     match a {
         Expression::Number(value) => Expression::Number(-value),
@@ -84,7 +80,7 @@ pub(super) fn sum(a: Expression, b: Expression) -> Expression {
 
 pub(super) fn difference(a: Expression, b: Expression) -> Expression {
     if a == b {
-        return integer(0);
+        return Expression::from(0);
     }
     if b.is_zero() {
         return a;
@@ -102,7 +98,7 @@ pub(super) fn product(a: Expression, b: Expression) -> Expression {
         return Expression::Number(Rationals.multiply(a, b));
     }
     if a.is_zero() || b.is_zero() {
-        return integer(0);
+        return Expression::from(0);
     }
     if a.is_one() {
         return b;
@@ -138,7 +134,7 @@ pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
         return Expression::Divide(Box::new(a), Box::new(b));
     }
     if a.is_zero() {
-        return integer(0);
+        return Expression::from(0);
     }
     if b.is_one() {
         return a;
@@ -153,7 +149,7 @@ pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
 
 pub(super) fn power(a: Expression, b: Expression) -> Expression {
     if b.is_zero() || a.is_one() {
-        return integer(1);
+        return Expression::from(1);
     }
     if b.is_one() {
         return a;
