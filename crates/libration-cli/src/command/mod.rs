@@ -1,6 +1,7 @@
 //! The questions that can be asked, one file each.
 
 mod completions;
+mod expand;
 mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
@@ -37,6 +38,7 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Expand(expand::Expand),
     Figure(figure::Figure),
     #[command(subcommand)]
     Fit(Fit),
@@ -55,6 +57,7 @@ impl Libration {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
+            Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
