@@ -119,6 +119,11 @@ impl Rational {
         self.parts().0.sign() == Sign::Negative
     }
 
+    /// Bits of the numerator or the denominator, whichever is longer.
+    pub(crate) fn bits(&self) -> usize {
+        self.parts().0.bit_len().max(self.parts().1.bit_len())
+    }
+
     /// Whether this is a whole number.
     #[must_use]
     pub fn is_integer(&self) -> bool {

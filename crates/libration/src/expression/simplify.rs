@@ -1,7 +1,5 @@
 //! Formulas in a shorter form: exact arithmetic of numbers, and what zero, one and double signs leave.
 
-use dashu::base::BitTest;
-
 use super::{Expression, Function};
 use crate::algebra::{Rational, Rationals, Ring};
 
@@ -164,8 +162,7 @@ pub(super) fn power(a: Expression, b: Expression) -> Expression {
 
 /// The power of a number, when it is a fraction of moderate size.
 fn number_power(base: &Rational, exponent: &Rational) -> Option<Rational> {
-    let (numerator, denominator) = base.parts();
-    let bits = numerator.bit_len().max(denominator.bit_len());
+    let bits = base.bits();
     let times = exponent.parts().0.clone().into_parts().1;
     let times = if bits <= 1 { 1 } else { usize::try_from(&times).ok()? };
     (bits.saturating_mul(times) <= LARGEST_POWER_BITS).then(|| Rationals.power(base, exponent)).flatten()

@@ -10,6 +10,9 @@ use crate::expression::Expression;
 /// How far a zero may be from the number found for it, relative to it or to one.
 pub(super) const FOUND_WITHIN: f64 = 1e-6;
 
+/// Bits of the longest fractions that are tried as zeros.
+const LONGEST_FRACTION: usize = 128;
+
 /// A place of rest.
 #[derive(Clone, Debug)]
 pub(super) struct Equilibrium {
@@ -52,23 +55,33 @@ pub(super) fn refined(force: &Force, near: f64) -> Option<Constant> {
 
 /// The zero of the force next to a number, exactly if it is a fraction.
 fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
-    let simple = BigFloat::from_f64(near, PRECISION).map(|near| simplest_about(&near, 30))?;
-    if vanishes_at(force, &simple) {
-        return Some(Constant::Exact(simple));
+    let fraction = |number: &BigFloat, bits| {
+        let simplest = simplest_about(number, bits);
+        let fits = simplest.bits() <= LONGEST_FRACTION && vanishes_at(force, &simplest);
+        fits.then_some(Constant::Exact(simplest))
+    };
+    // A multiple zero is no place for Newton's method, but may be a fraction of few digits.
+    if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
+        return Some(simple);
     }
     let digits = zero_next_to(force, near, within, PRECISION)?;
-    let candidate = simplest_about(&digits, RECOGNISED_BITS);
-    if vanishes_at(force, &candidate) {
-        return Some(Constant::Exact(candidate));
-    }
-    Some(Constant::Approximate(Approximation(digits)))
+    Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
 }
 
 /// Whether the force at rest is proved to vanish there.
 pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
     let at_rest = force.at_rest();
-    let value = Curve::new(&at_rest, &force.x).and_then(|curve| curve.constant_at(place));
+    let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
+    // Exact arithmetic is for what vanishes in digits.
+    let digits = curve.precisely_at(&BigFloat::from_rational(place, PRECISION));
+    let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(place));
     value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
+}
+
+/// Whether a number of [`PRECISION`] bits may be what rounding leaves of zero.
+fn is_tiny(number: &BigFloat) -> bool {
+    let quarter = isize::try_from(PRECISION / 4).unwrap_or(isize::MAX);
+    number.exponent().is_none_or(|size| size < -quarter)
 }
 
 /// The zero next to a constant that is given, at most 5 % away.
@@ -135,11 +148,9 @@ fn value_at(force: &Force, formula: &Expression, at: &Constant) -> Option<Consta
         Constant::Exact(place) => curve.constant_at(place),
         Constant::Approximate(Approximation(place)) => {
             let value = curve.precisely_at(place)?;
-            let lost =
-                value.exponent().is_none_or(|size| size < -isize::try_from(PRECISION / 4).unwrap_or(0));
-            let constant = formula.to_rational().map(Constant::Exact);
-            let zero = lost.then(|| Constant::Exact(Rational::from(0)));
-            Some(constant.or(zero).unwrap_or(Constant::Approximate(Approximation(value))))
+            let zero = is_tiny(&value).then(|| Rational::from(0));
+            let exact = formula.to_rational().or(zero).map(Constant::Exact);
+            Some(exact.unwrap_or(Constant::Approximate(Approximation(value))))
         }
     }
 }

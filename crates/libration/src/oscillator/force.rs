@@ -5,7 +5,7 @@ use crate::expression::{Expression, Jet, Symbol, Tape};
 
 use super::constant::{Approximation, Constant, PRECISION};
 
-/// Fractions with denominators of up to half these bits are recognised in a number.
+/// A fraction is recognised in a number with which it agrees to so many bits.
 pub(super) const RECOGNISED_BITS: usize = 400;
 
 /// An acceleration F(x, x′).
@@ -108,12 +108,12 @@ impl<'a> Curve<'a> {
 
     /// The value at a fraction: worked out exactly, or found in digits, recognised and proved; else in digits.
     pub(super) fn constant_at(&self, x: &Rational) -> Option<Constant> {
-        if let Some(value) = self.value(&Rationals, x.clone()) {
+        let digits = self.precisely_at(&BigFloat::from_rational(x, PRECISION))?;
+        let there = self.formula.substitute(self.x, &Expression::Number(x.clone())).simplified();
+        if let Expression::Number(value) = there {
             return Some(Constant::Exact(value));
         }
-        let digits = self.precisely_at(&BigFloat::from_rational(x, PRECISION))?;
         let candidate = simplest_about(&digits, RECOGNISED_BITS);
-        let there = self.formula.substitute(self.x, &Expression::Number(x.clone())).simplified();
         let proved = difference(there, Expression::Number(candidate.clone())).vanishes();
         Some(if proved { Constant::Exact(candidate) } else { Constant::Approximate(Approximation(digits)) })
     }

@@ -208,11 +208,9 @@ fn hostile_equations_are_answered_quickly() {
         "x'' = -(x - 1e500)".to_owned(),
         format!("x'' = -cos(200*x){}", " + cos(x)*exp(x)^2/7".repeat(90)),
     ] {
-        let begun = std::time::Instant::now();
         let answer = Oscillator::new(&text.parse::<Equation>().unwrap());
-        eprintln!("{:?} {}", begun.elapsed(), &text[..text.len().min(50)]);
         let text = answer.map_or_else(|error| error.to_string(), |it| it.omega0_squared().to_string());
         assert!(text.len() < 50_000);
     }
-    assert!(start.elapsed() < std::time::Duration::from_secs(60), "{:?}", start.elapsed());
+    assert!(start.elapsed() < std::time::Duration::from_secs(10), "{:?}", start.elapsed());
 }
