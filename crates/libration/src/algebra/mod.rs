@@ -2,6 +2,7 @@
 //! in named variables, and the product of integer polynomials.
 
 mod big_float;
+mod doubles;
 mod floats;
 mod function;
 mod harmonics;
@@ -14,6 +15,7 @@ mod ring;
 mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub(crate) use doubles::Doubles;
 pub(crate) use floats::Floats;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};

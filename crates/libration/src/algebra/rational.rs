@@ -119,6 +119,11 @@ impl Rational {
         self.parts().0.sign() == Sign::Negative
     }
 
+    /// Bits of the numerator or the denominator, whichever is longer.
+    pub(crate) fn bits(&self) -> usize {
+        self.parts().0.bit_len().max(self.parts().1.bit_len())
+    }
+
     /// Whether this is a whole number.
     #[must_use]
     pub fn is_integer(&self) -> bool {
@@ -152,15 +157,20 @@ impl Rational {
         Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
     }
 
+    /// The nearest whole number.
+    pub(crate) fn rounded(&self) -> Self {
+        Self(RBig::from(self.0.round()))
+    }
+
     /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
     pub(crate) fn coarsened(&self) -> Self {
         let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
         Self::simplest_between(&below, self)
     }
 
-    /// aⁿ; `None` for a negative power of zero, or more bits than 2²⁶.
+    /// aⁿ; `None` for a negative power of zero, or more bits than 2¹⁶.
     pub(crate) fn integer_power(&self, n: isize) -> Option<Self> {
-        const BITS: usize = 1 << 26;
+        const BITS: usize = 1 << 16;
         let (numerator, denominator) = self.parts();
         let size = numerator.bit_len().max(denominator.bit_len());
         if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {

@@ -13,6 +13,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
+    ("oscillator", &["expression", "algebra"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];
