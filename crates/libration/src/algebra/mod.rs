@@ -1,7 +1,8 @@
-//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and polynomials
-//! in named variables, and the product of integer polynomials.
+//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, polynomials in
+//! named variables, the product of integer polynomials, and complex numbers.
 
 mod big_float;
+mod complex;
 mod function;
 mod harmonics;
 mod integer_polynomial;
@@ -13,6 +14,7 @@ mod ring;
 mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub use complex::Complex;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;

@@ -19,3 +19,4 @@ mod period;
 mod period_formulas;
 mod quantity;
 mod series;
+mod truncated_system;
