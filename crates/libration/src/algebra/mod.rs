@@ -3,6 +3,7 @@
 
 mod big_float;
 mod complex;
+mod floats;
 mod function;
 mod harmonics;
 mod integer_polynomial;
@@ -15,6 +16,7 @@ mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
 pub use complex::Complex;
+pub(crate) use floats::Floats;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;

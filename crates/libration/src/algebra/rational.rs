@@ -4,11 +4,11 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;
 
-use dashu::base::{BitTest, Sign};
+use dashu::base::{BitTest, Gcd, Sign};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 
-use super::{Function, Ring};
+use super::{Function, Ring, product};
 
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
 ///
@@ -86,6 +86,11 @@ impl Rational {
         self.parts().1.is_one()
     }
 
+    /// The number as a natural one, when it is that and fits.
+    pub(crate) fn to_natural(&self) -> Option<u64> {
+        self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
+    }
+
     /// The root, when it is a fraction.
     #[must_use]
     pub fn square_root(&self) -> Option<Self> {
@@ -101,6 +106,17 @@ impl Rational {
             return None;
         }
         Some(Self::from_parts(sign * IBig::from(exact(&magnitude)?), exact(denominator)?))
+    }
+
+    /// The fraction of least denominator strictly between two others.
+    pub(crate) fn simplest_between(low: &Self, high: &Self) -> Self {
+        Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
+    }
+
+    /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
+    pub(crate) fn coarsened(&self) -> Self {
+        let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
+        Self::simplest_between(&below, self)
     }
 
     /// aⁿ; `None` for a negative power of zero, or more bits than 2²⁶.
@@ -263,6 +279,34 @@ impl Ring for Rationals {
     fn pi(&self) -> Option<Rational> {
         None
     }
+
+    /// Over common denominators, so that one greatest common divisor is taken for each coefficient.
+    fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
+        let ((a, under_a), (b, under_b)) = (over_common(a, length), over_common(b, length));
+        let denominator = under_a * under_b;
+        let mut products = product(&a, &b);
+        products.resize(length, IBig::ZERO);
+        products.into_iter().map(|sum| Rational::from_parts(sum, denominator.clone())).collect()
+    }
+}
+
+/// The first numerators over the least common denominator, and the latter.
+fn over_common(series: &[Rational], length: usize) -> (Vec<IBig>, UBig) {
+    let series = &series[..series.len().min(length)];
+    let common = series.iter().fold(UBig::ONE, |common, fraction| {
+        let denominator = fraction.parts().1;
+        if (&common % denominator).is_zero() {
+            common
+        } else {
+            let gcd = (&common).gcd(denominator);
+            common / gcd * denominator
+        }
+    });
+    let numerator = |fraction: &Rational| {
+        let (numerator, denominator) = fraction.parts();
+        numerator * IBig::from(&common / denominator)
+    };
+    (series.iter().map(numerator).collect(), common)
 }
 
 /// A text that is not a fraction of two decimal integers.

@@ -45,20 +45,23 @@ pub(crate) fn reconstruct<I: Images>(
     Ok(None)
 }
 
-/// The images so far: for each number its residues modulo each prime.
+/// The images so far: for each number its residues modulo each prime, or nothing while they are all zero.
 #[derive(Debug, Default)]
 struct Residues {
     primes: Vec<u64>,
-    residues: Vec<Vec<u64>>,
+    residues: Vec<Option<Vec<u64>>>,
 }
 
 impl Residues {
     fn push(&mut self, field: &PrimeField, image: &[u64]) {
-        self.primes.push(field.prime());
-        self.residues.resize(image.len(), vec![]);
+        self.residues.resize(image.len(), None);
         for (list, &residue) in self.residues.iter_mut().zip(image) {
-            list.push(field.representative(residue));
+            if list.is_some() || residue != 0 {
+                let list = list.get_or_insert_with(|| vec![0; self.primes.len()]);
+                list.push(field.representative(residue));
+            }
         }
+        self.primes.push(field.prime());
     }
 
     /// All fractions, the one at `first` before the others; or the place of one that needs more primes.
@@ -66,7 +69,7 @@ impl Residues {
         let used = self.primes.len() - CONFIRMING_PRIMES;
         let basis = Basis::new(&self.primes[..used]);
         let one = |at: usize, denominator: &mut UBig| {
-            let list = &self.residues[at];
+            let Some(list) = &self.residues[at] else { return Ok(Rational::from(0)) };
             basis
                 .fraction(&list[..used], denominator)
                 .filter(|fraction| self.confirms(fraction, &list[used..], used))

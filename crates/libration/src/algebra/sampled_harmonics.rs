@@ -145,7 +145,7 @@ impl Ring for SampledHarmonics {
     }
 
     fn over_integer(&self, a: &Vec<u64>, divisor: u64) -> Option<Vec<u64>> {
-        Some(self.times_number(a, &self.field.inverse(self.field.integer(divisor))?))
+        Some(self.times_number(a, &self.field.over_integer(&self.field.unit(), divisor)?))
     }
 
     fn value(&self, _: Function, _: &Vec<u64>) -> Option<Vec<u64>> {

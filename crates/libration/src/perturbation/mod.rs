@@ -1,8 +1,23 @@
-//! Lindstedt–Poincaré expansions: frequency and harmonics of an oscillator as power series, exact.
+//! Periodic motions of any oscillator as exact series.
 
+mod certificate;
+mod conservative;
 mod cosines;
+mod expansion;
+mod gauge;
+mod limit_cycle;
+mod lindstedt;
+mod model;
+mod modular;
 mod open_gauge;
+mod selection;
+mod series_set;
 mod truncated_system;
 
+pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
+pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,7 @@
 
 mod collocation;
 mod error;
+mod newton;
 mod tracking;
 mod verdict;
 

@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::TruncatedSolution;
 use super::collocation::Collocation;
-use super::tracking::{Root, newton, refine, target};
+use super::newton::{newton, refine, target};
+use super::tracking::Root;
 use crate::algebra::Complex;
 
 /// What is to be thought of a solution of a truncated system.
