@@ -3,6 +3,7 @@
 mod certificate;
 mod conservative;
 mod cosines;
+mod evaluation;
 mod expansion;
 mod gauge;
 mod limit_cycle;
@@ -14,6 +15,9 @@ mod selection;
 mod series_set;
 mod truncated_system;
 
+pub use evaluation::{
+    Certainty, Convergence, Evaluation, Pade, Pole, Remainder, Singularity, Step, pendulum_period_remainder,
+};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
