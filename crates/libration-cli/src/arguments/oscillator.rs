@@ -72,9 +72,10 @@ fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
 }
 
 fn value(item: &str) -> Result<(String, Expression), Failure> {
-    let (name, value) = item
-        .split_once('=')
-        .ok_or_else(|| Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, as mu=0.1")))?;
-    let value = value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
+    let (name, value) = item.split_once('=').ok_or_else(|| {
+        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, as mu=0.1"))
+    })?;
+    let value =
+        value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
     Ok((name.trim().to_owned(), value))
 }

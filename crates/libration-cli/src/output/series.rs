@@ -131,7 +131,10 @@ mod tests {
         assert_eq!(text.series(&list(&["0", "-1", "2"]), "μ"), "-μ + 2 μ²");
         assert_eq!(text.series(&list(&["0", "0"]), "ε"), "0");
         let latex = Notation { style: Style::Latex, ..text };
-        assert_eq!(latex.series(&list(&["0", "1", "-1/192"]), r"\epsilon"), r"\epsilon - \frac{1}{192} \epsilon^{2}");
+        assert_eq!(
+            latex.series(&list(&["0", "1", "-1/192"]), r"\epsilon"),
+            r"\epsilon - \frac{1}{192} \epsilon^{2}"
+        );
     }
 
     #[test]

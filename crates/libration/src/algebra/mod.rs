@@ -1,7 +1,8 @@
-//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and polynomials
-//! in named variables, and the product of integer polynomials.
+//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, polynomials in
+//! named variables, the product of integer polynomials, and complex numbers.
 
 mod big_float;
+mod complex;
 mod doubles;
 mod floats;
 mod function;
@@ -15,6 +16,7 @@ mod ring;
 mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub use complex::Complex;
 pub(crate) use doubles::Doubles;
 pub(crate) use floats::Floats;
 pub use function::Function;

@@ -1,7 +1,7 @@
 //! Exact checks of a family's series by a road that knows no harmonics.
 
-use super::first_integral;
 use super::conservative::{displacement, period_ratio};
+use super::first_integral;
 use super::model::Model;
 use super::series_set::SeriesSet;
 use crate::algebra::{HarmonicSums, Rational, Rationals, Ring};
@@ -11,10 +11,7 @@ use crate::series::truncated::product;
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
 /// whatever the gauge. `None` when a number is not rational.
-pub(crate) fn agrees_with_the_potential(
-    model: &Model<Rational>,
-    set: &SeriesSet<Rational>,
-) -> Option<bool> {
+pub(crate) fn agrees_with_the_potential(model: &Model<Rational>, set: &SeriesSet<Rational>) -> Option<bool> {
     let square = squared_energy_amplitude(model, &set.x_max)?;
     if square != squared_energy_amplitude(model, &set.x_min)? {
         return Some(false);
@@ -44,7 +41,8 @@ fn squared_energy_amplitude(model: &Model<Rational>, x: &[Rational]) -> Option<V
         slope.push(Rationals.times_integer(coefficient, i64::try_from(n).ok()?));
         // n + 1 times the coefficient of V at order n + 1.
         let work = Rationals.convolution(&jet.result(0)[1..=n], &slope);
-        let energy = Rationals.over_integer(&Rationals.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
+        let energy =
+            Rationals.over_integer(&Rationals.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
         square.push(Rationals.divide(&energy, &model.omega0_squared)?);
     }
     square.truncate(x.len());
@@ -59,7 +57,9 @@ pub(crate) fn agrees_with_the_first_integral(
 ) -> Option<bool> {
     let of = set.of_amplitude.as_ref()?;
     let length = of.period.len();
-    Some(first_integral::period_ratio(&model.tape, &model.values, &model.omega0_squared, length)? == of.period)
+    Some(
+        first_integral::period_ratio(&model.tape, &model.values, &model.omega0_squared, length)? == of.period,
+    )
 }
 
 /// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers. `None` when it meets a root that

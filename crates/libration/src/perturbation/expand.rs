@@ -193,10 +193,13 @@ impl<'a> Question<'a> {
         model: &Model<Rational>,
         set: &SeriesSet<Rational>,
     ) -> Result<Certificate, ExpansionError> {
-        let plain = || agrees_with_plain_rationals(model, set).map(|agrees| (Certificate::PlainRationals, agrees));
+        let plain =
+            || agrees_with_plain_rationals(model, set).map(|agrees| (Certificate::PlainRationals, agrees));
         let independent = match self.oscillator.kind() {
             _ if self.order <= PLAIN_ORDER => plain(),
-            Kind::Conservative => agrees_with_the_potential(model, set).map(|it| (Certificate::Potential, it)),
+            Kind::Conservative => {
+                agrees_with_the_potential(model, set).map(|it| (Certificate::Potential, it))
+            }
             Kind::Reversible if self.oscillator.is_odd() && self.order <= FIRST_INTEGRAL_ORDER => {
                 agrees_with_the_first_integral(model, set).map(|it| (Certificate::FirstIntegral, it))
             }
@@ -297,7 +300,9 @@ pub enum ExpansionError {
     #[error("a limit cycle has no free amplitude and so no gauge `{0}`: leave the gauge out")]
     GaugeOfLimitCycle(String),
     /// The energy gauge where energy is not kinetic plus potential.
-    #[error("the gauge `energy` needs an acceleration that does not depend on the velocity: choose another gauge")]
+    #[error(
+        "the gauge `energy` needs an acceleration that does not depend on the velocity: choose another gauge"
+    )]
     EnergyOfVelocity,
     /// The nome of what is no pendulum.
     #[error("the gauge `nome` belongs to the pendulum x'' + omega0^2*sin(x) = 0: choose another gauge")]
@@ -331,6 +336,8 @@ pub enum ExpansionError {
     #[error("the acceleration has no power series about the equilibrium, not in digits either")]
     NoDigits,
     /// Two independent computations disagree.
-    #[error("two independent computations of this expansion disagree, which must not happen: please report the equation")]
+    #[error(
+        "two independent computations of this expansion disagree, which must not happen: please report the equation"
+    )]
     Contradiction,
 }

@@ -21,7 +21,8 @@ pub(crate) fn exact_series(
     watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
-    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES))?.ok_or(Unsolved::NoPrimes)?;
+    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES))?
+        .ok_or(Unsolved::NoPrimes)?;
     let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));
     set.ok_or(Unsolved::NoPrimes)
 }

@@ -12,13 +12,18 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let expansion = &answer.expansion;
     let list = |series: &[Rational]| list(series, expansion.precision);
     let harmonics = expansion.harmonics.iter().map(|harmonic| {
-        (harmonic.k.to_string(), Record::new().with("cos", list(&harmonic.cos)).with("sin", list(&harmonic.sin)))
+        (
+            harmonic.k.to_string(),
+            Record::new().with("cos", list(&harmonic.cos)).with("sin", list(&harmonic.sin)),
+        )
     });
     let gauge = match &expansion.variable {
         Variable::Epsilon(gauge) => gauge.to_string().into(),
         Variable::Parameter(_) => Value::Null,
     };
-    let of = |of: &Option<AmplitudeSeries>| of.as_ref().map_or(Value::Null, |of| of_amplitude(of, expansion.precision));
+    let of = |of: &Option<AmplitudeSeries>| {
+        of.as_ref().map_or(Value::Null, |of| of_amplitude(of, expansion.precision))
+    };
     let mut record = Record::new()
         .with("oscillator", answer.key.clone())
         .with("equation", answer.equation.clone())
@@ -54,7 +59,8 @@ fn list(series: &[Rational], precision: Precision) -> Value {
 fn of_amplitude(of: &AmplitudeSeries, precision: Precision) -> Value {
     let harmonics = of.harmonics.iter().map(|(k, series)| {
         let nothing = vec![Rational::from(0); series.len()];
-        let record = Record::new().with("cos", list(series, precision)).with("sin", list(&nothing, precision));
+        let record =
+            Record::new().with("cos", list(series, precision)).with("sin", list(&nothing, precision));
         (k.to_string(), record)
     });
     let record = Record::new()

@@ -27,7 +27,9 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         ("A", "of the largest displacement A", &expansion.of_amplitude),
         ("h", "of half the swing h", &expansion.of_half_swing),
     ];
-    for (symbol, title, of) in amplitudes.into_iter().filter_map(|(s, title, of)| Some((s, title, of.as_ref()?))) {
+    for (symbol, title, of) in
+        amplitudes.into_iter().filter_map(|(s, title, of)| Some((s, title, of.as_ref()?)))
+    {
         writeln!(out, "\nas functions {title}:")?;
         for (name, text) in amplitude_lines(of, notation, symbol, symbols.variable) {
             writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
@@ -72,12 +74,14 @@ fn setting(expansion: &Expansion) -> String {
 /// What the variable means, and how far the series go.
 fn meaning(expansion: &Expansion, symbols: &Symbols<'_>) -> String {
     let Symbols { variable, .. } = symbols;
-    let power = |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
+    let power =
+        |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
     let order = expansion.order;
     match &expansion.variable {
         Variable::Epsilon(gauge) => {
             let gauge = gauge_in_words(gauge);
-            let frequency = if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
+            let frequency =
+                if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
             format!("x to {}, {frequency}; {gauge}; τ = Ωt", power(order))
         }
         Variable::Parameter(_) => {
@@ -112,7 +116,8 @@ fn lines(expansion: &Expansion, notation: Notation, symbols: &Symbols<'_>) -> Ve
     if mirrored(expansion) {
         lines.push(("x_min = ".to_owned(), "-x_max".to_owned()));
     } else {
-        lines.push((format!("x_min = {unit}"), bracketed(&unit, notation.series(&expansion.x_min, variable))));
+        lines
+            .push((format!("x_min = {unit}"), bracketed(&unit, notation.series(&expansion.x_min, variable))));
     }
     lines
 }
@@ -165,7 +170,9 @@ fn amplitude_lines(
 fn checked(expansion: &Expansion) -> String {
     let precision = match expansion.precision {
         Precision::Exact => "all coefficients are exact".to_owned(),
-        Precision::Digits(digits) => format!("the coefficients are not rational; they are given to {digits} digits"),
+        Precision::Digits(digits) => {
+            format!("the coefficients are not rational; they are given to {digits} digits")
+        }
     };
     let how = match expansion.certificate {
         Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
