@@ -6,6 +6,7 @@ pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;
+mod paper;
 mod period;
 
 use crate::failure::Failure;
@@ -37,6 +38,7 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Paper(paper::Paper),
     Figure(figure::Figure),
     #[command(subcommand)]
     Fit(Fit),
@@ -56,6 +58,7 @@ impl Libration {
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::Paper(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
