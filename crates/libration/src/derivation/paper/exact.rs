@@ -10,7 +10,7 @@ use super::statement::{Document, Statement};
 use crate::algebra::{Rational, Ring};
 use crate::expression::Expression;
 use crate::pendulum::{Amplitude, Pendulum, period_ratio_near_top};
-use crate::period_formulas::period_in_amplitude;
+use crate::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 use crate::quantity::Angle;
 
 const fn statement(
@@ -189,6 +189,12 @@ pub(super) fn agreement(formula: &Expression, through: usize) -> Option<Finding>
 /// T/T0 = 1 + 0·θ0 + θ0²/16 + ….
 fn exact_series(terms: usize) -> Vec<Rational> {
     let even = period_in_amplitude(terms / 2).into_iter();
+    even.flat_map(|coefficient| [coefficient, Rational::from(0)]).take(terms).collect()
+}
+
+/// T0/T = 1 + 0·θ0 − θ0²/16 + ….
+pub(super) fn frequency_series(terms: usize) -> Vec<Rational> {
+    let even = frequency_in_amplitude(terms / 2).into_iter();
     even.flat_map(|coefficient| [coefficient, Rational::from(0)]).take(terms).collect()
 }
 

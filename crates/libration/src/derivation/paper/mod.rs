@@ -17,9 +17,15 @@ mod evaluate;
 mod power_series;
 mod printed;
 
+mod cosines;
 mod exact_motion;
+mod lindstedt;
+mod roots;
 
 mod exact;
+mod fourier;
+mod truncated;
+mod fifth_order;
 
 pub use finding::{Finding, Verdict};
 pub use statement::{Document, Row};
@@ -33,7 +39,7 @@ pub fn rows() -> Vec<Row> {
 }
 
 fn statements() -> Vec<Statement> {
-    [exact::STATEMENTS].concat()
+    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS].concat()
 }
 
 #[cfg(test)]

@@ -39,25 +39,36 @@ impl Printed {
         number(self.formula(equation)?)
     }
 
-    /// Equations read as values of names, such as `B1 = C1 = 0` or `A1 = -A3 = 1`.
-    pub(super) fn assignments(&self) -> Option<Vec<(String, Rational)>> {
-        let mut values = Vec::new();
-        for sides in &self.equations {
-            let (value, names) = sides.split_last()?;
-            let value = number(value)?;
-            for side in names {
-                values.push(match side {
-                    Expression::Symbol(symbol) => (written(symbol), value.clone()),
-                    Expression::Negate(inner) => match inner.as_ref() {
-                        Expression::Symbol(symbol) => (written(symbol), -value.clone()),
-                        _ => return None,
-                    },
-                    _ => return None,
-                });
-            }
-        }
-        Some(values)
+    /// The formula that stands last.
+    pub(super) fn last(&self) -> Option<&Expression> {
+        self.equations.last()?.last()
     }
+
+    /// Equations read as values of names, such as `B1 = C1 = 0` or `A1 = -A3 = 1`; `None` when one is none.
+    pub(super) fn assignments(&self) -> Option<Vec<(String, Rational)>> {
+        let values = self.equations.iter().map(|sides| values_of_names(sides));
+        Some(values.collect::<Option<Vec<_>>>()?.concat())
+    }
+
+    /// The equations that are values of names.
+    pub(super) fn gauge(&self) -> Vec<(String, Rational)> {
+        self.equations.iter().filter_map(|sides| values_of_names(sides)).flatten().collect()
+    }
+}
+
+/// The names of an equation with their values.
+fn values_of_names(sides: &[Expression]) -> Option<Vec<(String, Rational)>> {
+    let (value, names) = sides.split_last()?;
+    let value = number(value)?;
+    let named = |side: &Expression| match side {
+        Expression::Symbol(symbol) => Some((written(symbol), value.clone())),
+        Expression::Negate(inner) => match inner.as_ref() {
+            Expression::Symbol(symbol) => Some((written(symbol), -value.clone())),
+            _ => None,
+        },
+        _ => None,
+    };
+    names.iter().map(named).collect()
 }
 
 /// The formula of a text; `None` when it is none.
