@@ -1,8 +1,14 @@
 //! Formulas and equations of motion as text, tree and tape.
 
+mod jet;
+mod tape;
+
 use crate::algebra::Rational;
 
 pub use crate::algebra::Function;
+pub(crate) use jet::{Jet, NoSeries};
+pub(crate) use tape::Tape;
+pub use tape::WithoutValue;
 
 /// A formula. The tree is what was written: nothing is reordered or simplified unless asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]

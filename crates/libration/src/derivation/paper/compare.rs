@@ -1,6 +1,6 @@
 //! Printed formulas compared with computed ones, exactly or at points.
 
-use crate::algebra::{Polynomial, Polynomials, Rational};
+use crate::algebra::{Polynomial, Polynomials, Rational, Ring};
 use crate::expression::Expression;
 
 use super::decimals::Decimals;
@@ -23,11 +23,10 @@ pub(super) fn series_in(
     formula: &Expression,
     values: &[(&str, i64)],
 ) -> Option<Vec<Rational>> {
-    use crate::algebra::Ring;
-    let ring = PowerSeries { terms };
+    let ring = PowerSeries::rational(terms);
     value(&ring, formula, &|name| {
         if name == variable {
-            return Some(ring.variable());
+            return ring.variable();
         }
         let (_, number) = values.iter().find(|(known, _)| *known == name)?;
         ring.rational(&Rational::from(*number))
@@ -40,6 +39,24 @@ pub(super) fn polynomial(formula: &Expression, replaced: &[(&str, Polynomial)]) 
         let by = replaced.iter().find(|(known, _)| *known == name).map(|(_, by)| by.clone());
         Some(by.unwrap_or_else(|| Polynomial::variable(name)))
     })
+}
+
+/// A polynomial whose symbols are elements of another ring.
+pub(super) fn inserted<R: Ring>(
+    ring: &R,
+    sum: &Polynomial,
+    of: impl Fn(&str) -> Option<R::Element>,
+) -> Option<R::Element> {
+    let mut value = ring.zero();
+    for (monomial, factor) in sum.terms() {
+        let mut term = ring.rational(factor)?;
+        for (name, exponent) in monomial.factors() {
+            let base = of(&name.to_string())?;
+            term = (0..*exponent).fold(term, |product, _| ring.multiply(&product, &base));
+        }
+        value = ring.add(&value, &term);
+    }
+    Some(value)
 }
 
 /// Two polynomials that should be one.

@@ -209,7 +209,7 @@ fn agrees_to_sixth(printed: &Printed) -> Option<Finding> {
 /// T = T0/√F: the exponent p of θ0/sin θ0 in the period must make p·(1/6) the exact 1/16.
 fn exponent_of_molina(printed: &Printed) -> Option<Finding> {
     let force = series_in("theta0", 8, printed.formula(0)?, &[])?;
-    let from_force = PowerSeries { terms: 8 }.power(&force, &Rational::new(-1, 2)?)?;
+    let from_force = PowerSeries::rational(8).power(&force, &Rational::new(-1, 2)?)?;
     let period = series_in("theta0", 8, printed.formula(1)?, &[("T0", 1)])?;
     let one_power = super::printed::Printed::read(&["theta0/sin(theta0)"])?;
     let slope = series_in("theta0", 8, one_power.formula(0)?, &[])?.get(2)?.clone();
@@ -252,8 +252,8 @@ fn asymptotic_at_the_top(printed: &Printed) -> Option<Finding> {
 
 /// d/dt along any motion is θ′ times the equation of motion: in exact series of the time.
 fn energy_is_conserved(printed: &Printed) -> Option<Finding> {
-    let ring = PowerSeries { terms: 10 };
-    let angle = arbitrary_motion(ring);
+    let ring = PowerSeries::rational(10);
+    let angle = arbitrary_motion();
     let (velocity, acceleration) = (derivative(&angle), derivative(&derivative(&angle)));
     let of = |name: &str| match name {
         "theta" => Some(angle.clone()),
@@ -273,15 +273,10 @@ fn energy_is_conserved(printed: &Printed) -> Option<Finding> {
     Some(Finding::verified_if(same, "", evidence))
 }
 
-/// θ = t/2 + t²/3 − t³/5 + t⁴/7, which solves no particular equation.
-fn arbitrary_motion(ring: PowerSeries) -> Vec<Rational> {
-    let mut angle = ring.zero();
-    for (place, (numerator, denominator)) in [(0, 1), (1, 2), (1, 3), (-1, 5), (1, 7)].into_iter().enumerate() {
-        if let Some(value) = Rational::new(numerator, denominator) {
-            angle[place] = value;
-        }
-    }
-    angle
+/// θ = t/2 + t²/3 − t³/5 + t⁴/7, which solves no particular equation, to t⁹.
+fn arbitrary_motion() -> Vec<Rational> {
+    let chosen = [(0, 1), (1, 2), (1, 3), (-1, 5), (1, 7)].into_iter().filter_map(|(n, d)| Rational::new(n, d));
+    chosen.chain(std::iter::repeat_n(Rational::from(0), 5)).collect()
 }
 
 fn derivative(series: &[Rational]) -> Vec<Rational> {

@@ -8,7 +8,9 @@ use super::power_series::PowerSeries;
 use super::printed::Printed;
 use super::statement::{Document, Statement};
 use super::truncated::{against_series, equation_with_sine, written};
-use crate::algebra::{Polynomial, Rational, Ring};
+use crate::algebra::{Polynomial, Polynomials, Rational, Rationals, Ring};
+use crate::expression::Expression;
+use crate::series::truncated::{powers, powers_of_inverse};
 
 const fn statement(
     label: &'static str,
@@ -54,7 +56,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     statement(
         "text: the freedom left is a choice for one of the coefficients",
         "How many constants the nine equations leave free.",
-        &["1"],
+        &["free = 1", "theta'' + omega0^2*(theta - theta^3/6 + theta^5/120)"],
         free_constants,
     ),
     statement(
@@ -195,7 +197,7 @@ fn form_of_the_fifth(printed: &Printed) -> Option<Finding> {
 
 fn form_of_the_frequency(printed: &Printed) -> Option<Finding> {
     let expansion = Expansion::odd_gauge(5)?;
-    form(printed, &expansion.frequency(), &expansion, 4)
+    form(printed, &expansion.frequency()?, &expansion, 4)
 }
 
 fn equation_to_fifth(printed: &Printed) -> Option<Finding> {
@@ -215,30 +217,34 @@ fn open_motion() -> (Vec<Polynomial>, Vec<Polynomial>) {
     (motion, vec![one, zero(), name("d", 2), zero(), name("d", 4), zero()])
 }
 
-/// The product of two series in ε, to ε⁵.
-fn product(a: &[Polynomial], b: &[Polynomial]) -> Vec<Polynomial> {
-    let coefficient = |n: usize| {
-        let pairs = (0..=n).filter(|&j| !a[j].is_zero() && !b[n - j].is_zero());
-        pairs.fold(Polynomial::zero(), |sum, j| sum + a[j].clone() * b[n - j].clone())
-    };
-    (0..a.len()).map(coefficient).collect()
+/// The nine equations: orders 1, 3, 5 of the equation of motion on the harmonics 1, 3, 5.
+fn nine_equations(equation: &Expression) -> Option<Vec<Polynomial>> {
+    let (motion, frequency) = open_motion();
+    let at = orders_of(equation, &motion, &frequency)?;
+    Some([1, 3, 5].into_iter().flat_map(|n| [1, 3, 5].map(|k| projection(&at[n], k))).collect())
 }
 
-/// The nine equations: orders 1, 3, 5 of (37) on the harmonics 1, 3, 5.
-fn nine_equations() -> Option<Vec<Polynomial>> {
-    let (motion, frequency) = open_motion();
+/// An equation of motion at each order in ε, the motion and Ω/ω0 being given so and ω0 = 1.
+pub(super) fn orders_of(
+    equation: &Expression,
+    motion: &[Polynomial],
+    frequency: &[Polynomial],
+) -> Option<Vec<Polynomial>> {
+    let ring = PowerSeries { coefficients: Polynomials, terms: motion.len() };
     let inertia: Vec<Polynomial> = motion.iter().map(second_derivative).collect();
-    let inertia = product(&product(&frequency, &frequency), &inertia);
-    let square = product(&motion, &motion);
-    let cube = product(&square, &motion);
-    let fifth = product(&square, &cube);
-    let (sixth, small) = (Rational::new(-1, 6)?, Rational::new(1, 120)?);
-    let at = |n: usize| inertia[n].clone() + motion[n].clone() + cube[n].scaled(&sixth) + fifth[n].scaled(&small);
-    Some([1, 3, 5].into_iter().flat_map(|n| [1, 3, 5].map(|k| projection(&at(n), k))).collect())
+    let frequency = frequency.to_vec();
+    let acceleration = ring.multiply(&ring.multiply(&frequency, &frequency), &inertia);
+    super::evaluate::value(&ring, equation, &|name| match name {
+        "theta" => Some(motion.to_vec()),
+        "theta''" => Some(acceleration.clone()),
+        "omega0" => ring.rational(&Rational::from(1)),
+        "Delta" => Some(frequency.clone()),
+        _ => None,
+    })
 }
 
 fn free_constants(printed: &Printed) -> Option<Finding> {
-    let equations = nine_equations()?;
+    let equations = nine_equations(printed.formula(1)?)?;
     let trivial = equations.iter().filter(|equation| equation.is_zero()).count();
     let (motion, frequency) = open_motion();
     let unknowns = motion.iter().chain(&frequency).flat_map(Polynomial::variables);
@@ -349,21 +355,9 @@ fn turned_round(printed: &Printed) -> Option<Finding> {
     Some(Finding::verified_if(right, "", "with F(epsilon) and theta0(epsilon) as computed both sides are epsilon, exactly"))
 }
 
-/// The inverse of y = x + …, by iteration.
+/// The inverse of y = x + ….
 pub(super) fn inverse(series: &[Rational]) -> Option<Vec<Rational>> {
-    let ring = PowerSeries { terms: series.len() };
-    let mut inverse = ring.variable();
-    for _ in 0..series.len() {
-        let excess = compose(series, &inverse)?;
-        inverse = ring.add(&inverse, &ring.subtract(&ring.variable(), &excess));
-    }
-    Some(inverse)
-}
-
-fn compose(series: &[Rational], inner: &Vec<Rational>) -> Option<Vec<Rational>> {
-    let ring = PowerSeries { terms: series.len() };
-    let step = |sum: Vec<Rational>, c: &Rational| Some(ring.add(&ring.multiply(&sum, inner), &ring.rational(c)?));
-    series.iter().rev().try_fold(ring.zero(), step)
+    powers_of_inverse(&Rationals, series).map(|powers| powers.first())
 }
 
 fn first_iteration(printed: &Printed) -> Option<Finding> {
@@ -372,10 +366,10 @@ fn first_iteration(printed: &Printed) -> Option<Finding> {
 }
 
 fn second_iteration(printed: &Printed) -> Option<Finding> {
-    let ring = PowerSeries { terms: 8 };
+    let ring = PowerSeries::rational(8);
     let first = series_in("theta0", 8, printed.formula(1)?, &[])?;
     let stands = super::evaluate::value(&ring, printed.formula(0)?, &|name| match name {
-        "theta0" => Some(ring.variable()),
+        "theta0" => ring.variable(),
         "F1" => Some(first.clone()),
         _ => None,
     })?;
@@ -411,14 +405,9 @@ fn parameter_in_amplitude(printed: &Printed) -> Option<Finding> {
 
 /// A quantity as printed in θ0 against the same in ε: with θ0(ε) inserted they must agree whatever the gauge.
 fn in_every_gauge(stands: &[Rational], computed: &[Polynomial], amplitude: &[Polynomial]) -> bool {
-    let constant = |c: &Rational| Polynomial::constant(c.clone());
-    let zero = vec![Polynomial::zero(); amplitude.len()];
-    let inserted = stands.iter().rev().fold(zero, |sum, c| {
-        let mut next = product(&sum, amplitude);
-        next[0] = next[0].clone() + constant(c);
-        next
-    });
-    inserted.iter().zip(computed).all(|(a, b)| a == b)
+    let stands: Vec<Polynomial> = stands.iter().cloned().map(Polynomial::constant).collect();
+    let inserted = powers(&Polynomials, amplitude).map(|powers| powers.composed(&Polynomials, &stands));
+    inserted.is_some_and(|inserted| inserted.iter().zip(computed).all(|(a, b)| a == b))
 }
 
 fn fundamental(printed: &Printed) -> Option<Finding> {
@@ -451,16 +440,17 @@ fn compose_with_inverse(k: u32) -> Option<Vec<Rational>> {
     let mut gauge = vec![Rational::from(0); 7];
     *gauge.first_mut()? = Rational::from(1);
     let expansion = Expansion::of_numbers(&gauge)?;
-    compose(&numbers(&expansion.harmonic(k))?, &inverse(&numbers(&expansion.amplitude())?)?)
+    let inverse = powers_of_inverse(&Rationals, &numbers(&expansion.amplitude())?)?;
+    Some(inverse.composed(&Rationals, &numbers(&expansion.harmonic(k))?))
 }
 
 pub(super) fn period(printed: &Printed) -> Option<Finding> {
     const TERMS: usize = 7;
-    let ring = PowerSeries { terms: TERMS };
+    let ring = PowerSeries::rational(TERMS);
     let ratio = series_in("theta0", TERMS, printed.formula(0)?, &[("T0", 1)])?;
     let frequency = ring.divide(&ring.rational(&Rational::from(1))?, &ratio)?;
     let expansion = Expansion::odd_gauge(7)?;
-    let right = in_every_gauge(&frequency, &expansion.frequency(), expansion.amplitude().get(..TERMS)?);
+    let right = in_every_gauge(&frequency, &expansion.frequency()?, expansion.amplitude().get(..TERMS)?);
     let exact = super::exact::agreement(printed.formula(0)?, 6)?;
     let next = crate::period_formulas::frequency_in_amplitude(4).pop()?;
     let evidence = format!(

@@ -1,7 +1,8 @@
 //! The perturbation series of the pendulum with the gauge left open, by the shortest way: orders in turn, the sine by
 //! its Taylor series, products of polynomials in cos(Ωt) and in the constants A1, A2, … of the fundamental.
 
-use crate::algebra::{Polynomial, Rational};
+use crate::algebra::{Polynomial, Polynomials, Rational};
+use crate::series::truncated::{product, square_root_of_unit};
 
 use super::cosines::{cosine, projection, second_derivative};
 
@@ -77,24 +78,16 @@ impl Expansion {
 
     /// sin θ at an order: θ − θ³/3! + θ⁵/5! − ….
     fn sine(&self, order: usize) -> Polynomial {
-        let square = self.product(&self.motion, &self.motion);
+        let square = product(&Polynomials, &self.motion, &self.motion, self.motion.len());
         let (mut power, mut factor) = (self.motion.clone(), Rational::from(1));
         let mut sum = Polynomial::zero();
         for n in (1..=order).step_by(2) {
             sum = sum + power[order].scaled(&factor);
             let next = i64::try_from((n + 1) * (n + 2)).ok().and_then(|n| Rational::new(-1, n));
             factor = factor * next.unwrap_or_else(|| Rational::from(0));
-            power = self.product(&power, &square);
+            power = product(&Polynomials, &power, &square, power.len());
         }
         sum
-    }
-
-    fn product(&self, a: &[Polynomial], b: &[Polynomial]) -> Vec<Polynomial> {
-        let coefficient = |n: usize| {
-            let pairs = (0..=n).filter(|&j| !a[j].is_zero() && !b[n - j].is_zero());
-            pairs.fold(Polynomial::zero(), |sum, j| sum + a[j].clone() * b[n - j].clone())
-        };
-        (0..self.motion.len()).map(coefficient).collect()
     }
 
     /// A coefficient by its name: `A3`, `B5`, `C7`, `D7`, or `d4` of the frequency.
@@ -102,21 +95,15 @@ impl Expansion {
         let (letter, order) = name.split_at_checked(1)?;
         let order: usize = order.parse().ok()?;
         if letter == "d" {
-            return self.frequency().get(order).cloned();
+            return self.frequency()?.get(order).cloned();
         }
         let (_, harmonic) = LETTERS.iter().find(|(known, _)| *known == letter)?;
         Some(projection(self.motion.get(order)?, *harmonic))
     }
 
     /// Ω/ω0 at each order, the root of its square.
-    pub(super) fn frequency(&self) -> Vec<Polynomial> {
-        let mut root = vec![self.square[0].clone()];
-        for n in 1..self.square.len() {
-            let known = (1..n).fold(Polynomial::zero(), |sum, j| sum + root[j].clone() * root[n - j].clone());
-            let half = Rational::from(1).divided_by_power_of_two(1);
-            root.push((self.square[n].clone() - known).scaled(&half));
-        }
-        root
+    pub(super) fn frequency(&self) -> Option<Vec<Polynomial>> {
+        square_root_of_unit(&Polynomials, &self.square)
     }
 
     /// The coefficient of cos(kΩt) at each order.

@@ -1,51 +1,57 @@
-//! The ring of power series in one variable with exact coefficients, kept to a number of terms.
+//! The ring of power series in one variable, kept to a number of terms, over any ring of coefficients.
 
-use crate::algebra::{Function, Rational, Ring};
+use crate::algebra::{Function, Rational, Rationals, Ring};
+use crate::series::truncated::{product, reciprocal};
 
 /// Series are their first coefficients, the constant term first. A quotient in which powers cancel keeps fewer.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PowerSeries {
+pub(super) struct PowerSeries<R> {
+    pub(super) coefficients: R,
     /// How many coefficients are kept.
     pub(super) terms: usize,
 }
 
-impl PowerSeries {
+impl PowerSeries<Rationals> {
+    /// Series with rational coefficients.
+    pub(super) fn rational(terms: usize) -> Self {
+        Self { coefficients: Rationals, terms }
+    }
+}
+
+impl<R: Ring> PowerSeries<R> {
     /// The variable itself.
-    pub(super) fn variable(self) -> Vec<Rational> {
-        let one_at = |n: usize| Rational::from(i64::from(n == 1));
-        (0..self.terms).map(one_at).collect()
+    pub(super) fn variable(&self) -> Option<Vec<R::Element>> {
+        let coefficient = |n: usize| self.coefficients.rational(&Rational::from(i64::from(n == 1)));
+        (0..self.terms).map(coefficient).collect()
     }
 
-    /// aᵖ for a₀ = 1, from n·bₙ = Σ (p·k − (n − k))·a_k·b_{n−k}.
-    fn power_of_monic(a: &[Rational], exponent: &Rational) -> Option<Vec<Rational>> {
-        if *a.first()? != Rational::from(1) {
-            return None;
-        }
-        let mut b = vec![Rational::from(1)];
-        for n in 1..a.len() {
-            let term = |k: usize| Some((exponent.clone() * whole(k)? - whole(n - k)?) * a[k].clone() * b[n - k].clone());
-            let sum = (1..=n).try_fold(Rational::from(0), |sum, k| Some(sum + term(k)?))?;
-            b.push(sum.checked_div(&whole(n)?)?);
-        }
-        Some(b)
+    /// Σ factor(k)·aₖ·b_{n−k} over 1 ≤ k ≤ n.
+    fn weighted(
+        &self,
+        a: &[R::Element],
+        b: &[R::Element],
+        n: usize,
+        factor: impl Fn(usize) -> Option<Rational>,
+    ) -> Option<R::Element> {
+        let ring = &self.coefficients;
+        let term = |k: usize| Some(ring.multiply(&ring.rational(&factor(k)?)?, &ring.multiply(&a[k], &b[n - k])));
+        (1..=n).try_fold(ring.zero(), |sum, k| Some(ring.add(&sum, &term(k)?)))
     }
 
-    /// The solution of b′ = a′·c and c′ = sign·a′·b with b₀ = 0, c₀ = 1.
-    fn sine_and_cosine(a: &[Rational], sign: i64) -> Option<(Vec<Rational>, Vec<Rational>)> {
-        if !a.first()?.is_zero() {
-            return None;
-        }
-        let (mut sine, mut cosine) = (vec![Rational::from(0)], vec![Rational::from(1)]);
+    /// The solution of b′ = a′·c and c′ = sign·a′·b that begins with these values.
+    fn pair(&self, a: &[R::Element], first: [Function; 2], sign: i64) -> Option<[Vec<R::Element>; 2]> {
+        let ring = &self.coefficients;
+        let start = |function| ring.value(function, a.first()?);
+        let (mut sine, mut cosine) = (vec![start(first[0])?], vec![start(first[1])?]);
         for n in 1..a.len() {
-            let weighted = |other: &[Rational]| {
-                let term = |k: usize| Some(whole(k)? * a[k].clone() * other[n - k].clone());
-                (1..=n).try_fold(Rational::from(0), |sum, k| Some(sum + term(k)?))?.checked_div(&whole(n)?)
+            let integral = |other: &[R::Element]| {
+                ring.over_integer(&self.weighted(a, other, n, whole)?, u64::try_from(n).ok()?)
             };
-            let (s, c) = (weighted(&cosine)?, weighted(&sine)?);
+            let (s, c) = (integral(&cosine)?, integral(&sine)?);
             sine.push(s);
-            cosine.push(Rational::from(sign) * c);
+            cosine.push(ring.times_integer(&c, sign));
         }
-        Some((sine, cosine))
+        Some([sine, cosine])
     }
 }
 
@@ -53,85 +59,85 @@ fn whole(n: usize) -> Option<Rational> {
     i64::try_from(n).ok().map(Rational::from)
 }
 
-impl Ring for PowerSeries {
-    type Element = Vec<Rational>;
+impl<R: Ring> Ring for PowerSeries<R> {
+    type Element = Vec<R::Element>;
 
-    fn zero(&self) -> Vec<Rational> {
-        vec![Rational::from(0); self.terms]
+    fn zero(&self) -> Self::Element {
+        vec![self.coefficients.zero(); self.terms]
     }
 
-    fn is_zero(&self, a: &Vec<Rational>) -> bool {
-        a.iter().all(Rational::is_zero)
+    fn is_zero(&self, a: &Self::Element) -> bool {
+        a.iter().all(|coefficient| self.coefficients.is_zero(coefficient))
     }
 
-    fn rational(&self, value: &Rational) -> Option<Vec<Rational>> {
+    fn rational(&self, value: &Rational) -> Option<Self::Element> {
         let mut constant = self.zero();
-        *constant.first_mut()? = value.clone();
+        *constant.first_mut()? = self.coefficients.rational(value)?;
         Some(constant)
     }
 
-    fn add(&self, a: &Vec<Rational>, b: &Vec<Rational>) -> Vec<Rational> {
-        a.iter().zip(b).map(|(a, b)| a.clone() + b.clone()).collect()
+    fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        a.iter().zip(b).map(|(a, b)| self.coefficients.add(a, b)).collect()
     }
 
-    fn subtract(&self, a: &Vec<Rational>, b: &Vec<Rational>) -> Vec<Rational> {
-        a.iter().zip(b).map(|(a, b)| a.clone() - b.clone()).collect()
+    fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        a.iter().zip(b).map(|(a, b)| self.coefficients.subtract(a, b)).collect()
     }
 
-    fn negate(&self, a: &Vec<Rational>) -> Vec<Rational> {
-        a.iter().map(|a| -a.clone()).collect()
+    fn negate(&self, a: &Self::Element) -> Self::Element {
+        a.iter().map(|a| self.coefficients.negate(a)).collect()
     }
 
-    fn multiply(&self, a: &Vec<Rational>, b: &Vec<Rational>) -> Vec<Rational> {
-        let terms = a.len().min(b.len());
-        let coefficient = |n: usize| {
-            let pairs = a[..=n].iter().zip(b[..=n].iter().rev()).filter(|(a, b)| !a.is_zero() && !b.is_zero());
-            pairs.fold(Rational::from(0), |sum, (a, b)| sum + a.clone() * b.clone())
-        };
-        (0..terms).map(coefficient).collect()
+    fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        product(&self.coefficients, a, b, a.len().min(b.len()))
     }
 
-    fn times_integer(&self, a: &Vec<Rational>, factor: i64) -> Vec<Rational> {
-        a.iter().map(|a| a.clone() * Rational::from(factor)).collect()
+    fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element {
+        a.iter().map(|a| self.coefficients.times_integer(a, factor)).collect()
     }
 
-    fn divide(&self, a: &Vec<Rational>, divisor: &Vec<Rational>) -> Option<Vec<Rational>> {
-        let shift = divisor.iter().position(|coefficient| !coefficient.is_zero())?;
-        if a.iter().take(shift).any(|coefficient| !coefficient.is_zero()) {
+    fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
+        let ring = &self.coefficients;
+        let shift = divisor.iter().position(|coefficient| !ring.is_zero(coefficient))?;
+        if a.iter().take(shift).any(|coefficient| !ring.is_zero(coefficient)) {
             return None;
         }
-        let (a, divisor) = (a.get(shift..)?, &divisor[shift..]);
-        let mut quotient: Vec<Rational> = Vec::new();
-        for n in 0..a.len().min(divisor.len()) {
-            let known = (1..=n).fold(Rational::from(0), |sum, k| sum + divisor[k].clone() * quotient[n - k].clone());
-            quotient.push((a[n].clone() - known).checked_div(&divisor[0])?);
-        }
+        let quotient = self.multiply(&a.get(shift..)?.to_vec(), &reciprocal(ring, &divisor[shift..])?);
         Some(quotient)
     }
 
-    fn over_integer(&self, a: &Vec<Rational>, divisor: u64) -> Option<Vec<Rational>> {
-        let divisor = Rational::from(i64::try_from(divisor).ok()?);
-        a.iter().map(|a| a.checked_div(&divisor)).collect()
+    fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {
+        a.iter().map(|a| self.coefficients.over_integer(a, divisor)).collect()
     }
 
-    /// Where the coefficients stay rational: the root at 1, the others at 0.
-    fn value(&self, function: Function, at: &Vec<Rational>) -> Option<Vec<Rational>> {
+    /// Where the coefficients stay in their ring.
+    fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
+        let circular = || self.pair(at, [Function::Sin, Function::Cos], -1);
+        let hyperbolic = || self.pair(at, [Function::Sinh, Function::Cosh], 1);
         match function {
             Function::Sqrt => self.power(at, &Rational::new(1, 2)?),
-            Function::Sin => Self::sine_and_cosine(at, -1).map(|(sine, _)| sine),
-            Function::Cos => Self::sine_and_cosine(at, -1).map(|(_, cosine)| cosine),
-            Function::Sinh => Self::sine_and_cosine(at, 1).map(|(sine, _)| sine),
-            Function::Cosh => Self::sine_and_cosine(at, 1).map(|(_, cosine)| cosine),
-            Function::Exp => Self::sine_and_cosine(at, 1).map(|(sine, cosine)| self.add(&sine, &cosine)),
+            Function::Sin => circular().map(|[sine, _]| sine),
+            Function::Cos => circular().map(|[_, cosine]| cosine),
+            Function::Sinh => hyperbolic().map(|[sine, _]| sine),
+            Function::Cosh => hyperbolic().map(|[_, cosine]| cosine),
+            Function::Exp => hyperbolic().map(|[sine, cosine]| self.add(&sine, &cosine)),
             _ => None,
         }
     }
 
-    fn power(&self, a: &Vec<Rational>, exponent: &Rational) -> Option<Vec<Rational>> {
-        Self::power_of_monic(a, exponent)
+    /// b = aᵖ from n·a₀·bₙ = Σ (p·k − (n − k))·aₖ·b_{n−k}.
+    fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element> {
+        let ring = &self.coefficients;
+        let mut b = vec![ring.power(a.first()?, exponent)?];
+        for n in 1..a.len() {
+            let factor = |k: usize| Some(exponent.clone() * whole(k)? - whole(n - k)?);
+            let sum = self.weighted(a, &b, n, factor)?;
+            b.push(ring.divide(&ring.over_integer(&sum, u64::try_from(n).ok()?)?, a.first()?)?);
+        }
+        Some(b)
     }
 
-    fn pi(&self) -> Option<Vec<Rational>> {
+    fn pi(&self) -> Option<Self::Element> {
         None
     }
 }

@@ -1,6 +1,6 @@
 //! Black and Vel, (15) to (31): two harmonics in the equation truncated after θ³.
 
-use super::compare::{decimal, first_difference, polynomial, same_polynomial, series_in};
+use super::compare::{decimal, first_difference, inserted as inserted_into, polynomial, same_polynomial, series_in};
 use super::cosines::{cosine, cosines, projection, second_derivative};
 use super::exact_motion::harmonics;
 use super::finding::Finding;
@@ -8,9 +8,10 @@ use super::lindstedt::{Expansion, numbers};
 use super::power_series::PowerSeries;
 use super::printed::Printed;
 use super::statement::{Document, Statement};
-use crate::algebra::{Polynomial, Rational, Ring, Variable};
+use crate::algebra::{Polynomial, Rational, Rationals, Ring, Variable};
 use crate::expression::Expression;
 use crate::quantity::Angle;
+use crate::series::truncated::powers_of_inverse;
 
 const fn statement(
     label: &'static str,
@@ -203,7 +204,7 @@ fn order_of(sum: &Polynomial) -> u32 {
 fn root_of_the_square(printed: &Printed) -> Option<Finding> {
     const TERMS: usize = 6;
     let leading = square_of_frequency()?.substitute(&"a3".into(), &Polynomial::zero());
-    let root = PowerSeries { terms: TERMS }.power(&coefficients(&leading, "a1", TERMS)?, &Rational::new(1, 2)?)?;
+    let root = PowerSeries::rational(TERMS).power(&coefficients(&leading, "a1", TERMS)?, &Rational::new(1, 2)?)?;
     let stands = series_in("a1", TERMS, printed.formula(0)?, &[])?;
     let agrees_below = first_difference(&stands, &root).map_or(TERMS, |(power, _)| power);
     let evidence = format!(
@@ -277,27 +278,16 @@ fn powers(series: &[Rational], name: &str) -> Polynomial {
 
 /// a1, a3 and Δ of the truncated system as series in θ0.
 fn solution_in_amplitude(terms: usize) -> Option<[Vec<Rational>; 3]> {
-    let ring = PowerSeries { terms };
+    let ring = PowerSeries::rational(terms);
     let third = third_of_fundamental_series(terms)?;
-    let compose = |series: &[Rational], inner: &Vec<Rational>| {
-        series.iter().rev().try_fold(ring.zero(), |sum, c| Some(ring.add(&ring.multiply(&sum, inner), &ring.rational(c)?)))
-    };
-    let mut fundamental = ring.variable();
-    for _ in 0..terms {
-        fundamental = ring.subtract(&ring.variable(), &compose(&third, &fundamental)?);
-    }
-    let third = compose(&third, &fundamental)?;
-    let square = square_of_frequency()?;
-    let values = [("a1", &fundamental), ("a3", &third)];
-    let mut squared = ring.zero();
-    for (monomial, factor) in square.terms() {
-        let mut term = ring.rational(factor)?;
-        for (name, exponent) in monomial.factors() {
-            let (_, value) = values.iter().find(|(known, _)| *known == name.to_string())?;
-            term = (0..*exponent).fold(term, |product, _| ring.multiply(&product, value));
-        }
-        squared = ring.add(&squared, &term);
-    }
+    let amplitude = ring.add(&ring.variable()?, &third);
+    let inverse = powers_of_inverse(&Rationals, &amplitude)?;
+    let (fundamental, third) = (inverse.first(), inverse.composed(&Rationals, &third));
+    let squared = inserted_into(&ring, &square_of_frequency()?, |name| match name {
+        "a1" => Some(fundamental.clone()),
+        "a3" => Some(third.clone()),
+        _ => None,
+    })?;
     let frequency = ring.power(&squared, &Rational::new(1, 2)?)?;
     Some([fundamental, third, frequency])
 }
