@@ -220,8 +220,17 @@ fn open_motion() -> (Vec<Polynomial>, Vec<Polynomial>) {
 /// The nine equations: orders 1, 3, 5 of the equation of motion on the harmonics 1, 3, 5.
 fn nine_equations(equation: &Expression) -> Option<Vec<Polynomial>> {
     let (motion, frequency) = open_motion();
-    let at = orders_of(equation, &motion, &frequency)?;
+    let at = orders_of(equation, &motion, &frequency, Clock::Time)?;
     Some([1, 3, 5].into_iter().flat_map(|n| [1, 3, 5].map(|k| projection(&at[n], k))).collect())
+}
+
+/// With respect to what the dots of an equation differentiate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Clock {
+    /// The time t, in units of 1/ω0.
+    Time,
+    /// The phase Ωt.
+    Phase,
 }
 
 /// An equation of motion at each order in ε, the motion and Ω/ω0 being given so and ω0 = 1.
@@ -229,11 +238,15 @@ pub(super) fn orders_of(
     equation: &Expression,
     motion: &[Polynomial],
     frequency: &[Polynomial],
+    clock: Clock,
 ) -> Option<Vec<Polynomial>> {
     let ring = PowerSeries { coefficients: Polynomials, terms: motion.len() };
     let inertia: Vec<Polynomial> = motion.iter().map(second_derivative).collect();
     let frequency = frequency.to_vec();
-    let acceleration = ring.multiply(&ring.multiply(&frequency, &frequency), &inertia);
+    let acceleration = match clock {
+        Clock::Time => ring.multiply(&ring.multiply(&frequency, &frequency), &inertia),
+        Clock::Phase => inertia,
+    };
     super::evaluate::value(&ring, equation, &|name| match name {
         "theta" => Some(motion.to_vec()),
         "theta''" => Some(acceleration.clone()),

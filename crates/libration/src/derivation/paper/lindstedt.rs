@@ -50,6 +50,11 @@ impl Expansion {
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())
     }
 
+    /// The motion at each order.
+    pub(super) fn motion(&self) -> &[Polynomial] {
+        &self.motion
+    }
+
     /// The equation at an order: the fundamental gives (Ω/ω0)² one order below, the others their own coefficient.
     fn solve(&mut self, order: usize, fundamental: &Polynomial, first: &Polynomial) -> Option<()> {
         self.motion.push(Polynomial::zero());

@@ -26,6 +26,7 @@ mod exact;
 mod fourier;
 mod truncated;
 mod fifth_order;
+mod appendices;
 
 pub use finding::{Finding, Verdict};
 pub use statement::{Document, Row};
@@ -39,7 +40,7 @@ pub fn rows() -> Vec<Row> {
 }
 
 fn statements() -> Vec<Statement> {
-    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS].concat()
+    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, appendices::STATEMENTS].concat()
 }
 
 #[cfg(test)]

@@ -105,10 +105,10 @@ fn sine_to_third(printed: &Printed) -> Option<Finding> {
     sine(printed.formula(0)?, 3)
 }
 
-/// A truncated sine against the sine, exactly.
+/// A truncated sine against the sine, exactly; an inertia beside it does not count.
 pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
     let terms = through + 8;
-    let polynomial = series_in("theta", terms, formula, &[])?;
+    let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;
     let exact = Printed::read(&["sin(theta)"])?;
     let exact = series_in("theta", terms, exact.formula(0)?, &[])?;
     let (power, error) = first_difference(&polynomial, &exact)?;
