@@ -55,3 +55,19 @@ fn power<R: Ring>(ring: &R, base: &R::Element, exponent: &Rational) -> Option<R:
         Err(_) => ring.power(base, exponent),
     }
 }
+
+/// The formula with another in place of a name.
+pub(super) fn substituted(formula: &Expression, name: &str, by: &Expression) -> Expression {
+    let inner = |a: &Expression| Box::new(substituted(a, name, by));
+    match formula {
+        Expression::Symbol(symbol) if written(symbol) == name => by.clone(),
+        Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
+        Expression::Negate(a) => Expression::Negate(inner(a)),
+        Expression::Add(a, b) => Expression::Add(inner(a), inner(b)),
+        Expression::Subtract(a, b) => Expression::Subtract(inner(a), inner(b)),
+        Expression::Multiply(a, b) => Expression::Multiply(inner(a), inner(b)),
+        Expression::Divide(a, b) => Expression::Divide(inner(a), inner(b)),
+        Expression::Power(a, b) => Expression::Power(inner(a), inner(b)),
+        Expression::Call(function, a) => Expression::Call(*function, inner(a)),
+    }
+}

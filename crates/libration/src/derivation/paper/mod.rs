@@ -26,6 +26,10 @@ mod exact;
 mod fourier;
 mod truncated;
 mod fifth_order;
+mod errors;
+mod better_formulas;
+mod claims;
+
 mod appendices;
 
 pub use finding::{Finding, Verdict};
@@ -40,7 +44,7 @@ pub fn rows() -> Vec<Row> {
 }
 
 fn statements() -> Vec<Statement> {
-    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, appendices::STATEMENTS].concat()
+    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, claims::STATEMENTS, better_formulas::STATEMENTS, appendices::STATEMENTS].concat()
 }
 
 #[cfg(test)]
