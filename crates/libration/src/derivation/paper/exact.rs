@@ -6,6 +6,7 @@ use super::exact_motion::{GRAVITY, LENGTH, instants};
 use super::finding::Finding;
 use super::power_series::PowerSeries;
 use super::printed::Printed;
+use super::quadrature::to_amplitude;
 use super::statement::{Document, Statement};
 use crate::algebra::{Rational, Ring};
 use crate::expression::Expression;
@@ -300,19 +301,11 @@ fn velocity_at_an_angle(printed: &Printed) -> Option<Finding> {
     Some(Finding::verified_if(largest < ROUNDING, "", evidence))
 }
 
-/// The period of (13): with θ = θ0·sin φ the integrand is smooth and periodic, and the midpoint rule converges
-/// faster than any power.
+/// The period of (13).
 fn period_by_quadrature(printed: &Printed, amplitude: f64) -> Option<f64> {
-    const POINTS: u32 = 60;
-    let omega0 = (GRAVITY / LENGTH).sqrt();
-    let step = std::f64::consts::FRAC_PI_2 / f64::from(POINTS);
-    let mut sum = 0.0;
-    for index in 0..POINTS {
-        let (sine, cosine) = libm::sincos(step * (f64::from(index) + 0.5));
-        let values = [("theta", amplitude * sine), ("theta0", amplitude)];
-        sum += decimal(printed.formula(1)?, &values)? * amplitude * cosine;
-    }
-    Some(sum * step * decimal(printed.formula(0)?, &[("omega0", omega0)])?)
+    let integrand = |theta: f64| decimal(printed.formula(1)?, &[("theta", theta), ("theta0", amplitude)]);
+    let factor = decimal(printed.formula(0)?, &[("omega0", (GRAVITY / LENGTH).sqrt())])?;
+    Some(factor * to_amplitude(amplitude, &integrand)?)
 }
 
 const AMPLITUDES: [f64; 4] = [30.0, 60.0, 90.0, 120.0];

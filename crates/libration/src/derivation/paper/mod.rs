@@ -20,6 +20,7 @@ mod printed;
 mod cosines;
 mod exact_motion;
 mod lindstedt;
+mod quadrature;
 mod roots;
 
 mod exact;
@@ -31,6 +32,8 @@ mod better_formulas;
 mod claims;
 
 mod appendices;
+
+mod cote;
 
 pub use finding::{Finding, Verdict};
 pub use statement::{Document, Row};
@@ -44,7 +47,7 @@ pub fn rows() -> Vec<Row> {
 }
 
 fn statements() -> Vec<Statement> {
-    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, claims::STATEMENTS, better_formulas::STATEMENTS, appendices::STATEMENTS].concat()
+    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, claims::STATEMENTS, better_formulas::STATEMENTS, appendices::STATEMENTS].into_iter().chain(cote::STATEMENTS.iter().copied()).flatten().copied().collect()
 }
 
 #[cfg(test)]

@@ -28,6 +28,11 @@ impl Printed {
         self.equations.get(equation)?.first()
     }
 
+    /// All sides of an equation.
+    pub(super) fn sides(&self, equation: usize) -> Option<&[Expression]> {
+        self.equations.get(equation).map(Vec::as_slice)
+    }
+
     /// The first side less the last: zero where the equation holds.
     pub(super) fn residual(&self, equation: usize) -> Option<Expression> {
         let (left, right) = (self.left(equation)?.clone(), self.formula(equation)?.clone());
