@@ -13,7 +13,12 @@ pub(crate) struct PrimeField {
     one: u64,
     /// 2¹²⁸ mod p, which brings an integer into Montgomery form.
     radix_squared: u64,
+    /// 1/n for small n.
+    inverses: Vec<u64>,
 }
+
+/// How many inverses of small integers are kept.
+const KEPT_INVERSES: u64 = 512;
 
 impl PrimeField {
     /// The field of an odd prime below 2⁶².
@@ -26,7 +31,15 @@ impl PrimeField {
         let radix = (1_u128 << 64) % u128::from(prime);
         let word = |value: u128| u64::try_from(value).expect("it is below the prime");
         let radix_squared = word(radix * radix % u128::from(prime));
-        Self { prime, negative_inverse: inverse.wrapping_neg(), one: word(radix), radix_squared }
+        let (negative_inverse, one) = (inverse.wrapping_neg(), word(radix));
+        let mut field = Self { prime, negative_inverse, one, radix_squared, inverses: vec![0, one] };
+        for n in 2..KEPT_INVERSES {
+            // p = n·⌊p/n⌋ + r, hence 1/n = −⌊p/n⌋/r.
+            let remainder = usize::try_from(prime % n).expect("it is below the number of inverses kept");
+            let product = field.product(field.integer(prime / n), field.inverses[remainder]);
+            field.inverses.push(field.difference(0, product));
+        }
+        field
     }
 
     pub(crate) fn prime(&self) -> u64 {
@@ -194,7 +207,11 @@ impl Ring for PrimeField {
     }
 
     fn over_integer(&self, a: &u64, divisor: u64) -> Option<u64> {
-        self.divide(a, &self.integer(divisor))
+        let kept = usize::try_from(divisor).ok().and_then(|n| self.inverses.get(n)).filter(|&&n| n != 0);
+        match kept {
+            Some(&inverse) => Some(self.product(*a, inverse)),
+            None => self.divide(a, &self.integer(divisor)),
+        }
     }
 
     fn value(&self, _: Function, _: &u64) -> Option<u64> {
@@ -230,9 +247,8 @@ fn is_prime(n: u64) -> bool {
     if let Some(&small) = BASES.iter().find(|&&base| n.is_multiple_of(base)) {
         return n == small;
     }
-    let multiply = |a: u64, b: u64| {
-        u64::try_from(u128::from(a) * u128::from(b) % u128::from(n)).expect("it is below n")
-    };
+    let multiply =
+        |a: u64, b: u64| u64::try_from(u128::from(a) * u128::from(b) % u128::from(n)).expect("it is below n");
     let raise = |base: u64, exponent: u64| {
         let bits = (0..u64::BITS - exponent.leading_zeros()).rev();
         bits.fold(1, |power, bit| {

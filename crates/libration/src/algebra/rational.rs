@@ -108,6 +108,17 @@ impl Rational {
         Some(Self::from_parts(sign * IBig::from(exact(&magnitude)?), exact(denominator)?))
     }
 
+    /// The fraction of least denominator strictly between two others.
+    pub(crate) fn simplest_between(low: &Self, high: &Self) -> Self {
+        Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
+    }
+
+    /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
+    pub(crate) fn coarsened(&self) -> Self {
+        let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
+        Self::simplest_between(&below, self)
+    }
+
     /// aⁿ; `None` for a negative power of zero, or more bits than 2²⁶.
     pub(crate) fn integer_power(&self, n: isize) -> Option<Self> {
         const BITS: usize = 1 << 26;
@@ -116,8 +127,7 @@ impl Rational {
         if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {
             return None;
         }
-        let power =
-            Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
+        let power = Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
         if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
     }
 

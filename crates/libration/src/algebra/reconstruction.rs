@@ -181,7 +181,8 @@ mod tests {
     #[test]
     fn fractions_of_any_size_come_back() {
         let power = |base: i64, n: isize| Rational::new(base, 7).unwrap().integer_power(n).unwrap();
-        let numbers = vec![Rational::from(0), power(-3, 5), power(22, 300), power(5, -211), Rational::from(-1)];
+        let numbers =
+            vec![Rational::from(0), power(-3, 5), power(22, 300), power(5, -211), Rational::from(-1)];
         let mut known = Known(numbers.clone(), 0);
         let found = reconstruct(&mut known, primes_with_roots(20)).unwrap().unwrap();
         assert_eq!(found, numbers);

@@ -37,8 +37,9 @@ impl SampledHarmonics {
         let period = Self::period(degree);
         let order = u64::try_from(period).ok()?;
         let root = field.root_of_unity(order)?;
-        let powers: Vec<u64> =
-            std::iter::successors(Some(field.unit()), |&z| Some(field.product(z, root))).take(period).collect();
+        let powers: Vec<u64> = std::iter::successors(Some(field.unit()), |&z| Some(field.product(z, root)))
+            .take(period)
+            .collect();
         let conjugate = |j: usize| powers[(period - j) % period];
         let half = field.inverse(field.integer(2))?;
         // powers[M/4] is the imaginary unit.
@@ -144,7 +145,7 @@ impl Ring for SampledHarmonics {
     }
 
     fn over_integer(&self, a: &Vec<u64>, divisor: u64) -> Option<Vec<u64>> {
-        Some(self.times_number(a, &self.field.inverse(self.field.integer(divisor))?))
+        Some(self.times_number(a, &self.field.over_integer(&self.field.unit(), divisor)?))
     }
 
     fn value(&self, _: Function, _: &Vec<u64>) -> Option<Vec<u64>> {
@@ -223,7 +224,8 @@ mod tests {
 
     /// Coefficients that obey the symmetry, different for each seed.
     fn terms(symmetry: Symmetry, seed: i64) -> Vec<(usize, Harmonic<i64>)> {
-        let allowed = (0..6_usize).filter(|k| !symmetry.half_wave || k % 2 == seed.unsigned_abs() as usize % 2);
+        let allowed =
+            (0..6_usize).filter(|k| !symmetry.half_wave || k % 2 == seed.unsigned_abs() as usize % 2);
         let sine = |k: i64| if symmetry.even_in_phase || k == 0 { 0 } else { seed - 2 * k };
         allowed.map(|k| (k, Harmonic { cosine: seed + 3 * k as i64, sine: sine(k as i64) })).collect()
     }

@@ -22,6 +22,8 @@ pub(crate) struct Excitation<'a, R: PhaseRing> {
     pub(crate) slope: Number<R>,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
+    /// The acceleration is odd: x′ and x have odd harmonics only.
+    pub(crate) symmetric: bool,
 }
 
 /// The highest harmonic at order n.
@@ -87,6 +89,8 @@ struct Expansion<'a, R: PhaseRing> {
     jet: Jet<'a, R>,
     position_gains: Vec<R::Element>,
     velocity_gains: Vec<R::Element>,
+    /// 1/ω0².
+    compliance: Number<R>,
     squared: Vec<Number<R>>,
     frequency: Vec<Number<R>>,
     /// xₙₖ by n and k.
@@ -105,6 +109,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             excitation,
             position_gains: jet.gains(0).ok()?,
             velocity_gains: jet.gains(1).ok()?,
+            compliance: numbers.divide(&one, &numbers.multiply(&excitation.omega0, &excitation.omega0))?,
             jet,
             squared: vec![one.clone()],
             frequency: vec![one],
@@ -117,13 +122,14 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let numbers = self.ring.numbers();
         let rest = self.settle_amplitude()?;
         let n = self.orders.len();
-        let secular = numbers.add(&self.driving(&rest, 1)?.cosine, &self.mixed(1).cosine);
+        let secular = numbers.add(&self.driving(&rest, 1).cosine, &self.mixed(1).cosine);
         let next = numbers.divide(&numbers.negate(&secular), &self.excitation.amplitude)?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
         let nothing = || Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let symmetric = self.excitation.symmetric;
         let forced = (0..=highest_harmonic(self.excitation.degree, n))
-            .map(|k| if k == 1 { Some(nothing()) } else { self.forced(&rest, k) })
+            .map(|k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) })
             .collect::<Option<Vec<_>>>()?;
         self.orders.push(forced);
         let position = self.sum_of(&self.orders[n]);
@@ -157,11 +163,11 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn forced(&self, rest: &R::Element, k: usize) -> Option<Harmonic<Number<R>>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
-        let detuning = u64::try_from((k_squared - 1).abs()).ok()?;
-        let (driving, mixed) = (self.driving(rest, k)?, self.mixed(k));
+        let detunings = if k == 0 { [1, 1] } else { [u64::try_from(k).ok()? - 1, u64::try_from(k).ok()? + 1] };
+        let (driving, mixed) = (self.driving(rest, k), self.mixed(k));
         let respond = |driving: &Number<R>, mixed: &Number<R>| {
             let forcing = numbers.add(driving, &numbers.times_integer(mixed, k_squared));
-            let response = numbers.over_integer(&forcing, detuning)?;
+            let response = numbers.over_integer(&numbers.over_integer(&forcing, detunings[0])?, detunings[1])?;
             Some(if k == 0 { response } else { numbers.negate(&response) })
         };
         Some(Harmonic {
@@ -171,14 +177,13 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     }
 
     /// Rₙₖ/ω0².
-    fn driving(&self, rest: &R::Element, k: usize) -> Option<Harmonic<Number<R>>> {
+    fn driving(&self, rest: &R::Element, k: usize) -> Harmonic<Number<R>> {
         let numbers = self.ring.numbers();
-        let squared = numbers.multiply(&self.excitation.omega0, &self.excitation.omega0);
         let Harmonic { cosine, sine } = self.ring.harmonic(rest, k);
-        Some(Harmonic {
-            cosine: numbers.divide(&cosine, &squared)?,
-            sine: numbers.divide(&sine, &squared)?,
-        })
+        Harmonic {
+            cosine: numbers.multiply(&cosine, &self.compliance),
+            sine: numbers.multiply(&sine, &self.compliance),
+        }
     }
 
     /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 where k ≠ 1 and it is nothing.

@@ -58,7 +58,8 @@ struct Expansion<'a, R: PhaseRing> {
     jet: Jet<'a, R>,
     gains: Gains<R::Element>,
     inputs: usize,
-    omega0_squared: Number<R>,
+    /// 1/ω0².
+    compliance: Number<R>,
     omega0: Option<Number<R>>,
     /// W₀, W₁, ….
     squared: Vec<Number<R>>,
@@ -84,7 +85,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             jet,
             gains,
             inputs: centre.tape.inputs(),
-            omega0_squared: centre.omega0_squared,
+            compliance: ring.numbers().divide(&one, &centre.omega0_squared)?,
             omega0: centre.omega0,
             squared: vec![one.clone()],
             frequency: vec![one],
@@ -114,7 +115,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     /// Wₙ₋₁ from the harmonic cos τ of order n.
     fn impose_solvability(&mut self, rest: &R::Element) -> Option<()> {
         let numbers = self.ring.numbers();
-        let secular = numbers.add(&self.driving(rest, 1)?, &self.mixed(1));
+        let secular = numbers.add(&self.driving(rest, 1), &self.mixed(1));
         let next = numbers.divide(&numbers.negate(&secular), &self.cosines[1][1])?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
@@ -126,17 +127,20 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
         let forcing = numbers.add(
-            &self.driving(rest, k)?,
+            &self.driving(rest, k),
             &numbers.times_integer(&self.mixed(k), k_squared),
         );
-        let detuning = u64::try_from((k_squared - 1).abs()).ok()?;
-        let response = numbers.over_integer(&forcing, detuning)?;
-        Some(if k == 0 { response } else { numbers.negate(&response) })
+        if k == 0 {
+            return Some(forcing);
+        }
+        let k = u64::try_from(k).ok()?;
+        let response = numbers.over_integer(&numbers.over_integer(&forcing, k - 1)?, k + 1)?;
+        Some(numbers.negate(&response))
     }
 
     /// Rₙₖ/ω0².
-    fn driving(&self, rest: &R::Element, k: usize) -> Option<Number<R>> {
-        self.ring.numbers().divide(&self.ring.harmonic(rest, k).cosine, &self.omega0_squared)
+    fn driving(&self, rest: &R::Element, k: usize) -> Number<R> {
+        self.ring.numbers().multiply(&self.ring.harmonic(rest, k).cosine, &self.compliance)
     }
 
     /// Σ Wₙ₋ⱼ·xⱼₖ over 1 < j < n, and j = 1 where W is known and k ≠ 1.

@@ -11,18 +11,25 @@ use crate::series::truncated::{powers, powers_of_inverse};
 
 /// What kind of periodic motion is expanded, and what it takes.
 #[derive(Clone, Debug)]
-pub(crate) enum Motion {
+pub(crate) enum Motion<N> {
     /// A family about a centre, in a gauge.
     Centre { gauge: Gauge, symmetric: bool },
     /// The limit cycle of a self-excitation of total degree `degree`.
-    LimitCycle { amplitude: Scaled, slope: Scaled, degree: usize },
+    LimitCycle(Selected<N>),
 }
 
-/// A fraction times the square root of another one.
+/// The limit cycle that the self-excitation selects at lowest order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Scaled {
-    pub(crate) factor: Rational,
-    pub(crate) under_root: Rational,
+pub(crate) struct Selected<N> {
+    /// The amplitude, in units of √`unit_squared`.
+    pub(crate) amplitude: N,
+    pub(crate) unit_squared: N,
+    /// The derivative of the condition with respect to the amplitude.
+    pub(crate) slope: N,
+    /// The total degree of the acceleration in x and x′.
+    pub(crate) degree: usize,
+    /// The acceleration is odd.
+    pub(crate) symmetric: bool,
 }
 
 /// An oscillator and the question about it. `N` is the kind of its numbers.
@@ -34,7 +41,7 @@ pub(crate) struct Model<N> {
     pub(crate) values: Vec<N>,
     pub(crate) omega0_squared: N,
     pub(crate) uses_velocity: bool,
-    pub(crate) motion: Motion,
+    pub(crate) motion: Motion<N>,
     pub(crate) order: usize,
 }
 
@@ -43,42 +50,38 @@ impl<N> Model<N> {
     pub(crate) fn highest_harmonic(&self) -> usize {
         match self.motion {
             Motion::Centre { .. } => self.order,
-            Motion::LimitCycle { degree, .. } => highest_harmonic(degree, self.order + 1),
+            Motion::LimitCycle(ref selected) => highest_harmonic(selected.degree, self.order + 1),
         }
     }
 
-    /// All series, over a ring into which the model's numbers are taken by `number`, and roots by `root`.
+    /// All series, over a ring into which the model's numbers are taken by `number`, and their roots by `root`.
     /// `None` when one of them is not in the ring.
     pub(crate) fn series<R: PhaseRing>(
         &self,
         ring: &R,
         number: impl Fn(&N) -> Option<Number<R>>,
-        root: impl Fn(&Number<R>) -> Option<Number<R>>,
+        root: impl Fn(&N) -> Option<Number<R>>,
     ) -> Option<SeriesSet<Number<R>>> {
         let values = self.values.iter().map(&number).collect::<Option<Vec<_>>>()?;
         let omega0_squared = number(&self.omega0_squared)?;
-        let numbers = Numbers { values, omega0: root(&omega0_squared), omega0_squared };
+        let numbers = Numbers { values, omega0: root(&self.omega0_squared), omega0_squared };
         match &self.motion {
             Motion::Centre { gauge, symmetric } => {
                 let family = self.centre_family(ring, &numbers, gauge)?;
                 let amplitudes = if *symmetric { Amplitudes::One } else { Amplitudes::Both };
                 SeriesSet::new(ring.numbers(), family, amplitudes)
             }
-            Motion::LimitCycle { amplitude, slope, degree } => {
-                let field = ring.numbers();
-                let scaled = |scaled: &Scaled| {
-                    let root = root(&field.rational(&scaled.under_root)?)?;
-                    Some(field.multiply(&field.rational(&scaled.factor)?, &root))
-                };
+            Motion::LimitCycle(selected) => {
+                let (field, unit) = (ring.numbers(), root(&selected.unit_squared)?);
                 let excitation = Excitation {
                     tape: &self.tape,
                     omega0: numbers.omega0?,
-                    amplitude: scaled(amplitude)?,
-                    slope: scaled(slope)?,
-                    degree: *degree,
+                    amplitude: field.multiply(&number(&selected.amplitude)?, &unit),
+                    slope: number(&selected.slope)?,
+                    degree: selected.degree,
+                    symmetric: selected.symmetric,
                 };
                 let family = limit_cycle(ring, &excitation, self.order)?;
-                let unit = root(&field.rational(&amplitude.under_root)?)?;
                 SeriesSet::new(field, in_units(field, family, &unit)?, Amplitudes::None)
             }
         }
@@ -160,9 +163,10 @@ fn constant<R: PhaseRing>(ring: &R, value: &Number<R>) -> R::Element {
 
 /// The harmonics divided by a unit of length.
 fn in_units<R: Ring>(ring: &R, mut family: Family<R::Element>, unit: &R::Element) -> Option<Family<R::Element>> {
+    let per_unit = ring.divide(&ring.rational(&Rational::from(1))?, unit)?;
     for harmonic in family.harmonics.iter_mut().flatten() {
-        harmonic.cosine = ring.divide(&harmonic.cosine, unit)?;
-        harmonic.sine = ring.divide(&harmonic.sine, unit)?;
+        harmonic.cosine = ring.multiply(&harmonic.cosine, &per_unit);
+        harmonic.sine = ring.multiply(&harmonic.sine, &per_unit);
     }
     Some(family)
 }

@@ -40,7 +40,7 @@ fn symmetry(model: &Model<Rational>) -> Symmetry {
             half_wave: list.iter().skip(1).step_by(2).all(Rational::is_zero),
         },
         Motion::Centre { .. } => Symmetry { even_in_phase: !model.uses_velocity, half_wave: true },
-        Motion::LimitCycle { .. } => Symmetry { even_in_phase: false, half_wave: false },
+        Motion::LimitCycle(selected) => Symmetry { even_in_phase: false, half_wave: selected.symmetric },
     }
 }
 
@@ -63,7 +63,7 @@ impl Images for ModelImages<'_> {
     fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, Unsolved> {
         let degree = self.model.highest_harmonic();
         let set = SampledHarmonics::new(field.clone(), degree, self.symmetry).and_then(|ring| {
-            self.model.series(&ring, |number| field.rational(number), |&square| field.square_root(square))
+            self.model.series(&ring, |number| field.rational(number), |square| root(field, square))
         });
         let Some(set) = set else {
             self.bad += 1;
@@ -76,5 +76,13 @@ impl Images for ModelImages<'_> {
         let numbers = set.numbers();
         self.shape.get_or_insert(set);
         Ok(Some(numbers))
+    }
+}
+
+/// The root itself where it is a fraction, else one of the two in the field.
+fn root(field: &PrimeField, square: &Rational) -> Option<u64> {
+    match square.square_root() {
+        Some(root) => field.rational(&root),
+        None => field.square_root(field.rational(square)?),
     }
 }

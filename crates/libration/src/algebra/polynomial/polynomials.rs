@@ -1,7 +1,7 @@
 //! The ring of polynomials with rational coefficients.
 
 use super::{Polynomial, product};
-use crate::algebra::{Function, Rational, Ring};
+use crate::algebra::{Function, Rational, Rationals, Ring};
 
 /// The ring of all [`Polynomial`]s, for series whose coefficients keep symbols open.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,23 +51,17 @@ impl Ring for Polynomials {
         Some(a.scaled(&inverse))
     }
 
-    /// Only at 0, and the logarithm at 1: elsewhere no value is a polynomial, or it is irrational.
+    /// Of numbers only, where the value is a fraction.
     fn value(&self, function: Function, at: &Polynomial) -> Option<Polynomial> {
-        let at = at.to_constant()?;
-        let value = match function {
-            Function::Ln => (at == Rational::from(1)).then_some(0),
-            _ if !at.is_zero() => None,
-            Function::Cos | Function::Cosh | Function::Exp => Some(1),
-            Function::Acos => None,
-            _ => Some(0),
-        };
-        value.map(|value| Polynomial::constant(Rational::from(value)))
+        Rationals.value(function, &at.to_constant()?).map(Polynomial::constant)
     }
 
-    /// Natural exponents only.
+    /// Natural exponents, and those that have a value for a number.
     fn power(&self, a: &Polynomial, exponent: &Rational) -> Option<Polynomial> {
-        let natural = exponent.to_string().parse::<u32>().ok()?;
-        Some(a.pow(natural))
+        match a.to_constant() {
+            Some(number) => Rationals.power(&number, exponent).map(Polynomial::constant),
+            None => Some(a.pow(exponent.to_string().parse().ok()?)),
+        }
     }
 
     fn pi(&self) -> Option<Polynomial> {
@@ -90,11 +84,13 @@ mod tests {
     }
 
     #[test]
-    fn functions_have_their_values_at_the_origin() {
+    fn functions_of_numbers_have_their_values() {
         let constant = |n: i64| Polynomial::constant(Rational::from(n));
-        assert_eq!(Polynomials.value(Function::Sin, &constant(0)), Some(constant(0)));
         assert_eq!(Polynomials.value(Function::Cosh, &constant(0)), Some(constant(1)));
-        assert_eq!(Polynomials.value(Function::Ln, &constant(1)), Some(constant(0)));
-        assert_eq!(Polynomials.value(Function::Acos, &constant(0)), None);
+        assert_eq!(Polynomials.value(Function::Sin, &constant(1)), None);
+        assert_eq!(
+            Polynomials.power(&constant(4), &Rational::new(-1, 2).unwrap()).unwrap().to_string(),
+            "1/2"
+        );
     }
 }

@@ -26,15 +26,14 @@ fn signed_sum(polynomial: &Polynomial, write: fn(&Monomial, &Rational) -> String
     }
     let mut text = String::new();
     for (monomial, factor) in polynomial.terms() {
-        let negative = *factor < Rational::from(0);
+        let negative = factor.is_negative();
         text.push_str(match (text.is_empty(), negative) {
             (true, false) => "",
             (true, true) => "-",
             (false, false) => " + ",
             (false, true) => " - ",
         });
-        let magnitude = if negative { -factor.clone() } else { factor.clone() };
-        text.push_str(&write(monomial, &magnitude));
+        text.push_str(&write(monomial, &factor.magnitude()));
     }
     text
 }
