@@ -2,7 +2,7 @@
 
 use super::compare::{decimal, series_in};
 use super::errors::{PLOTTED, error, exact_at, in_words, leaders};
-use super::evaluate::{substituted, value};
+use super::evaluate::value;
 use super::exact::agreement;
 use super::finding::Finding;
 use super::power_series::PowerSeries;
@@ -11,7 +11,7 @@ use super::roots::in_degrees;
 use super::statement::{Document, Statement};
 use super::Verdict;
 use crate::algebra::{Rational, Ring};
-use crate::expression::Expression;
+use crate::expression::{Expression, Symbol};
 use crate::period_formulas::PeriodFormula;
 
 const fn statement(
@@ -104,7 +104,7 @@ const READINGS: [&str; 5] =
 
 fn belendez(printed: &Printed) -> Option<Finding> {
     let formula = printed.formula(0)?;
-    let inserted = |under: &Expression| substituted(formula, "r", under);
+    let inserted = |under: &Expression| formula.substitute(&Symbol::plain("r"), under);
     let stands = inserted(printed.formula(1)?);
     if let Some(found) = agreement(&stands, 2).filter(|found| found.verdict == Verdict::Verified) {
         return Some(found);
@@ -138,7 +138,7 @@ fn damping(printed: &Printed) -> Option<Finding> {
     let mut driving = Vec::new();
     for n in 1..=4 {
         let exponent = Expression::Number(Rational::from(n));
-        let equation = substituted(printed.left(0)?, "n", &exponent);
+        let equation = printed.left(0)?.substitute(&Symbol::plain("n"), &exponent);
         let power_loss = |velocity: f64| {
             let values =
                 [("theta''", 0.0), ("theta", 0.0), ("theta'", velocity), ("c", 1.0), ("omega0", 1.0)];
@@ -165,7 +165,7 @@ fn damping(printed: &Printed) -> Option<Finding> {
 fn integral_of_square_damping(printed: &Printed) -> Option<bool> {
     const TERMS: usize = 9;
     let ring = PowerSeries::rational(TERMS);
-    let equation = substituted(printed.left(0)?, "n", &Expression::Number(Rational::from(2)));
+    let equation = printed.left(0)?.substitute(&Symbol::plain("n"), &Expression::Number(Rational::from(2)));
     let c = ring.rational(&Rational::new(1, 3)?)?;
     let start = ring.multiply(&ring.variable()?, &ring.rational(&Rational::new(3, 4)?)?);
     let slope = |series: &[Rational]| {

@@ -22,21 +22,8 @@ pub(super) fn value<R: Ring>(
         Expression::Subtract(a, b) => operands(a, b).map(|(a, b)| ring.subtract(&a, &b)),
         Expression::Multiply(a, b) => operands(a, b).map(|(a, b)| ring.multiply(&a, &b)),
         Expression::Divide(a, b) => operands(a, b).and_then(|(a, b)| ring.divide(&a, &b)),
-        Expression::Power(a, exponent) => power(ring, &value(ring, a, of)?, &number(exponent)?),
+        Expression::Power(a, exponent) => power(ring, &value(ring, a, of)?, &exponent.to_rational()?),
         Expression::Call(function, a) => ring.value(*function, &value(ring, a, of)?),
-    }
-}
-
-/// A formula without symbols as an exact number.
-pub(super) fn number(formula: &Expression) -> Option<Rational> {
-    match formula {
-        Expression::Number(number) => Some(number.clone()),
-        Expression::Negate(a) => Some(-number(a)?),
-        Expression::Add(a, b) => Some(number(a)? + number(b)?),
-        Expression::Subtract(a, b) => Some(number(a)? - number(b)?),
-        Expression::Multiply(a, b) => Some(number(a)? * number(b)?),
-        Expression::Divide(a, b) => number(a)?.checked_div(&number(b)?),
-        _ => None,
     }
 }
 
@@ -53,21 +40,5 @@ fn power<R: Ring>(ring: &R, base: &R::Element, exponent: &Rational) -> Option<R:
             Some((0..natural).fold(one, |product, _| ring.multiply(&product, base)))
         }
         Err(_) => ring.power(base, exponent),
-    }
-}
-
-/// The formula with another in place of a name.
-pub(super) fn substituted(formula: &Expression, name: &str, by: &Expression) -> Expression {
-    let inner = |a: &Expression| Box::new(substituted(a, name, by));
-    match formula {
-        Expression::Symbol(symbol) if written(symbol) == name => by.clone(),
-        Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
-        Expression::Negate(a) => Expression::Negate(inner(a)),
-        Expression::Add(a, b) => Expression::Add(inner(a), inner(b)),
-        Expression::Subtract(a, b) => Expression::Subtract(inner(a), inner(b)),
-        Expression::Multiply(a, b) => Expression::Multiply(inner(a), inner(b)),
-        Expression::Divide(a, b) => Expression::Divide(inner(a), inner(b)),
-        Expression::Power(a, b) => Expression::Power(inner(a), inner(b)),
-        Expression::Call(function, a) => Expression::Call(*function, inner(a)),
     }
 }

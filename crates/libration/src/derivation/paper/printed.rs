@@ -1,10 +1,9 @@
-//! What a document prints, read from text: formulas and equations of numbers, names, + − * / ^, functions and
-//! parentheses.
+//! What a document prints, read from text: formulas, and equations with two sides or more.
 
-use crate::algebra::{Function, Rational};
-use crate::expression::{Expression, Symbol};
+use crate::algebra::Rational;
+use crate::expression::Expression;
 
-use super::evaluate::{number, written};
+use super::evaluate::written;
 
 /// The formulas of a statement; an equation is the list of its sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +13,7 @@ pub(super) struct Printed {
 
 impl Printed {
     pub(super) fn read(texts: &[&str]) -> Option<Self> {
-        let sides = |text: &&str| text.split('=').map(formula).collect::<Option<Vec<_>>>();
+        let sides = |text: &&str| text.split('=').map(|side| side.parse().ok()).collect::<Option<Vec<_>>>();
         Some(Self { equations: texts.iter().map(sides).collect::<Option<Vec<_>>>()? })
     }
 
@@ -41,7 +40,7 @@ impl Printed {
 
     /// The formula of an equation as a number.
     pub(super) fn number(&self, equation: usize) -> Option<Rational> {
-        number(self.formula(equation)?)
+        self.formula(equation)?.to_rational()
     }
 
     /// The formula that stands last.
@@ -64,7 +63,7 @@ impl Printed {
 /// The names of an equation with their values.
 fn values_of_names(sides: &[Expression]) -> Option<Vec<(String, Rational)>> {
     let (value, names) = sides.split_last()?;
-    let value = number(value)?;
+    let value = value.to_rational()?;
     let named = |side: &Expression| match side {
         Expression::Symbol(symbol) => Some((written(symbol), value.clone())),
         Expression::Negate(inner) => match inner.as_ref() {
@@ -74,93 +73,4 @@ fn values_of_names(sides: &[Expression]) -> Option<Vec<(String, Rational)>> {
         _ => None,
     };
     names.iter().map(named).collect()
-}
-
-/// The formula of a text; `None` when it is none.
-fn formula(text: &str) -> Option<Expression> {
-    let mut reader = Reader { rest: text.trim() };
-    let sum = reader.sum()?;
-    reader.rest.is_empty().then_some(sum)
-}
-
-struct Reader<'a> {
-    rest: &'a str,
-}
-
-impl<'a> Reader<'a> {
-    fn takes(&mut self, sign: char) -> bool {
-        let found = self.rest.strip_prefix(sign).map(str::trim_start);
-        self.rest = found.unwrap_or(self.rest);
-        found.is_some()
-    }
-
-    fn take_while(&mut self, fits: impl Fn(char) -> bool) -> &'a str {
-        let end = self.rest.find(|letter| !fits(letter)).unwrap_or(self.rest.len());
-        let (taken, rest) = self.rest.split_at(end);
-        self.rest = rest.trim_start();
-        taken
-    }
-
-    fn sum(&mut self) -> Option<Expression> {
-        let mut sum =
-            if self.takes('-') { Expression::Negate(Box::new(self.product()?)) } else { self.product()? };
-        loop {
-            if self.takes('+') {
-                sum = Expression::Add(Box::new(sum), Box::new(self.product()?));
-            } else if self.takes('-') {
-                sum = Expression::Subtract(Box::new(sum), Box::new(self.product()?));
-            } else {
-                return Some(sum);
-            }
-        }
-    }
-
-    fn product(&mut self) -> Option<Expression> {
-        let mut product = self.power()?;
-        loop {
-            if self.takes('*') {
-                product = Expression::Multiply(Box::new(product), Box::new(self.power()?));
-            } else if self.takes('/') {
-                product = Expression::Divide(Box::new(product), Box::new(self.power()?));
-            } else {
-                return Some(product);
-            }
-        }
-    }
-
-    fn power(&mut self) -> Option<Expression> {
-        let base = self.atom()?;
-        if !self.takes('^') {
-            return Some(base);
-        }
-        Some(Expression::Power(Box::new(base), Box::new(self.power()?)))
-    }
-
-    fn atom(&mut self) -> Option<Expression> {
-        if self.takes('(') {
-            let inner = self.sum()?;
-            return self.takes(')').then_some(inner);
-        }
-        if self.rest.starts_with(|letter: char| letter.is_ascii_digit()) {
-            let digits = self.take_while(|letter| letter.is_ascii_digit());
-            return digits.parse::<Rational>().ok().map(Expression::Number);
-        }
-        self.name()
-    }
-
-    fn name(&mut self) -> Option<Expression> {
-        let name = self.take_while(|letter| letter.is_ascii_alphanumeric());
-        if name.is_empty() {
-            return None;
-        }
-        if name == "pi" {
-            return Some(Expression::Pi);
-        }
-        if let Some(function) = Function::by_name(name) {
-            let argument = self.rest.starts_with('(').then(|| self.atom())??;
-            return Some(Expression::Call(function, Box::new(argument)));
-        }
-        let primes = u8::try_from(self.take_while(|letter| letter == '\'').len()).ok()?;
-        Some(Expression::Symbol(Symbol { name: name.to_owned(), primes }))
-    }
 }

@@ -3,13 +3,12 @@
 use super::statement;
 use crate::algebra::Rational;
 use crate::derivation::paper::compare::{ROUNDING, decimal, identity, series_in};
-use crate::derivation::paper::evaluate::substituted;
 use crate::derivation::paper::exact_motion::{GRAVITY, Instant, LENGTH, instants};
 use crate::derivation::paper::finding::Finding;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::quadrature::to_amplitude;
 use crate::derivation::paper::statement::Statement;
-use crate::expression::Expression;
+use crate::expression::{Expression, Symbol};
 use crate::pendulum::{Amplitude, Pendulum};
 use crate::quantity::Angle;
 
@@ -214,7 +213,7 @@ fn binomial_series(printed: &Printed) -> Option<Finding> {
     let mut right = true;
     for (numerator, denominator) in exponents {
         let n = Expression::Number(Rational::new(numerator, denominator)?);
-        let side = |side: &Expression| series_in("x", 4, &substituted(side, "n", &n), &[]);
+        let side = |side: &Expression| series_in("x", 4, &side.substitute(&Symbol::plain("n"), &n), &[]);
         right &= side(printed.left(0)?)? == side(printed.formula(0)?)?;
     }
     let evidence = "the first four terms are exact for n = -1/2, 1/3, -2 and 5/2; the series converges for |x| < 1";

@@ -3,7 +3,6 @@
 use super::statement;
 use crate::algebra::{Polynomial, Rational};
 use crate::derivation::paper::compare::{decimal, identity, polynomial, series_in};
-use crate::derivation::paper::evaluate::substituted;
 use crate::derivation::paper::exact::agreement;
 use crate::derivation::paper::finding::Finding;
 use crate::derivation::paper::printed::Printed;
@@ -11,7 +10,7 @@ use crate::derivation::paper::quadrature::quarter;
 use crate::derivation::paper::statement::Statement;
 use crate::derivation::paper::Verdict;
 use crate::elliptic::Modulus;
-use crate::expression::Expression;
+use crate::expression::{Expression, Symbol};
 use crate::pendulum::{Amplitude, Pendulum};
 use crate::period_formulas::{PeriodFormula, period_in_sine_squared};
 use crate::quantity::Angle;
@@ -158,7 +157,7 @@ fn mean_of_power(n: i64) -> Option<Rational> {
 
 /// A term of a sum at n as a polynomial in m and s, the integrals in units of π/2.
 fn term(formula: &Expression, n: i64) -> Option<Polynomial> {
-    let at = substituted(formula, "n", &Expression::Number(Rational::from(n)));
+    let at = at_index(formula, n);
     let integral = |n: i64| Some(Polynomial::constant(mean_of_power(n.max(0))?));
     let over = |value: Rational| Some(Polynomial::constant(value));
     let replaced = [
@@ -178,7 +177,7 @@ fn term(formula: &Expression, n: i64) -> Option<Polynomial> {
 fn in_half_pi(formula: &Expression) -> Expression {
     let twice = Expression::Multiply(
         Box::new(Expression::Number(Rational::from(2))),
-        Box::new(Expression::Symbol(crate::expression::Symbol { name: "halfpi".to_owned(), primes: 0 })),
+        Box::new(Expression::symbol("halfpi")),
     );
     replace_pi(formula, &twice)
 }
@@ -291,7 +290,7 @@ fn first_integral(printed: &Printed) -> Option<Finding> {
 }
 
 fn at_index(formula: &Expression, n: i64) -> Expression {
-    substituted(formula, "n", &Expression::Number(Rational::from(n)))
+    formula.substitute(&Symbol::plain("n"), &Expression::Number(Rational::from(n)))
 }
 
 fn split_sine(printed: &Printed) -> Option<Finding> {
