@@ -32,7 +32,10 @@ impl Paper {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let chosen: Vec<Row> = rows().into_iter().filter(|row| self.is_asked_for(row)).collect();
         if chosen.is_empty() {
-            return Err(Failure::no_answer("paper", "no statement is like that: leave out --label or --only"));
+            return Err(Failure::no_answer(
+                "paper",
+                "no statement is like that: leave out --label or --only",
+            ));
         }
         match self.form.form() {
             Form::Json => {
@@ -89,12 +92,16 @@ fn record(row: &Row) -> Record {
 }
 
 fn write_csv(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
-    csv::line(out, &["document", "label", "claim", "printed", "verdict", "correct", "evidence", "holds_for_rad"])?;
+    csv::line(
+        out,
+        &["document", "label", "claim", "printed", "verdict", "correct", "evidence", "holds_for_rad"],
+    )?;
     for row in rows {
         let finding = &row.finding;
-        let ranges = finding.holds_for.iter().map(|&(from, to)| {
-            format!("{} to {}", number::exact(from), number::exact(to))
-        });
+        let ranges = finding
+            .holds_for
+            .iter()
+            .map(|&(from, to)| format!("{} to {}", number::exact(from), number::exact(to)));
         csv::line(
             out,
             &[

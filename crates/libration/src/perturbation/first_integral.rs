@@ -57,7 +57,8 @@ fn minus_twice_integral_with_sine(force: &Sum, highest: usize) -> Option<Sum> {
         // 2 sin φ cos kφ = sin (k+1)φ − sin (k−1)φ, and −∫ sin jφ = cos jφ/j − 1/j.
         for (j, sign) in [(k + 1, 1), (k.abs_diff(1), if k == 0 { 1 } else { -1 })] {
             if j > 0 {
-                let part = Rationals.over_integer(&Rationals.times_integer(&f, sign), u64::try_from(j).ok()?)?;
+                let part =
+                    Rationals.over_integer(&Rationals.times_integer(&f, sign), u64::try_from(j).ok()?)?;
                 let both = [
                     (j, Harmonic { cosine: part.clone(), sine: Rational::from(0) }),
                     (0, Harmonic { cosine: -part, sine: Rational::from(0) }),
@@ -86,7 +87,9 @@ fn over_squared_sine(sum: &Sum, highest: usize) -> Option<Sum> {
         .map(|(k, cosine)| (k, Harmonic { cosine, sine: Rational::from(0) }))
         .collect();
     let quotient = RING.sum_of_harmonics(&terms);
-    let half = |k, numerator| wave(k, Rational::new(numerator, 2).unwrap_or_else(|| Rational::from(0)), Rational::from(0));
+    let half = |k, numerator| {
+        wave(k, Rational::new(numerator, 2).unwrap_or_else(|| Rational::from(0)), Rational::from(0))
+    };
     let product = RING.multiply(&quotient, &RING.add(&half(0, 1), &half(2, -1)));
     RING.is_zero(&RING.subtract(&product, sum)).then_some(quotient)
 }

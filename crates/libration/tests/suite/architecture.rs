@@ -13,6 +13,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
+    ("derivation", &["elliptic", "pendulum", "period_formulas", "algebra", "series", "expression"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

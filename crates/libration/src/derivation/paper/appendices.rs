@@ -63,7 +63,12 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["(-16*B2*c3 - 48*C2*c5)/2"],
         second_order,
     ),
-    statement("(B3)", "Its projection on cos(3*Omega*t) is this, so B2 = 0.", &["-8*B2"], second_order_of_the_third),
+    statement(
+        "(B3)",
+        "Its projection on cos(3*Omega*t) is this, so B2 = 0.",
+        &["-8*B2"],
+        second_order_of_the_third,
+    ),
     statement(
         "(B4)",
         "At even m the coefficient b of cos(n*Omega*t) obeys 0 = (this)*b and so vanishes, for every odd n.",
@@ -147,7 +152,8 @@ fn frequency_with_odd_powers(printed: &Printed) -> Option<Finding> {
         Some(sum.substitute(&Variable::from(*name), &expansion.named(name)?))
     })?;
     let epsilon = Polynomial::variable("epsilon");
-    let computed = (0..).zip(expansion.frequency()?).fold(Polynomial::zero(), |sum, (n, d)| sum + epsilon.pow(n) * d);
+    let computed =
+        (0..).zip(expansion.frequency()?).fold(Polynomial::zero(), |sum, (n, d)| sum + epsilon.pow(n) * d);
     let evidence = format!(
         "definition; consistent: solved with every An open, d1 = {} and d2 = {}",
         expansion.named("d1")?,
@@ -158,21 +164,27 @@ fn frequency_with_odd_powers(printed: &Printed) -> Option<Finding> {
 
 /// (8) with (A1) and (A2) at ε².
 fn first_correction(printed: &Printed) -> Option<Finding> {
-    let motion = |k: u32, letter: &str, order: u32| Polynomial::variable(format!("{letter}{order}").as_str()) * cosine(k);
+    let motion = |k: u32, letter: &str, order: u32| {
+        Polynomial::variable(format!("{letter}{order}").as_str()) * cosine(k)
+    };
     let theta = [Polynomial::zero(), motion(1, "A", 1) + motion(3, "B", 1), Polynomial::zero()];
     let frequency = [number(1), Polynomial::variable("d1"), Polynomial::variable("d2")];
     let equation = Printed::read(&["theta'' + theta - theta^3/6"])?;
     let at_second = orders_of(equation.formula(0)?, &theta, &frequency, Clock::Time)?.get(2)?.clone();
     let computed = projection(&at_second, 1);
     let stands = projection(&polynomial(printed.formula(0)?, &cosines())?, 1);
-    let how = format!("(A1) and (A2) in (8) leave {at_second} at epsilon^2 (c is cos(Omega*t)), on cos(Omega*t) {computed}, so d1 = 0");
+    let how = format!(
+        "(A1) and (A2) in (8) leave {at_second} at epsilon^2 (c is cos(Omega*t)), on cos(Omega*t) {computed}, so d1 = 0"
+    );
     Some(same_polynomial(&stands, &computed, &how))
 }
 
 fn odd_corrections(printed: &Printed) -> Option<Finding> {
     let claimed = printed.number(0)?;
     let (every, odd) = (Expansion::every_gauge(5)?, Expansion::odd_gauge(6)?);
-    let odd_vanish = ["d1", "d3", "d5"].iter().all(|name| odd.named(name).is_some_and(|d| d.to_constant() == Some(claimed.clone())));
+    let odd_vanish = ["d1", "d3", "d5"]
+        .iter()
+        .all(|name| odd.named(name).is_some_and(|d| d.to_constant() == Some(claimed.clone())));
     let evidence = format!(
         "with A2 = A4 = 0 it holds to d5, exactly; with every An open d1 = {}, d3 = {}, and B4 = {}: an A2 is the \
          change epsilon -> epsilon + (A2/A1)*epsilon^2 of the parameter, not of the motion",
@@ -190,7 +202,8 @@ fn odd_corrections(printed: &Printed) -> Option<Finding> {
 fn picking_an_order(printed: &Printed) -> Option<Finding> {
     let epsilon = Variable::from("epsilon");
     let at = |n: u32| Polynomial::variable(format!("A{n}").as_str()) * cosine(1);
-    let motion: Vec<Polynomial> = (0..6_u32).map(|n| if n == 1 || n == 2 { at(n) } else { Polynomial::zero() }).collect();
+    let motion: Vec<Polynomial> =
+        (0..6_u32).map(|n| if n == 1 || n == 2 { at(n) } else { Polynomial::zero() }).collect();
     let still = [vec![number(1)], vec![Polynomial::zero(); 5]].concat();
     let orders = orders_of(printed.formula(0)?, &motion, &still, Clock::Phase)?;
     let whole = (0..).zip(&motion).fold(Polynomial::zero(), |sum, (n, theta)| {
@@ -221,19 +234,22 @@ fn fundamental_with_even_powers(printed: &Printed) -> Option<Finding> {
 
 /// The equation at ε² with A2, B2, C2 open and B1 = C1 = d1 = 0.
 fn at_second_order() -> Option<Polynomial> {
-    let second = ["A2", "B2", "C2"].iter().zip(cosines()).fold(Polynomial::zero(), |sum, (name, (_, cosine))| {
-        sum + Polynomial::variable(*name) * cosine
-    });
+    let second = ["A2", "B2", "C2"]
+        .iter()
+        .zip(cosines())
+        .fold(Polynomial::zero(), |sum, (name, (_, cosine))| sum + Polynomial::variable(*name) * cosine);
     let first = Polynomial::variable("A1") * cosine(1);
     let frequency = [number(1), Polynomial::zero(), Polynomial::variable("d2")];
     let equation = Printed::read(&["theta'' + theta - theta^3/6 + theta^5/120"])?;
-    let orders = orders_of(equation.formula(0)?, &[Polynomial::zero(), first, second], &frequency, Clock::Time)?;
+    let orders =
+        orders_of(equation.formula(0)?, &[Polynomial::zero(), first, second], &frequency, Clock::Time)?;
     orders.get(2).cloned()
 }
 
 fn second_order(printed: &Printed) -> Option<Finding> {
     let stands = polynomial(printed.formula(0)?, &cosines())?;
-    let how = "the order epsilon^2 of the equation with A2, B2, C2 open, as a polynomial in cos(Omega*t), exactly";
+    let how =
+        "the order epsilon^2 of the equation with A2, B2, C2 open, as a polynomial in cos(Omega*t), exactly";
     Some(same_polynomial(&stands, &at_second_order()?, how))
 }
 
@@ -246,7 +262,8 @@ fn second_order_of_the_third(printed: &Printed) -> Option<Finding> {
 fn even_orders(printed: &Printed) -> Option<Finding> {
     let factor = |n: i64| polynomial(printed.formula(0)?, &[("n", number(n))])?.to_constant();
     let second = at_second_order()?;
-    let computed = |n: u32, name: &str| projection(&second, n).coefficient(&Variable::from(name), 1).to_constant();
+    let computed =
+        |n: u32, name: &str| projection(&second, n).coefficient(&Variable::from(name), 1).to_constant();
     let mut agree = true;
     for (n, name) in [(1, "A2"), (3, "B2"), (5, "C2")] {
         agree &= factor(i64::from(n)) == computed(n, name);
@@ -300,11 +317,12 @@ fn parameter_to_seventh(printed: &Printed) -> Option<Finding> {
 fn frequency_to_sixth(printed: &Printed) -> Option<Finding> {
     let expansion = Expansion::odd_gauge(7)?;
     let ratio = polynomial(printed.formula(0)?, &[("omega0", number(1))])?;
-    let inserted = ["d2", "d4", "d6"].iter().try_fold(ratio, |sum, name| {
-        Some(sum.substitute(&Variable::from(*name), &expansion.named(name)?))
-    })?;
+    let inserted = ["d2", "d4", "d6"]
+        .iter()
+        .try_fold(ratio, |sum, name| Some(sum.substitute(&Variable::from(*name), &expansion.named(name)?)))?;
     let epsilon = Polynomial::variable("epsilon");
-    let computed = (0..).zip(expansion.frequency()?).fold(Polynomial::zero(), |sum, (n, d)| sum + epsilon.pow(n) * d);
+    let computed =
+        (0..).zip(expansion.frequency()?).fold(Polynomial::zero(), |sum, (n, d)| sum + epsilon.pow(n) * d);
     let evidence = format!("definition; consistent: with any A1, A3, A5 d6 = {}", expansion.named("d6")?);
     Some(Finding::verified_if(inserted == computed, computed.to_string(), evidence))
 }

@@ -1,5 +1,6 @@
 //! Black and Vel, Fig. 1 and (52) to (54): the formulas compared, two better ones, and damping.
 
+use super::Verdict;
 use super::compare::{decimal, series_in};
 use super::errors::{PLOTTED, error, exact_at, in_words, leaders};
 use super::evaluate::value;
@@ -9,7 +10,6 @@ use super::power_series::PowerSeries;
 use super::printed::Printed;
 use super::roots::in_degrees;
 use super::statement::{Document, Statement};
-use super::Verdict;
 use crate::algebra::{Rational, Ring};
 use crate::expression::{Expression, Symbol};
 use crate::period_formulas::PeriodFormula;
@@ -99,8 +99,13 @@ fn second_mean(printed: &Printed) -> Option<Finding> {
 }
 
 /// What may be meant under the roots.
-const READINGS: [&str; 5] =
-    ["1 + cos(theta0/2)", "1 + cos(theta0)/2", "(1 + cos(theta0))/2", "(1 + cos(theta0/2))/2", "cos(theta0/2)"];
+const READINGS: [&str; 5] = [
+    "1 + cos(theta0/2)",
+    "1 + cos(theta0)/2",
+    "(1 + cos(theta0))/2",
+    "(1 + cos(theta0/2))/2",
+    "cos(theta0/2)",
+];
 
 fn belendez(printed: &Printed) -> Option<Finding> {
     let formula = printed.formula(0)?;
@@ -124,7 +129,8 @@ fn belendez(printed: &Printed) -> Option<Finding> {
         meant = meant.or_else(|| agrees.map(|found| (reading, found.evidence)));
     }
     let at_rest = decimal(&stands, &[("theta0", 0.0), ("T0", 1.0)])?;
-    let evidence = format!("as it stands T(0)/T0 = {at_rest:.5}, which must be 1; readings tried: {}", tried.join("; "));
+    let evidence =
+        format!("as it stands T(0)/T0 = {at_rest:.5}, which must be 1; readings tried: {}", tried.join("; "));
     Some(match meant {
         Some((reading, agreement)) => {
             Finding::typo(format!("r = {reading}"), format!("{evidence}; with r = {reading}: {agreement}"))

@@ -2,8 +2,8 @@
 
 use super::compare::{ROUNDING, decimal, first_difference, series_in};
 use super::errors::{
-    PLOTTED, better_on, crossings, error_at, exact_at, holds_on, in_words, intervals_in_words, leaders, ratio_at,
-    ratio_reached,
+    PLOTTED, better_on, crossings, error_at, exact_at, holds_on, in_words, intervals_in_words, leaders,
+    ratio_at, ratio_reached,
 };
 use super::finding::Finding;
 use super::printed::Printed;
@@ -133,7 +133,11 @@ fn one_term_on_the_upper_half(printed: &Printed) -> Option<Finding> {
     );
     let correct = format!("true for theta0 above {}", in_degrees(above_both));
     let finding = Finding::verified_if(above_both <= lower, correct, evidence);
-    let finding = if above_both <= lower { finding } else { finding.restricted(format!("below {}, true above", in_degrees(above_both))) };
+    let finding = if above_both <= lower {
+        finding
+    } else {
+        finding.restricted(format!("below {}, true above", in_degrees(above_both)))
+    };
     Some(finding.holding_for(vec![(above_both, PI)]))
 }
 
@@ -141,7 +145,8 @@ fn dip_of_one_term(printed: &Printed) -> Option<Finding> {
     let lower = amplitude(printed)?;
     let zeros = exact_at("black_vel_1")?;
     let within = zeros.iter().any(|zero| *zero > lower);
-    let shown = [120.0, 150.0, 170.0, 179.0].map(|degrees| Some(format!("{:.1e} at {degrees} degrees", error_at("black_vel_1", degrees)?)));
+    let shown = [120.0, 150.0, 170.0, 179.0]
+        .map(|degrees| Some(format!("{:.1e} at {degrees} degrees", error_at("black_vel_1", degrees)?)));
     let evidence = format!(
         "its error changes its sign at {}; it is {}",
         zeros.iter().map(|zero| in_degrees(*zero)).collect::<Vec<_>>().join(", "),
@@ -173,7 +178,8 @@ fn interplay(printed: &Printed) -> Option<Finding> {
 }
 
 fn ratios(a: &str, b: &str) -> Option<String> {
-    let at = [1.0, 30.0, 60.0, 90.0, 120.0, 150.0, 179.0].map(|degrees| Some(format!("{:.4} at {degrees}", ratio_at(a, b, degrees)?)));
+    let at = [1.0, 30.0, 60.0, 90.0, 120.0, 150.0, 179.0]
+        .map(|degrees| Some(format!("{:.4} at {degrees}", ratio_at(a, b, degrees)?)));
     Some(format!("{} degrees", at.into_iter().collect::<Option<Vec<_>>>()?.join(", ")))
 }
 
@@ -183,7 +189,8 @@ fn carvalhaes_suppes(printed: &Printed) -> Option<Finding> {
     let half_an_order = 10.0_f64.sqrt();
     let ratio = |degrees: f64| ratio_at("black_vel_3", "carvalhaes_suppes", degrees);
     let near = |ratio: f64| ratio * half_an_order >= claimed && ratio <= claimed * half_an_order;
-    let about = [0.01, 45.0, 90.0].into_iter().map(|degrees| ratio(degrees).map(near)).collect::<Option<Vec<_>>>()?;
+    let about =
+        [0.01, 45.0, 90.0].into_iter().map(|degrees| ratio(degrees).map(near)).collect::<Option<Vec<_>>>()?;
     let until = ratio_reached("black_vel_3", "carvalhaes_suppes", claimed / half_an_order)?;
     let until = until.last().copied().unwrap_or(PI);
     let limit = PeriodRatioOfLeadingErrors::of("black_vel_3", "carvalhaes_suppes")?;
@@ -195,7 +202,10 @@ fn carvalhaes_suppes(printed: &Printed) -> Option<Finding> {
         in_degrees(until)
     );
     let right = about.iter().all(|about| *about);
-    Some(Finding::verified_if(right, format!("the ratio is {:.4} and less", limit.to_f64()), evidence).holding_for(vec![(0.0, until)]))
+    Some(
+        Finding::verified_if(right, format!("the ratio is {:.4} and less", limit.to_f64()), evidence)
+            .holding_for(vec![(0.0, until)]),
+    )
 }
 
 /// The quotient of exact leading errors of the same power.
@@ -203,7 +213,8 @@ struct PeriodRatioOfLeadingErrors;
 
 impl PeriodRatioOfLeadingErrors {
     fn of(a: &str, b: &str) -> Option<Rational> {
-        let leading = |key: &str| crate::period_formulas::PeriodFormula::by_key(key).ok()?.leading_error().cloned();
+        let leading =
+            |key: &str| crate::period_formulas::PeriodFormula::by_key(key).ok()?.leading_error().cloned();
         let (a, b) = (leading(a)?, leading(b)?);
         (a.power == b.power).then(|| a.coefficient.checked_div(&b.coefficient)).flatten()
     }
@@ -211,7 +222,9 @@ impl PeriodRatioOfLeadingErrors {
 
 fn belendez(printed: &Printed) -> Option<Finding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
-    let until = |other: &str, factor: f64| Some(ratio_reached(other, "belendez", factor)?.first().copied().unwrap_or(PI));
+    let until = |other: &str, factor: f64| {
+        Some(ratio_reached(other, "belendez", factor)?.first().copied().unwrap_or(PI))
+    };
     let (three_term, second) = (until("black_vel_3", claimed)?, until("carvalhaes_suppes", claimed)?);
     let evidence = format!(
         "against the 3-term formula the ratio is {}; it is {claimed} at {}. Against (52), the formula named last, it is {}; \
@@ -229,7 +242,11 @@ fn belendez(printed: &Printed) -> Option<Finding> {
     );
     let right = three_term.min(second) >= FRAC_PI_2;
     let finding = Finding::verified_if(right, correct, evidence);
-    let finding = if right { finding } else { finding.restricted(format!("above {}, true below", in_degrees(three_term))) };
+    let finding = if right {
+        finding
+    } else {
+        finding.restricted(format!("above {}, true below", in_degrees(three_term)))
+    };
     Some(finding.holding_for(vec![(0.0, three_term)]))
 }
 
@@ -260,8 +277,17 @@ fn undergraduate(printed: &Printed) -> Option<Finding> {
     let tolerance = decimal(printed.formula(0)?, &[])?;
     let intervals = holds_on("black_vel_1", tolerance)?;
     let until = intervals.first()?.1;
-    let others = ["small_angle", "bernoulli", "kidd_fogg", "molina", "black_vel_2", "black_vel_3", "carvalhaes_suppes", "belendez"]
-        .map(|key| Some(format!("{key} {:.10}", holds_on(key, tolerance)?.first()?.1.to_degrees())));
+    let others = [
+        "small_angle",
+        "bernoulli",
+        "kidd_fogg",
+        "molina",
+        "black_vel_2",
+        "black_vel_3",
+        "carvalhaes_suppes",
+        "belendez",
+    ]
+    .map(|key| Some(format!("{key} {:.10}", holds_on(key, tolerance)?.first()?.1.to_degrees())));
     let evidence = format!(
         "its error is below {tolerance} on {}; at 90 degrees it is {:.2e}; others keep it up to (degrees): {}",
         intervals_in_words(&intervals),
@@ -270,7 +296,8 @@ fn undergraduate(printed: &Printed) -> Option<Finding> {
     );
     let right = until >= FRAC_PI_2;
     let finding = Finding::verified_if(right, format!("it suffices {}", below(until)), evidence);
-    let finding = if right { finding } else { finding.restricted(format!("above {}, true below", in_degrees(until))) };
+    let finding =
+        if right { finding } else { finding.restricted(format!("above {}, true below", in_degrees(until))) };
     Some(finding.holding_for(intervals))
 }
 
@@ -299,7 +326,8 @@ fn against_the_power_series(printed: &Printed) -> Option<Finding> {
     let corrections = printed.number(0)?;
     let (ours, theirs) = (format!("black_vel_{corrections}"), format!("power_series_{corrections}"));
     let always = better_on(&ours, &theirs)?;
-    let [two, three] = ["power_series_2", "power_series_3"].map(|key| Some(in_degrees(crossings("black_vel_1", key)?.last()?.amplitude.radians())));
+    let [two, three] = ["power_series_2", "power_series_3"]
+        .map(|key| Some(in_degrees(crossings("black_vel_1", key)?.last()?.amplitude.radians())));
     let limit = PeriodRatioOfLeadingErrors::of(&theirs, &ours)?;
     let evidence = format!(
         "{ours} beats {theirs} on {}; the ratio of the errors is {:.2} as theta0 -> 0 and {:.2} at 90 degrees; one term beats \
@@ -318,7 +346,8 @@ fn on_a_par(printed: &Printed) -> Option<Finding> {
     let upper = amplitude(printed)?;
     let worst = |key: &str| Some(super::errors::error(key, upper)?.abs());
     let shown = PLOTTED.map(|key| Some(format!("{key} {:.2e}", worst(key)?)));
-    let evidence = format!("at {}: {}", in_degrees(upper), shown.into_iter().collect::<Option<Vec<_>>>()?.join(", "));
+    let evidence =
+        format!("at {}: {}", in_degrees(upper), shown.into_iter().collect::<Option<Vec<_>>>()?.join(", "));
     let published = ["bernoulli", "molina", "kidd_fogg"].map(worst);
     let best = published.into_iter().collect::<Option<Vec<_>>>()?.into_iter().fold(f64::INFINITY, f64::min);
     Some(Finding::verified_if(worst("black_vel_1")? <= best, "", evidence))

@@ -41,7 +41,8 @@ pub(super) fn projection(sum: &Polynomial, n: u32) -> Polynomial {
 
 /// The coefficient of cos(n·x) in cosᵏx: 2^(1−k)·binomial(k, (k − n)/2).
 fn weight_of_power(k: u32, chosen: u32) -> Rational {
-    let ratio = |i: u32| Rational::new(i64::from(k - i), i64::from(i + 1)).unwrap_or_else(|| Rational::from(0));
+    let ratio =
+        |i: u32| Rational::new(i64::from(k - i), i64::from(i + 1)).unwrap_or_else(|| Rational::from(0));
     let binomial = (0..chosen).fold(Rational::from(2), |product, i| product * ratio(i));
     let half = Rational::from(1).divided_by_power_of_two(1);
     (0..k).fold(binomial, |product, _| product * half.clone())

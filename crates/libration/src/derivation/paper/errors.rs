@@ -104,7 +104,8 @@ pub(super) fn leaders(keys: &[&str]) -> Option<Vec<(String, f64)>> {
 }
 
 fn best_at(keys: &[&str], radians: f64) -> Option<String> {
-    let errors = keys.iter().map(|key| Some((*key, error(key, radians)?.abs()))).collect::<Option<Vec<_>>>()?;
+    let errors =
+        keys.iter().map(|key| Some((*key, error(key, radians)?.abs()))).collect::<Option<Vec<_>>>()?;
     errors.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(key, _)| key.to_owned())
 }
 

@@ -37,7 +37,12 @@ pub(super) const STATEMENTS: &[Statement] = &[
         small_swing,
     ),
     statement("(3)", "The period of small swings.", &["T0 = 2*pi*sqrt(l/g)"], small_angle_period),
-    statement("(4)", "Bernoulli's period, exact to theta0^2.", &["T = T0*(1 + theta0^2/16)"], agrees_to_second),
+    statement(
+        "(4)",
+        "Bernoulli's period, exact to theta0^2.",
+        &["T = T0*(1 + theta0^2/16)"],
+        agrees_to_second,
+    ),
     statement(
         "text: sin(theta) replaced by F(theta0)*theta with F = (sin(theta0)/theta0)^a",
         "Matching the first correction of the period fixes the exponent a, and (5) follows.",
@@ -134,7 +139,8 @@ fn small_swing(printed: &Printed) -> Option<Finding> {
     let angle = series_in("t", TERMS, printed.formula(0)?, &values)?;
     let whole = |n: usize| i64::try_from(n).ok().map(Rational::from);
     let acceleration = |n: usize| Some(angle.get(n + 2)?.clone() * whole((n + 1) * (n + 2))?);
-    let residuals = (0..TERMS - 2).map(|n| Some(acceleration(n)? + angle[n].clone())).collect::<Option<Vec<_>>>()?;
+    let residuals =
+        (0..TERMS - 2).map(|n| Some(acceleration(n)? + angle[n].clone())).collect::<Option<Vec<_>>>()?;
     let solves = residuals.iter().all(Rational::is_zero);
     let frequency = largest_residual_of_the_swing(printed.formula(0)?)?;
     let evidence = format!(
@@ -276,7 +282,8 @@ fn energy_is_conserved(printed: &Printed) -> Option<Finding> {
 
 /// θ = t/2 + t²/3 − t³/5 + t⁴/7, which solves no particular equation, to t⁹.
 fn arbitrary_motion() -> Vec<Rational> {
-    let chosen = [(0, 1), (1, 2), (1, 3), (-1, 5), (1, 7)].into_iter().filter_map(|(n, d)| Rational::new(n, d));
+    let chosen =
+        [(0, 1), (1, 2), (1, 3), (-1, 5), (1, 7)].into_iter().filter_map(|(n, d)| Rational::new(n, d));
     chosen.chain(std::iter::repeat_n(Rational::from(0), 5)).collect()
 }
 

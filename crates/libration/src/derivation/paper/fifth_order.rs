@@ -167,16 +167,24 @@ fn three_harmonics(printed: &Printed) -> Option<Finding> {
 }
 
 /// A printed form whose constants take their computed values against the solution with any odd gauge.
-pub(super) fn form(printed: &Printed, computed: &[Polynomial], expansion: &Expansion, order: usize) -> Option<Finding> {
+pub(super) fn form(
+    printed: &Printed,
+    computed: &[Polynomial],
+    expansion: &Expansion,
+    order: usize,
+) -> Option<Finding> {
     let stands = polynomial(printed.formula(0)?, &[])?;
     let names = stands.variables().into_iter().filter(|name| name.to_string() != "epsilon");
-    let known = names.map(|name| Some((name.clone(), expansion.named(&name.to_string())?))).collect::<Option<Vec<_>>>()?;
+    let known = names
+        .map(|name| Some((name.clone(), expansion.named(&name.to_string())?)))
+        .collect::<Option<Vec<_>>>()?;
     let inserted = known.iter().fold(stands, |sum, (name, value)| {
         if *value == Polynomial::variable(name.clone()) { sum } else { sum.substitute(name, value) }
     });
     let expected = in_epsilon(computed.get(..=order)?);
     let values = known.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ");
-    let evidence = format!("definition; consistent: the solution to epsilon^{order} has this form with {values}");
+    let evidence =
+        format!("definition; consistent: the solution to epsilon^{order} has this form with {values}");
     Some(Finding::verified_if(inserted == expected, expected.to_string(), evidence))
 }
 
@@ -266,13 +274,18 @@ fn free_constants(printed: &Printed) -> Option<Finding> {
     let general = Expansion::odd_gauge(5)?;
     let solution = |equation: &Polynomial| {
         equation.variables().into_iter().fold(equation.clone(), |sum, name| {
-            let value = general.named(&name.to_string()).unwrap_or_else(|| Polynomial::variable(name.clone()));
+            let value =
+                general.named(&name.to_string()).unwrap_or_else(|| Polynomial::variable(name.clone()));
             if value == Polynomial::variable(name.clone()) { sum } else { sum.substitute(&name, &value) }
         })
     };
     let solved = equations.iter().all(|equation| solution(equation).is_zero());
-    let free = unknowns.iter().filter(|name| general.named(name) == Some(Polynomial::variable(name.as_str()))).count();
-    let constants = ["d2", "B3", "d4", "B5", "C5"].map(|name| Some(format!("{name} = {}", general.named(name)?)));
+    let free = unknowns
+        .iter()
+        .filter(|name| general.named(name) == Some(Polynomial::variable(name.as_str())))
+        .count();
+    let constants =
+        ["d2", "B3", "d4", "B5", "C5"].map(|name| Some(format!("{name} = {}", general.named(name)?)));
     let constants = constants.into_iter().collect::<Option<Vec<_>>>()?.join(", ");
     let evidence = format!(
         "{} unknowns, {} equations, of which {trivial} (cos(Omega*t) at epsilon^1) is 0 = 0; B1 = C1 = C3 = 0, {constants} \
@@ -282,7 +295,8 @@ fn free_constants(printed: &Printed) -> Option<Finding> {
         if solved { ", exactly," } else { " (not)" }
     );
     let right = printed.number(0)? == Rational::from(i64::try_from(free).ok()?) && solved;
-    let correct = format!("{free} constants are free, A1, A3 and A5: the choice is of all {free} (as is then done)");
+    let correct =
+        format!("{free} constants are free, A1, A3 and A5: the choice is of all {free} (as is then done)");
     Some(Finding::verified_if(right, correct, evidence))
 }
 
@@ -310,7 +324,8 @@ pub(super) fn constants(printed: &Printed, order: u32) -> Option<Finding> {
         }
     }
     let gauge = gauge.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    let evidence = format!("the orders solved in turn with A1, A2, ... = {gauge}, exactly: {}", shown.join(", "));
+    let evidence =
+        format!("the orders solved in turn with A1, A2, ... = {gauge}, exactly: {}", shown.join(", "));
     Some(Finding::verified_if(wrong.is_empty(), wrong.join(", "), evidence))
 }
 
@@ -324,8 +339,11 @@ fn solution_in_the_other_gauge(printed: &Printed) -> Option<Finding> {
     let zero = Rational::from(0);
     let other = Expansion::of_numbers(&[one.clone(), zero.clone(), one, zero.clone(), zero])?;
     let value = |name: &str| other.named(name)?.to_constant();
-    finding.evidence +=
-        &format!("; so A1 = 1 and A3 = -1 are meant: A3 = +1 would give B5 = {}, d4 = {}", value("B5")?, value("d4")?);
+    finding.evidence += &format!(
+        "; so A1 = 1 and A3 = -1 are meant: A3 = +1 would give B5 = {}, d4 = {}",
+        value("B5")?,
+        value("d4")?
+    );
     Some(finding)
 }
 
@@ -338,7 +356,13 @@ pub(super) fn amplitude_of_fundamental(order: usize) -> Option<Vec<Rational>> {
 
 fn amplitude_in_the_gauge(printed: &Printed) -> Option<Finding> {
     let stands = series_in("epsilon", 6, printed.formula(0)?, &[])?;
-    against_series(&stands, &amplitude_of_fundamental(5)?, 5, "epsilon", "the sum of the harmonics at Omega*t = 0")
+    against_series(
+        &stands,
+        &amplitude_of_fundamental(5)?,
+        5,
+        "epsilon",
+        "the sum of the harmonics at Omega*t = 0",
+    )
 }
 
 /// F = ε − θ0(ε).
@@ -351,7 +375,11 @@ fn split(order: usize) -> Option<Polynomial> {
 fn split_off(printed: &Printed) -> Option<Finding> {
     let stands = polynomial(printed.formula(0)?, &[("F", split(5)?)])?;
     let right = stands == Polynomial::variable("epsilon") - split(5)?;
-    Some(Finding::verified_if(right, "", format!("definition; F = {}, from the computed amplitude", split(5)?)))
+    Some(Finding::verified_if(
+        right,
+        "",
+        format!("definition; F = {}, from the computed amplitude", split(5)?),
+    ))
 }
 
 fn what_is_split_off(printed: &Printed) -> Option<Finding> {
@@ -365,7 +393,11 @@ fn turned_round(printed: &Printed) -> Option<Finding> {
     let theta0 = Polynomial::variable("epsilon") - split(5)?;
     let stands = polynomial(printed.formula(0)?, &[("F", split(5)?), ("theta0", theta0)])?;
     let right = stands == Polynomial::variable("epsilon");
-    Some(Finding::verified_if(right, "", "with F(epsilon) and theta0(epsilon) as computed both sides are epsilon, exactly"))
+    Some(Finding::verified_if(
+        right,
+        "",
+        "with F(epsilon) and theta0(epsilon) as computed both sides are epsilon, exactly",
+    ))
 }
 
 /// The inverse of y = x + ….
@@ -398,9 +430,10 @@ fn iteration(stands: &[Rational], through: usize) -> Option<Finding> {
         "against the exact inverse of (39) it is right below theta0^{power}, where it has {} instead of {}",
         stands[power], exact[power]
     );
-    Some(Finding::verified_if(power > through, written(&exact[..=through], "theta0"), evidence).restricted(format!(
-        "to theta0^{through}"
-    )))
+    Some(
+        Finding::verified_if(power > through, written(&exact[..=through], "theta0"), evidence)
+            .restricted(format!("to theta0^{through}")),
+    )
 }
 
 /// ε in θ0 in the gauge that stands first.
@@ -409,7 +442,13 @@ pub(super) fn parameter_in_amplitude_to(printed: &Printed, order: u32) -> Option
     let expansion = Expansion::of_numbers(&gauge_of(&assignments, order))?;
     let exact = inverse(&numbers(&expansion.amplitude())?)?;
     let stands = series_in("theta0", exact.len(), printed.last()?, &[])?;
-    against_series(&stands, &exact, usize::try_from(order).ok()?, "theta0", "the amplitude in this gauge reverted")
+    against_series(
+        &stands,
+        &exact,
+        usize::try_from(order).ok()?,
+        "theta0",
+        "the amplitude in this gauge reverted",
+    )
 }
 
 fn parameter_in_amplitude(printed: &Printed) -> Option<Finding> {
@@ -490,7 +529,11 @@ fn amplitude_as_parameter(printed: &Printed) -> Option<Finding> {
     let value = |name: &str| expansion.named(name)?.to_constant();
     let evidence = format!(
         "demanding it order by order gives A1 = {}, A3 = {}, A5 = {}, then B5 = {}, d4 = {}, exactly",
-        gauge[0], gauge[2], gauge[4], value("B5")?, value("d4")?
+        gauge[0],
+        gauge[2],
+        gauge[4],
+        value("B5")?,
+        value("d4")?
     );
     Some(Finding::verified_if(exists, "", evidence))
 }

@@ -21,7 +21,12 @@ const fn statement(
 }
 
 pub(super) const STATEMENTS: &[Statement] = &[
-    statement("(15)", "The small swing released from rest.", &["theta = theta0*cos(omega0*t)"], released_swing),
+    statement(
+        "(15)",
+        "The small swing released from rest.",
+        &["theta = theta0*cos(omega0*t)"],
+        released_swing,
+    ),
     statement(
         "(16)",
         "The exact motion is a sum of this over n = 0, 1, 2, ..., odd cosines alone.",
@@ -78,9 +83,10 @@ fn released_swing(printed: &Printed) -> Option<Finding> {
     let series = series_in("t", 12, printed.formula(0)?, &[("theta0", 3), ("omega0", 2)])?;
     let start = series.first() == Some(&Rational::from(3)) && series.get(1).is_some_and(Rational::is_zero);
     let steps = (1..).map(Rational::from);
-    let solves = series.iter().zip(series.iter().skip(2)).zip(steps.clone().zip(steps.skip(1))).all(
-        |((angle, next), (a, b))| (next.clone() * a * b + angle.clone() * Rational::from(4)).is_zero(),
-    );
+    let solves =
+        series.iter().zip(series.iter().skip(2)).zip(steps.clone().zip(steps.skip(1))).all(
+            |((angle, next), (a, b))| (next.clone() * a * b + angle.clone() * Rational::from(4)).is_zero(),
+        );
     let largest = |theta0: f64| {
         let left = |index: u32| {
             let values = [("theta0", theta0), ("omega0", 1.0), ("t", f64::from(index) * 0.1)];
@@ -165,7 +171,9 @@ fn sum_of_coefficients(printed: &Printed) -> Option<Finding> {
         let stands = decimal(printed.formula(0)?, &[("sum", sum)])?;
         largest = largest.max((stands - amplitude.radians()).abs());
     }
-    let evidence = format!("the closed coefficients sum to theta0 within {largest:.1e} rad at 30, 90, 150 and 179 degrees");
+    let evidence = format!(
+        "the closed coefficients sum to theta0 within {largest:.1e} rad at 30, 90, 150 and 179 degrees"
+    );
     Some(Finding::verified_if(largest < 50.0 * ROUNDING, "", evidence))
 }
 
@@ -191,14 +199,17 @@ fn largest_fundamental(printed: &Printed) -> Option<Finding> {
 fn largest_third(printed: &Printed) -> Option<Finding> {
     let bound = decimal(printed.formula(0)?, &[])?;
     let [_, a3, _] = limits()?;
-    let reached = |bound: f64| amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(harmonics(amplitude)?[1].abs() - bound));
+    let reached = |bound: f64| {
+        amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(harmonics(amplitude)?[1].abs() - bound))
+    };
     let limit = reached(bound);
     let evidence = format!(
         "|a3| reaches {bound} at {} and 1 at {}; it tends to 4/3: {a3:.5} at 1e-300 rad below pi",
         limit.map_or("no amplitude".to_owned(), in_degrees),
         reached(1.0).map_or("no amplitude".to_owned(), in_degrees)
     );
-    let correct = limit.map_or(String::new(), |limit| format!("|a3| < {bound} for theta0 below {}", in_degrees(limit)));
+    let correct =
+        limit.map_or(String::new(), |limit| format!("|a3| < {bound} for theta0 below {}", in_degrees(limit)));
     let finding = Finding::verified_if(a3.abs() <= bound, correct, evidence);
     Some(finding.holding_for(vec![(0.0, limit.unwrap_or(PI))]))
 }
@@ -209,7 +220,8 @@ fn product_of_both(printed: &Printed) -> Option<Finding> {
         let harmonics = harmonics(amplitude)?;
         Some((harmonics[0] * harmonics[1]).abs())
     };
-    let reached = |bound: f64| amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(product(amplitude)? - bound));
+    let reached =
+        |bound: f64| amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(product(amplitude)? - bound));
     let limit = reached(bound);
     let evidence = format!(
         "|a1*a3| is {:.4} at 90 degrees, reaches 0.1 at {} and {bound} at {}, and tends to 16/3: {:.4} at 1e-300 rad \
@@ -219,14 +231,20 @@ fn product_of_both(printed: &Printed) -> Option<Finding> {
         limit.map_or("no amplitude".to_owned(), in_degrees),
         product(&top()?)?
     );
-    let correct = limit.map_or(String::new(), |limit| format!("|a1*a3| < {bound} for theta0 below {}", in_degrees(limit)));
-    Some(Finding::verified_if(limit.is_none(), correct, evidence).holding_for(vec![(0.0, limit.unwrap_or(PI))]))
+    let correct = limit
+        .map_or(String::new(), |limit| format!("|a1*a3| < {bound} for theta0 below {}", in_degrees(limit)));
+    Some(
+        Finding::verified_if(limit.is_none(), correct, evidence)
+            .holding_for(vec![(0.0, limit.unwrap_or(PI))]),
+    )
 }
 
 fn order_of_corrections(printed: &Printed) -> Option<Finding> {
     let bound = decimal(printed.formula(0)?, &[])?;
-    let ratio = |amplitude: &Angle| Some(harmonics(amplitude)?[1].abs() / (1.0 - frequency_ratio(amplitude)?));
-    let reached = |bound: f64| amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(ratio(amplitude)? - bound));
+    let ratio =
+        |amplitude: &Angle| Some(harmonics(amplitude)?[1].abs() / (1.0 - frequency_ratio(amplitude)?));
+    let reached =
+        |bound: f64| amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(ratio(amplitude)? - bound));
     let limit = reached(bound);
     let evidence = format!(
         "|a3|/|Delta - 1| is {:.3} at 90 degrees and {:.3} at 179 degrees; it reaches {bound} at {} and 1 at {}, and \
@@ -236,6 +254,11 @@ fn order_of_corrections(printed: &Printed) -> Option<Finding> {
         limit.map_or("no amplitude".to_owned(), in_degrees),
         reached(1.0).map_or("no amplitude".to_owned(), in_degrees)
     );
-    let correct = limit.map_or(String::new(), |limit| format!("|a3| < {bound}*|Delta - 1| for theta0 below {}", in_degrees(limit)));
-    Some(Finding::verified_if(limit.is_none(), correct, evidence).holding_for(vec![(0.0, limit.unwrap_or(PI))]))
+    let correct = limit.map_or(String::new(), |limit| {
+        format!("|a3| < {bound}*|Delta - 1| for theta0 below {}", in_degrees(limit))
+    });
+    Some(
+        Finding::verified_if(limit.is_none(), correct, evidence)
+            .holding_for(vec![(0.0, limit.unwrap_or(PI))]),
+    )
 }

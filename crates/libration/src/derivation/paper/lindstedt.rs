@@ -23,8 +23,7 @@ impl Expansion {
     /// constants. `None` when A₁ does not divide what it must, as for A₁ = 0.
     pub(super) fn of_gauge(gauge: &[Polynomial]) -> Option<Self> {
         let one = Polynomial::constant(Rational::from(1));
-        let mut expansion =
-            Self { motion: vec![Polynomial::zero()], square: vec![one] };
+        let mut expansion = Self { motion: vec![Polynomial::zero()], square: vec![one] };
         for (order, fundamental) in (1..).zip(gauge) {
             expansion.solve(order, fundamental, gauge.first()?)?;
         }
@@ -39,7 +38,11 @@ impl Expansion {
     /// With A₁, A₃, A₅, … open and no even ones, to this order.
     pub(super) fn odd_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| {
-            if n.is_multiple_of(2) { Polynomial::zero() } else { Polynomial::variable(format!("A{n}").as_str()) }
+            if n.is_multiple_of(2) {
+                Polynomial::zero()
+            } else {
+                Polynomial::variable(format!("A{n}").as_str())
+            }
         };
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())
     }

@@ -23,13 +23,13 @@ mod lindstedt;
 mod quadrature;
 mod roots;
 
-mod exact;
-mod fourier;
-mod truncated;
-mod fifth_order;
-mod errors;
 mod better_formulas;
 mod claims;
+mod errors;
+mod exact;
+mod fifth_order;
+mod fourier;
+mod truncated;
 
 mod appendices;
 
@@ -47,7 +47,20 @@ pub fn rows() -> Vec<Row> {
 }
 
 fn statements() -> Vec<Statement> {
-    [exact::STATEMENTS, fourier::STATEMENTS, truncated::STATEMENTS, fifth_order::STATEMENTS, claims::STATEMENTS, better_formulas::STATEMENTS, appendices::STATEMENTS].into_iter().chain(cote::STATEMENTS.iter().copied()).flatten().copied().collect()
+    [
+        exact::STATEMENTS,
+        fourier::STATEMENTS,
+        truncated::STATEMENTS,
+        fifth_order::STATEMENTS,
+        claims::STATEMENTS,
+        better_formulas::STATEMENTS,
+        appendices::STATEMENTS,
+    ]
+    .into_iter()
+    .chain(cote::STATEMENTS.iter().copied())
+    .flatten()
+    .copied()
+    .collect()
 }
 
 #[cfg(test)]

@@ -34,7 +34,8 @@ impl<R: Ring> PowerSeries<R> {
         factor: impl Fn(usize) -> Option<Rational>,
     ) -> Option<R::Element> {
         let ring = &self.coefficients;
-        let term = |k: usize| Some(ring.multiply(&ring.rational(&factor(k)?)?, &ring.multiply(&a[k], &b[n - k])));
+        let term =
+            |k: usize| Some(ring.multiply(&ring.rational(&factor(k)?)?, &ring.multiply(&a[k], &b[n - k])));
         (1..=n).try_fold(ring.zero(), |sum, k| Some(ring.add(&sum, &term(k)?)))
     }
 

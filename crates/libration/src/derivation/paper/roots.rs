@@ -4,11 +4,7 @@ use crate::quantity::Angle;
 
 /// The amplitude between two others (in radians) at which `f` changes its sign, by bisection to the spacing of
 /// `f64`; `None` when it does not.
-pub(super) fn amplitude_where_zero(
-    low: f64,
-    high: f64,
-    f: &dyn Fn(&Angle) -> Option<f64>,
-) -> Option<f64> {
+pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Option<f64>) -> Option<f64> {
     let at = |radians: f64| f(&Angle::from_radians(radians).ok()?);
     let sign_at_low = at(low)?.signum();
     if at(high)?.signum().to_bits() == sign_at_low.to_bits() {

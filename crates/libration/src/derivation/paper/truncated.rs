@@ -1,6 +1,8 @@
 //! Black and Vel, (15) to (31): two harmonics in the equation truncated after θ³.
 
-use super::compare::{decimal, first_difference, inserted as inserted_into, polynomial, same_polynomial, series_in};
+use super::compare::{
+    decimal, first_difference, inserted as inserted_into, polynomial, same_polynomial, series_in,
+};
 use super::cosines::{cosine, cosines, projection, second_derivative};
 use super::exact_motion::harmonics;
 use super::finding::Finding;
@@ -23,7 +25,12 @@ const fn statement(
 }
 
 pub(super) const STATEMENTS: &[Statement] = &[
-    statement("(18)", "Two harmonics to begin with (cn is cos(n*Omega*t)).", &["theta = a1*c1 + a3*c3"], two_harmonics),
+    statement(
+        "(18)",
+        "Two harmonics to begin with (cn is cos(n*Omega*t)).",
+        &["theta = a1*c1 + a3*c3"],
+        two_harmonics,
+    ),
     statement("(19)", "The sine to its second term.", &["theta - theta^3/6"], sine_to_third),
     statement(
         "(20)",
@@ -56,7 +63,12 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["Delta^2 = 1 - (a1^2 + a1*a3 + a3^2)/8"],
         solved_for_the_frequency,
     ),
-    statement("(26)", "Its root, where a3 is much smaller than a1.", &["Delta = 1 - a1^2/16"], root_of_the_square),
+    statement(
+        "(26)",
+        "Its root, where a3 is much smaller than a1.",
+        &["Delta = 1 - a1^2/16"],
+        root_of_the_square,
+    ),
     statement(
         "(27)",
         "(26) in (23), solved for the a3 that stands alone.",
@@ -65,8 +77,18 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     statement("(28)", "Its leading term.", &["a3 = -a1^3/192"], third_of_fundamental),
     statement("(29)", "The same in the amplitude.", &["a3 = -theta0^3/192"], third_of_amplitude),
-    statement("(30)", "The fundamental in the amplitude.", &["a1 = theta0 + theta0^3/192"], fundamental_of_amplitude),
-    statement("(31)", "The frequency in the amplitude.", &["Delta = 1 - theta0^2/16"], frequency_of_amplitude),
+    statement(
+        "(30)",
+        "The fundamental in the amplitude.",
+        &["a1 = theta0 + theta0^3/192"],
+        fundamental_of_amplitude,
+    ),
+    statement(
+        "(31)",
+        "The frequency in the amplitude.",
+        &["Delta = 1 - theta0^2/16"],
+        frequency_of_amplitude,
+    ),
 ];
 
 /// The motion (18).
@@ -98,7 +120,11 @@ fn two_harmonics(printed: &Printed) -> Option<Finding> {
          left out, a5, is {:.1e} of a1 at 30 degrees and {:.1e} at 90 degrees",
         shares[0]?, shares[1]?
     );
-    Some(Finding::verified_if(even && theta == motion(), format!("theta = {}", motion()), format!("{evidence}; names {}", unknowns.join(", "))))
+    Some(Finding::verified_if(
+        even && theta == motion(),
+        format!("theta = {}", motion()),
+        format!("{evidence}; names {}", unknowns.join(", ")),
+    ))
 }
 
 fn sine_to_third(printed: &Printed) -> Option<Finding> {
@@ -113,7 +139,9 @@ pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
     let exact = series_in("theta", terms, exact.formula(0)?, &[])?;
     let (power, error) = first_difference(&polynomial, &exact)?;
     let correct = format!("the term is {}*theta^{power}", exact[power]);
-    let evidence = format!("agrees with the series of the sine below theta^{power}; its error begins with {error}*theta^{power}");
+    let evidence = format!(
+        "agrees with the series of the sine below theta^{power}; its error begins with {error}*theta^{power}"
+    );
     Some(Finding::verified_if(power > through, correct, evidence))
 }
 
@@ -126,8 +154,15 @@ pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<Fi
     let (power, error) = first_difference(&force, &exact)?;
     let inertia = polynomial(printed.left(0)?, &[("theta", Polynomial::zero())])?;
     let right = inertia == Polynomial::variable("theta''") && power > through;
-    let evidence = format!("(8) with the sine to theta^{through}; what is left out begins with {}*theta^{power}", -error);
-    Some(Finding::verified_if(right, format!("the term of the force is {}*theta^{power}", exact[power]), evidence))
+    let evidence = format!(
+        "(8) with the sine to theta^{through}; what is left out begins with {}*theta^{power}",
+        -error
+    );
+    Some(Finding::verified_if(
+        right,
+        format!("the term of the force is {}*theta^{power}", exact[power]),
+        evidence,
+    ))
 }
 
 fn truncated_equation(printed: &Printed) -> Option<Finding> {
@@ -160,8 +195,10 @@ fn projected(printed: &Printed, n: u32) -> Option<Finding> {
 
 /// The monomial that divides every term, with the coefficient of the lowest term.
 fn common_factor(sum: &Polynomial) -> Polynomial {
-    let smallest = |name: &Variable| sum.terms().map(|(monomial, _)| monomial.exponent(name)).min().unwrap_or(0);
-    let powers = sum.variables().into_iter().map(|name| Polynomial::variable(name.clone()).pow(smallest(&name)));
+    let smallest =
+        |name: &Variable| sum.terms().map(|(monomial, _)| monomial.exponent(name)).min().unwrap_or(0);
+    let powers =
+        sum.variables().into_iter().map(|name| Polynomial::variable(name.clone()).pow(smallest(&name)));
     powers.fold(Polynomial::constant(Rational::from(1)), |product, power| product * power)
 }
 
@@ -197,14 +234,17 @@ fn solved_for_the_frequency(printed: &Printed) -> Option<Finding> {
 /// The lowest power of θ0 where a1 is of the first and a3 of the third.
 fn order_of(sum: &Polynomial) -> u32 {
     let weight = |name: &Variable| name.index().unwrap_or(0);
-    let orders = sum.terms().map(|(monomial, _)| monomial.factors().iter().map(|(name, exponent)| weight(name) * exponent).sum());
+    let orders = sum
+        .terms()
+        .map(|(monomial, _)| monomial.factors().iter().map(|(name, exponent)| weight(name) * exponent).sum());
     orders.min().unwrap_or(0)
 }
 
 fn root_of_the_square(printed: &Printed) -> Option<Finding> {
     const TERMS: usize = 6;
     let leading = square_of_frequency()?.substitute(&"a3".into(), &Polynomial::zero());
-    let root = PowerSeries::rational(TERMS).power(&coefficients(&leading, "a1", TERMS)?, &Rational::new(1, 2)?)?;
+    let root =
+        PowerSeries::rational(TERMS).power(&coefficients(&leading, "a1", TERMS)?, &Rational::new(1, 2)?)?;
     let stands = series_in("a1", TERMS, printed.formula(0)?, &[])?;
     let agrees_below = first_difference(&stands, &root).map_or(TERMS, |(power, _)| power);
     let evidence = format!(
@@ -230,7 +270,8 @@ pub(super) fn written(series: &[Rational], name: &str) -> String {
 /// The second condition with this frequency, solved for the a3 that stands alone: the numerator and the divisor.
 fn third_alone(frequency: &Polynomial) -> Option<(Polynomial, Rational)> {
     let scaled = condition(3)?.scaled(&Rational::from(-24)).substitute(&"Delta".into(), frequency);
-    let alone = scaled.coefficient(&"a3".into(), 1).substitute(&"a1".into(), &Polynomial::zero()).to_constant()?;
+    let alone =
+        scaled.coefficient(&"a3".into(), 1).substitute(&"a1".into(), &Polynomial::zero()).to_constant()?;
     Some((Polynomial::variable("a3").scaled(&alone) - scaled, alone))
 }
 
@@ -261,7 +302,10 @@ fn third_of_fundamental_series(terms: usize) -> Option<Vec<Rational>> {
     let condition = condition(3)?;
     let eliminated =
         condition.coefficient(&delta, 0) + condition.coefficient(&delta, 2) * square_of_frequency()?;
-    let alone = eliminated.coefficient(&"a3".into(), 1).substitute(&"a1".into(), &Polynomial::zero()).to_constant()?;
+    let alone = eliminated
+        .coefficient(&"a3".into(), 1)
+        .substitute(&"a1".into(), &Polynomial::zero())
+        .to_constant()?;
     let next = Polynomial::variable("a3") - eliminated.scaled(&Rational::from(1).checked_div(&alone)?);
     let mut third = Polynomial::zero();
     for _ in 0..terms {
@@ -347,7 +391,12 @@ fn in_amplitude(printed: &Printed, which: usize, through: usize) -> Option<Findi
     const TERMS: usize = 6;
     let stands = series_in("theta0", TERMS, printed.formula(0)?, &[])?;
     let computed = solution_in_amplitude(TERMS)?;
-    let finding =
-        against_series(&stands, computed.get(which)?, through, "theta0", "(22) to (24) solved in powers of theta0")?;
+    let finding = against_series(
+        &stands,
+        computed.get(which)?,
+        through,
+        "theta0",
+        "(22) to (24) solved in powers of theta0",
+    )?;
     Some(finding)
 }

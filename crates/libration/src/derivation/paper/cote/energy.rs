@@ -84,7 +84,9 @@ fn values(instant: &Instant, amplitude: f64, mass: f64) -> Vec<(&'static str, f6
 }
 
 fn evidence(largest: f64, what: &str) -> String {
-    format!("{what}: at 48 instants of the exact motion from 120 degrees the sides differ by at most {largest:.1e} of m*g*l")
+    format!(
+        "{what}: at 48 instants of the exact motion from 120 degrees the sides differ by at most {largest:.1e} of m*g*l"
+    )
 }
 
 /// The formula gives the same energy at all times, which is that of the release.
@@ -97,7 +99,8 @@ fn energy_of_the_motion(printed: &Printed) -> Option<Finding> {
         let all = values(&instant, theta0.radians(), MASS);
         let of = |name: &str| all.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
         let stands = decimal(printed.formula(0)?, &all)?;
-        largest = largest.max((stands - of("T")? - of("U")?).abs() / scale).max((stands - release).abs() / scale);
+        largest =
+            largest.max((stands - of("T")? - of("U")?).abs() / scale).max((stands - release).abs() / scale);
     }
     let what = "the energy m*v^2/2 + m*g*l*(1 - cos(theta)) of the motion (T is the kinetic energy here, the period from (9) on)";
     Some(Finding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
@@ -110,7 +113,8 @@ fn potential_energy(printed: &Printed) -> Option<Finding> {
     let torque = series_in("theta", 11, torque.formula(0)?, &[])?;
     let slope = (1..).map(Rational::from).zip(potential.iter().skip(1)).map(|(n, c)| c.clone() * n);
     let right = slope.eq(torque) && potential.first().is_some_and(Rational::is_zero);
-    let evidence = "it vanishes at the bottom and its derivative is the torque m*g*l*sin(theta) to theta^10, exactly";
+    let evidence =
+        "it vanishes at the bottom and its derivative is the torque m*g*l*sin(theta) to theta^10, exactly";
     Some(Finding::verified_if(right, "U = m*g*l*(1 - cos(theta))", evidence))
 }
 
@@ -118,7 +122,8 @@ fn potential_energy(printed: &Printed) -> Option<Finding> {
 fn largest_difference(printed: &Printed, mass: f64) -> Option<f64> {
     let theta0 = amplitude()?;
     let residual = printed.residual(0)?;
-    let difference = |instant: &Instant| Some(decimal(&residual, &values(instant, theta0.radians(), mass))?.abs());
+    let difference =
+        |instant: &Instant| Some(decimal(&residual, &values(instant, theta0.radians(), mass))?.abs());
     let differences = instants(&theta0, 48)?.iter().map(difference).collect::<Option<Vec<_>>>()?;
     Some(differences.into_iter().fold(0.0, f64::max) / (GRAVITY * LENGTH))
 }
@@ -138,7 +143,10 @@ fn without_mass(printed: &Printed) -> Option<Finding> {
 
 fn speed_along_the_arc(printed: &Printed) -> Option<Finding> {
     let cartesian = Printed::read(&["(l*cos(theta)*theta')^2 + (l*sin(theta)*theta')^2"])?;
-    let square = Expression::Power(Box::new(printed.formula(0)?.clone()), Box::new(Expression::Number(Rational::from(2))));
+    let square = Expression::Power(
+        Box::new(printed.formula(0)?.clone()),
+        Box::new(Expression::Number(Rational::from(2))),
+    );
     let residual = Expression::Subtract(Box::new(square), Box::new(cartesian.formula(0)?.clone()));
     let ranges = [("l", 0.5, 2.0), ("theta", -3.0, 3.0), ("theta'", -2.0, 2.0)];
     identity(&residual, &ranges, "its square is that of the velocity of (l*sin(theta), -l*cos(theta))")
@@ -151,7 +159,8 @@ fn rising_quarter(printed: &Printed) -> Option<Finding> {
         let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians()))?;
         // Rounding may make the difference of the cosines negative at the turning points.
         let stands = if stands.is_nan() { 0.0 } else { stands };
-        squares = squares.max((stands * stands - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);
+        squares =
+            squares.max((stands * stands - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);
         rising &= instant.velocity <= 1e-9 || (stands - instant.velocity).abs() < 1e-7;
     }
     let evidence = format!(
@@ -162,7 +171,8 @@ fn rising_quarter(printed: &Printed) -> Option<Finding> {
 }
 
 fn separated(printed: &Printed) -> Option<Finding> {
-    let both = Expression::Multiply(Box::new(printed.formula(0)?.clone()), Box::new(printed.formula(1)?.clone()));
+    let both =
+        Expression::Multiply(Box::new(printed.formula(0)?.clone()), Box::new(printed.formula(1)?.clone()));
     let residual = Expression::Subtract(Box::new(both), Box::new(Expression::Number(Rational::from(1))));
     let ranges = [("g", 1.0, 10.0), ("l", 0.5, 2.0), ("theta", 0.0, 1.0), ("theta0", 1.2, 3.0)];
     identity(&residual, &ranges, "it is one over the angular velocity of (7)")
@@ -198,7 +208,9 @@ fn integral(printed: &Printed, share: f64) -> Option<Finding> {
 fn leading_term(printed: &Printed) -> Option<Finding> {
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let stands = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;
-    let excess = |theta0: f64| Some(pendulum.period(&Amplitude::new(Angle::from_radians(theta0).ok()?).ok()?) / stands - 1.0);
+    let excess = |theta0: f64| {
+        Some(pendulum.period(&Amplitude::new(Angle::from_radians(theta0).ok()?).ok()?) / stands - 1.0)
+    };
     let evidence = format!(
         "the exact period exceeds it by {:.3e} at 0.1 rad, {:.3e} at 0.01 rad and {:.1e} at 1e-9 rad, as theta0^2/16",
         excess(0.1)?,
@@ -216,6 +228,7 @@ fn binomial_series(printed: &Printed) -> Option<Finding> {
         let side = |side: &Expression| series_in("x", 4, &side.substitute(&Symbol::plain("n"), &n), &[]);
         right &= side(printed.left(0)?)? == side(printed.formula(0)?)?;
     }
-    let evidence = "the first four terms are exact for n = -1/2, 1/3, -2 and 5/2; the series converges for |x| < 1";
+    let evidence =
+        "the first four terms are exact for n = -1/2, 1/3, -2 and 5/2; the series converges for |x| < 1";
     Some(Finding::verified_if(right, "", evidence).restricted("for |x| < 1"))
 }

@@ -2,13 +2,13 @@
 
 use super::statement;
 use crate::algebra::{Polynomial, Rational};
+use crate::derivation::paper::Verdict;
 use crate::derivation::paper::compare::{decimal, identity, polynomial, series_in};
 use crate::derivation::paper::exact::agreement;
 use crate::derivation::paper::finding::Finding;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::quadrature::quarter;
 use crate::derivation::paper::statement::Statement;
-use crate::derivation::paper::Verdict;
 use crate::elliptic::Modulus;
 use crate::expression::{Expression, Symbol};
 use crate::pendulum::{Amplitude, Pendulum};
@@ -22,11 +22,9 @@ pub(super) const STATEMENTS: &[Statement] = &[
     statement(
         "(23)",
         "The binomial series of the integrand (s is sin(psi)), its signs as displayed.",
-        &[
-            "1 + m*s^2/2 + (-1/2)*(-3/2)*m^2*s^4/2 + (-1/2)*(-3/2)*(-5/2)*(-m^3*s^6)/6 + \
+        &["1 + m*s^2/2 + (-1/2)*(-3/2)*m^2*s^4/2 + (-1/2)*(-3/2)*(-5/2)*(-m^3*s^6)/6 + \
              (-1/2)*(-3/2)*(-5/2)*(-7/2)*m^4*s^8/24 = \
-             1 + m*s^2/2 + 1*3/(2*4)*m^2*s^4 + 1*3*5/(2*4*6)*m^3*s^6 + 1*3*5*7/(2*4*6*8)*m^4*s^8",
-        ],
+             1 + m*s^2/2 + 1*3/(2*4)*m^2*s^4 + 1*3*5/(2*4*6)*m^3*s^6 + 1*3*5*7/(2*4*6*8)*m^4*s^8"],
         binomial_terms,
     ),
     statement(
@@ -79,15 +77,18 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["(2*n - 1)*(sin(psi)^(2*(n - 1)) - sin(psi)^(2*n))"],
         by_sines,
     ),
-    statement("(31)", "The same in the integrals (I1 is that of n - 1).", &["I = (2*n - 1)*(I1 - I)"], recursion),
+    statement(
+        "(31)",
+        "The same in the integrals (I1 is that of n - 1).",
+        &["I = (2*n - 1)*(I1 - I)"],
+        recursion,
+    ),
     statement("(32)", "Solved: the recursion.", &["I = (2*n - 1)/(2*n)*I1"], recursion),
     statement(
         "(33)",
         "Applied three times.",
-        &[
-            "I = (2*n - 1)/(2*n)*I1 = (2*n - 1)/(2*n)*(2*(n - 1) - 1)/(2*(n - 1))*I2 = \
-             (2*n - 1)/(2*n)*(2*(n - 1) - 1)/(2*(n - 1))*(2*(n - 2) - 1)/(2*(n - 2))*I3",
-        ],
+        &["I = (2*n - 1)/(2*n)*I1 = (2*n - 1)/(2*n)*(2*(n - 1) - 1)/(2*(n - 1))*I2 = \
+             (2*n - 1)/(2*n)*(2*(n - 1) - 1)/(2*(n - 1))*(2*(n - 2) - 1)/(2*(n - 2))*I3"],
         recursion,
     ),
     statement(
@@ -212,7 +213,8 @@ fn integrand() -> Option<Polynomial> {
 fn binomial_terms(printed: &Printed) -> Option<Finding> {
     let exact = integrand()?;
     let m = "m".into();
-    let kept = (0..=4).fold(Polynomial::zero(), |sum, n| sum + exact.coefficient(&m, n) * Polynomial::variable("m").pow(n));
+    let kept = (0..=4)
+        .fold(Polynomial::zero(), |sum, n| sum + exact.coefficient(&m, n) * Polynomial::variable("m").pow(n));
     let sides = printed.sides(0)?.iter().map(|side| polynomial(side, &[])).collect::<Option<Vec<_>>>()?;
     let right = sides.iter().all(|side| *side == kept);
     let evidence = "both forms are the binomial series of (1 - m*s^2)^(-1/2) to m^4, exactly, with every sign as displayed";
@@ -221,14 +223,20 @@ fn binomial_terms(printed: &Printed) -> Option<Finding> {
 
 fn sum_of_the_integrand(printed: &Printed) -> Option<Finding> {
     let missing = integrand()? - partial_sum(printed)?;
-    let evidence = format!("(1 - m*s^2)^(-1/2) less the sum is {missing}, exactly to m^8; (23), which it abbreviates, begins with n = 0");
+    let evidence = format!(
+        "(1 - m*s^2)^(-1/2) less the sum is {missing}, exactly to m^8; (23), which it abbreviates, begins with n = 0"
+    );
     Some(Finding::verified_if(missing.is_zero(), "sum from n = 0, with (-1)!! = 0!! = 1", evidence))
 }
 
 fn double_factorials(printed: &Printed) -> Option<Finding> {
     let (five, six) = (printed.number(0)?, printed.number(1)?);
     let right = five == Rational::from(double_factorial(5)) && six == Rational::from(double_factorial(6));
-    Some(Finding::verified_if(right, "", format!("5!! = {}, 6!! = {}", double_factorial(5), double_factorial(6))))
+    Some(Finding::verified_if(
+        right,
+        "",
+        format!("5!! = {}, 6!! = {}", double_factorial(5), double_factorial(6)),
+    ))
 }
 
 /// K(m)/(π/2) to order 8 in m.
@@ -243,7 +251,11 @@ fn sum_for_the_integral(printed: &Printed, remark: &str) -> Option<Finding> {
     let missing = complete_integral()? - partial_sum(printed)?;
     let at_half = {
         let value = partial_sum(printed)?.value(|_| Rational::new(1, 2))?;
-        format!("at m = 1/2 K = {:.6}, the sum to n = 8 is {:.6}", Modulus::from_parameter(0.5).ok()?.first(), value.to_f64() * FRAC_PI_2)
+        format!(
+            "at m = 1/2 K = {:.6}, the sum to n = 8 is {:.6}",
+            Modulus::from_parameter(0.5).ok()?.first(),
+            value.to_f64() * FRAC_PI_2
+        )
     };
     let evidence = format!("K(m) less the sum is ({missing})*pi/2, exactly to m^8; {at_half}{remark}");
     Some(Finding::verified_if(missing.is_zero(), "sum from n = 0", evidence))
@@ -285,7 +297,8 @@ fn first_integral(printed: &Printed) -> Option<Finding> {
     let stands = term(printed.formula(0)?, 1)?.to_constant()?;
     let computed = mean_of_power(1)?;
     let quadrature = quarter(&|psi| Some(libm::sin(psi) * libm::sin(psi)))?;
-    let evidence = format!("the mean of sin^2 is {computed}, exactly, times pi/2; quadrature {quadrature:.12}");
+    let evidence =
+        format!("the mean of sin^2 is {computed}, exactly, times pi/2; quadrature {quadrature:.12}");
     Some(Finding::verified_if(stands == computed, format!("I = {computed}*pi/2"), evidence))
 }
 
@@ -296,7 +309,8 @@ fn at_index(formula: &Expression, n: i64) -> Expression {
 fn split_sine(printed: &Printed) -> Option<Finding> {
     let mut last = None;
     for n in 1..5 {
-        let found = identity(&at_index(&printed.residual(0)?, n), &[("psi", 0.0, FRAC_PI_2)], "for n = 1 to 4")?;
+        let found =
+            identity(&at_index(&printed.residual(0)?, n), &[("psi", 0.0, FRAC_PI_2)], "for n = 1 to 4")?;
         if found.verdict != Verdict::Verified {
             return Some(found);
         }
@@ -334,7 +348,8 @@ fn parts(printed: &Printed) -> Option<Finding> {
     let part = series_in("psi", 13, part.formula(0)?, &[])?;
     let slope = (1..).map(Rational::from).zip(part.iter().skip(1)).map(|(n, c)| c.clone() * n);
     let right = slope.eq(stands);
-    let scales = series_in("psi", 12, printed.formula(0)?, &[("dpsi", 2)])? != series_in("psi", 12, printed.formula(0)?, &[("dpsi", 1)])?;
+    let scales = series_in("psi", 12, printed.formula(0)?, &[("dpsi", 2)])?
+        != series_in("psi", 12, printed.formula(0)?, &[("dpsi", 1)])?;
     let evidence = "the derivative of v = -cos(psi), which (29) uses, is sin(psi), exactly to psi^11; its differential has d(psi)";
     Some(match (right, scales) {
         (true, true) => Finding::verified(evidence),
@@ -384,16 +399,22 @@ fn closed_form(printed: &Printed) -> Option<Finding> {
         mean_of_power(2)?
     );
     let correct = "I(n) = (2n-1)!!/(2n)!!*pi/2";
-    Some(if right(meant.formula(0)?)? { Finding::typo(correct, evidence) } else { Finding::wrong(correct, evidence) })
+    Some(if right(meant.formula(0)?)? {
+        Finding::typo(correct, evidence)
+    } else {
+        Finding::wrong(correct, evidence)
+    })
 }
 
 fn first_terms(printed: &Printed) -> Option<Finding> {
     let stands = polynomial_in_half_pi(printed.formula(0)?)?;
     let exact = complete_integral()?;
     let m = "m".into();
-    let kept = (0..=3).fold(Polynomial::zero(), |sum, n| sum + exact.coefficient(&m, n) * Polynomial::variable("m").pow(n));
+    let kept = (0..=3)
+        .fold(Polynomial::zero(), |sum, n| sum + exact.coefficient(&m, n) * Polynomial::variable("m").pow(n));
     let next = exact.coefficient(&m, 4);
-    let evidence = format!("2*K(m)/pi from the squares of the central binomials, exactly: {kept} + {next}*m^4 + ...");
+    let evidence =
+        format!("2*K(m)/pi from the squares of the central binomials, exactly: {kept} + {next}*m^4 + ...");
     Some(Finding::verified_if(stands == kept, format!("pi/2*({kept})"), evidence))
 }
 
@@ -404,7 +425,10 @@ fn polynomial_in_half_pi(formula: &Expression) -> Option<Polynomial> {
 fn period(printed: &Printed) -> Option<Finding> {
     let found = agreement(printed.formula(0)?, 6)?;
     let next = period_in_sine_squared(5);
-    let evidence = format!("{}; the next terms are {}*sin(theta0/2)^8 and {}*sin(theta0/2)^10", found.evidence, next[4], next[5]);
+    let evidence = format!(
+        "{}; the next terms are {}*sin(theta0/2)^8 and {}*sin(theta0/2)^10",
+        found.evidence, next[4], next[5]
+    );
     Some(Finding { evidence, ..found })
 }
 
@@ -427,7 +451,8 @@ fn any_starting_angle(printed: &Printed) -> Option<Finding> {
         short_of(179.0)?
     );
     let right = limit <= PI;
-    let finding = Finding::verified_if(right, "theta0 < pi", evidence).with_correct("for every theta0 < 180 degrees");
+    let finding =
+        Finding::verified_if(right, "theta0 < pi", evidence).with_correct("for every theta0 < 180 degrees");
     Some(finding.restricted("for theta0 < pi").holding_for(vec![(0.0, PI)]))
 }
 
@@ -443,7 +468,8 @@ fn terms_needed(printed: &Printed) -> Option<Finding> {
     let needed = |stem: &str, degrees: f64| {
         let angle = Angle::from_degrees(degrees).ok()?;
         (1..200_usize).find(|n| {
-            PeriodFormula::by_key(&format!("{stem}{n}")).is_ok_and(|formula| formula.fractional_error(&angle).abs() < tolerance)
+            PeriodFormula::by_key(&format!("{stem}{n}"))
+                .is_ok_and(|formula| formula.fractional_error(&angle).abs() < tolerance)
         })
     };
     let mut counts = Vec::new();

@@ -43,10 +43,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
     statement(
         "(17)",
         "The same with psi.",
-        &[
-            "2*(sin(theta0/2)^2 - sin(theta/2)^2) = 2*(sin(theta0/2)^2 - sin(theta0/2)^2*sin(psi)^2) = \
-             2*sin(theta0/2)^2*(1 - sin(psi)^2) = 2*sin(theta0/2)^2*cos(psi)^2",
-        ],
+        &["2*(sin(theta0/2)^2 - sin(theta/2)^2) = 2*(sin(theta0/2)^2 - sin(theta0/2)^2*sin(psi)^2) = \
+             2*sin(theta0/2)^2*(1 - sin(psi)^2) = 2*sin(theta0/2)^2*cos(psi)^2"],
         substituted_sides,
     ),
     statement(
@@ -107,7 +105,8 @@ fn the_substitution(printed: &Printed) -> Option<Finding> {
     let mut increasing = true;
     for theta0 in [0.3, 1.0, 2.0, 3.0] {
         for (theta, psi) in [(0.0, 0.0), (theta0, FRAC_PI_2)] {
-            largest = largest.max(decimal(&residual, &[("theta", theta), ("theta0", theta0), ("psi", psi)])?.abs());
+            largest =
+                largest.max(decimal(&residual, &[("theta", theta), ("theta0", theta0), ("psi", psi)])?.abs());
         }
         let samples: Vec<f64> = (0..20).map(|i| theta_of(theta0, f64::from(i) * FRAC_PI_2 / 20.0)).collect();
         increasing &= samples.is_sorted();
@@ -126,11 +125,18 @@ fn differential(printed: &Printed) -> Option<Finding> {
     let mut largest = 0.0_f64;
     for (theta0, psi) in points() {
         let slope = (theta_of(theta0, psi + STEP) - theta_of(theta0, psi - STEP)) / (2.0 * STEP);
-        let values =
-            [("theta", theta_of(theta0, psi)), ("theta0", theta0), ("psi", psi), ("dtheta", slope), ("dpsi", 1.0)];
+        let values = [
+            ("theta", theta_of(theta0, psi)),
+            ("theta0", theta0),
+            ("psi", psi),
+            ("dtheta", slope),
+            ("dpsi", 1.0),
+        ];
         largest = largest.max(decimal(&residual, &values)?.abs());
     }
-    let evidence = format!("at 36 points (theta0, psi) the sides differ by at most {largest:.1e}, d(theta)/d(psi) by central differences");
+    let evidence = format!(
+        "at 36 points (theta0, psi) the sides differ by at most {largest:.1e}, d(theta)/d(psi) by central differences"
+    );
     Some(Finding::verified_if(largest < 1e-7, "", evidence))
 }
 
@@ -160,7 +166,10 @@ fn chain(printed: &Printed, values: &dyn Fn(f64, f64) -> [(&'static str, f64); 3
             largest = largest.max((decimal(side, &at)? - first).abs());
         }
     }
-    let evidence = format!("at 36 points (theta0, psi), theta from (13), the {} sides differ by at most {largest:.1e}", sides.len());
+    let evidence = format!(
+        "at 36 points (theta0, psi), theta from (13), the {} sides differ by at most {largest:.1e}",
+        sides.len()
+    );
     Some(Finding::verified_if(largest < ROUNDING, "", evidence))
 }
 
@@ -213,13 +222,18 @@ fn complete_integral(printed: &Printed) -> Option<Finding> {
     if largest > 1e-12 {
         return Some(Finding::wrong("K(m), the integral of 1/sqrt(1 - m*sin(psi)^2)", evidence));
     }
-    Some(if at_end.is_finite() { Finding::verified(evidence) } else { Finding::typo("K(m), 0 <= m < 1", evidence) })
+    Some(if at_end.is_finite() {
+        Finding::verified(evidence)
+    } else {
+        Finding::typo("K(m), 0 <= m < 1", evidence)
+    })
 }
 
 fn largest_parameter(printed: &Printed) -> Option<Finding> {
     let m = decimal(printed.formula(0)?, &[])?;
     let integral = |m: f64| Some(Modulus::from_parameter(m).ok()?.first());
-    let before = [0.01, 0.0001, 0.000001].map(|c| Some(format!("K(1 - {c}) = {:.4}", Modulus::from_complementary_parameter(c).ok()?.first())));
+    let before = [0.01, 0.0001, 0.000001]
+        .map(|c| Some(format!("K(1 - {c}) = {:.4}", Modulus::from_complementary_parameter(c).ok()?.first())));
     let evidence = format!(
         "{}: it grows as ln(4/sqrt(1 - m)), and K({m}) = {}",
         before.into_iter().collect::<Option<Vec<_>>>()?.join(", "),
