@@ -1,6 +1,6 @@
 //! Printed formulas compared with computed ones, exactly or at points.
 
-use crate::algebra::{Polynomial, Polynomials, Rational, Ring};
+use crate::algebra::{Polynomial, Polynomials, Rational, Ring, Variable};
 use crate::expression::Expression;
 
 use super::decimals::Decimals;
@@ -106,4 +106,31 @@ pub(super) fn identity(residual: &Expression, ranges: &[(&str, f64, f64)], what:
     let largest = largest_residual(residual, ranges)?;
     let evidence = format!("{what}: at {POINTS} points the sides differ by at most {largest:.1e}");
     Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+}
+
+/// The coefficients of a polynomial in one variable.
+pub(super) fn coefficients(sum: &Polynomial, name: &str, terms: usize) -> Option<Vec<Rational>> {
+    let variable = Variable::from(name);
+    (0..u32::try_from(terms).ok()?).map(|power| sum.coefficient(&variable, power).to_constant()).collect()
+}
+
+/// A series as text, without its zeros.
+pub(super) fn written(series: &[Rational], name: &str) -> String {
+    let power = |n: usize| Polynomial::variable(name).pow(u32::try_from(n).unwrap_or(u32::MAX));
+    let terms = series.iter().enumerate().filter(|(_, c)| !c.is_zero());
+    terms.fold(Polynomial::zero(), |sum, (n, c)| sum + power(n).scaled(c)).to_string()
+}
+
+/// A printed series that should agree with a computed one through a power.
+pub(super) fn against_series(
+    stands: &[Rational],
+    computed: &[Rational],
+    through: usize,
+    name: &str,
+    how: &str,
+) -> Option<Finding> {
+    let agrees_below = first_difference(stands, computed).map_or(stands.len(), |(power, _)| power);
+    let correct = written(computed.get(..=through)?, name);
+    let evidence = format!("{how}, exactly: {} + ...", written(computed, name));
+    Some(Finding::verified_if(agrees_below > through, correct, evidence))
 }

@@ -3,7 +3,7 @@
 
 use std::sync::LazyLock;
 
-use super::roots::in_degrees;
+use super::amplitudes::in_degrees;
 use crate::period_formulas::{Crossover, ErrorTable, PeriodFormula};
 use crate::quantity::Angle;
 

@@ -59,6 +59,8 @@ pub(super) type Check = fn(&Printed) -> Option<Finding>;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement {
     pub(super) document: Document,
+    /// The label itself, or that of the equation or figure which a text follows.
+    pub(super) after: &'static str,
     pub(super) label: &'static str,
     pub(super) claim: &'static str,
     pub(super) printed: &'static [&'static str],
@@ -84,4 +86,23 @@ impl Statement {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
         finding.unwrap_or_else(|| Finding::wrong("", NOT_EVALUATED))
     }
+}
+
+/// The statements of a document's groups in the order of the document.
+pub(super) fn in_order(groups: &[&'static [Statement]]) -> Vec<&'static Statement> {
+    let mut ordered: Vec<&Statement> = groups.iter().copied().flatten().collect();
+    // A stable sort: what follows an equation comes behind it, in the order of its group.
+    ordered.sort_by_key(|statement| (place_of(statement.after), statement.after != statement.label));
+    ordered
+}
+
+/// The place of `(25)`, `(C2)` or `Fig. 1`, in appendix and number; the figure is referred to after equation (51).
+fn place_of(label: &str) -> (Option<char>, u32, u32) {
+    if label.starts_with("Fig.") {
+        return (None, 51, 1);
+    }
+    let number = label.trim_matches(['(', ')']);
+    let digits = number.trim_start_matches(|letter: char| letter.is_ascii_uppercase());
+    let appendix = number.chars().next().filter(char::is_ascii_uppercase);
+    (appendix, digits.parse().unwrap_or(u32::MAX), 0)
 }

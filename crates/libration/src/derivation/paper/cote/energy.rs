@@ -1,7 +1,8 @@
 //! Côté, (1) to (12): conservation of energy, the speed, the period as an integral.
 
-use super::statement;
+use super::{statement, text_after};
 use crate::algebra::Rational;
+use crate::derivation::paper::amplitudes::at_degrees;
 use crate::derivation::paper::compare::{ROUNDING, decimal, identity, series_in};
 use crate::derivation::paper::exact_motion::{GRAVITY, Instant, LENGTH, instants};
 use crate::derivation::paper::finding::Finding;
@@ -27,7 +28,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["m*g*l*(1 - cos(theta0)) = m*v^2/2 + m*g*l*(1 - cos(theta))"],
         holds_in_motion,
     ),
-    statement(
+    text_after(
+        "(4)",
         "text: the result is independent of the mass",
         "The mass drops out of (4).",
         &["m*g*l*(1 - cos(theta0)) = m*v^2/2 + m*g*l*(1 - cos(theta))"],
@@ -192,7 +194,7 @@ fn integral(printed: &Printed, share: f64) -> Option<Finding> {
     let factor = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;
     let mut largest = 0.0_f64;
     for degrees in [30.0, 60.0, 90.0, 120.0] {
-        let amplitude = Amplitude::new(Angle::from_degrees(degrees).ok()?).ok()?;
+        let amplitude = Amplitude::new(at_degrees(degrees)?).ok()?;
         let theta0 = amplitude.radians();
         let integrand = |theta: f64| decimal(printed.formula(1)?, &[("theta", theta), ("theta0", theta0)]);
         let stands = factor * to_amplitude(theta0, &integrand)?;

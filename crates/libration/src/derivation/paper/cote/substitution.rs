@@ -1,9 +1,9 @@
 //! Côté, (13) to (22): the substitution sin(θ/2) = sin(θ0/2) sin ψ and the complete elliptic integral.
 
-use super::statement;
+use super::{statement, text_after};
 use crate::derivation::paper::compare::{ROUNDING, decimal, identity};
 use crate::derivation::paper::exact_motion::{GRAVITY, LENGTH};
-use crate::derivation::paper::finding::Finding;
+use crate::derivation::paper::finding::{Finding, Verdict};
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::quadrature::{quarter, to_amplitude};
 use crate::derivation::paper::statement::Statement;
@@ -81,7 +81,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["1/sqrt(1 - m*sin(psi)^2)", "m = 1"],
         complete_integral,
     ),
-    statement(
+    text_after(
+        "(22)",
         "text: 0 <= m <= 1",
         "The values of m for which the integral exists.",
         &["m = 1"],
@@ -143,7 +144,7 @@ fn differential(printed: &Printed) -> Option<Finding> {
 fn double_angle(printed: &Printed) -> Option<Finding> {
     let first = identity(&printed.residual(0)?, &[("theta", -3.0, 3.0)], "both forms")?;
     let second = identity(&printed.residual(1)?, &[("theta", -3.0, 3.0)], "both forms")?;
-    Some(if first.verdict == second.verdict { first } else { second })
+    Some(if first.verdict == Verdict::Verified { second } else { first })
 }
 
 fn by_half_angles(printed: &Printed) -> Option<Finding> {

@@ -1,62 +1,21 @@
-//! Black and Vel, (15) to (31): two harmonics in the equation truncated after θ³.
+//! (25) to (31): the truncated system solved to the third order.
 
-use super::compare::{
-    decimal, first_difference, inserted as inserted_into, polynomial, same_polynomial, series_in,
-};
-use super::cosines::{cosine, cosines, projection, second_derivative};
-use super::exact_motion::harmonics;
-use super::finding::Finding;
-use super::lindstedt::{Expansion, numbers};
-use super::power_series::PowerSeries;
-use super::printed::Printed;
-use super::statement::{Document, Statement};
+use super::statement;
+use super::two_harmonics::condition;
 use crate::algebra::{Polynomial, Rational, Rationals, Ring, Variable};
-use crate::expression::Expression;
-use crate::quantity::Angle;
+use crate::derivation::paper::amplitudes::at_degrees;
+use crate::derivation::paper::compare::{
+    against_series, coefficients, decimal, first_difference, inserted, polynomial, series_in, written,
+};
+use crate::derivation::paper::exact_motion::harmonics;
+use crate::derivation::paper::finding::Finding;
+use crate::derivation::paper::lindstedt::{Expansion, numbers};
+use crate::derivation::paper::power_series::PowerSeries;
+use crate::derivation::paper::printed::Printed;
+use crate::derivation::paper::statement::Statement;
 use crate::series::truncated::powers_of_inverse;
 
-const fn statement(
-    label: &'static str,
-    claim: &'static str,
-    printed: &'static [&'static str],
-    check: super::statement::Check,
-) -> Statement {
-    Statement { document: Document::BlackVel, label, claim, printed, check }
-}
-
 pub(super) const STATEMENTS: &[Statement] = &[
-    statement(
-        "(18)",
-        "Two harmonics to begin with (cn is cos(n*Omega*t)).",
-        &["theta = a1*c1 + a3*c3"],
-        two_harmonics,
-    ),
-    statement("(19)", "The sine to its second term.", &["theta - theta^3/6"], sine_to_third),
-    statement(
-        "(20)",
-        "The equation of motion with this sine.",
-        &["theta'' + omega0^2*(theta - theta^3/6) = 0"],
-        truncated_equation,
-    ),
-    statement(
-        "(21)",
-        "(18) in (20), divided by omega0^2, with Delta = Omega/omega0.",
-        &["0 = Delta^2*(-a1*c1 - 9*a3*c3) + a1*c1 + a3*c3 - (a1*c1 + a3*c3)^3/6"],
-        inserted,
-    ),
-    statement(
-        "(22)",
-        "(21) times cos(Omega*t), integrated over a period.",
-        &["0 = -8 + a1^2 + a1*a3 + 2*a3^2 + 8*Delta^2"],
-        on_the_fundamental,
-    ),
-    statement(
-        "(23)",
-        "(21) times cos(3*Omega*t), integrated over a period.",
-        &["0 = a1^3 + 6*a1^2*a3 + 3*a3*(-8 + a3^2 + 72*Delta^2)"],
-        on_the_third,
-    ),
-    statement("(24)", "The amplitude is the motion at t = 0.", &["theta0 = a1 + a3"], amplitude_of_two),
     statement(
         "(25)",
         "(22) solved for the square of the frequency.",
@@ -90,122 +49,6 @@ pub(super) const STATEMENTS: &[Statement] = &[
         frequency_of_amplitude,
     ),
 ];
-
-/// The motion (18).
-fn motion() -> Polynomial {
-    Polynomial::variable("a1") * cosine(1) + Polynomial::variable("a3") * cosine(3)
-}
-
-/// Δ²θ″ + θ − θ³/3! of this motion.
-fn equation_of(motion: &Polynomial) -> Option<Polynomial> {
-    let inertia = Polynomial::variable("Delta").pow(2) * second_derivative(motion);
-    Some(inertia + motion.clone() - motion.pow(3).scaled(&Rational::new(1, 6)?))
-}
-
-/// The equation on the n-th harmonic, up to a factor: the first coefficient is that of the printed one.
-fn condition(n: u32) -> Option<Polynomial> {
-    Some(projection(&equation_of(&motion())?, n))
-}
-
-fn two_harmonics(printed: &Printed) -> Option<Finding> {
-    let theta = polynomial(printed.formula(0)?, &cosines())?;
-    let unknowns: Vec<String> = theta.variables().into_iter().map(|name| name.to_string()).collect();
-    let shares = [30.0, 90.0].map(|degrees| {
-        let harmonics = harmonics(&Angle::from_degrees(degrees).ok()?)?;
-        Some(harmonics.get(2)?.abs() / harmonics.first()?)
-    });
-    let even = projection(&theta, 2).is_zero() && projection(&theta, 4).is_zero();
-    let evidence = format!(
-        "definition; consistent: (22), (23) and (24) are three equations for a1, a3 and Delta; the first harmonic \
-         left out, a5, is {:.1e} of a1 at 30 degrees and {:.1e} at 90 degrees",
-        shares[0]?, shares[1]?
-    );
-    Some(Finding::verified_if(
-        even && theta == motion(),
-        format!("theta = {}", motion()),
-        format!("{evidence}; names {}", unknowns.join(", ")),
-    ))
-}
-
-fn sine_to_third(printed: &Printed) -> Option<Finding> {
-    sine(printed.formula(0)?, 3)
-}
-
-/// A truncated sine against the sine, exactly; an inertia beside it does not count.
-pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
-    let terms = through + 8;
-    let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;
-    let exact = Printed::read(&["sin(theta)"])?;
-    let exact = series_in("theta", terms, exact.formula(0)?, &[])?;
-    let (power, error) = first_difference(&polynomial, &exact)?;
-    let correct = format!("the term is {}*theta^{power}", exact[power]);
-    let evidence = format!(
-        "agrees with the series of the sine below theta^{power}; its error begins with {error}*theta^{power}"
-    );
-    Some(Finding::verified_if(power > through, correct, evidence))
-}
-
-/// An equation of motion θ″ + ω0²·(…) whose bracket is the sine to a power.
-pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<Finding> {
-    let values = [("theta''", 0), ("omega0", 1)];
-    let force = series_in("theta", through + 8, printed.left(0)?, &values)?;
-    let exact = Printed::read(&["sin(theta)"])?;
-    let exact = series_in("theta", through + 8, exact.formula(0)?, &[])?;
-    let (power, error) = first_difference(&force, &exact)?;
-    let inertia = polynomial(printed.left(0)?, &[("theta", Polynomial::zero())])?;
-    let right = inertia == Polynomial::variable("theta''") && power > through;
-    let evidence = format!(
-        "(8) with the sine to theta^{through}; what is left out begins with {}*theta^{power}",
-        -error
-    );
-    Some(Finding::verified_if(
-        right,
-        format!("the term of the force is {}*theta^{power}", exact[power]),
-        evidence,
-    ))
-}
-
-fn truncated_equation(printed: &Printed) -> Option<Finding> {
-    equation_with_sine(printed, 3)
-}
-
-fn inserted(printed: &Printed) -> Option<Finding> {
-    let stands = polynomial(printed.formula(0)?, &cosines())?;
-    let how = "theta of (18) put into (20) as a polynomial in cos(Omega*t)";
-    Some(same_polynomial(&stands, &equation_of(&motion())?, how))
-}
-
-fn on_the_fundamental(printed: &Printed) -> Option<Finding> {
-    projected(printed, 1)
-}
-
-fn on_the_third(printed: &Printed) -> Option<Finding> {
-    projected(printed, 3)
-}
-
-fn projected(printed: &Printed, n: u32) -> Option<Finding> {
-    let (stands, computed) = (polynomial(printed.formula(0)?, &[])?, condition(n)?);
-    let how = format!("the projection of (21) on cos({n}*Omega*t)");
-    if let Some(factor) = computed.divide_exactly(&stands).filter(|factor| factor.terms().count() == 1) {
-        return Some(Finding::verified(format!("{how} is ({factor}) times it, exactly")));
-    }
-    let correct = computed.divide_exactly(&common_factor(&computed))?;
-    Some(Finding::wrong(format!("0 = {correct}"), format!("{how} is {computed}")))
-}
-
-/// The monomial that divides every term, with the coefficient of the lowest term.
-fn common_factor(sum: &Polynomial) -> Polynomial {
-    let smallest =
-        |name: &Variable| sum.terms().map(|(monomial, _)| monomial.exponent(name)).min().unwrap_or(0);
-    let powers =
-        sum.variables().into_iter().map(|name| Polynomial::variable(name.clone()).pow(smallest(&name)));
-    powers.fold(Polynomial::constant(Rational::from(1)), |product, power| product * power)
-}
-
-fn amplitude_of_two(printed: &Printed) -> Option<Finding> {
-    let at_start = motion().substitute(&"c".into(), &Polynomial::constant(Rational::from(1)));
-    Some(same_polynomial(&polynomial(printed.formula(0)?, &[])?, &at_start, "(18) at t = 0"))
-}
 
 /// Δ² from the projection on the fundamental, which is linear in it.
 fn square_of_frequency() -> Option<Polynomial> {
@@ -252,19 +95,6 @@ fn root_of_the_square(printed: &Printed) -> Option<Finding> {
         written(&root[..4], "a1")
     );
     Some(Finding::verified_if(agrees_below > 2, format!("Delta = {}", written(&root[..3], "a1")), evidence))
-}
-
-/// The coefficients of a polynomial in one variable.
-pub(super) fn coefficients(sum: &Polynomial, name: &str, terms: usize) -> Option<Vec<Rational>> {
-    let variable = Variable::from(name);
-    (0..u32::try_from(terms).ok()?).map(|power| sum.coefficient(&variable, power).to_constant()).collect()
-}
-
-/// A series as text, without its zeros.
-pub(super) fn written(series: &[Rational], name: &str) -> String {
-    let power = |n: usize| Polynomial::variable(name).pow(u32::try_from(n).unwrap_or(u32::MAX));
-    let terms = series.iter().enumerate().filter(|(_, c)| !c.is_zero());
-    terms.fold(Polynomial::zero(), |sum, (n, c)| sum + power(n).scaled(c)).to_string()
 }
 
 /// The second condition with this frequency, solved for the a3 that stands alone: the numerator and the divisor.
@@ -327,7 +157,7 @@ fn solution_in_amplitude(terms: usize) -> Option<[Vec<Rational>; 3]> {
     let amplitude = ring.add(&ring.variable()?, &third);
     let inverse = powers_of_inverse(&Rationals, &amplitude)?;
     let (fundamental, third) = (inverse.first(), inverse.composed(&Rationals, &third));
-    let squared = inserted_into(&ring, &square_of_frequency()?, |name| match name {
+    let squared = inserted(&ring, &square_of_frequency()?, |name| match name {
         "a1" => Some(fundamental.clone()),
         "a3" => Some(third.clone()),
         _ => None,
@@ -352,22 +182,8 @@ fn whole_third() -> Option<Vec<Rational>> {
     numbers(&Expansion::of_numbers(&gauge)?.harmonic(3))
 }
 
-/// A printed series that should agree with a computed one through a power.
-pub(super) fn against_series(
-    stands: &[Rational],
-    computed: &[Rational],
-    through: usize,
-    name: &str,
-    how: &str,
-) -> Option<Finding> {
-    let agrees_below = first_difference(stands, computed).map_or(stands.len(), |(power, _)| power);
-    let correct = written(computed.get(..=through)?, name);
-    let evidence = format!("{how}, exactly: {} + ...", written(computed, name));
-    Some(Finding::verified_if(agrees_below > through, correct, evidence))
-}
-
 fn third_of_amplitude(printed: &Printed) -> Option<Finding> {
-    let right_angle = Angle::from_degrees(90.0).ok()?;
+    let right_angle = at_degrees(90.0)?;
     let approximate = decimal(printed.formula(0)?, &[("theta0", right_angle.radians())])?;
     let exact = *harmonics(&right_angle)?.get(1)?;
     let mut finding = in_amplitude(printed, 1, 3)?;

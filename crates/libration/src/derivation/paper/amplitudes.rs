@@ -1,4 +1,4 @@
-//! Where a continuous function of the amplitude takes a value.
+//! Amplitudes in degrees, and where a continuous function of the amplitude takes a value.
 
 use crate::quantity::Angle;
 
@@ -22,6 +22,11 @@ pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Op
             high = middle;
         }
     }
+}
+
+/// The amplitude of so many degrees.
+pub(super) fn at_degrees(degrees: f64) -> Option<Angle> {
+    Angle::from_degrees(degrees).ok()
 }
 
 /// As `129.4408075768 degrees`.
