@@ -69,6 +69,8 @@ pub mod oscillator;
 
 pub mod perturbation;
 
+pub mod derivation;
+
 pub mod measurement;
 
 pub mod fit;

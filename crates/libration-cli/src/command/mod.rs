@@ -7,6 +7,7 @@ pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;
+mod paper;
 mod period;
 
 use crate::failure::Failure;
@@ -39,6 +40,7 @@ enum Question {
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
+    Paper(paper::Paper),
     Figure(figure::Figure),
     #[command(subcommand)]
     Fit(Fit),
@@ -59,6 +61,7 @@ impl Libration {
             Question::Fourier(question) => question.answer(out),
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::Paper(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),

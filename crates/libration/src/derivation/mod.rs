@@ -1,0 +1,3 @@
+//! What was derived, derived again.
+
+pub mod paper;
