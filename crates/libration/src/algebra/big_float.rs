@@ -93,6 +93,14 @@ impl BigFloat {
         Self(self.0.cos())
     }
 
+    pub(crate) fn asin(&self) -> Self {
+        Self(self.0.asin())
+    }
+
+    pub(crate) fn atan(&self) -> Self {
+        Self(self.0.atan())
+    }
+
     /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place
     /// (DLMF 19.8(i)). Each step doubles the digits that agree, so the last is taken when half of them do.
     pub(crate) fn agm(&self, other: &Self) -> Self {

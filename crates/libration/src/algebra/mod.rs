@@ -11,5 +11,4 @@ pub(crate) use big_float::BigFloat;
 pub use function::Function;
 pub(crate) use integer_polynomial::product;
 pub use rational::{NotARational, Rational};
-#[expect(unused_imports, reason = "used when the tape arrives")]
 pub(crate) use ring::Ring;

@@ -42,6 +42,12 @@ impl Rational {
         self.0.is_zero()
     }
 
+    /// Whether this is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.0 < RBig::ZERO
+    }
+
     /// The numerator in decimal digits, with its sign.
     #[must_use]
     pub fn numerator(&self) -> String {
