@@ -63,6 +63,8 @@ mod series;
 
 pub mod expression;
 
+pub mod perturbation;
+
 pub mod derivation;
 
 pub mod measurement;

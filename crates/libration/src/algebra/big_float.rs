@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use dashu::base::BitTest;
 use dashu::float::FBig;
 use dashu::float::round::mode::HalfEven;
-use dashu::integer::IBig;
+use dashu::integer::{IBig, UBig};
 
 use super::Rational;
 use crate::double_double::DoubleDouble;
@@ -97,8 +97,28 @@ impl BigFloat {
         Self(self.0.asin())
     }
 
+    pub(crate) fn acos(&self) -> Self {
+        Self(self.0.acos())
+    }
+
     pub(crate) fn atan(&self) -> Self {
         Self(self.0.atan())
+    }
+
+    pub(crate) fn rounded_to(&self, precision: usize) -> Self {
+        Self(rounded(self.0.clone(), precision))
+    }
+
+    /// The same number as a fraction.
+    pub(crate) fn to_rational(&self) -> Rational {
+        let repr = self.0.repr();
+        let (significand, exponent) = (repr.significand().clone(), repr.exponent());
+        let scale = UBig::ONE << exponent.unsigned_abs();
+        if exponent < 0 {
+            Rational::from_parts(significand, scale)
+        } else {
+            Rational::from_parts(significand * IBig::from(scale), UBig::ONE)
+        }
     }
 
     /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place

@@ -1,14 +1,27 @@
-//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and the product of
-//! integer polynomials.
+//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and polynomials
+//! in named variables, and the product of integer polynomials.
 
 mod big_float;
+mod floats;
 mod function;
+mod harmonics;
 mod integer_polynomial;
+mod polynomial;
+mod prime_field;
 mod rational;
+mod reconstruction;
 mod ring;
+mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub(crate) use floats::Floats;
 pub use function::Function;
+pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;
+pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
+pub(crate) use prime_field::{PrimeField, primes_with_roots};
+pub(crate) use rational::Rationals;
 pub use rational::{NotARational, Rational};
+pub(crate) use reconstruction::{Images, reconstruct};
 pub(crate) use ring::Ring;
+pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};

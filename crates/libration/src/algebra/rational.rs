@@ -4,8 +4,11 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;
 
+use dashu::base::{BitTest, Gcd, Sign};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
+
+use super::{Function, Ring, product};
 
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
 ///
@@ -42,12 +45,6 @@ impl Rational {
         self.0.is_zero()
     }
 
-    /// Whether this is below zero.
-    #[must_use]
-    pub fn is_negative(&self) -> bool {
-        self.0 < RBig::ZERO
-    }
-
     /// The numerator in decimal digits, with its sign.
     #[must_use]
     pub fn numerator(&self) -> String {
@@ -71,8 +68,80 @@ impl Rational {
         Self(RBig::from_parts(numerator, denominator))
     }
 
+    /// |a|.
+    #[must_use]
+    pub fn magnitude(&self) -> Self {
+        if self.is_negative() { self.clone().neg() } else { self.clone() }
+    }
+
+    /// Whether this is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.parts().0.sign() == Sign::Negative
+    }
+
+    /// Whether this is a whole number.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        self.parts().1.is_one()
+    }
+
+    /// The number as a natural one, when it is that and fits.
+    pub(crate) fn to_natural(&self) -> Option<u64> {
+        self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
+    }
+
+    /// The root, when it is a fraction.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        self.root(2)
+    }
+
+    /// The n-th root, when it is a fraction; not negative for even n.
+    fn root(&self, n: usize) -> Option<Self> {
+        let exact = |whole: &UBig| Some(whole.nth_root(n)).filter(|root| root.pow(n) == *whole);
+        let (numerator, denominator) = self.parts();
+        let (sign, magnitude) = numerator.clone().into_parts();
+        if n == 0 || (sign == Sign::Negative && n.is_multiple_of(2)) {
+            return None;
+        }
+        Some(Self::from_parts(sign * IBig::from(exact(&magnitude)?), exact(denominator)?))
+    }
+
+    /// The fraction of least denominator strictly between two others.
+    pub(crate) fn simplest_between(low: &Self, high: &Self) -> Self {
+        Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
+    }
+
+    /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
+    pub(crate) fn coarsened(&self) -> Self {
+        let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
+        Self::simplest_between(&below, self)
+    }
+
+    /// aⁿ; `None` for a negative power of zero, or more bits than 2²⁶.
+    pub(crate) fn integer_power(&self, n: isize) -> Option<Self> {
+        const BITS: usize = 1 << 26;
+        let (numerator, denominator) = self.parts();
+        let size = numerator.bit_len().max(denominator.bit_len());
+        if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {
+            return None;
+        }
+        let power = Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
+        if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
+    }
+
     pub(crate) fn divided_by_power_of_two(&self, exponent: usize) -> Self {
         Self(&self.0 / RBig::from(UBig::ONE << exponent))
+    }
+
+    /// Numerator and denominator modulo a prime, both between 0 and p − 1.
+    pub(crate) fn residues(&self, prime: u64) -> (u64, u64) {
+        let (numerator, denominator) = self.parts();
+        let (sign, magnitude) = numerator.clone().into_parts();
+        let residue = magnitude % prime;
+        let negative = sign == Sign::Negative && residue > 0;
+        (if negative { prime - residue } else { residue }, denominator % prime)
     }
 
     pub(crate) fn parts(&self) -> (&IBig, &UBig) {
@@ -135,6 +204,109 @@ impl FromStr for Rational {
         }
         Ok(Self::from_parts(numerator, denominator))
     }
+}
+
+/// The field of all fractions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rationals;
+
+impl Ring for Rationals {
+    type Element = Rational;
+
+    fn zero(&self) -> Rational {
+        Rational(RBig::ZERO)
+    }
+
+    fn is_zero(&self, a: &Rational) -> bool {
+        a.is_zero()
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Rational> {
+        Some(value.clone())
+    }
+
+    fn add(&self, a: &Rational, b: &Rational) -> Rational {
+        Rational(&a.0 + &b.0)
+    }
+
+    fn subtract(&self, a: &Rational, b: &Rational) -> Rational {
+        Rational(&a.0 - &b.0)
+    }
+
+    fn negate(&self, a: &Rational) -> Rational {
+        Rational(-&a.0)
+    }
+
+    fn multiply(&self, a: &Rational, b: &Rational) -> Rational {
+        Rational(&a.0 * &b.0)
+    }
+
+    fn times_integer(&self, a: &Rational, factor: i64) -> Rational {
+        Rational(&a.0 * IBig::from(factor))
+    }
+
+    fn divide(&self, a: &Rational, divisor: &Rational) -> Option<Rational> {
+        a.checked_div(divisor)
+    }
+
+    fn over_integer(&self, a: &Rational, divisor: u64) -> Option<Rational> {
+        (divisor != 0).then(|| Rational(&a.0 / IBig::from(divisor)))
+    }
+
+    /// The rational values at rational places: those at zero, ln 1, and the roots of squares.
+    fn value(&self, function: Function, at: &Rational) -> Option<Rational> {
+        let one = Rational::from(1);
+        match function {
+            Function::Sqrt => at.square_root(),
+            Function::Abs => Some(at.magnitude()),
+            Function::Cos | Function::Cosh | Function::Exp => at.is_zero().then_some(one),
+            Function::Ln | Function::Acos => (*at == one).then(|| self.zero()),
+            Function::Sin
+            | Function::Tan
+            | Function::Asin
+            | Function::Atan
+            | Function::Sinh
+            | Function::Tanh => at.is_zero().then(|| self.zero()),
+        }
+    }
+
+    fn power(&self, a: &Rational, exponent: &Rational) -> Option<Rational> {
+        let (numerator, denominator) = exponent.parts();
+        let root = a.root(usize::try_from(denominator).ok()?)?;
+        root.integer_power(isize::try_from(numerator).ok()?)
+    }
+
+    fn pi(&self) -> Option<Rational> {
+        None
+    }
+
+    /// Over common denominators, so that one greatest common divisor is taken for each coefficient.
+    fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
+        let ((a, under_a), (b, under_b)) = (over_common(a, length), over_common(b, length));
+        let denominator = under_a * under_b;
+        let mut products = product(&a, &b);
+        products.resize(length, IBig::ZERO);
+        products.into_iter().map(|sum| Rational::from_parts(sum, denominator.clone())).collect()
+    }
+}
+
+/// The first numerators over the least common denominator, and the latter.
+fn over_common(series: &[Rational], length: usize) -> (Vec<IBig>, UBig) {
+    let series = &series[..series.len().min(length)];
+    let common = series.iter().fold(UBig::ONE, |common, fraction| {
+        let denominator = fraction.parts().1;
+        if (&common % denominator).is_zero() {
+            common
+        } else {
+            let gcd = (&common).gcd(denominator);
+            common / gcd * denominator
+        }
+    });
+    let numerator = |fraction: &Rational| {
+        let (numerator, denominator) = fraction.parts();
+        numerator * IBig::from(&common / denominator)
+    };
+    (series.iter().map(numerator).collect(), common)
 }
 
 /// A text that is not a fraction of two decimal integers.

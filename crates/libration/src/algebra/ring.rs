@@ -36,4 +36,18 @@ pub(crate) trait Ring {
         let products = a.iter().zip(b.iter().rev()).filter(|(a, b)| !self.is_zero(a) && !self.is_zero(b));
         products.fold(self.zero(), |sum, (a, b)| self.add(&sum, &self.multiply(a, b)))
     }
+
+    /// The first `length` coefficients of the product of two power series.
+    fn series_product(&self, a: &[Self::Element], b: &[Self::Element], length: usize) -> Vec<Self::Element> {
+        let coefficient = |n: usize| {
+            let first = (n + 1).saturating_sub(b.len());
+            let last = (n + 1).min(a.len());
+            if first < last {
+                self.convolution(&a[first..last], &b[n + 1 - last..=n - first])
+            } else {
+                self.zero()
+            }
+        };
+        (0..length).map(coefficient).collect()
+    }
 }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use super::document::Prose;
 use super::evaluate::{Analysis, NoValue, Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Statement, Unit, rounded};
-use super::numbers::{Coefficients, PowerSeries};
+use super::numbers::PowerSeries;
 use crate::algebra::Ring;
 use crate::pendulum::PendulumError;
 
@@ -154,21 +154,37 @@ pub(super) fn same_series(
     coefficients: usize,
     statement: Statement,
 ) -> Result<Equation, DerivationError> {
-    same_series_with(variable, coefficients, &mut |_| {}, statement)
+    same_series_where(variable, coefficients, &[], statement)
 }
 
-/// As [`same_series`], with further names defined.
-pub(super) fn same_series_with(
+/// What else a letter stands for in a series.
+pub(super) enum Given<'a> {
+    /// A name stands for a formula of the variable.
+    Value(Name, Formula),
+    /// A name stands for a function of one parameter.
+    Function(&'a str, &'a str, Formula),
+}
+
+/// As [`same_series`], with further letters.
+pub(super) fn same_series_where(
     variable: &Name,
     coefficients: usize,
-    define: &mut dyn FnMut(&mut Values<Coefficients>),
+    given: &[Given],
     statement: Statement,
 ) -> Result<Equation, DerivationError> {
     // Quotients of series that begin with a power of the variable lose coefficients.
     let ring = PowerSeries { length: coefficients + 6 };
     let mut values = Values::default();
     values.set(variable, ring.variable());
-    define(&mut values);
+    for given in given {
+        match given {
+            Given::Value(name, formula) => {
+                let value = side(&statement, formula, &ring, &values)?;
+                values.set(name, value);
+            }
+            Given::Function(name, parameter, body) => values.define(&Name::new(name), &[parameter], body.clone()),
+        }
+    }
     let first = side(&statement, &statement.first, &ring, &values)?;
     let mut compared = first.len();
     for (_, formula) in &statement.rest {
@@ -255,7 +271,7 @@ impl Place {
             Self::Everywhere => Prose::text("checked: "),
             Self::Cases { index, first, last } => {
                 Prose::new("checked for {} = {}", [index.into(), Formula::from(*first)])
-                    .and(Prose::new(" to {}; first ", [Formula::from(*last)]))
+                    .and(Prose::new(" to {}; for the first ", [Formula::from(*last)]))
             }
             Self::Amplitudes { at, amplitudes } => {
                 let mut prose = Prose::new("checked at {} = ", [Name::new("θ").index(0).into()]);

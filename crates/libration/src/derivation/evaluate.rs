@@ -200,12 +200,31 @@ fn power<R: Analysis>(
     values: &Values<R::Element>,
 ) -> Result<R::Element, NoValue> {
     let value = evaluate(base, ring, values)?;
+    if let Some(whole) = values.integer(exponent) {
+        return whole_power(ring, &value, whole);
+    }
     if let Some(constant) = values.constant(exponent) {
         return ring.power(&value, &constant).ok_or(NoValue::NotInRing("a power"));
     }
     let logarithm = ring.value(Function::Ln, &value).ok_or(NoValue::NotInRing("a logarithm"))?;
     let product = ring.multiply(&evaluate(exponent, ring, values)?, &logarithm);
     ring.value(Function::Exp, &product).ok_or(NoValue::NotInRing("a power"))
+}
+
+/// Repeated squaring.
+fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, NoValue> {
+    let one = ring.rational(&Rational::from(1)).ok_or(NoValue::NotInRing("a power"))?;
+    let (mut power, mut square, mut rest) = (one.clone(), base.clone(), exponent.unsigned_abs());
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power = ring.multiply(&power, &square);
+        }
+        rest /= 2;
+        if rest > 0 {
+            square = ring.multiply(&square, &square);
+        }
+    }
+    if exponent < 0 { ring.divide(&one, &power).ok_or(NoValue::NotInRing("a power")) } else { Ok(power) }
 }
 
 fn apply<R: Analysis>(

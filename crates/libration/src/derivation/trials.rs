@@ -6,7 +6,7 @@ use super::check::{Against, Check, DerivationError, Equation, Place, failed, sid
 use super::document::Wanted;
 use super::evaluate::{Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Relation, Statement, Unit, number, rounded, sin};
-use super::numbers::{Digits, PRECISION};
+use super::numbers::{DIGITS, PRECISION};
 use crate::algebra::{BigFloat, Rational, Ring};
 use crate::double_double::DoubleDouble;
 use crate::pendulum::{Amplitude, Pendulum};
@@ -44,8 +44,6 @@ struct Trial {
     values: Values<BigFloat>,
 }
 
-const RING: Digits = Digits;
-
 impl Trials {
     /// Three amplitudes of a pendulum of one metre, and the reader's swing if there is one.
     pub(super) fn new(reader: Option<&Swing>) -> Result<Self, DerivationError> {
@@ -69,7 +67,7 @@ impl Trials {
     pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<Equation, DerivationError> {
         let statement = Statement::defined(name, value.clone());
         for trial in &mut self.trials {
-            let value = side(&statement, &value, &RING, &trial.values)?;
+            let value = side(&statement, &value, &DIGITS, &trial.values)?;
             trial.values.set(name, value);
         }
         Ok(Equation::definition(statement))
@@ -164,7 +162,7 @@ impl Trials {
         let shown = &self.trials[self.shown].values;
         let number = |(formula, digits, unit): &(Formula, usize, Unit)| {
             let statement = Statement::from(formula.clone());
-            let value = side(&statement, formula, &RING, shown)?.to_f64();
+            let value = side(&statement, formula, &DIGITS, shown)?.to_f64();
             let printed = value * if *unit == Unit::Degree { 180.0 / std::f64::consts::PI } else { 1.0 };
             let statement = statement.and(Relation::Rounded, rounded(printed, *digits, *unit));
             check_rounding(&statement, shown)?;
@@ -175,7 +173,7 @@ impl Trials {
 
     /// The value of a formula in the swing shown.
     pub(super) fn value(&self, formula: &Formula) -> Result<BigFloat, DerivationError> {
-        side(&Statement::from(formula.clone()), formula, &RING, &self.trials[self.shown].values)
+        side(&Statement::from(formula.clone()), formula, &DIGITS, &self.trials[self.shown].values)
     }
 
     /// Whether numbers are given.
@@ -194,9 +192,9 @@ fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<()
     let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return Ok(()) };
     let place = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
     let place = decimal.last_place().map(|last| Formula::from(last) * place).unwrap_or_else(|| number(0));
-    let exact = side(statement, &statement.first, &RING, values)?;
-    let printed = side(statement, &Formula::Decimal(decimal.clone()), &RING, values)?;
-    let place = side(statement, &place, &RING, values)?.to_f64();
+    let exact = side(statement, &statement.first, &DIGITS, values)?;
+    let printed = side(statement, &Formula::Decimal(decimal.clone()), &DIGITS, values)?;
+    let place = side(statement, &place, &DIGITS, values)?.to_f64();
     // The double nearest to the value was rounded, not the value.
     let slack = 2.0 * f64::EPSILON * exact.to_f64().abs();
     let difference = (exact - printed).to_f64().abs();
@@ -246,7 +244,7 @@ impl Trial {
         let velocity = theta.clone().prime();
         let acceleration = velocity.clone().prime();
         let law = -(Formula::from(&omega).squared() * sin(&theta));
-        if let Ok(value) = evaluate(&law, &RING, &self.values) {
+        if let Ok(value) = evaluate(&law, &DIGITS, &self.values) {
             self.values.set(&acceleration, value);
         }
         self.values.set_rate(&theta, (&velocity).into());
@@ -276,9 +274,9 @@ impl Trial {
             Formula::Sum(terms) => terms.as_slice(),
             term => std::slice::from_ref(term),
         };
-        let mut sum = Side { value: RING.zero(), size: 0.0 };
+        let mut sum = Side { value: DIGITS.zero(), size: 0.0 };
         for term in terms {
-            let term = side(statement, term, &RING, &self.values)?;
+            let term = side(statement, term, &DIGITS, &self.values)?;
             sum = Side { size: sum.size + term.to_f64().abs(), value: sum.value + term };
         }
         Ok(sum)
@@ -296,7 +294,7 @@ impl Side {
         if relation == Relation::Less {
             return if self.value < other.value { 0.0 } else { f64::INFINITY };
         }
-        let difference = RING.subtract(&self.value, &other.value).to_f64().abs();
+        let difference = DIGITS.subtract(&self.value, &other.value).to_f64().abs();
         if difference == 0.0 { 0.0 } else { difference / self.size.max(other.size) }
     }
 }

@@ -1,10 +1,50 @@
 //! Formulas and equations of motion as text, tree and tape.
 
+mod error;
+mod letters;
+
+mod decimal;
+mod lexer;
+mod parser;
+
+mod display;
+mod latex;
+mod precedence;
+
+mod derivative;
+mod normal_form;
+mod simplify;
+mod symbols;
+
+mod equation;
+
+mod jet;
+mod tape;
+
 use crate::algebra::Rational;
 
 pub use crate::algebra::Function;
+pub use equation::{Equation, EquationError};
+pub use error::{Fault, ParseError};
+pub(crate) use jet::{Jet, NoSeries};
+pub use lexer::LONGEST_TEXT;
+pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
+pub(crate) use tape::Tape;
+pub use tape::WithoutValue;
 
 /// A formula. The tree is what was written: nothing is reordered or simplified unless asked for.
+///
+/// From text it is at most [`DEEPEST_TREE`] levels deep, and what is made from it a small multiple of that; its
+/// methods call themselves for each level.
+///
+/// # Examples
+/// ```
+/// use libration::expression::{Expression, Symbol};
+/// let force: Expression = "-ω0² sin(θ)".parse()?;
+/// assert_eq!(force.to_string(), "-omega0^2*sin(theta)");
+/// assert_eq!(force.derivative(&Symbol::plain("theta")).to_string(), "-omega0^2*cos(theta)");
+/// # Ok::<(), libration::expression::ParseError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Expression {
     /// An exact number; never negative when it comes from text.

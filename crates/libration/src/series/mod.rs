@@ -4,6 +4,8 @@
 //! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
 
 mod online;
+pub(crate) mod recurrences;
+pub(crate) mod truncated;
 
 use dashu::integer::IBig;
 

@@ -12,6 +12,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("period_formulas", &["series", "algebra"]),
     ("algebra", &[]),
     ("series", &["algebra"]),
+    ("expression", &["series", "algebra"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

@@ -10,6 +10,8 @@ mod ulp;
 mod accuracy;
 mod architecture;
 mod elliptic;
+mod equation;
+mod expression;
 mod fit;
 mod fourier;
 mod ledger;

@@ -22,6 +22,11 @@ impl Random {
         low + (high - low) * unit
     }
 
+    /// A whole number below n.
+    pub(crate) fn below(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+
     /// 10^x with x uniform.
     pub(crate) fn log_between(&mut self, low: f64, high: f64) -> f64 {
         libm::exp(LN_10 * self.between(low, high))

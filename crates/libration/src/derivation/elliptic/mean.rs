@@ -1,9 +1,9 @@
 //! The integral as the arithmetic–geometric mean.
 
-use super::super::check::{DerivationError, Equation};
+use super::super::check::{DerivationError, Equation, Given, same_series_where};
 use super::super::document::{Prose, Step, Table};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, rounded, series, sin,
+    Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, order, rounded, series, sin,
     sqrt,
 };
 use super::super::trials::Trials;
@@ -81,6 +81,10 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
         .say("for which two squares come out:", [])
         .show(examples.compare(arithmetic)?)
         .show(examples.compare(geometric)?)
+        .remark(
+            "The checks take {} for {}, {} for {}, and {} for {}; others would do.",
+            [number(1), a(), cos_half_amplitude(), b(), number(7) / 10, x()],
+        )
         .say(
             "Put together, the integrand in {} is half of the same integrand in {}, with the arithmetic mean for {} and the \
              geometric mean for {}; and the integral over both signs of {} is twice that over one. So",
@@ -110,10 +114,10 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
     let law = Statement::equal(period(), small_swing_period() / limit.clone());
     let nome = -(Formula::Pi * complete_integral(number(1) - letter("m")) / complete_integral(letter("m")));
     let nome = trials.define(&Name::new("q"), call(Function::Exp, nome))?;
-    let theta = |q: Formula| number(1) + 2 * series("j", 1, q.pow(letter("j").squared()));
-    let theta = trials.define_function("ϑ", &["q"], theta(letter("q")));
+    let theta = trials.define_function("ϑ", &["q"], theta_series());
     let power = letter("q").pow(number(2).pow(n()));
-    let error = Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power]).squared());
+    let error = Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power.clone()]).squared());
+    let small = theta_squared()?;
     Ok(Step::new("The period in a few steps")
         .say("Repeat the two means, beginning with", [])
         .show_all(starts.into())
@@ -141,11 +145,22 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
         .show(nome)
         .show(theta)
         .show(trials.compare_cases("n", 0..=3, error)?)
-        .say(
-            "The right side is nearly one less four times {} to the power of two to the n, because the sum has little beyond \
-             its first term.",
-            [letter("q")],
-        ))
+        .say("As a power series the right side begins", [])
+        .show(small)
+        .say("so that the error of {} is nearly {}, which is squared, and divided by four, at each step.", [small_swing_period() / a_n, -(4 * power)]))
+}
+
+/// 1 + 2 Σ q^(j²).
+pub(in super::super) fn theta_series() -> Formula {
+    number(1) + 2 * series("j", 1, letter("q").pow(letter("j").squared()))
+}
+
+/// ϑ(q)⁻² to a few powers of the nome.
+fn theta_squared() -> Result<Equation, DerivationError> {
+    let q = letter("q");
+    let expanded = number(1) - 4 * q.clone() + 12 * q.clone().squared() + order(q.clone().pow(3));
+    let statement = Statement::equal(number(1) / apply("ϑ", [q]).squared(), expanded);
+    same_series_where(&Name::new("q"), 3, &[Given::Function("ϑ", "q", theta_series())], statement)
 }
 
 fn iterates(trials: &Trials) -> Result<Table, DerivationError> {

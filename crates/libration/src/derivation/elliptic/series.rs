@@ -52,9 +52,9 @@ pub(super) fn binomial(trials: &Trials) -> Result<Step, DerivationError> {
             [],
         )
         .remark(
-            "The sum begins at n = 0, with the term 1. Begun at n = 1 it would lose this term, and the period would lose \
+            "The sum begins at {} = 0, with the term 1. Begun at {} = 1 it would lose this term, and the period would lose \
              its largest part, that of small swings.",
-            [],
+            [n(), n()],
         )
         .say("In the integrand of the period it gives", [])
         .show(trials.up_to(SLOW).compare(Statement::equal(integrand, series("n", 0, term)))?)
@@ -71,7 +71,7 @@ const SLOW: i64 = 140;
 pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<Step, DerivationError> {
     let i = |n: Formula| apply("I", [n]);
     let definition = trials.define_function("I", &["n"], integral("ψ", 0, Formula::Pi / 2, sin(psi()).pow(2 * n())));
-    let product = -(cos(psi())) * sin(psi()).pow(2 * n() - 1);
+    let product = -(cos(psi()) * sin(psi()).pow(2 * n() - 1));
     let rest = (2 * n() - 1) * (cos(psi()).squared() * sin(psi()).pow(2 * n() - 2));
     let parts = Statement::equal(derivative(product, "ψ"), sin(psi()).pow(2 * n()) - rest);
     let recurrence = (2 * n() - 1) / (2 * n());
@@ -108,10 +108,10 @@ pub(super) fn period(trials: &Trials) -> Result<Step, DerivationError> {
     let ratio = number(2) / Formula::Pi * complete_integral(m.clone());
     let sum = Statement::equal(ratio, period_series(m.clone().pow(n())));
     let sine = |n: usize| sin_half_amplitude().pow(i64::try_from(2 * n).unwrap_or(i64::MAX));
-    let coefficients = period_in_sine_squared(4);
+    let coefficients = period_in_sine_squared(3);
     let mut terms = vec![number(1)];
     terms.extend(coefficients.iter().enumerate().skip(1).map(|(n, c)| Formula::from(c.clone()) * sine(n)));
-    terms.push(order(theta_0().pow(10)));
+    terms.push(order(theta_0().pow(8)));
     let in_sines = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
     Ok(Step::new("The period as a series")
         .say(
@@ -120,13 +120,13 @@ pub(super) fn period(trials: &Trials) -> Result<Step, DerivationError> {
             [],
         )
         .show(trials.up_to(SLOW).compare(sum)?)
-        .show(same_series(&amplitude(), 10, in_sines)?)
+        .show(same_series(&amplitude(), 8, in_sines)?)
         .say("Here is how the sum approaches the period at an amplitude of {}:", [trials.amplitude()])
         .table(partial_sums(trials)?)
         .remark(
             "It converges for every amplitude below the upright position, slowly when {} is near one: each term is the one \
-             before it times {} and the square of (2n − 1)/(2n).",
-            [m.clone(), m],
+             before it times {} and the square of {}.",
+            [m.clone(), m, (2 * n() - 1) / (2 * n())],
         ))
 }
 
@@ -153,14 +153,14 @@ fn partial_sums(trials: &Trials) -> Result<Table, DerivationError> {
 }
 
 pub(super) fn in_the_amplitude() -> Result<Step, DerivationError> {
-    let coefficients = period_in_amplitude(4);
+    let coefficients = period_in_amplitude(3);
     let mut terms: Vec<Formula> =
         coefficients.iter().enumerate().map(|(n, c)| monomial(c, &theta_0(), 2 * n)).collect();
-    terms.push(order(theta_0().pow(10)));
+    terms.push(order(theta_0().pow(8)));
     let expanded = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
     Ok(Step::new("In powers of the amplitude")
         .say("With the power series of the sine itself the same sum becomes a series in the amplitude, in radians:", [])
-        .show(same_series(&amplitude(), 10, expanded)?)
+        .show(same_series(&amplitude(), 8, expanded)?)
         .remark(
             "Its terms are smaller, because the square of {} is below {}: the two series stop converging at the same \
              amplitude, the upright position, but on the way there this one needs fewer terms.",

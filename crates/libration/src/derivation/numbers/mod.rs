@@ -4,5 +4,5 @@ mod digits;
 mod power_series;
 mod quadrature;
 
-pub(super) use digits::{Digits, PRECISION};
-pub(super) use power_series::{Coefficients, PowerSeries};
+pub(super) use digits::{DIGITS, PRECISION};
+pub(super) use power_series::PowerSeries;

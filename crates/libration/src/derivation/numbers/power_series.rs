@@ -132,15 +132,8 @@ impl Ring for PowerSeries {
         }
     }
 
-    /// Whole powers of every series, others of those that begin with 1.
+    /// Of series that begin with 1.
     fn power(&self, a: &Coefficients, exponent: &Rational) -> Option<Coefficients> {
-        let whole: Option<i64> =
-            (exponent.denominator() == "1").then(|| exponent.numerator().parse().ok()).flatten();
-        if let Some(whole) = whole {
-            let one = constant(Rational::from(1), self.length);
-            let size = (0..whole.unsigned_abs()).fold(one.clone(), |product, _| self.multiply(&product, a));
-            return if whole < 0 { self.divide(&one, &size) } else { Some(size) };
-        }
         let excess = self.subtract(a, &constant(Rational::from(1), a.len()));
         self.compose(&excess, |n| binomial(exponent, n))
     }

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::PRECISION;
+use super::digits::PRECISION;
 use crate::algebra::BigFloat;
 use crate::derivation::evaluate::NoValue;
 

@@ -12,7 +12,8 @@ const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
 \\setlength{\\oddsidemargin}{0.5cm}
 \\setlength{\\textheight}{23cm}
 \\setlength{\\topmargin}{-1cm}
-\\newcommand{\\checked}[1]{\\par\\nobreak\\vspace{-0.6em}{\\footnotesize\\itshape #1\\par}\\vspace{0.3em}}
+\\postdisplaypenalty=10000
+\\newcommand{\\checked}[1]{\\par\\nobreak\\vspace{-0.8em}{\\centering\\footnotesize\\itshape #1\\par}\\vspace{0.4em}}
 \\newenvironment{remark}{\\begin{quote}\\small}{\\end{quote}}
 ";
 

@@ -21,6 +21,8 @@ pub(super) enum Layout {
     Suffix(&'static str),
     Comma,
     ThinSpace,
+    /// Between a function and its argument.
+    Application,
     Fraction(Box<Self>, Box<Self>),
     Root(Box<Self>),
     /// With this many primes, which count as part of the letter.
@@ -197,7 +199,7 @@ impl Style {
             Function::Abs => Layout::Bars(Box::new(self.formula(argument))),
             Function::Exp => scripts(Layout::Letter("e".to_owned()), None, Some(Self::Inline.formula(argument))),
             _ if needs_brackets(self, argument) => self.bracketed_call(function, exponent, argument),
-            _ => Layout::Row(vec![head(function, exponent), Layout::ThinSpace, self.formula(argument)]),
+            _ => Layout::Row(vec![head(function, exponent), Layout::Application, self.formula(argument)]),
         }
     }
 

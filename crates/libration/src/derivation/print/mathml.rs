@@ -12,8 +12,9 @@ pub(super) fn mathml(layout: &Layout) -> String {
         Layout::Digits(digits) => element("mn", digits),
         Layout::Sign(sign) => element("mo", &sign.to_string()),
         Layout::Prefix(sign) => format!("<mo form=\"prefix\">{sign}</mo>"),
-        Layout::Suffix(text) => format!("<mo form=\"postfix\" lspace=\"0\" rspace=\"0\">{}</mo>", html(text)),
+        Layout::Suffix(text) => format!("<mo form=\"postfix\" lspace=\"0em\" rspace=\"0em\">{}</mo>", html(text)),
         Layout::Comma => "<mo>,</mo>".to_owned(),
+        Layout::Application => "<mo>&#x2061;</mo><mspace width=\"0.17em\"/>".to_owned(),
         Layout::ThinSpace => "<mspace width=\"0.17em\"/>".to_owned(),
         Layout::Fraction(over, under) => format!("<mfrac>{}{}</mfrac>", mathml(over), mathml(under)),
         Layout::Root(under) => format!("<msqrt>{}</msqrt>", mathml(under)),
@@ -51,7 +52,7 @@ fn element(tag: &str, text: &str) -> String {
 
 fn fenced(open: &str, inner: &Layout, close: &str) -> String {
     let fence = |form: &str, sign: &str| {
-        format!("<mo stretchy=\"true\" form=\"{form}\" lspace=\"0\" rspace=\"0\">{sign}</mo>")
+        format!("<mo stretchy=\"true\" form=\"{form}\" lspace=\"0em\" rspace=\"0em\">{sign}</mo>")
     };
     format!("<mrow>{}{}{}</mrow>", fence("prefix", open), mathml(inner), fence("postfix", close))
 }

@@ -1,0 +1,134 @@
+//! Multi-precision floats as a ring: for coefficients that are no fractions.
+
+use super::{BigFloat, Function, Rational, Ring};
+
+/// Binary floats of a fixed precision, in bits; every operation rounds to nearest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Floats {
+    pub(crate) precision: usize,
+}
+
+impl Floats {
+    fn integer(self, value: i64) -> BigFloat {
+        BigFloat::from_integer(value, self.precision)
+    }
+
+    /// (eˣ ± e⁻ˣ)/2.
+    fn hyperbolic(self, x: &BigFloat, sine: bool) -> BigFloat {
+        // The difference loses the leading bits of small x.
+        let lost = usize::try_from(-x.exponent().unwrap_or(0)).unwrap_or(0);
+        let wide = x.clone() + BigFloat::from_integer(0, self.precision + 2 * lost + 8);
+        let (grown, decayed) = (wide.exp(), (-wide).exp());
+        let twice = if sine { grown - decayed } else { grown + decayed };
+        self.rounded(&twice.halved())
+    }
+
+    fn rounded(self, value: &BigFloat) -> BigFloat {
+        value.rounded_to(self.precision)
+    }
+}
+
+impl Ring for Floats {
+    type Element = BigFloat;
+
+    fn zero(&self) -> BigFloat {
+        self.integer(0)
+    }
+
+    fn is_zero(&self, a: &BigFloat) -> bool {
+        a.is_zero()
+    }
+
+    fn rational(&self, value: &Rational) -> Option<BigFloat> {
+        Some(BigFloat::from_rational(value, self.precision))
+    }
+
+    fn add(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.clone() + b.clone()
+    }
+
+    fn subtract(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.clone() - b.clone()
+    }
+
+    fn negate(&self, a: &BigFloat) -> BigFloat {
+        -a.clone()
+    }
+
+    fn multiply(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.clone() * b.clone()
+    }
+
+    fn times_integer(&self, a: &BigFloat, factor: i64) -> BigFloat {
+        a.clone() * self.integer(factor)
+    }
+
+    fn divide(&self, a: &BigFloat, divisor: &BigFloat) -> Option<BigFloat> {
+        (!divisor.is_zero()).then(|| a.clone() / divisor.clone())
+    }
+
+    fn over_integer(&self, a: &BigFloat, divisor: u64) -> Option<BigFloat> {
+        self.divide(a, &self.integer(i64::try_from(divisor).ok()?))
+    }
+
+    fn value(&self, function: Function, at: &BigFloat) -> Option<BigFloat> {
+        let (zero, one) = (self.zero(), self.integer(1));
+        let positive = *at > zero;
+        let magnitude = if positive { at.clone() } else { -at.clone() };
+        // Beyond this an exponential would not end.
+        if at.exponent().is_some_and(|exponent| exponent > 40) && function != Function::Abs {
+            return None;
+        }
+        match function {
+            Function::Sqrt => (positive || at.is_zero()).then(|| at.sqrt()),
+            Function::Sin => Some(at.sin()),
+            Function::Cos => Some(at.cos()),
+            Function::Tan => self.divide(&at.sin(), &at.cos()),
+            Function::Asin => (magnitude <= one).then(|| at.asin()),
+            Function::Acos => (magnitude <= one).then(|| at.acos()),
+            Function::Atan => Some(at.atan()),
+            Function::Sinh => Some(self.hyperbolic(at, true)),
+            Function::Cosh => Some(self.hyperbolic(at, false)),
+            Function::Tanh => self.divide(&self.hyperbolic(at, true), &self.hyperbolic(at, false)),
+            Function::Exp => Some(at.exp()),
+            Function::Ln => positive.then(|| at.ln()),
+            Function::Abs => Some(magnitude),
+        }
+    }
+
+    fn power(&self, a: &BigFloat, exponent: &Rational) -> Option<BigFloat> {
+        let logarithm = self.value(Function::Ln, a)?;
+        self.value(Function::Exp, &(logarithm * self.rational(exponent)?))
+    }
+
+    fn pi(&self) -> Option<BigFloat> {
+        Some(BigFloat::pi(self.precision))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_and_their_inverses_meet() {
+        let floats = Floats { precision: 200 };
+        let at = floats.rational(&Rational::new(3, 7).unwrap()).unwrap();
+        let value = |function, at: &BigFloat| floats.value(function, at).unwrap();
+        let close = |a: &BigFloat, b: &BigFloat| {
+            (a.clone() - b.clone()).exponent().is_none_or(|exponent| exponent < -190)
+        };
+        for (function, inverse) in [
+            (Function::Sin, Function::Asin),
+            (Function::Cos, Function::Acos),
+            (Function::Tan, Function::Atan),
+            (Function::Exp, Function::Ln),
+        ] {
+            assert!(close(&value(inverse, &value(function, &at)), &at), "{function:?}");
+        }
+        let (s, c) = (value(Function::Sinh, &at), value(Function::Cosh, &at));
+        assert!(close(&(c.clone() * c - s.clone() * s), &floats.integer(1)));
+        let root = floats.power(&at, &Rational::new(1, 3).unwrap()).unwrap();
+        assert!(close(&(root.clone() * root.clone() * root), &at));
+    }
+}

@@ -1,0 +1,282 @@
+//! Polynomials in several named variables with exact coefficients.
+
+mod monomial;
+mod polynomials;
+mod text;
+mod variable;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::{Add, Mul, Neg, Sub};
+
+pub use monomial::Monomial;
+pub use polynomials::Polynomials;
+pub use variable::Variable;
+
+use super::Rational;
+
+/// A polynomial in named variables with rational coefficients, exact.
+///
+/// # Examples
+/// ```
+/// use libration::algebra::{Polynomial, Rational};
+/// let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
+/// let square = (x.clone() - y.clone()).pow(2);
+/// assert_eq!(square.to_string(), "x^2 - 2*x*y + y^2");
+/// assert_eq!(square.divide_exactly(&(x.clone() - y.clone())), Some(x - y));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Polynomial {
+    /// No coefficient is zero.
+    terms: BTreeMap<Monomial, Rational>,
+}
+
+impl Polynomial {
+    /// The polynomial without terms.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// A number as a polynomial.
+    #[must_use]
+    pub fn constant(value: Rational) -> Self {
+        Self::term(Monomial::default(), value)
+    }
+
+    /// A variable as a polynomial.
+    #[must_use]
+    pub fn variable(variable: impl Into<Variable>) -> Self {
+        Self::term(Monomial::variable(variable.into()), Rational::from(1))
+    }
+
+    /// Whether it has no terms.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The number it is; `None` when a variable is left.
+    #[must_use]
+    pub fn to_constant(&self) -> Option<Rational> {
+        (self.degree() == 0).then(|| self.constant_term())
+    }
+
+    /// The terms, lower degrees first, none with the coefficient zero.
+    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &Rational)> {
+        self.terms.iter()
+    }
+
+    /// The variables that occur, in their order.
+    #[must_use]
+    pub fn variables(&self) -> BTreeSet<Variable> {
+        let factors = self.terms.keys().flat_map(Monomial::factors);
+        factors.map(|(variable, _)| variable.clone()).collect()
+    }
+
+    /// The largest sum of exponents; 0 for the zero polynomial.
+    #[must_use]
+    pub fn degree(&self) -> u32 {
+        self.terms.keys().next_back().map_or(0, Monomial::degree)
+    }
+
+    /// The largest exponent of a variable.
+    #[must_use]
+    pub fn degree_in(&self, variable: &Variable) -> u32 {
+        self.terms.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
+    }
+
+    /// The polynomial in the other variables that stands before a power of this one.
+    #[must_use]
+    pub fn coefficient(&self, variable: &Variable, power: u32) -> Self {
+        let chosen = self.terms.iter().filter(|(monomial, _)| monomial.exponent(variable) == power);
+        Self {
+            terms: chosen.map(|(monomial, factor)| (monomial.without(variable), factor.clone())).collect(),
+        }
+    }
+
+    /// The derivative with respect to a variable.
+    #[must_use]
+    pub fn derivative(&self, variable: &Variable) -> Self {
+        let x = Monomial::variable(variable.clone());
+        let terms = self.terms.iter().filter_map(|(monomial, factor)| {
+            let exponent = Rational::from(i64::from(monomial.exponent(variable)));
+            monomial.divided_by(&x).map(|rest| (rest, factor.clone() * exponent))
+        });
+        Self { terms: terms.collect() }
+    }
+
+    /// The polynomial times a number.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        if factor.is_zero() {
+            return Self::zero();
+        }
+        let scale =
+            |(monomial, other): (&Monomial, &Rational)| (monomial.clone(), other.clone() * factor.clone());
+        Self { terms: self.terms.iter().map(scale).collect() }
+    }
+
+    /// The power with a natural exponent.
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Self {
+        let one = Self::constant(Rational::from(1));
+        (0..exponent).fold(one, |power, _| product(&power, self))
+    }
+
+    /// The polynomial with another one in place of a variable.
+    #[must_use]
+    pub fn substitute(&self, variable: &Variable, by: &Self) -> Self {
+        // Horner's scheme in the variable.
+        let powers = (0..=self.degree_in(variable)).rev();
+        powers.fold(Self::zero(), |value, power| product(&value, by) + self.coefficient(variable, power))
+    }
+
+    /// The value where the variables have these values; `None` when one has none.
+    #[must_use]
+    pub fn value(&self, of: impl Fn(&Variable) -> Option<Rational>) -> Option<Rational> {
+        let replace = |polynomial: Self, variable: Variable| {
+            Some(polynomial.substitute(&variable, &Self::constant(of(&variable)?)))
+        };
+        self.variables().into_iter().try_fold(self.clone(), replace)?.to_constant()
+    }
+
+    /// The quotient when the division leaves no rest; `None` when it does, or when the divisor is zero.
+    #[must_use]
+    pub fn divide_exactly(&self, divisor: &Self) -> Option<Self> {
+        let (leading, leading_factor) = divisor.terms.last_key_value()?;
+        let (mut rest, mut quotient) = (self.clone(), Self::zero());
+        while let Some((monomial, factor)) = rest.terms.last_key_value() {
+            let term = Self::term(monomial.divided_by(leading)?, factor.checked_div(leading_factor)?);
+            rest = rest - product(&term, divisor);
+            quotient = quotient + term;
+        }
+        Some(quotient)
+    }
+
+    fn term(monomial: Monomial, factor: Rational) -> Self {
+        let mut polynomial = Self::zero();
+        polynomial.add_term(monomial, factor);
+        polynomial
+    }
+
+    fn constant_term(&self) -> Rational {
+        self.terms.get(&Monomial::default()).cloned().unwrap_or_else(|| Rational::from(0))
+    }
+
+    fn add_term(&mut self, monomial: Monomial, factor: Rational) {
+        let sum = self.terms.remove(&monomial).map_or(factor.clone(), |present| present + factor);
+        if !sum.is_zero() {
+            self.terms.insert(monomial, sum);
+        }
+    }
+}
+
+fn product(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    let mut sum = Polynomial::zero();
+    for (x, p) in &a.terms {
+        for (y, q) in &b.terms {
+            sum.add_term(x.times(y), p.clone() * q.clone());
+        }
+    }
+    sum
+}
+
+impl Add for Polynomial {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        for (monomial, factor) in other.terms {
+            self.add_term(monomial, factor);
+        }
+        self
+    }
+}
+
+impl Sub for Polynomial {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        product(&self, &other)
+    }
+}
+
+impl Neg for Polynomial {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { terms: self.terms.into_iter().map(|(monomial, factor)| (monomial, -factor)).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variable(name: &str) -> Polynomial {
+        Polynomial::variable(name)
+    }
+
+    fn number(text: &str) -> Polynomial {
+        Polynomial::constant(text.parse().unwrap())
+    }
+
+    /// x³ − 2/3·x·y + y²/5 − 7.
+    fn sample() -> Polynomial {
+        let (x, y) = (variable("x"), variable("y"));
+        x.pow(3) - number("2/3") * x * y.clone() + number("1/5") * y.pow(2) - number("7")
+    }
+
+    #[test]
+    fn arithmetic_keeps_the_ring_laws() {
+        let (a, b, c) = (sample(), variable("x") + number("1/2"), variable("y").pow(2) - variable("z"));
+        assert_eq!(a.clone() * (b.clone() + c.clone()), a.clone() * b.clone() + a.clone() * c.clone());
+        assert_eq!(b.clone() * c.clone(), c.clone() * b.clone());
+        assert_eq!((b.clone() * c.clone()) * a.clone(), b * (c * a.clone()));
+        assert!((a.clone() - a).is_zero());
+    }
+
+    #[test]
+    fn a_value_is_the_same_before_and_after_an_operation() {
+        let at = |name: &str| Variable::from(name);
+        let values = |variable: &Variable| {
+            (*variable == at("x")).then(|| Rational::from(-3)).or_else(|| "5/7".parse().ok())
+        };
+        let value = |polynomial: &Polynomial| polynomial.value(values).unwrap();
+        // −27 − (2/3)(−3)(5/7) + (25/49)/5 − 7 = −1591/49 by hand.
+        assert_eq!(value(&sample()).to_string(), "-1591/49");
+        assert_eq!(value(&(sample() * sample())), value(&sample()) * value(&sample()));
+        let substituted = sample().substitute(&at("x"), &number("-3"));
+        assert_eq!(value(&substituted), value(&sample()));
+        assert_eq!(sample().value(|_| None), None);
+    }
+
+    #[test]
+    fn division_undoes_multiplication_and_refuses_a_rest() {
+        let divisor = variable("x") - variable("y").pow(2);
+        let multiple = sample() * divisor.clone();
+        assert_eq!(multiple.divide_exactly(&divisor), Some(sample()));
+        assert_eq!((multiple + number("1")).divide_exactly(&divisor), None);
+        assert_eq!(sample().divide_exactly(&Polynomial::zero()), None);
+        assert_eq!(Polynomial::zero().divide_exactly(&divisor), Some(Polynomial::zero()));
+    }
+
+    #[test]
+    fn a_polynomial_is_the_sum_of_its_coefficients_times_powers() {
+        let x = Variable::from("x");
+        let powers = (0..=sample().degree_in(&x))
+            .map(|power| sample().coefficient(&x, power) * Polynomial::variable(x.clone()).pow(power));
+        assert_eq!(powers.fold(Polynomial::zero(), Add::add), sample());
+        assert_eq!(sample().degree(), 3);
+    }
+
+    #[test]
+    fn derivatives_obey_the_product_rule() {
+        let (x, b) = (Variable::from("x"), variable("x").pow(2) * variable("y") + variable("x"));
+        let left = (sample() * b.clone()).derivative(&x);
+        assert_eq!(left, sample().derivative(&x) * b.clone() + sample() * b.derivative(&x));
+    }
+}

@@ -1,0 +1,96 @@
+//! The ring of polynomials with rational coefficients.
+
+use super::{Polynomial, product};
+use crate::algebra::{Function, Rational, Rationals, Ring};
+
+/// The ring of all [`Polynomial`]s, for series whose coefficients keep symbols open.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Polynomials;
+
+impl Ring for Polynomials {
+    type Element = Polynomial;
+
+    fn zero(&self) -> Polynomial {
+        Polynomial::zero()
+    }
+
+    fn is_zero(&self, a: &Polynomial) -> bool {
+        a.is_zero()
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Polynomial> {
+        Some(Polynomial::constant(value.clone()))
+    }
+
+    fn add(&self, a: &Polynomial, b: &Polynomial) -> Polynomial {
+        a.clone() + b.clone()
+    }
+
+    fn subtract(&self, a: &Polynomial, b: &Polynomial) -> Polynomial {
+        a.clone() - b.clone()
+    }
+
+    fn negate(&self, a: &Polynomial) -> Polynomial {
+        -a.clone()
+    }
+
+    fn multiply(&self, a: &Polynomial, b: &Polynomial) -> Polynomial {
+        product(a, b)
+    }
+
+    fn times_integer(&self, a: &Polynomial, factor: i64) -> Polynomial {
+        a.scaled(&Rational::from(factor))
+    }
+
+    fn divide(&self, a: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
+        a.divide_exactly(divisor)
+    }
+
+    fn over_integer(&self, a: &Polynomial, divisor: u64) -> Option<Polynomial> {
+        let inverse = Rational::from(1).checked_div(&Rational::from(i64::try_from(divisor).ok()?))?;
+        Some(a.scaled(&inverse))
+    }
+
+    /// Of numbers only, where the value is a fraction.
+    fn value(&self, function: Function, at: &Polynomial) -> Option<Polynomial> {
+        Rationals.value(function, &at.to_constant()?).map(Polynomial::constant)
+    }
+
+    /// Natural exponents, and those that have a value for a number.
+    fn power(&self, a: &Polynomial, exponent: &Rational) -> Option<Polynomial> {
+        match a.to_constant() {
+            Some(number) => Rationals.power(&number, exponent).map(Polynomial::constant),
+            None => Some(a.pow(exponent.to_string().parse().ok()?)),
+        }
+    }
+
+    fn pi(&self) -> Option<Polynomial> {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_polynomial_is_refused() {
+        let x = Polynomial::variable("x");
+        let half = Rational::new(1, 2).unwrap();
+        assert_eq!(Polynomials.value(Function::Sin, &x), None);
+        assert_eq!(Polynomials.power(&x, &half), None);
+        assert_eq!(Polynomials.over_integer(&x, 0), None);
+        assert_eq!(Polynomials.divide(&x, &x.pow(2)), None);
+    }
+
+    #[test]
+    fn functions_of_numbers_have_their_values() {
+        let constant = |n: i64| Polynomial::constant(Rational::from(n));
+        assert_eq!(Polynomials.value(Function::Cosh, &constant(0)), Some(constant(1)));
+        assert_eq!(Polynomials.value(Function::Sin, &constant(1)), None);
+        assert_eq!(
+            Polynomials.power(&constant(4), &Rational::new(-1, 2).unwrap()).unwrap().to_string(),
+            "1/2"
+        );
+    }
+}

@@ -1,0 +1,88 @@
+//! Polynomials as text and as LaTeX.
+
+use std::fmt;
+
+use super::{Monomial, Polynomial, Rational};
+
+/// As `-8 + a1^2 + a1*a3/2`, lower degrees first, readable by every algebra system.
+impl fmt::Display for Polynomial {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&signed_sum(self, plain_term))
+    }
+}
+
+impl Polynomial {
+    /// As `-8 + a_1^2 + \frac{1}{2} a_1 a_3`.
+    #[must_use]
+    pub fn to_latex(&self) -> String {
+        signed_sum(self, latex_term)
+    }
+}
+
+/// The terms with their signs between them; `write` is given a positive coefficient.
+fn signed_sum(polynomial: &Polynomial, write: fn(&Monomial, &Rational) -> String) -> String {
+    if polynomial.is_zero() {
+        return "0".to_owned();
+    }
+    let mut text = String::new();
+    for (monomial, factor) in polynomial.terms() {
+        let negative = factor.is_negative();
+        text.push_str(match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        });
+        text.push_str(&write(monomial, &factor.magnitude()));
+    }
+    text
+}
+
+/// `3*A1^7/262144`, `a1*a3`, `7/2`.
+fn plain_term(monomial: &Monomial, factor: &Rational) -> String {
+    let powers = monomial.factors().iter().map(|(variable, exponent)| match exponent {
+        1 => variable.to_string(),
+        _ => format!("{variable}^{exponent}"),
+    });
+    let numerator = Some(factor.numerator()).filter(|digits| digits != "1" || monomial.degree() == 0);
+    let product = numerator.into_iter().chain(powers).collect::<Vec<_>>().join("*");
+    match factor.denominator().as_str() {
+        "1" => product,
+        denominator => format!("{product}/{denominator}"),
+    }
+}
+
+/// `\frac{3}{262144} A_1^7`.
+fn latex_term(monomial: &Monomial, factor: &Rational) -> String {
+    let powers = monomial.factors().iter().map(|(variable, exponent)| match exponent {
+        1 => variable.to_latex(),
+        2..=9 => format!("{}^{exponent}", variable.to_latex()),
+        _ => format!("{}^{{{exponent}}}", variable.to_latex()),
+    });
+    let factor = match (factor.numerator(), factor.denominator().as_str()) {
+        (numerator, "1") if numerator == "1" && monomial.degree() > 0 => None,
+        (numerator, "1") => Some(numerator),
+        (numerator, denominator) => Some(format!("\\frac{{{numerator}}}{{{denominator}}}")),
+    };
+    factor.into_iter().chain(powers).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_written_as_physicists_do() {
+        let (a1, a3) = (Polynomial::variable("a1"), Polynomial::variable("a3"));
+        let number = |text: &str| Polynomial::constant(text.parse().unwrap());
+        let squares =
+            a1.pow(2) + number("2") * a3.pow(2) + number("8") * Polynomial::variable("Delta").pow(2);
+        let condition = squares + a1.clone() * a3.clone() - number("8");
+        assert_eq!(condition.to_string(), "-8 + a1^2 + a1*a3 + 2*a3^2 + 8*Delta^2");
+        assert_eq!(condition.to_latex(), "-8 + a_1^2 + a_1 a_3 + 2 a_3^2 + 8 \\Delta^2");
+        let fractions = number("-3/16") * a1.pow(11) - a3 * number("1/2") + number("5/2");
+        assert_eq!(fractions.to_string(), "5/2 - a3/2 - 3*a1^11/16");
+        assert_eq!(fractions.to_latex(), "\\frac{5}{2} - \\frac{1}{2} a_3 - \\frac{3}{16} a_1^{11}");
+        assert_eq!((a1.clone() - a1).to_string(), "0");
+    }
+}

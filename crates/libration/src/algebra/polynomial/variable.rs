@@ -1,0 +1,117 @@
+//! The unknowns of a polynomial: letters with an optional index.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::sync::Arc;
+
+/// A variable of a [`Polynomial`](super::Polynomial): letters and perhaps an index, such as `a1`, `B3` or `Delta`.
+/// Variables are ordered as in a book's index: by letter whatever its case, then by number, so that a1, a3,
+/// a11, B3, Delta follow one another.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Variable {
+    letters: Arc<str>,
+    index: Option<u32>,
+}
+
+impl Variable {
+    /// The variable of these letters with this index.
+    #[must_use]
+    pub fn indexed(letters: &str, index: u32) -> Self {
+        Self { letters: letters.into(), index: Some(index) }
+    }
+
+    /// The name without its index.
+    #[must_use]
+    pub fn letters(&self) -> &str {
+        &self.letters
+    }
+
+    /// The number at the end of the name.
+    #[must_use]
+    pub const fn index(&self) -> Option<u32> {
+        self.index
+    }
+
+    /// The name in LaTeX: `a_1`, `B_{11}`, `\Delta`.
+    #[must_use]
+    pub fn to_latex(&self) -> String {
+        let letters = latex_letters(&self.letters);
+        match self.index {
+            None => letters,
+            Some(index @ 0..=9) => format!("{letters}_{index}"),
+            Some(index) => format!("{letters}_{{{index}}}"),
+        }
+    }
+
+    fn book_order(&self) -> (String, Option<u32>, &str) {
+        (self.letters.to_lowercase(), self.index, &self.letters)
+    }
+}
+
+/// The digits at the end become the index, unless they begin with a needless zero.
+impl From<&str> for Variable {
+    fn from(name: &str) -> Self {
+        let letters = name.trim_end_matches(|letter: char| letter.is_ascii_digit());
+        match name[letters.len()..].parse::<u32>() {
+            Ok(index) if format!("{letters}{index}") == name => Self::indexed(letters, index),
+            _ => Self { letters: name.into(), index: None },
+        }
+    }
+}
+
+/// As `a1`.
+impl fmt::Display for Variable {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.letters)?;
+        self.index.map_or(Ok(()), |index| write!(formatter, "{index}"))
+    }
+}
+
+impl Ord for Variable {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if self == other { Ordering::Equal } else { self.book_order().cmp(&other.book_order()) }
+    }
+}
+
+impl PartialOrd for Variable {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+fn latex_letters(letters: &str) -> String {
+    const GREEK: [&str; 12] = [
+        "alpha", "beta", "gamma", "delta", "Delta", "epsilon", "theta", "lambda", "mu", "nu", "omega",
+        "Omega",
+    ];
+    if GREEK.contains(&letters) {
+        format!("\\{letters}")
+    } else if letters.chars().count() > 1 {
+        format!("\\mathrm{{{letters}}}")
+    } else {
+        letters.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_and_written_back() {
+        for (name, latex) in
+            [("a1", "a_1"), ("B11", "B_{11}"), ("Delta", "\\Delta"), ("q01", "\\mathrm{q01}"), ("d", "d")]
+        {
+            assert_eq!(Variable::from(name).to_string(), name);
+            assert_eq!(Variable::from(name).to_latex(), latex);
+        }
+        assert_eq!(Variable::from("a99999999999").index(), None);
+    }
+
+    #[test]
+    fn variables_stand_in_the_order_of_a_book() {
+        let sorted = ["a0", "a1", "a3", "a11", "B3", "c", "C5", "d2", "Delta"].map(Variable::from);
+        assert!(sorted.is_sorted(), "{sorted:?}");
+        assert_ne!(Variable::from("a1").cmp(&Variable::from("A1")), Ordering::Equal);
+    }
+}

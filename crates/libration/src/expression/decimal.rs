@@ -1,0 +1,86 @@
+//! Decimal numbers, exactly: text to fraction and back.
+
+use dashu::integer::{IBig, UBig};
+
+use crate::algebra::Rational;
+
+/// The most digits, and the largest power of ten, that a number in a formula may have.
+pub(super) const LONGEST: usize = 1000;
+/// Zeros written out before the power of ten is written instead.
+const ZEROS: usize = 20;
+
+/// digits · 10^exponent, of decimal digits; `None` beyond [`LONGEST`].
+pub(super) fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
+    let significant = digits.trim_start_matches('0').trim_end_matches('0');
+    if significant.is_empty() {
+        return Some(Rational::from(0));
+    }
+    let zeros = digits.len() - digits.trim_end_matches('0').len();
+    let exponent = exponent.checked_add(i64::try_from(zeros).ok()?)?;
+    let power = usize::try_from(exponent.unsigned_abs()).ok()?;
+    if significant.len() > LONGEST || power > LONGEST {
+        return None;
+    }
+    let digits = IBig::from_str_radix(significant, 10).ok()?;
+    let power = UBig::from(10u8).pow(power);
+    Some(match exponent {
+        ..0 => Rational::from_parts(digits, power),
+        _ => Rational::from_parts(digits * IBig::from(power), UBig::ONE),
+    })
+}
+
+/// A number that is not negative as a decimal such as `12`, `0.125` or `1e-30`; `None` when it does not end.
+pub(super) fn to_decimal(value: &Rational) -> Option<String> {
+    let (numerator, denominator) = value.parts();
+    let places = decimal_places(denominator)?;
+    let scaled = numerator * IBig::from(UBig::from(10u8).pow(places) / denominator);
+    let digits = scaled.to_string();
+    let significant = digits.trim_end_matches('0');
+    let zeros = digits.len() - significant.len();
+    Some(if zeros > ZEROS {
+        format!("{significant}e{zeros}")
+    } else if places > digits.len() + ZEROS {
+        format!("{digits}e-{places}")
+    } else if places == 0 {
+        digits
+    } else {
+        let padded = format!("{digits:0>width$}", width = places + 1);
+        let (whole, fraction) = padded.split_at(padded.len() - places);
+        format!("{whole}.{fraction}")
+    })
+}
+
+/// The smallest n for which the denominator divides 10ⁿ; `None` when there is none.
+fn decimal_places(denominator: &UBig) -> Option<usize> {
+    let twos = denominator.trailing_zeros()?;
+    let (mut rest, mut fives) = (denominator >> twos, 0);
+    let five = UBig::from(5u8);
+    while (&rest % &five).is_zero() {
+        rest /= &five;
+        fives += 1;
+    }
+    rest.is_one().then_some(twos.max(fives))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_read_exactly_and_written_back() {
+        let cases = [("12", 0, "12"), ("125", -3, "0.125"), ("1", -300, "1e-300"), ("100", 30, "1e32")];
+        for (digits, exponent, text) in cases {
+            assert_eq!(to_decimal(&from_digits(digits, exponent).unwrap()).unwrap(), text);
+        }
+        assert_eq!(from_digits("25", -2), Rational::new(1, 4));
+        assert_eq!(from_digits("000", -99999), Some(Rational::from(0)));
+    }
+
+    #[test]
+    fn numbers_beyond_the_limits_are_none() {
+        assert_eq!(from_digits("1", 1001), None);
+        assert_eq!(from_digits("1", i64::MIN), None);
+        assert_eq!(from_digits(&"1".repeat(1001), 0), None);
+        assert_eq!(to_decimal(&Rational::new(1, 3).unwrap()), None);
+    }
+}

@@ -1,0 +1,104 @@
+//! What can be wrong with equations of motion.
+
+use std::collections::BTreeSet;
+
+use super::{Expression, Symbol};
+use crate::expression::ParseError;
+use crate::quantity::excerpt;
+
+/// Why a text is not a set of equations of motion, or why values do not fit it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EquationError {
+    /// A side of an equation that is no formula.
+    #[error(transparent)]
+    Formula(#[from] ParseError),
+    /// A formula alone.
+    #[error("`{formula}` has no = sign: write {example}")]
+    WithoutEqualsSign {
+        /// The formula, shortened.
+        formula: String,
+        /// What was probably meant.
+        example: String,
+    },
+    /// a = b = c.
+    #[error("an equation has one = sign: write several equations with ; between them")]
+    SecondEqualsSign,
+    /// No second derivative.
+    #[error("`{equation}` has no second derivative: mark the acceleration with two primes, as in x'' = -x")]
+    WithoutAcceleration {
+        /// The equation, shortened.
+        equation: String,
+    },
+    /// A derivative of the third order or above.
+    #[error("`{0}` is a derivative above the second: give equations of the second order, as in x'' = -x")]
+    ThirdOrder(Symbol),
+    /// t''.
+    #[error("t is the time and cannot be a variable: call the variable x, say")]
+    TimeAsVariable,
+    /// Two second derivatives in one equation.
+    #[error("`{first}` and `{second}` stand in one equation: solve for each of them, as in x'' = …; y'' = …")]
+    Coupled {
+        /// One of them.
+        first: Symbol,
+        /// Another.
+        second: Symbol,
+    },
+    /// Two equations for one variable.
+    #[error("there are two equations for {0}'': give one for each variable")]
+    SolvedTwice(String),
+    /// A derivative of what has no equation.
+    #[error("`{0}` is a derivative, but no equation has {name}'': write one, after a ;", name = .0.name)]
+    ForeignDerivative(Symbol),
+    /// x''^2, sin(x'') or the like.
+    #[error("the equation is not linear in {0}: write it solved for {0}, as in {0} = …")]
+    NotLinear(Symbol),
+    /// A second derivative with a factor of zero.
+    #[error("{0} drops out of the equation, its factor being zero: write an equation that holds it")]
+    DropsOut(Symbol),
+    /// A value for what is no parameter.
+    #[error("the equation has no parameter `{name}`: {known}")]
+    UnknownParameter {
+        /// The name that was given, shortened.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// Two values for one parameter.
+    #[error("{0} is given twice: give it one value")]
+    SetTwice(String),
+    /// A value with symbols in it.
+    #[error("the value of {name} has {inside} in it: give a constant such as 0.1, 2/3 or sqrt(2)")]
+    NotConstant {
+        /// The parameter.
+        name: String,
+        /// The symbol.
+        inside: Symbol,
+    },
+}
+
+impl EquationError {
+    pub(super) fn without_equals_sign(formula: &Expression) -> Self {
+        let second = formula.symbols().into_iter().find(|symbol| symbol.primes == 2);
+        let text = excerpt(&formula.to_string());
+        let example = match second {
+            Some(_) => format!("{text} = 0"),
+            None => format!("x'' = {text} for an acceleration, or x'' + {text} = 0"),
+        };
+        Self::WithoutEqualsSign { formula: text, example }
+    }
+
+    pub(super) fn without_acceleration(left: &Expression, right: &Expression) -> Self {
+        Self::WithoutAcceleration { equation: excerpt(&format!("{left} = {right}")) }
+    }
+
+    pub(super) fn unknown_parameter(name: &str, known: &BTreeSet<String>) -> Self {
+        let names: Vec<&str> = known.iter().map(String::as_str).collect();
+        let known = match names.as_slice() {
+            [] => "it has none".to_owned(),
+            [one] => format!("its only parameter is {one}"),
+            several => format!("its parameters are {}", several.join(", ")),
+        };
+        Self::UnknownParameter { name: excerpt(name), known }
+    }
+}

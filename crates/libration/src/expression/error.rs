@@ -1,0 +1,155 @@
+//! What can be wrong with a formula as text, and where.
+
+use std::fmt;
+
+/// Why a text is not a formula, and the place in it.
+///
+/// The message has three lines: what is wrong and what would do, the text about the place, and a caret below it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// What is wrong.
+    pub fault: Fault,
+    /// Bytes of the text before the place.
+    pub byte: usize,
+    /// The place counted in characters, the first being 1.
+    pub column: usize,
+    /// The text about the place.
+    excerpt: String,
+    /// Columns of the excerpt before the place.
+    indent: usize,
+}
+
+/// What is wrong with a formula, and what would do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Nothing but spaces.
+    #[error("there is no formula here: write one such as x'' + sin(x) = 0")]
+    Empty,
+    /// A text beyond the limit.
+    #[error("the text has {length} bytes: give at most {limit}")]
+    TooLong {
+        /// Bytes of the text.
+        length: usize,
+        /// Bytes allowed.
+        limit: usize,
+    },
+    /// Brackets, signs, powers or sums deeper than the limit.
+    #[error(
+        "the formula is nested more than {limit} levels deep, each sign, bracket and summand of a sum \
+         being a level: split it by brackets, as in (a + b + …) + (c + d + …)"
+    )]
+    TooDeep {
+        /// Levels allowed.
+        limit: usize,
+    },
+    /// A number with too many digits or too large an exponent.
+    #[error("the number is too long: give at most {limit} digits and a power of ten of at most {limit}")]
+    NumberTooLong {
+        /// Digits allowed.
+        limit: usize,
+    },
+    /// A character that means nothing here.
+    #[error("`{}` is not understood: {hint}", found.escape_debug())]
+    UnknownCharacter {
+        /// The character.
+        found: char,
+        /// What would do.
+        hint: &'static str,
+    },
+    /// Something where a number, a name or a bracket should be.
+    #[error("{found} stands where a number, a name or ( should be")]
+    MissingOperand {
+        /// What is there.
+        found: String,
+    },
+    /// Something where an operator or the end should be.
+    #[error("{found} cannot follow here: write an operator before it, or leave it out")]
+    Unexpected {
+        /// What is there.
+        found: String,
+    },
+    /// A bracket that is not closed.
+    #[error("this bracket is not closed: write the ) that belongs to it")]
+    Unclosed,
+    /// A function without its argument in brackets.
+    #[error("the argument of {0} must stand in brackets: write {0}(x), or {0}(x)^2 for its square")]
+    WithoutBrackets(&'static str),
+    /// A name before a bracket that is no function.
+    #[error(
+        "`{name}(` is not a known function: write {name}*( for a product; the functions are {}",
+        functions()
+    )]
+    UnknownFunction {
+        /// The name.
+        name: String,
+    },
+    /// x(t).
+    #[error("a variable is written without its time: write {0} instead of {0}(t)")]
+    OfTime(String),
+    /// log, which some read as ln and some as log10.
+    #[error("log may be the natural or the common logarithm: write ln(x), or ln(x)/ln(10)")]
+    WhichLogarithm,
+    /// e^x.
+    #[error("e may be Euler's number or a parameter: write exp(x), or choose another name")]
+    EulersNumber,
+    /// 1/2x.
+    #[error("a product without a sign after a division may be read in two ways: write (1/2)*x or 1/(2*x)")]
+    AmbiguousDivision,
+    /// 2^3x.
+    #[error("a product without a sign after a power may be read in two ways: write 2^3*x or 2^(3*x)")]
+    AmbiguousPower,
+    /// x²^3.
+    #[error("a power of a power written with ² may be read in two ways: write (x^2)^3 or x^(2^3)")]
+    PowerOfPower,
+    /// A number after something it might multiply.
+    #[error("a number cannot follow here without a sign: write a*2 for a product, a^2 for a power")]
+    NumberAfterFactor,
+    /// More primes than a derivative has.
+    #[error("that many derivatives are not understood: write at most x'''")]
+    TooManyPrimes,
+    /// = or ; in a formula.
+    #[error("`{0}` has no place in a formula: give a formula alone, not an equation")]
+    NotAnEquation(char),
+}
+
+fn functions() -> String {
+    super::Function::ALL.map(super::Function::name).join(", ")
+}
+
+impl ParseError {
+    /// Characters shown on either side of the place.
+    const SHOWN: usize = 30;
+
+    pub(super) fn new(text: &str, byte: usize, fault: Fault) -> Self {
+        let (before, after) = text.split_at(byte);
+        let column = before.chars().count() + 1;
+        let skipped = (column - 1).saturating_sub(Self::SHOWN);
+        let lead: String = before.chars().skip(skipped).map(visible).collect();
+        let tail: String = after.chars().take(Self::SHOWN).map(visible).collect();
+        let (cut_before, cut_after) = (
+            if skipped > 0 { "…" } else { "" },
+            if after.chars().nth(Self::SHOWN).is_some() { "…" } else { "" },
+        );
+        let indent = cut_before.chars().count() + lead.chars().filter(|&c| !is_combining(c)).count();
+        Self { fault, byte, column, excerpt: format!("{cut_before}{lead}{tail}{cut_after}"), indent }
+    }
+}
+
+fn visible(c: char) -> char {
+    if c.is_control() { ' ' } else { c }
+}
+
+/// The dots that stand above the letter before them.
+fn is_combining(c: char) -> bool {
+    ('\u{300}'..'\u{370}').contains(&c)
+}
+
+impl std::error::Error for ParseError {}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { fault, column, excerpt, indent, .. } = self;
+        write!(formatter, "at character {column}: {fault}\n  {excerpt}\n  {:indent$}^", "")
+    }
+}

@@ -1,0 +1,91 @@
+//! Letters, marks and digits that formulas are written with beyond ASCII.
+
+/// The Greek letters by the names they have in text and in LaTeX; the first of a letter is the one it is written by.
+const GREEK: &[(char, &str)] = &[
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ϵ', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ϑ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('µ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('ϕ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Λ', "Lambda"),
+    ('Ξ', "Xi"),
+    ('Σ', "Sigma"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+];
+
+/// The name of a Greek letter.
+pub(super) fn greek_name(letter: char) -> Option<&'static str> {
+    GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)
+}
+
+/// Whether a Greek letter has this name.
+pub(super) fn is_greek(name: &str) -> bool {
+    GREEK.iter().any(|(_, greek)| *greek == name)
+}
+
+/// A letter with dots in one character, as the letter and the number of dots.
+pub(super) fn dotted(letter: char) -> Option<(char, u8)> {
+    match letter {
+        'ẋ' => Some(('x', 1)),
+        'ẏ' => Some(('y', 1)),
+        'ż' => Some(('z', 1)),
+        'ẍ' => Some(('x', 2)),
+        'ÿ' => Some(('y', 2)),
+        _ => None,
+    }
+}
+
+/// Time derivatives that a mark after or above a letter stands for.
+pub(super) fn primes(mark: char) -> Option<u8> {
+    match mark {
+        '\'' | '′' | '’' | '\u{307}' => Some(1),
+        '"' | '″' | '”' | '\u{308}' => Some(2),
+        '‴' => Some(3),
+        _ => None,
+    }
+}
+
+/// The digit of ₀ … ₉.
+pub(super) fn subscript(c: char) -> Option<char> {
+    let digit = u32::from(c).checked_sub(u32::from('₀'))?;
+    char::from_digit(digit, 10)
+}
+
+/// The digit of ⁰ … ⁹.
+pub(super) fn superscript(c: char) -> Option<char> {
+    match c {
+        '¹' => Some('1'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        '⁰' => Some('0'),
+        '⁴'..='⁹' => char::from_digit(u32::from(c) - u32::from('⁰'), 10),
+        _ => None,
+    }
+}

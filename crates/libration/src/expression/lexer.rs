@@ -1,0 +1,207 @@
+//! Text to lexemes: numbers, names with their primes, signs and brackets, each with its place.
+
+use super::error::{Fault, ParseError};
+use super::letters::{dotted, greek_name, primes, subscript, superscript};
+use super::{Symbol, decimal};
+use crate::algebra::Rational;
+
+/// The longest text of a formula or of equations, in bytes.
+pub const LONGEST_TEXT: usize = 10_000;
+/// More primes than this are no derivative that anybody meant.
+const MOST_PRIMES: u8 = 3;
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Token {
+    Number(Rational),
+    Name(Symbol),
+    /// One of `+ - * / ^ ( ) = ;`.
+    Sign(char),
+    /// An exponent in raised digits, with its sign.
+    Raised {
+        digits: Rational,
+        negative: bool,
+    },
+    End,
+}
+
+/// A token and where it stands.
+#[derive(Clone, Debug)]
+pub(super) struct Lexeme {
+    pub(super) token: Token,
+    pub(super) start: usize,
+    /// Whether a space stands before it.
+    pub(super) spaced: bool,
+}
+
+/// The lexemes of a text, the end included.
+pub(super) fn lexemes(text: &str) -> Result<Vec<Lexeme>, ParseError> {
+    if text.len() > LONGEST_TEXT {
+        let fault = Fault::TooLong { length: text.len(), limit: LONGEST_TEXT };
+        return Err(ParseError::new("", 0, fault));
+    }
+    let mut lexer = Lexer { text, at: 0 };
+    let mut found = Vec::new();
+    loop {
+        let spaced = lexer.skip_spaces();
+        let start = lexer.at;
+        let token = lexer.token().map_err(|fault| ParseError::new(text, start, fault))?;
+        let end = token == Token::End;
+        found.push(Lexeme { token, start, spaced });
+        if end {
+            return Ok(found);
+        }
+    }
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Lexer<'a> {
+    fn peek(&self) -> Option<char> {
+        self.text[self.at..].chars().next()
+    }
+
+    /// Takes the next character when the test accepts it.
+    fn take_if(&mut self, accepts: impl FnOnce(char) -> bool) -> Option<char> {
+        let next = self.peek().filter(|&c| accepts(c))?;
+        self.at += next.len_utf8();
+        Some(next)
+    }
+
+    fn take_while(&mut self, accepts: impl Fn(char) -> bool) -> &'a str {
+        let start = self.at;
+        while self.take_if(&accepts).is_some() {}
+        &self.text[start..self.at]
+    }
+
+    fn skip_spaces(&mut self) -> bool {
+        !self.take_while(char::is_whitespace).is_empty()
+    }
+
+    fn token(&mut self) -> Result<Token, Fault> {
+        let Some(next) = self.peek() else { return Ok(Token::End) };
+        if next.is_ascii_digit() || next == '.' {
+            return self.number();
+        }
+        if superscript(next).is_some() || next == '⁻' {
+            return self.raised();
+        }
+        if let Some(sign) = sign(next) {
+            self.at += next.len_utf8();
+            let doubled = sign == '*' && self.take_if(|c| c == '*').is_some();
+            return Ok(Token::Sign(if doubled { '^' } else { sign }));
+        }
+        self.name(next).unwrap_or_else(|| Err(unknown(next)))
+    }
+
+    fn number(&mut self) -> Result<Token, Fault> {
+        let whole = self.take_while(|c| c.is_ascii_digit());
+        let point = self.take_if(|c| c == '.').is_some();
+        let fraction = if point { self.take_while(|c| c.is_ascii_digit()) } else { "" };
+        if whole.is_empty() && fraction.is_empty() {
+            return Err(unknown('.'));
+        }
+        let exponent = self.exponent()? - i64::try_from(fraction.len()).unwrap_or(i64::MAX);
+        decimal::from_digits(&format!("{whole}{fraction}"), exponent)
+            .map(Token::Number)
+            .ok_or(Fault::NumberTooLong { limit: decimal::LONGEST })
+    }
+
+    /// The power of ten after a number, zero when there is none.
+    fn exponent(&mut self) -> Result<i64, Fault> {
+        let rest = &self.text[self.at..];
+        let Some(after) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
+        let sign = usize::from(after.starts_with(['+', '-']));
+        let length = after[sign..].bytes().take_while(u8::is_ascii_digit).count();
+        if length == 0 {
+            return Ok(0);
+        }
+        self.at += 1 + sign + length;
+        let exponent = after[..sign + length].parse::<i32>().map(i64::from);
+        exponent.map_err(|_| Fault::NumberTooLong { limit: decimal::LONGEST })
+    }
+
+    fn raised(&mut self) -> Result<Token, Fault> {
+        let negative = self.take_if(|c| c == '⁻').is_some();
+        let digits: String =
+            self.take_while(|c| superscript(c).is_some()).chars().filter_map(superscript).collect();
+        if digits.is_empty() {
+            return Err(unknown('⁻'));
+        }
+        decimal::from_digits(&digits, 0)
+            .map(|digits| Token::Raised { digits, negative })
+            .ok_or(Fault::NumberTooLong { limit: decimal::LONGEST })
+    }
+
+    /// A name and its primes; `None` when the character begins no name. A Greek letter is a name of its own, with
+    /// the digits after it: ω0t is the product of ω0 and t.
+    fn name(&mut self, first: char) -> Option<Result<Token, Fault>> {
+        let (mut name, mut count) = (String::new(), 0);
+        if let Some((letter, dots)) = dotted(first) {
+            name.push(letter);
+            count = dots;
+        } else if let Some(greek) = greek_name(first) {
+            name.push_str(greek);
+        } else if first.is_ascii_alphabetic() {
+            name.push(first);
+        } else {
+            return (first == '√').then(|| {
+                self.at += first.len_utf8();
+                Ok(Token::Name(Symbol { name: "sqrt".to_owned(), primes: 0 }))
+            });
+        }
+        self.at += first.len_utf8();
+        let word = first.is_ascii_alphabetic();
+        let letters = |c: char| (word && c.is_ascii_alphabetic()) || c.is_ascii_digit() || c == '_';
+        let mut subscripted = false;
+        loop {
+            if let Some(c) = self.take_if(|c| letters(c) || (subscripted && c.is_ascii_alphanumeric())) {
+                subscripted |= c == '_';
+                name.push(c);
+            } else if let Some(c) = self.take_if(|c| subscript(c).is_some()) {
+                name.extend(subscript(c));
+            } else if let Some(mark) = self.take_if(|c| ('\u{307}'..='\u{308}').contains(&c)) {
+                count += primes(mark).unwrap_or(0);
+            } else {
+                break;
+            }
+            if count > MOST_PRIMES {
+                return Some(Err(Fault::TooManyPrimes));
+            }
+        }
+        for mark in self.take_while(|c| primes(c).is_some()).chars() {
+            count = primes(mark).map_or(count, |more| count.saturating_add(more));
+        }
+        let symbol = Symbol { name, primes: count };
+        Some(if count > MOST_PRIMES { Err(Fault::TooManyPrimes) } else { Ok(Token::Name(symbol)) })
+    }
+}
+
+/// The sign that a character stands for.
+fn sign(c: char) -> Option<char> {
+    match c {
+        '+' | '-' | '*' | '/' | '^' | '(' | ')' | '=' | ';' => Some(c),
+        '−' | '–' => Some('-'),
+        '·' | '⋅' | '∙' | '×' => Some('*'),
+        '÷' => Some('/'),
+        _ => None,
+    }
+}
+
+fn unknown(found: char) -> Fault {
+    let hint = match found {
+        ',' => "write decimals with a point, and one equation after another with ;",
+        '.' => "write numbers as 0.5, products with *",
+        '[' | ']' | '{' | '}' => "write brackets as ( and )",
+        '|' => "write abs(x) for the absolute value",
+        '\'' | '′' => "a prime stands right after a name, as in x'",
+        '½' | '¼' | '¾' => "write fractions as 1/2",
+        '∂' | '∫' | '∑' => "write derivatives with primes, as in x''",
+        '<' | '>' | '!' | '≠' | '≤' | '≥' => "write an equation with =",
+        '⁻' => "a raised minus stands before raised digits, as in x⁻²",
+        _ => "write numbers, names of Latin or Greek letters, + - * / ^ and brackets",
+    };
+    Fault::UnknownCharacter { found, hint }
+}

@@ -1,0 +1,29 @@
+//! How tightly a formula holds together when it is written down.
+
+use super::Expression;
+
+/// From the loosest to the tightest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
+    Sum,
+    /// A sign before a product.
+    Sign,
+    Product,
+    Power,
+    Atom,
+}
+
+impl Binding {
+    /// That of a formula; `fraction` is what a positive number is written as when it is no decimal.
+    pub(super) fn of(tree: &Expression, number: impl Fn(&super::Rational) -> Self) -> Self {
+        match tree {
+            Expression::Number(value) if value.is_negative() => Self::Sign,
+            Expression::Number(value) => number(value),
+            Expression::Pi | Expression::Symbol(_) | Expression::Call(..) => Self::Atom,
+            Expression::Negate(_) => Self::Sign,
+            Expression::Add(..) | Expression::Subtract(..) => Self::Sum,
+            Expression::Multiply(..) | Expression::Divide(..) => Self::Product,
+            Expression::Power(..) => Self::Power,
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Formulas in a shorter form: exact arithmetic of numbers, and what zero, one and double signs leave.
+
+use dashu::base::BitTest;
+
+use super::{Expression, Function};
+use crate::algebra::{Rational, Rationals, Ring};
+
+/// Powers of numbers are worked out up to this size.
+const LARGEST_POWER_BITS: usize = 1 << 14;
+
+impl Expression {
+    /// The same formula with its numbers worked out exactly and without 0 + a, 1·a, a⁰, −(−a) and the like. Other
+    /// terms are neither collected nor expanded. Where the result has a value the formula need not have one: 0·(1/x)
+    /// becomes 0.
+    #[must_use]
+    pub fn simplified(&self) -> Self {
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => self.clone(),
+            Self::Negate(a) => negative(a.simplified()),
+            Self::Add(a, b) => sum(a.simplified(), b.simplified()),
+            Self::Subtract(a, b) => difference(a.simplified(), b.simplified()),
+            Self::Multiply(a, b) => product(a.simplified(), b.simplified()),
+            Self::Divide(a, b) => quotient(a.simplified(), b.simplified()),
+            Self::Power(a, b) => power(a.simplified(), b.simplified()),
+            Self::Call(function, a) => call(*function, a.simplified()),
+        }
+    }
+
+    /// The value, when the formula is a constant that is worked out to a fraction.
+    #[must_use]
+    pub fn to_rational(&self) -> Option<Rational> {
+        self.simplified().number().cloned()
+    }
+
+    pub(super) fn number(&self) -> Option<&Rational> {
+        if let Self::Number(value) = self { Some(value) } else { None }
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        self.number().is_some_and(Rational::is_zero)
+    }
+
+    fn is_one(&self) -> bool {
+        self.number().is_some_and(|value| *value == Rational::from(1))
+    }
+
+    /// The formula without the sign that it begins with; `None` when it has none.
+    fn without_sign(&self) -> Option<Self> {
+        match self {
+            Self::Negate(a) => Some((**a).clone()),
+            Self::Number(value) if value.is_negative() => Some(Self::Number(value.magnitude())),
+            _ => None,
+        }
+    }
+}
+
+pub(super) fn integer(value: i64) -> Expression {
+    Expression::Number(Rational::from(value))
+}
+
+pub(super) fn negative(a: Expression) -> Expression {
+    match a {
+        Expression::Number(value) => Expression::Number(-value),
+        Expression::Negate(inner) => *inner,
+        _ => Expression::Negate(Box::new(a)),
+    }
+}
+
+pub(super) fn sum(a: Expression, b: Expression) -> Expression {
+    if let (Expression::Number(a), Expression::Number(b)) = (&a, &b) {
+        return Expression::Number(Rationals.add(a, b));
+    }
+    if a.is_zero() {
+        return b;
+    }
+    if b.is_zero() {
+        return a;
+    }
+    match b.without_sign() {
+        Some(b) => Expression::Subtract(Box::new(a), Box::new(b)),
+        None => Expression::Add(Box::new(a), Box::new(b)),
+    }
+}
+
+pub(super) fn difference(a: Expression, b: Expression) -> Expression {
+    if a == b {
+        return integer(0);
+    }
+    if b.is_zero() {
+        return a;
+    }
+    match b.without_sign() {
+        Some(magnitude) => sum(a, magnitude),
+        None if a.number().is_some() && b.number().is_some() => sum(a, negative(b)),
+        None if a.is_zero() => negative(b),
+        None => Expression::Subtract(Box::new(a), Box::new(b)),
+    }
+}
+
+pub(super) fn product(a: Expression, b: Expression) -> Expression {
+    if let (Expression::Number(a), Expression::Number(b)) = (&a, &b) {
+        return Expression::Number(Rationals.multiply(a, b));
+    }
+    if a.is_zero() || b.is_zero() {
+        return integer(0);
+    }
+    if a.is_one() {
+        return b;
+    }
+    if b.is_one() {
+        return a;
+    }
+    match (a.without_sign(), b.without_sign()) {
+        (Some(a), Some(b)) => product(a, b),
+        (Some(a), None) => negative(product(a, b)),
+        (None, Some(b)) => negative(product(a, b)),
+        (None, None) => product_of_unsigned(a, b),
+    }
+}
+
+/// Numbers that multiply each other across two products are joined.
+fn product_of_unsigned(a: Expression, b: Expression) -> Expression {
+    if let (Expression::Number(n), Expression::Multiply(m, rest)) = (&a, &b)
+        && let Expression::Number(m) = &**m
+    {
+        return product(Expression::Number(Rationals.multiply(n, m)), (**rest).clone());
+    }
+    Expression::Multiply(Box::new(a), Box::new(b))
+}
+
+pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
+    if let (Expression::Number(a), Expression::Number(b)) = (&a, &b)
+        && let Some(value) = a.checked_div(b)
+    {
+        return Expression::Number(value);
+    }
+    if b.is_zero() {
+        return Expression::Divide(Box::new(a), Box::new(b));
+    }
+    if a.is_zero() {
+        return integer(0);
+    }
+    if b.is_one() {
+        return a;
+    }
+    match (a.without_sign(), b.without_sign()) {
+        (Some(a), Some(b)) => quotient(a, b),
+        (Some(a), None) => negative(quotient(a, b)),
+        (None, Some(b)) => negative(quotient(a, b)),
+        (None, None) => Expression::Divide(Box::new(a), Box::new(b)),
+    }
+}
+
+pub(super) fn power(a: Expression, b: Expression) -> Expression {
+    if b.is_zero() || a.is_one() {
+        return integer(1);
+    }
+    if b.is_one() {
+        return a;
+    }
+    if let (Expression::Number(base), Expression::Number(exponent)) = (&a, &b)
+        && let Some(value) = number_power(base, exponent)
+    {
+        return Expression::Number(value);
+    }
+    Expression::Power(Box::new(a), Box::new(b))
+}
+
+/// The power of a number, when it is a fraction of moderate size.
+fn number_power(base: &Rational, exponent: &Rational) -> Option<Rational> {
+    let (numerator, denominator) = base.parts();
+    let bits = numerator.bit_len().max(denominator.bit_len());
+    let times = exponent.parts().0.clone().into_parts().1;
+    let times = if bits <= 1 { 1 } else { usize::try_from(&times).ok()? };
+    (bits.saturating_mul(times) <= LARGEST_POWER_BITS).then(|| Rationals.power(base, exponent)).flatten()
+}
+
+pub(super) fn call(function: Function, a: Expression) -> Expression {
+    let value = a.number().and_then(|at| Rationals.value(function, at));
+    value.map_or_else(|| Expression::Call(function, Box::new(a)), Expression::Number)
+}

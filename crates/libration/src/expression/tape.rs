@@ -1,0 +1,292 @@
+//! A formula as a list of elementary operations, which any ring of coefficients can evaluate.
+
+use std::collections::HashMap;
+
+use super::{Expression, Function, Symbol};
+use crate::algebra::{Rational, Rationals, Ring};
+
+/// One operation; operands are places of earlier operations. A place holds the result of its operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Operation {
+    /// The input of this number.
+    Input(usize),
+    Number(Rational),
+    Pi,
+    Negate(usize),
+    Add(usize, usize),
+    Subtract(usize, usize),
+    Multiply(usize, usize),
+    Divide(usize, usize),
+    /// A power whose exponent is no natural number.
+    Power(usize, Rational),
+    Exp(usize),
+    /// One of a pair of functions, `of` the first operand, whose derivative is `slope` times the other.
+    Paired { function: Function, of: usize, other: usize, slope: Slope },
+    /// tan or tanh, the square of which stands in the next place.
+    Tangent { function: Function, of: usize },
+    /// ln, asin, acos, atan: the derivative is that of `of` divided by the value at `divisor`.
+    Inverse { function: Function, of: usize, divisor: usize },
+    Abs(usize),
+}
+
+/// The sign in the derivative of sin, cos, sinh and cosh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Slope {
+    Plus,
+    Minus,
+}
+
+/// Formulas of the same inputs as one list of operations, without repetitions.
+#[derive(Clone, Debug)]
+pub(crate) struct Tape {
+    operations: Vec<Operation>,
+    results: Vec<usize>,
+    inputs: usize,
+    /// Places that no input reaches.
+    constant: Vec<bool>,
+    /// Places whose weighted series is asked for.
+    weighted: Vec<bool>,
+}
+
+/// A formula that cannot be put on a tape.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` has no value: give it one, as {0}=0.1")]
+pub struct WithoutValue(pub String);
+
+impl Tape {
+    /// The tape of some formulas in the given inputs.
+    pub(crate) fn new(formulas: &[&Expression], inputs: &[Symbol]) -> Result<Self, WithoutValue> {
+        let mut writer = Writer { inputs, operations: vec![], places: HashMap::new() };
+        let results = formulas.iter().map(|formula| writer.write(formula)).collect::<Result<_, _>>()?;
+        let operations = writer.operations;
+        let constant = constant_places(&operations);
+        let weighted = weighted_places(&operations);
+        Ok(Self { operations, results, inputs: inputs.len(), constant, weighted })
+    }
+
+    pub(crate) fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// Where the formulas have their values.
+    pub(crate) fn results(&self) -> &[usize] {
+        &self.results
+    }
+
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    pub(crate) fn is_constant(&self, place: usize) -> bool {
+        self.constant[place]
+    }
+
+    pub(crate) fn is_weighted(&self, place: usize) -> bool {
+        self.weighted[place]
+    }
+}
+
+/// The places an operation reads.
+fn operands(operation: &Operation) -> Vec<usize> {
+    match *operation {
+        Operation::Input(_) | Operation::Number(_) | Operation::Pi => vec![],
+        Operation::Negate(a)
+        | Operation::Power(a, _)
+        | Operation::Exp(a)
+        | Operation::Abs(a)
+        | Operation::Tangent { of: a, .. }
+        | Operation::Paired { of: a, .. } => vec![a],
+        Operation::Add(a, b)
+        | Operation::Subtract(a, b)
+        | Operation::Multiply(a, b)
+        | Operation::Divide(a, b)
+        | Operation::Inverse { of: a, divisor: b, .. } => vec![a, b],
+    }
+}
+
+fn constant_places(operations: &[Operation]) -> Vec<bool> {
+    let mut constant: Vec<bool> = vec![];
+    for operation in operations {
+        let input = matches!(operation, Operation::Input(_));
+        constant.push(!input && operands(operation).iter().all(|&place| constant[place]));
+    }
+    constant
+}
+
+fn weighted_places(operations: &[Operation]) -> Vec<bool> {
+    let mut weighted = vec![false; operations.len()];
+    for (place, operation) in operations.iter().enumerate() {
+        match *operation {
+            Operation::Power(a, _) | Operation::Inverse { of: a, .. } => {
+                weighted[a] = true;
+                weighted[place] = true;
+            }
+            Operation::Exp(a) | Operation::Tangent { of: a, .. } | Operation::Paired { of: a, .. } => {
+                weighted[a] = true;
+            }
+            _ => {}
+        }
+    }
+    weighted
+}
+
+struct Writer<'a> {
+    inputs: &'a [Symbol],
+    operations: Vec<Operation>,
+    places: HashMap<Operation, usize>,
+}
+
+impl Writer<'_> {
+    fn place(&mut self, operation: Operation) -> usize {
+        let operation = self.folded(operation);
+        if let Some(&place) = self.places.get(&operation) {
+            return place;
+        }
+        let place = self.operations.len();
+        self.operations.push(operation.clone());
+        self.places.insert(operation, place);
+        place
+    }
+
+    fn number(&mut self, value: i64) -> usize {
+        self.place(Operation::Number(Rational::from(value)))
+    }
+
+    fn known(&self, place: usize) -> Option<&Rational> {
+        if let Operation::Number(value) = &self.operations[place] { Some(value) } else { None }
+    }
+
+    /// Arithmetic of numbers done at once, and what multiplies or adds nothing left out.
+    fn folded(&self, operation: Operation) -> Operation {
+        let two = |a: usize, b: usize| Some((self.known(a)?, self.known(b)?));
+        let value = match operation {
+            Operation::Negate(a) => self.known(a).map(|a| Rationals.negate(a)),
+            Operation::Add(a, b) => two(a, b).map(|(a, b)| Rationals.add(a, b)),
+            Operation::Subtract(a, b) => two(a, b).map(|(a, b)| Rationals.subtract(a, b)),
+            Operation::Multiply(a, b) => two(a, b).map(|(a, b)| Rationals.multiply(a, b)),
+            Operation::Divide(a, b) => two(a, b).and_then(|(a, b)| a.checked_div(b)),
+            Operation::Power(a, ref exponent) => self.known(a).and_then(|a| Rationals.power(a, exponent)),
+            _ => None,
+        };
+        value.map_or(operation, Operation::Number)
+    }
+
+    fn write(&mut self, formula: &Expression) -> Result<usize, WithoutValue> {
+        let operation = match formula {
+            Expression::Number(value) => Operation::Number(value.clone()),
+            Expression::Pi => Operation::Pi,
+            Expression::Symbol(symbol) => {
+                let input = self.inputs.iter().position(|input| input == symbol);
+                Operation::Input(input.ok_or_else(|| WithoutValue(symbol.name.clone()))?)
+            }
+            Expression::Negate(a) => Operation::Negate(self.write(a)?),
+            Expression::Add(a, b) => Operation::Add(self.write(a)?, self.write(b)?),
+            Expression::Subtract(a, b) => Operation::Subtract(self.write(a)?, self.write(b)?),
+            Expression::Multiply(a, b) => Operation::Multiply(self.write(a)?, self.write(b)?),
+            Expression::Divide(a, b) => Operation::Divide(self.write(a)?, self.write(b)?),
+            Expression::Power(a, b) => return self.write_power(a, b),
+            Expression::Call(function, a) => {
+                let of = self.write(a)?;
+                return Ok(self.function(*function, of));
+            }
+        };
+        Ok(self.place(operation))
+    }
+
+    fn write_power(&mut self, base: &Expression, exponent: &Expression) -> Result<usize, WithoutValue> {
+        let (base, exponent) = (self.write(base)?, self.write(exponent)?);
+        let Some(number) = self.known(exponent).cloned() else {
+            let logarithm = self.function(Function::Ln, base);
+            let product = self.place(Operation::Multiply(exponent, logarithm));
+            return Ok(self.place(Operation::Exp(product)));
+        };
+        Ok(self.fixed_power(base, number))
+    }
+
+    /// Powers up to this come by products, larger ones by the recurrence of powers.
+    const LARGEST_PRODUCT: u64 = 1 << 12;
+
+    fn fixed_power(&mut self, base: usize, exponent: Rational) -> usize {
+        let natural = exponent.magnitude().to_natural().filter(|&n| n <= Self::LARGEST_PRODUCT);
+        match natural {
+            Some(n) if exponent.is_negative() => {
+                let (one, power) = (self.number(1), self.natural_power(base, n));
+                self.place(Operation::Divide(one, power))
+            }
+            Some(n) => self.natural_power(base, n),
+            None => self.place(Operation::Power(base, exponent)),
+        }
+    }
+
+    fn natural_power(&mut self, base: usize, n: u64) -> usize {
+        match n {
+            0 => self.number(1),
+            1 => base,
+            _ => {
+                let half = self.natural_power(base, n / 2);
+                let square = self.place(Operation::Multiply(half, half));
+                if n % 2 == 0 { square } else { self.place(Operation::Multiply(square, base)) }
+            }
+        }
+    }
+
+    fn function(&mut self, function: Function, of: usize) -> usize {
+        if let Some(value) = self.known(of).and_then(|at| Rationals.value(function, at)) {
+            return self.place(Operation::Number(value));
+        }
+        match function {
+            Function::Sqrt => {
+                let half = Rational::new(1, 2).expect("two is not zero");
+                self.place(Operation::Power(of, half))
+            }
+            Function::Exp => self.place(Operation::Exp(of)),
+            Function::Abs => self.place(Operation::Abs(of)),
+            Function::Sin => self.pair(function, Function::Cos, Slope::Minus, of).0,
+            Function::Cos => self.pair(Function::Sin, function, Slope::Minus, of).1,
+            Function::Sinh => self.pair(function, Function::Cosh, Slope::Plus, of).0,
+            Function::Cosh => self.pair(Function::Sinh, function, Slope::Plus, of).1,
+            Function::Tan | Function::Tanh => self.tangent(function, of),
+            Function::Ln => self.place(Operation::Inverse { function, of, divisor: of }),
+            Function::Asin | Function::Acos | Function::Atan => self.inverse(function, of),
+        }
+    }
+
+    /// The first function has the second for its derivative; the second the first, with a sign.
+    fn pair(&mut self, first: Function, second: Function, slope: Slope, of: usize) -> (usize, usize) {
+        let next = self.operations.len();
+        let (function, plus) = (first, Slope::Plus);
+        let wanted = Operation::Paired { function, of, other: next + 1, slope: plus };
+        let same = |operation: &Operation| matches!(operation, Operation::Paired { function: f, of: a, .. } if *f == first && *a == of);
+        if let Some(place) = self.operations.iter().position(same) {
+            return (place, place + 1);
+        }
+        self.operations.push(wanted);
+        self.operations.push(Operation::Paired { function: second, of, other: next, slope });
+        (next, next + 1)
+    }
+
+    fn tangent(&mut self, function: Function, of: usize) -> usize {
+        let operation = Operation::Tangent { function, of };
+        if let Some(&place) = self.places.get(&operation) {
+            return place;
+        }
+        let place = self.operations.len();
+        self.operations.push(operation.clone());
+        self.places.insert(operation, place);
+        self.operations.push(Operation::Multiply(place, place));
+        place
+    }
+
+    /// asin′ = 1/√(1 − u²), acos′ = −1/√(1 − u²), atan′ = 1/(1 + u²).
+    fn inverse(&mut self, function: Function, of: usize) -> usize {
+        let (one, square) = (self.number(1), self.place(Operation::Multiply(of, of)));
+        let divisor = if function == Function::Atan {
+            self.place(Operation::Add(one, square))
+        } else {
+            let under = self.place(Operation::Subtract(one, square));
+            self.function(Function::Sqrt, under)
+        };
+        let divisor = if function == Function::Acos { self.place(Operation::Negate(divisor)) } else { divisor };
+        self.place(Operation::Inverse { function, of, divisor })
+    }
+}

@@ -1,0 +1,171 @@
+//! The answer: all series of a family of periodic motions or of a limit cycle, in exact fractions.
+
+use super::gauge::Gauge;
+use super::series_set::{OfAmplitude, SeriesSet};
+use crate::algebra::Rational;
+
+/// Periodic motions x = xₑ + Σₖ aₖ cos kΩt + bₖ sin kΩt of an oscillator as power series. Lists are indexed by the
+/// power of the variable. Displacements count from the equilibrium.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expansion {
+    /// The displacement is given up to this power of the variable, the frequency up to one less; of a limit cycle
+    /// both up to this power.
+    pub order: usize,
+    /// What the series are in.
+    pub variable: Variable,
+    /// Whether the coefficients are exact.
+    pub precision: Precision,
+    /// The equilibrium about which the motion goes.
+    pub equilibrium: Rational,
+    /// ω0², the square of the frequency of small oscillations.
+    pub omega0_squared: Rational,
+    /// Ω/ω0.
+    pub frequency_ratio: Vec<Rational>,
+    /// The harmonics that are present, by ascending k.
+    pub harmonics: Vec<Harmonics>,
+    /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
+    /// whose amplitude is not rational.
+    pub unit_squared: Rational,
+    /// The displacement at Ωt = 0.
+    pub x_max: Vec<Rational>,
+    /// The displacement at Ωt = π.
+    pub x_min: Vec<Rational>,
+    /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
+    pub of_amplitude: Option<AmplitudeSeries>,
+    /// The same by powers of half the distance between the turning points, for asymmetric wells.
+    pub of_half_swing: Option<AmplitudeSeries>,
+    /// How the answer was checked.
+    pub certificate: Certificate,
+}
+
+/// What the series of an expansion are in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// The parameter ε of a family of motions, in this gauge.
+    Epsilon(Gauge),
+    /// The strength of a self-excitation, a parameter of this name.
+    Parameter(String),
+}
+
+impl Variable {
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Epsilon(_) => "epsilon",
+            Self::Parameter(name) => name,
+        }
+    }
+}
+
+/// Whether coefficients are exact fractions or stand for numbers that are none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Every coefficient is the number itself.
+    Exact,
+    /// Some coefficients are not rational: each list is right to this many digits of its largest entries.
+    Digits(usize),
+}
+
+/// The coefficients of cos kΩt and sin kΩt.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Harmonics {
+    /// Which harmonic.
+    pub k: usize,
+    /// Of cos kΩt.
+    pub cos: Vec<Rational>,
+    /// Of sin kΩt.
+    pub sin: Vec<Rational>,
+}
+
+/// Physical relations by powers of an amplitude: the same in every gauge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AmplitudeSeries {
+    /// Ω/ω0.
+    pub frequency_ratio: Vec<Rational>,
+    /// T/T0.
+    pub period_ratio: Vec<Rational>,
+    /// The expansion parameter ε.
+    pub epsilon: Vec<Rational>,
+    /// The coefficient of cos kΩt, by ascending k, where it is present.
+    pub harmonics: Vec<(usize, Vec<Rational>)>,
+}
+
+/// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
+/// fresh primes of 62 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certificate {
+    /// All coefficients were computed again in plain rational arithmetic: they are proven.
+    PlainRationals,
+    /// Frequency and turning points agree exactly with the reversion of the potential, which proves them; the single
+    /// harmonics rest on the fresh primes.
+    Potential,
+    /// All coefficients rest on the fresh primes.
+    FreshPrimes,
+    /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
+    TwoPrecisions,
+}
+
+impl Certificate {
+    /// Whether the frequency is proven by an exact check.
+    #[must_use]
+    pub fn is_proof(self) -> bool {
+        matches!(self, Self::PlainRationals | Self::Potential)
+    }
+}
+
+impl Expansion {
+    /// The harmonic k, where it is present.
+    #[must_use]
+    pub fn harmonic(&self, k: usize) -> Option<&Harmonics> {
+        self.harmonics.iter().find(|harmonic| harmonic.k == k)
+    }
+
+    /// Puts the series of a set under the names of an answer.
+    pub(crate) fn new(heading: Heading, set: SeriesSet<Rational>, certificate: Certificate) -> Self {
+        let Heading { order, variable, precision, equilibrium, omega0_squared, unit_squared } = heading;
+        let harmonics = set.harmonics.into_iter().enumerate().map(|(k, series)| {
+            let (cos, sin) = series.into_iter().map(|h| (h.cosine, h.sine)).unzip();
+            Harmonics { k, cos, sin }
+        });
+        let present = |h: &Harmonics| h.k == 1 || h.cos.iter().chain(&h.sin).any(|c| !c.is_zero());
+        Self {
+            order,
+            variable,
+            precision,
+            equilibrium,
+            omega0_squared,
+            frequency_ratio: set.frequency,
+            harmonics: harmonics.filter(present).collect(),
+            unit_squared,
+            x_max: set.x_max,
+            x_min: set.x_min,
+            of_amplitude: set.of_amplitude.map(AmplitudeSeries::new),
+            of_half_swing: set.of_half_swing.map(AmplitudeSeries::new),
+            certificate,
+        }
+    }
+}
+
+/// What an answer says besides its series.
+#[derive(Clone, Debug)]
+pub(crate) struct Heading {
+    pub(crate) order: usize,
+    pub(crate) variable: Variable,
+    pub(crate) precision: Precision,
+    pub(crate) equilibrium: Rational,
+    pub(crate) omega0_squared: Rational,
+    pub(crate) unit_squared: Rational,
+}
+
+impl AmplitudeSeries {
+    fn new(of: OfAmplitude<Rational>) -> Self {
+        let present = |(k, series): &(usize, Vec<Rational>)| *k == 1 || series.iter().any(|c| !c.is_zero());
+        Self {
+            frequency_ratio: of.frequency,
+            period_ratio: of.period,
+            epsilon: of.epsilon,
+            harmonics: of.harmonics.into_iter().enumerate().filter(present).collect(),
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! The limit cycle that a weak self-excitation selects, as a series in its strength μ.
+//!
+//! With τ = Ωt, x = Σ μⁿxₙ(τ) and W = (Ω/ω0)² the equation x″ = −ω0²x + μf(x, x′, μ) reads at order n, for the k-th
+//! harmonic, (1 − k²)·xₙₖ = Rₙₖ/ω0² + k²·Σ_{j<n} Wₙ₋ⱼ·xⱼₖ, with Rₙ the coefficient of the acceleration without −ω0²xₙ.
+//! For k = 1 the cosine fixes Wₙ, and the sine, whose left side is zero because the phase is chosen so that no sin τ
+//! appears, fixes the amplitude of cos τ one order below. The lowest of these conditions gives the amplitude x₀.
+
+use super::lindstedt::Family;
+use crate::algebra::{Harmonic, Number, PhaseRing, Ring};
+use crate::expression::{Jet, Tape};
+use crate::series::truncated::next_square_root;
+
+/// A weakly self-excited oscillator, in the numbers of a ring.
+#[derive(Debug)]
+pub(crate) struct Excitation<'a, R: PhaseRing> {
+    /// The acceleration as a function of x, x′ and μ.
+    pub(crate) tape: &'a Tape,
+    pub(crate) omega0: Number<R>,
+    /// The amplitude at μ = 0.
+    pub(crate) amplitude: Number<R>,
+    /// The derivative, with respect to that amplitude, of the sine that must vanish.
+    pub(crate) slope: Number<R>,
+    /// The total degree of the acceleration in x and x′.
+    pub(crate) degree: usize,
+    /// The acceleration is odd: x′ and x have odd harmonics only.
+    pub(crate) symmetric: bool,
+}
+
+/// The highest harmonic at order n.
+pub(crate) fn highest_harmonic(degree: usize, n: usize) -> usize {
+    1 + n * degree.saturating_sub(1)
+}
+
+/// The sine of the acceleration at first order in μ, at the amplitude given: it vanishes on a limit cycle.
+pub(crate) fn first_sine<R: PhaseRing>(
+    ring: &R,
+    tape: &Tape,
+    omega0: &Number<R>,
+    amplitude: &Number<R>,
+) -> Option<Number<R>> {
+    let mut jet = start(ring, tape, omega0, amplitude)?;
+    jet.extend(&next_inputs(ring, 1)?).ok()?;
+    Some(ring.harmonic(jet.result(0).get(1)?, 1).sine)
+}
+
+/// x, x′ and μ at zeroth order.
+fn start<'a, R: PhaseRing>(
+    ring: &'a R,
+    tape: &'a Tape,
+    omega0: &Number<R>,
+    amplitude: &Number<R>,
+) -> Option<Jet<'a, R>> {
+    let numbers = ring.numbers();
+    let zero = numbers.zero();
+    let position = Harmonic { cosine: amplitude.clone(), sine: zero.clone() };
+    let velocity = Harmonic { cosine: zero, sine: numbers.negate(&numbers.multiply(omega0, amplitude)) };
+    let inputs = [
+        ring.sum_of_harmonics(&[(1, position)]),
+        ring.sum_of_harmonics(&[(1, velocity)]),
+        ring.zero(),
+    ];
+    Jet::new(ring, tape, &inputs).ok()
+}
+
+/// Nothing new for x and x′; μ itself is of first order.
+fn next_inputs<R: PhaseRing>(ring: &R, n: usize) -> Option<[R::Element; 3]> {
+    let mu = if n == 1 { ring.rational(&1.into())? } else { ring.zero() };
+    Some([ring.zero(), ring.zero(), mu])
+}
+
+/// The limit cycle up to μᴺ. `None` when a number is not in the ring.
+pub(crate) fn limit_cycle<R: PhaseRing>(
+    ring: &R,
+    excitation: &Excitation<'_, R>,
+    order: usize,
+) -> Option<Family<Number<R>>> {
+    let mut expansion = Expansion::new(ring, excitation)?;
+    for _ in 1..=order {
+        expansion.extend()?;
+    }
+    // The last amplitude of cos τ is fixed by the order that follows.
+    expansion.settle_amplitude()?;
+    Some(expansion.into_family())
+}
+
+struct Expansion<'a, R: PhaseRing> {
+    ring: &'a R,
+    excitation: &'a Excitation<'a, R>,
+    jet: Jet<'a, R>,
+    position_gains: Vec<R::Element>,
+    velocity_gains: Vec<R::Element>,
+    /// 1/ω0².
+    compliance: Number<R>,
+    squared: Vec<Number<R>>,
+    frequency: Vec<Number<R>>,
+    /// xₙₖ by n and k.
+    orders: Vec<Vec<Harmonic<Number<R>>>>,
+}
+
+impl<'a, R: PhaseRing> Expansion<'a, R> {
+    fn new(ring: &'a R, excitation: &'a Excitation<'a, R>) -> Option<Self> {
+        let numbers = ring.numbers();
+        let (zero, one) = (numbers.zero(), numbers.rational(&1.into())?);
+        let nothing = Harmonic { cosine: zero.clone(), sine: zero.clone() };
+        let first = Harmonic { cosine: excitation.amplitude.clone(), sine: zero };
+        let jet = start(ring, excitation.tape, &excitation.omega0, &excitation.amplitude)?;
+        Some(Self {
+            ring,
+            excitation,
+            position_gains: jet.gains(0).ok()?,
+            velocity_gains: jet.gains(1).ok()?,
+            compliance: numbers.divide(&one, &numbers.multiply(&excitation.omega0, &excitation.omega0))?,
+            jet,
+            squared: vec![one.clone()],
+            frequency: vec![one],
+            orders: vec![vec![nothing, first]],
+        })
+    }
+
+    /// Solves the equations of the next order, which leaves its amplitude of cos τ open.
+    fn extend(&mut self) -> Option<()> {
+        let numbers = self.ring.numbers();
+        let rest = self.settle_amplitude()?;
+        let n = self.orders.len();
+        let secular = numbers.add(&self.driving(&rest, 1).cosine, &self.mixed(1).cosine);
+        let next = numbers.divide(&numbers.negate(&secular), &self.excitation.amplitude)?;
+        self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
+        self.squared.push(next);
+        let nothing = || Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let symmetric = self.excitation.symmetric;
+        let forced = (0..=highest_harmonic(self.excitation.degree, n))
+            .map(|k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) })
+            .collect::<Option<Vec<_>>>()?;
+        self.orders.push(forced);
+        let position = self.sum_of(&self.orders[n]);
+        self.jet.amend(&self.position_gains, &position);
+        let velocity = self.velocity(n)?;
+        self.jet.amend(&self.velocity_gains, &velocity);
+        Some(())
+    }
+
+    /// The acceleration of the next order, after the open amplitude of cos τ is chosen so that it has no sin τ.
+    fn settle_amplitude(&mut self) -> Option<R::Element> {
+        let (ring, numbers, n) = (self.ring, self.ring.numbers(), self.orders.len());
+        self.jet.extend(&next_inputs(ring, n)?).ok()?;
+        let rest = self.jet.result(0)[n].clone();
+        let sine = ring.harmonic(&rest, 1).sine;
+        if n == 1 || numbers.is_zero(&sine) {
+            return Some(rest);
+        }
+        let amplitude = numbers.divide(&numbers.negate(&sine), &self.excitation.slope)?;
+        self.jet.shorten();
+        self.orders[n - 1][1].cosine = amplitude.clone();
+        let position = Harmonic { cosine: amplitude.clone(), sine: numbers.zero() };
+        let speed = numbers.negate(&numbers.multiply(&self.excitation.omega0, &amplitude));
+        let velocity = Harmonic { cosine: numbers.zero(), sine: speed };
+        self.jet.amend(&self.position_gains, &ring.sum_of_harmonics(&[(1, position)]));
+        self.jet.amend(&self.velocity_gains, &ring.sum_of_harmonics(&[(1, velocity)]));
+        self.jet.extend(&next_inputs(ring, n)?).ok()?;
+        Some(self.jet.result(0)[n].clone())
+    }
+
+    fn forced(&self, rest: &R::Element, k: usize) -> Option<Harmonic<Number<R>>> {
+        let numbers = self.ring.numbers();
+        let k_squared = i64::try_from(k * k).ok()?;
+        let detunings = if k == 0 { [1, 1] } else { [u64::try_from(k).ok()? - 1, u64::try_from(k).ok()? + 1] };
+        let (driving, mixed) = (self.driving(rest, k), self.mixed(k));
+        let respond = |driving: &Number<R>, mixed: &Number<R>| {
+            let forcing = numbers.add(driving, &numbers.times_integer(mixed, k_squared));
+            let response = numbers.over_integer(&numbers.over_integer(&forcing, detunings[0])?, detunings[1])?;
+            Some(if k == 0 { response } else { numbers.negate(&response) })
+        };
+        Some(Harmonic {
+            cosine: respond(&driving.cosine, &mixed.cosine)?,
+            sine: respond(&driving.sine, &mixed.sine)?,
+        })
+    }
+
+    /// Rₙₖ/ω0².
+    fn driving(&self, rest: &R::Element, k: usize) -> Harmonic<Number<R>> {
+        let numbers = self.ring.numbers();
+        let Harmonic { cosine, sine } = self.ring.harmonic(rest, k);
+        Harmonic {
+            cosine: numbers.multiply(&cosine, &self.compliance),
+            sine: numbers.multiply(&sine, &self.compliance),
+        }
+    }
+
+    /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 where k ≠ 1 and it is nothing.
+    fn mixed(&self, k: usize) -> Harmonic<Number<R>> {
+        let (numbers, n) = (self.ring.numbers(), self.orders.len());
+        let sum = |part: fn(&Harmonic<Number<R>>) -> &Number<R>| {
+            let terms = (1..n).filter_map(|j| Some((&self.squared[n - j], part(self.orders[j].get(k)?))));
+            let terms = terms.filter(|(w, x)| !numbers.is_zero(w) && !numbers.is_zero(x));
+            terms.fold(numbers.zero(), |sum, (w, x)| numbers.add(&sum, &numbers.multiply(w, x)))
+        };
+        Harmonic { cosine: sum(|h| &h.cosine), sine: sum(|h| &h.sine) }
+    }
+
+    fn sum_of(&self, harmonics: &[Harmonic<Number<R>>]) -> R::Element {
+        let terms: Vec<_> = harmonics.iter().cloned().enumerate().collect();
+        self.ring.sum_of_harmonics(&terms)
+    }
+
+    /// The velocity of order n, ω0·Σ wₙ₋ⱼ·dxⱼ/dτ.
+    fn velocity(&self, n: usize) -> Option<R::Element> {
+        let (ring, numbers) = (self.ring, self.ring.numbers());
+        let highest = self.orders[n].len();
+        let mut slopes = vec![Harmonic { cosine: numbers.zero(), sine: numbers.zero() }; highest];
+        for (j, order) in self.orders.iter().enumerate() {
+            let w = &self.frequency[n - j];
+            for (k, (slope, x)) in slopes.iter_mut().zip(order).enumerate() {
+                let k = i64::try_from(k).ok()?;
+                let cosine = numbers.times_integer(&numbers.multiply(w, &x.sine), k);
+                let sine = numbers.times_integer(&numbers.multiply(w, &x.cosine), -k);
+                slope.cosine = numbers.add(&slope.cosine, &cosine);
+                slope.sine = numbers.add(&slope.sine, &sine);
+            }
+        }
+        Some(ring.times_number(&self.sum_of(&slopes), &self.excitation.omega0))
+    }
+
+    fn into_family(self) -> Family<Number<R>> {
+        let numbers = self.ring.numbers();
+        let highest = self.orders.last().map_or(0, Vec::len);
+        let nothing = Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let coefficient = |order: &Vec<Harmonic<Number<R>>>, k: usize| {
+            order.get(k).unwrap_or(&nothing).clone()
+        };
+        let harmonics = (0..highest)
+            .map(|k| self.orders.iter().map(|order| coefficient(order, k)).collect())
+            .collect();
+        Family { frequency: self.frequency, harmonics }
+    }
+}

@@ -1,0 +1,193 @@
+//! Lindstedt and Poincaré's expansion of the periodic motions about a centre, order by order, over any ring.
+//!
+//! With τ = Ωt, x = xₑ + Σ εⁿxₙ(τ) and W = (Ω/ω0)² = Σ εⁿWₙ the equation x″ = F(x, x′) reads at order n, for the
+//! harmonic cos kτ,
+//!
+//! ```text
+//! (1 − k²)·xₙₖ = Rₙₖ/ω0² + k²·Σ_{0<j<n} Wₙ₋ⱼ·xⱼₖ,
+//! ```
+//!
+//! where Rₙ is the coefficient of F with xₙ left out. For k = 1 the left side vanishes: xₙ₁ = Aₙ is free, the
+//! gauge, and the right side must vanish too, which fixes Wₙ₋₁ (solvability: no secular term).
+
+use crate::algebra::{Harmonic, Number, PhaseRing, Ring};
+use crate::expression::{Jet, Tape};
+use crate::series::truncated::next_square_root;
+
+/// An oscillator about its centre, in the numbers of a ring.
+#[derive(Debug)]
+pub(crate) struct Centre<'a, R: PhaseRing> {
+    /// The acceleration as a function of x and x′.
+    pub(crate) tape: &'a Tape,
+    /// The zeroth coefficient of every place of the tape: its value at the equilibrium.
+    pub(crate) values: Vec<R::Element>,
+    /// ω0².
+    pub(crate) omega0_squared: Number<R>,
+    /// ω0, when the acceleration depends on the velocity.
+    pub(crate) omega0: Option<Number<R>>,
+}
+
+/// The coefficients of a family of periodic motions.
+#[derive(Clone, Debug)]
+pub(crate) struct Family<E> {
+    /// Ω/ω0 by powers of the variable.
+    pub(crate) frequency: Vec<E>,
+    /// For each harmonic k, its coefficients by powers of the variable.
+    pub(crate) harmonics: Vec<Vec<Harmonic<E>>>,
+}
+
+/// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, A_N.
+/// `None` when a number is not in the ring.
+pub(crate) fn family<R: PhaseRing>(
+    ring: &R,
+    centre: Centre<'_, R>,
+    fundamental: &[Number<R>],
+) -> Option<Family<Number<R>>> {
+    let numbers = ring.numbers();
+    let half_wave = fundamental.iter().step_by(2).all(|a| numbers.is_zero(a));
+    let mut expansion = Expansion::new(ring, centre)?;
+    for (n, gauge) in fundamental.iter().enumerate().skip(1) {
+        let harmonics = (0..=n).filter(|k| !half_wave || (n - k) % 2 == 0);
+        expansion.extend(gauge, harmonics)?;
+    }
+    Some(expansion.into_family())
+}
+
+struct Expansion<'a, R: PhaseRing> {
+    ring: &'a R,
+    jet: Jet<'a, R>,
+    gains: Gains<R::Element>,
+    inputs: usize,
+    /// 1/ω0².
+    compliance: Number<R>,
+    omega0: Option<Number<R>>,
+    /// W₀, W₁, ….
+    squared: Vec<Number<R>>,
+    frequency: Vec<Number<R>>,
+    /// xₙₖ by n and k.
+    cosines: Vec<Vec<Number<R>>>,
+}
+
+/// What the coefficients of x and of x′ change.
+struct Gains<E> {
+    position: Vec<E>,
+    velocity: Option<Vec<E>>,
+}
+
+impl<'a, R: PhaseRing> Expansion<'a, R> {
+    fn new(ring: &'a R, centre: Centre<'a, R>) -> Option<Self> {
+        let one = ring.numbers().rational(&1.into())?;
+        let jet = Jet::with_values(ring, centre.tape, centre.values);
+        let velocity = if centre.omega0.is_some() { Some(jet.gains(1).ok()?) } else { None };
+        let gains = Gains { position: jet.gains(0).ok()?, velocity };
+        Some(Self {
+            ring,
+            jet,
+            gains,
+            inputs: centre.tape.inputs(),
+            compliance: ring.numbers().divide(&one, &centre.omega0_squared)?,
+            omega0: centre.omega0,
+            squared: vec![one.clone()],
+            frequency: vec![one],
+            cosines: vec![vec![]],
+        })
+    }
+
+    /// Solves the equations of the next order.
+    fn extend(&mut self, gauge: &Number<R>, harmonics: impl Iterator<Item = usize>) -> Option<()> {
+        let (ring, n) = (self.ring, self.cosines.len());
+        self.jet.extend(&vec![ring.zero(); self.inputs]).ok()?;
+        let rest = self.jet.result(0)[n].clone();
+        if n > 1 {
+            self.impose_solvability(&rest)?;
+        }
+        let mut cosines = vec![ring.numbers().zero(); n + 1];
+        for k in harmonics {
+            cosines[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
+        }
+        self.cosines.push(cosines);
+        let position = self.sum(n, |k, a| (k, Harmonic { cosine: a, sine: ring.numbers().zero() }));
+        self.jet.amend(&self.gains.position, &position);
+        self.amend_velocity(n);
+        Some(())
+    }
+
+    /// Wₙ₋₁ from the harmonic cos τ of order n.
+    fn impose_solvability(&mut self, rest: &R::Element) -> Option<()> {
+        let numbers = self.ring.numbers();
+        let secular = numbers.add(&self.driving(rest, 1), &self.mixed(1));
+        let next = numbers.divide(&numbers.negate(&secular), &self.cosines[1][1])?;
+        self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
+        self.squared.push(next);
+        Some(())
+    }
+
+    /// The k-th harmonic that the lower orders force, k ≠ 1.
+    fn forced(&self, rest: &R::Element, k: usize) -> Option<Number<R>> {
+        let numbers = self.ring.numbers();
+        let k_squared = i64::try_from(k * k).ok()?;
+        let forcing = numbers.add(
+            &self.driving(rest, k),
+            &numbers.times_integer(&self.mixed(k), k_squared),
+        );
+        if k == 0 {
+            return Some(forcing);
+        }
+        let k = u64::try_from(k).ok()?;
+        let response = numbers.over_integer(&numbers.over_integer(&forcing, k - 1)?, k + 1)?;
+        Some(numbers.negate(&response))
+    }
+
+    /// Rₙₖ/ω0².
+    fn driving(&self, rest: &R::Element, k: usize) -> Number<R> {
+        self.ring.numbers().multiply(&self.ring.harmonic(rest, k).cosine, &self.compliance)
+    }
+
+    /// Σ Wₙ₋ⱼ·xⱼₖ over 1 < j < n, and j = 1 where W is known and k ≠ 1.
+    fn mixed(&self, k: usize) -> Number<R> {
+        let (numbers, n) = (self.ring.numbers(), self.cosines.len());
+        let products = (2..n).filter_map(|j| {
+            let (w, x) = (&self.squared[n - j], self.cosines[j].get(k)?);
+            (!numbers.is_zero(w) && !numbers.is_zero(x)).then(|| numbers.multiply(w, x))
+        });
+        products.fold(numbers.zero(), |sum, product| numbers.add(&sum, &product))
+    }
+
+    /// The harmonics of order n as a sum, each as it is told.
+    fn sum(
+        &self,
+        n: usize,
+        term: impl Fn(usize, Number<R>) -> (usize, Harmonic<Number<R>>),
+    ) -> R::Element {
+        let present = self.cosines[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
+        self.ring.sum_of_harmonics(&present.map(|(k, a)| term(k, a.clone())).collect::<Vec<_>>())
+    }
+
+    /// The velocity of order n, ω0·Σ wₙ₋ⱼ·dxⱼ/dτ.
+    fn amend_velocity(&mut self, n: usize) {
+        let (Some(omega0), Some(gains)) = (&self.omega0, &self.gains.velocity) else { return };
+        let (ring, numbers) = (self.ring, self.ring.numbers());
+        let mut velocity = ring.zero();
+        for j in 1..=n {
+            let factor = numbers.multiply(omega0, &self.frequency[n - j]);
+            let slope = self.sum(j, |k, a| {
+                let k_negative = -i64::try_from(k).unwrap_or(i64::MAX);
+                (k, Harmonic { cosine: numbers.zero(), sine: numbers.times_integer(&a, k_negative) })
+            });
+            velocity = ring.add(&velocity, &ring.times_number(&slope, &factor));
+        }
+        self.jet.amend(gains, &velocity);
+    }
+
+    fn into_family(self) -> Family<Number<R>> {
+        let zero = self.ring.numbers().zero();
+        let order = self.cosines.len() - 1;
+        let coefficient = |k: usize, n: usize| Harmonic {
+            cosine: self.cosines[n].get(k).unwrap_or(&zero).clone(),
+            sine: zero.clone(),
+        };
+        let harmonics =
+            (0..=order).map(|k| (0..=order).map(|n| coefficient(k, n)).collect()).collect();
+        Family { frequency: self.frequency, harmonics }
+    }
+}

@@ -1,0 +1,88 @@
+//! A model's series in exact fractions, put together from its series modulo primes.
+
+use std::ops::ControlFlow;
+
+use super::gauge::Gauge;
+use super::model::{Model, Motion};
+use super::series_set::SeriesSet;
+use crate::algebra::{
+    Images, PrimeField, Rational, Ring, SampledHarmonics, Symmetry, primes_with_roots, reconstruct,
+};
+
+/// Roots of unity of order 2²⁰ are in every field used, enough for half a million harmonics.
+const LOG_ROOTS: u32 = 20;
+
+/// The series modulo as many primes as it takes. `watch` is told the number of primes done and may break off.
+pub(crate) fn exact_series(
+    model: &Model<Rational>,
+    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Result<SeriesSet<Rational>, Unsolved> {
+    let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
+    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS))?.ok_or(Unsolved::NoPrimes)?;
+    let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));
+    set.ok_or(Unsolved::NoPrimes)
+}
+
+/// Why there are no exact series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unsolved {
+    /// It was broken off after this many primes.
+    BrokenOff(usize),
+    /// The computation failed modulo every prime that was tried.
+    NoPrimes,
+}
+
+/// With the phase shifted by half a turn and ε by its sign, x is the same unless an even Aₙ breaks the symmetry.
+fn symmetry(model: &Model<Rational>) -> Symmetry {
+    match &model.motion {
+        Motion::Centre { gauge: Gauge::Coefficients(list), .. } => Symmetry {
+            even_in_phase: !model.uses_velocity,
+            half_wave: list.iter().skip(1).step_by(2).all(Rational::is_zero),
+        },
+        Motion::Centre { .. } => Symmetry { even_in_phase: !model.uses_velocity, half_wave: true },
+        Motion::LimitCycle(selected) => Symmetry { even_in_phase: false, half_wave: selected.symmetric },
+    }
+}
+
+/// After this many primes in a row without an image it is not the primes that are bad.
+const MOST_BAD_PRIMES: usize = 64;
+
+struct ModelImages<'a> {
+    model: &'a Model<Rational>,
+    symmetry: Symmetry,
+    watch: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
+    done: usize,
+    bad: usize,
+    /// The set of the first prime, for the lengths of its lists.
+    shape: Option<SeriesSet<u64>>,
+}
+
+impl Images for ModelImages<'_> {
+    type Error = Unsolved;
+
+    fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, Unsolved> {
+        let degree = self.model.highest_harmonic();
+        let set = SampledHarmonics::new(field.clone(), degree, self.symmetry).and_then(|ring| {
+            self.model.series(&ring, |number| field.rational(number), |square| root(field, square))
+        });
+        let Some(set) = set else {
+            self.bad += 1;
+            return if self.bad > MOST_BAD_PRIMES { Err(Unsolved::NoPrimes) } else { Ok(None) };
+        };
+        (self.bad, self.done) = (0, self.done + 1);
+        if (self.watch)(self.done).is_break() {
+            return Err(Unsolved::BrokenOff(self.done));
+        }
+        let numbers = set.numbers();
+        self.shape.get_or_insert(set);
+        Ok(Some(numbers))
+    }
+}
+
+/// The root itself where it is a fraction, else one of the two in the field.
+fn root(field: &PrimeField, square: &Rational) -> Option<u64> {
+    match square.square_root() {
+        Some(root) => field.rational(&root),
+        None => field.square_root(field.rational(square)?),
+    }
+}

@@ -1,0 +1,165 @@
+//! All series of one family of motions, over any ring: harmonics, turning points, and everything as functions of
+//! the amplitude.
+
+use super::lindstedt::Family;
+use crate::algebra::{Harmonic, Ring};
+use crate::series::truncated::{Powers, powers, powers_of_inverse, reciprocal};
+
+/// The series of a family by powers of its variable, and of its amplitudes.
+#[derive(Clone, Debug)]
+pub(crate) struct SeriesSet<E> {
+    pub(crate) frequency: Vec<E>,
+    pub(crate) harmonics: Vec<Vec<Harmonic<E>>>,
+    pub(crate) x_max: Vec<E>,
+    pub(crate) x_min: Vec<E>,
+    pub(crate) of_amplitude: Option<OfAmplitude<E>>,
+    pub(crate) of_half_swing: Option<OfAmplitude<E>>,
+}
+
+/// The series by powers of an amplitude.
+#[derive(Clone, Debug)]
+pub(crate) struct OfAmplitude<E> {
+    pub(crate) frequency: Vec<E>,
+    pub(crate) period: Vec<E>,
+    pub(crate) epsilon: Vec<E>,
+    pub(crate) harmonics: Vec<Vec<E>>,
+}
+
+/// Which amplitudes the series are wanted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Amplitudes {
+    /// None: the amplitude is not free.
+    None,
+    /// The largest displacement, of a symmetric well.
+    One,
+    /// The largest displacement and the half swing.
+    Both,
+}
+
+impl<E: Clone> SeriesSet<E> {
+    /// All series of a family; `None` when a number is not in the ring.
+    pub(crate) fn new<R: Ring<Element = E>>(
+        ring: &R,
+        family: Family<E>,
+        amplitudes: Amplitudes,
+    ) -> Option<Self> {
+        let (x_max, x_min) = turning_points(ring, &family);
+        let of = |amplitude: &[E]| OfAmplitude::new(ring, &family, amplitude);
+        let of_amplitude = if amplitudes == Amplitudes::None { None } else { Some(of(&x_max)?) };
+        let of_half_swing =
+            if amplitudes == Amplitudes::Both { Some(of(&half_swing(ring, &family)?)?) } else { None };
+        let Family { frequency, harmonics } = family;
+        Some(Self { frequency, harmonics, x_max, x_min, of_amplitude, of_half_swing })
+    }
+
+    /// The numbers of all series, in a fixed order.
+    pub(crate) fn numbers(&self) -> Vec<E> {
+        let mut numbers = vec![];
+        self.each(&mut |number: &E| numbers.push(number.clone()));
+        numbers
+    }
+
+    fn each(&self, visit: &mut impl FnMut(&E)) {
+        self.frequency.iter().for_each(&mut *visit);
+        for harmonic in self.harmonics.iter().flatten() {
+            visit(&harmonic.cosine);
+            visit(&harmonic.sine);
+        }
+        self.x_max.iter().chain(&self.x_min).for_each(&mut *visit);
+        for of in [&self.of_amplitude, &self.of_half_swing].into_iter().flatten() {
+            let series = of.frequency.iter().chain(&of.period).chain(&of.epsilon);
+            series.chain(of.harmonics.iter().flatten()).for_each(&mut *visit);
+        }
+    }
+
+    /// The same set with other numbers, taken in the order of [`Self::numbers`]; `None` when they are too few.
+    pub(crate) fn with_numbers<T>(&self, mut numbers: impl Iterator<Item = T>) -> Option<SeriesSet<T>> {
+        let mut list = |length: usize| (0..length).map(|_| numbers.next()).collect::<Option<Vec<T>>>();
+        let frequency = list(self.frequency.len())?;
+        let mut harmonics = vec![];
+        for series in &self.harmonics {
+            let mut pairs = list(2 * series.len())?.into_iter();
+            let next = || Some(Harmonic { cosine: pairs.next()?, sine: pairs.next()? });
+            harmonics.push(std::iter::from_fn(next).collect());
+        }
+        let (x_max, x_min) = (list(self.x_max.len())?, list(self.x_min.len())?);
+        let mut of = |of: &Option<OfAmplitude<E>>| match of {
+            None => Some(None),
+            Some(of) => {
+                let (frequency, period) = (list(of.frequency.len())?, list(of.period.len())?);
+                let epsilon = list(of.epsilon.len())?;
+                let harmonics = of.harmonics.iter().map(|h| list(h.len())).collect::<Option<_>>()?;
+                Some(Some(OfAmplitude { frequency, period, epsilon, harmonics }))
+            }
+        };
+        let (of_amplitude, of_half_swing) = (of(&self.of_amplitude)?, of(&self.of_half_swing)?);
+        Some(SeriesSet { frequency, harmonics, x_max, x_min, of_amplitude, of_half_swing })
+    }
+}
+
+impl<E: Clone> OfAmplitude<E> {
+    fn new<R: Ring<Element = E>>(ring: &R, family: &Family<E>, amplitude: &[E]) -> Option<Self> {
+        let inverse = powers_of_inverse(ring, amplitude)?;
+        let Family { frequency, harmonics } = composed(ring, family, &inverse);
+        let period = reciprocal(ring, &frequency)?;
+        let harmonics = harmonics.into_iter().map(|h| h.into_iter().map(|h| h.cosine).collect()).collect();
+        Some(Self { frequency, period, epsilon: inverse.first(), harmonics })
+    }
+}
+
+/// The family with its variable replaced by a series in another one.
+pub(crate) fn substituted<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+    variable: &[R::Element],
+) -> Option<Family<R::Element>> {
+    Some(composed(ring, family, &powers(ring, variable)?))
+}
+
+/// The family with the inverse function of a series for its variable.
+pub(crate) fn by_inverse<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+    series: &[R::Element],
+) -> Option<Family<R::Element>> {
+    Some(composed(ring, family, &powers_of_inverse(ring, series)?))
+}
+
+fn composed<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+    powers: &Powers<R::Element>,
+) -> Family<R::Element> {
+    let compose = |part: fn(&Harmonic<R::Element>) -> &R::Element, series: &[Harmonic<R::Element>]| {
+        powers.composed(ring, &series.iter().map(|h| part(h).clone()).collect::<Vec<_>>())
+    };
+    let harmonic = |series: &Vec<Harmonic<R::Element>>| {
+        let (cosines, sines) = (compose(|h| &h.cosine, series), compose(|h| &h.sine, series));
+        cosines.into_iter().zip(sines).map(|(cosine, sine)| Harmonic { cosine, sine }).collect()
+    };
+    Family {
+        frequency: powers.composed(ring, &family.frequency),
+        harmonics: family.harmonics.iter().map(harmonic).collect(),
+    }
+}
+
+/// The displacements at τ = 0 and τ = π.
+pub(crate) fn turning_points<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+) -> (Vec<R::Element>, Vec<R::Element>) {
+    let order = family.harmonics.first().map_or(0, Vec::len);
+    let at = |n: usize, alternating: bool| {
+        family.harmonics.iter().enumerate().fold(ring.zero(), |sum, (k, series)| {
+            let cosine = &series[n].cosine;
+            if alternating && k % 2 == 1 { ring.subtract(&sum, cosine) } else { ring.add(&sum, cosine) }
+        })
+    };
+    ((0..order).map(|n| at(n, false)).collect(), (0..order).map(|n| at(n, true)).collect())
+}
+
+/// Half the distance between the turning points.
+pub(crate) fn half_swing<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<R::Element>> {
+    let (x_max, x_min) = turning_points(ring, family);
+    x_max.iter().zip(&x_min).map(|(max, min)| ring.over_integer(&ring.subtract(max, min), 2)).collect()
+}
