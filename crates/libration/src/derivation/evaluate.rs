@@ -120,6 +120,9 @@ impl<E: Clone> Values<E> {
                 factors.iter().try_fold(Rational::from(1), |product, factor| Some(product * self.constant(factor)?))
             }
             Formula::Fraction(over, under) => self.constant(over)?.checked_div(&self.constant(under)?),
+            Formula::Power(base, exponent) => {
+                self.constant(base)?.integer_power(isize::try_from(self.integer(exponent)?).ok()?)
+            }
             _ => None,
         }
     }

@@ -14,4 +14,13 @@ fn dump() {
         Err(e) => panic!("{e}"),
     }
     eprintln!("{:?}", start.elapsed());
+    match formulas(None) {
+        Ok(d) => {
+            std::fs::write("/tmp/f.html", to_html(&d)).unwrap();
+            std::fs::write("/tmp/f.tex", to_latex(&d)).unwrap();
+            std::fs::write("/tmp/f.md", to_markdown(&d)).unwrap();
+        }
+        Err(e) => panic!("{e}"),
+    }
+    eprintln!("{:?}", start.elapsed());
 }

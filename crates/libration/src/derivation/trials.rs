@@ -40,6 +40,7 @@ pub(super) struct Trials {
 /// A swing with the values of its letters.
 #[derive(Clone, Debug)]
 struct Trial {
+    angle: Angle,
     amplitude: Decimal,
     values: Values<BigFloat>,
 }
@@ -181,7 +182,29 @@ impl Trials {
         self.wanted
     }
 
+    /// Whether a formula agrees with a function of the amplitude in double precision.
+    pub(super) fn agrees_with(
+        &self,
+        statement: &Statement,
+        formula: &Formula,
+        function: impl Fn(&Angle) -> f64,
+    ) -> Result<(), DerivationError> {
+        for trial in &self.trials {
+            let (here, there) = (trial.side(statement, formula)?.value.to_f64(), function(&trial.angle));
+            let difference = (here - there).abs() / there.abs();
+            if difference.is_nan() || difference > CLOSE_IN_DOUBLE {
+                return Err(failed(statement, format!("it is {here}, and the catalogue says {there}")));
+            }
+        }
+        Ok(())
+    }
+
     /// The amplitude shown.
+    pub(super) fn angle(&self) -> Angle {
+        self.trials[self.shown].angle
+    }
+
+    /// The amplitude shown, in degrees.
     pub(super) fn amplitude(&self) -> Formula {
         Formula::Decimal(self.trials[self.shown].amplitude.clone())
     }
@@ -220,20 +243,22 @@ impl Trial {
         let moment = motion.state_at(0.86 * motion.period());
         let exactly = |value: f64| BigFloat::from_words(DoubleDouble::from(value), PRECISION);
         let mut values = Values::default();
-        let omega = exactly(swing.pendulum.angular_frequency());
-        values.set(&Name::new("ω").index(0), omega);
+        let mut omega = exactly(swing.pendulum.angular_frequency());
         if let (Some(length), Some(gravity)) = (swing.pendulum.length(), swing.pendulum.gravity()) {
             let (length, gravity) = (exactly(length), exactly(gravity));
-            values.set(&Name::new("ω").index(0), (gravity.clone() / length.clone()).sqrt());
+            omega = (gravity.clone() / length.clone()).sqrt();
             values.set(&Name::new("ℓ"), length);
             values.set(&Name::new("g"), gravity);
         }
+        let half_turn = BigFloat::pi(PRECISION);
+        values.set(&Name::new("T").index(0), (half_turn.clone() + half_turn) / omega.clone());
+        values.set(&Name::new("ω").index(0), omega);
         values.set(&Name::new("θ").index(0), BigFloat::from_words(angle.in_turn_words(), PRECISION));
         values.set(&Name::new("T"), exactly(swing.pendulum.period(&swing.amplitude)));
         values.set(&Name::new("θ"), exactly(moment.angle));
         values.set(&Name::new("θ").prime(), exactly(moment.velocity));
         let amplitude = Decimal::short(angle.degrees(), Unit::Degree);
-        let mut trial = Self { amplitude, values };
+        let mut trial = Self { angle, amplitude, values };
         trial.let_time_run();
         Ok(trial)
     }

@@ -5,6 +5,8 @@ mod mean;
 mod series;
 mod substitution;
 
+pub(super) use mean::theta_series;
+
 use super::check::DerivationError;
 use super::document::{Block, Derivation, Prose};
 use super::trials::{Swing, Trials};
