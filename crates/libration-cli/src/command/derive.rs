@@ -85,7 +85,9 @@ impl Derive {
 }
 
 fn amplitude_missing() -> Failure {
-    Failure::Usage("--length and --gravity show their numbers at an amplitude: add --amplitude 40deg".to_owned())
+    Failure::Usage(
+        "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg".to_owned(),
+    )
 }
 
 impl Format {

@@ -40,6 +40,14 @@ pub enum Check {
         /// Its last value.
         last: i64,
     },
+    /// All sides are the same exact number.
+    Fraction,
+    /// A name is given to the right side, which is the formula of this key in the catalogue: it has its value at
+    /// several amplitudes.
+    Catalogued {
+        /// The key.
+        key: String,
+    },
     /// The digits printed are those of the exact value.
     RoundedDigits,
     /// All sides have the same value, in many digits.
@@ -182,7 +190,9 @@ pub(super) fn same_series_where(
                 let value = side(&statement, formula, &ring, &values)?;
                 values.set(name, value);
             }
-            Given::Function(name, parameter, body) => values.define(&Name::new(name), &[parameter], body.clone()),
+            Given::Function(name, parameter, body) => {
+                values.define(&Name::new(name), &[parameter], body.clone())
+            }
         }
     }
     let first = side(&statement, &statement.first, &ring, &values)?;
@@ -200,6 +210,12 @@ pub(super) fn same_series_where(
         return Err(failed(&statement, format!("only {compared} coefficients can be compared")));
     }
     Ok(Equation::new(statement, Check::Series { variable: variable.clone(), coefficients: compared }))
+}
+
+/// Checks that all formulas of the statement are the same fraction.
+pub(super) fn equal_fractions(statement: Statement) -> Result<Equation, DerivationError> {
+    let equation = equal_rationals("n", 1..=1, statement)?;
+    Ok(Equation { check: Check::Fraction, ..equation })
 }
 
 /// Checks that all formulas of the statement are the same fractions for these values of an index.
@@ -253,10 +269,15 @@ impl Check {
                 "checked: the same power series in {}, exactly, through {}",
                 [variable.into(), last_power(variable, *coefficients)],
             ),
-            Self::Rationals { index, first, last } => {
-                Prose::new("checked: the same fractions, exactly, for {} = {} ", [index.into(), (*first).into()])
-                    .and(Prose::new("to {}", [(*last).into()]))
-            }
+            Self::Rationals { index, first, last } => Prose::new(
+                "checked: the same fractions, exactly, for {} = {} ",
+                [index.into(), (*first).into()],
+            )
+            .and(Prose::new("to {}", [(*last).into()])),
+            Self::Fraction => Prose::text("checked: the same fraction, exactly"),
+            Self::Catalogued { key } => Prose::text(format!(
+                "definition; checked: it has the values of the formula {key} in the catalogue"
+            )),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
             Self::Digits { place, value, difference, against } => {
                 place.to_prose().and(agreement(value, *difference, *against))
@@ -281,7 +302,9 @@ impl Place {
                         n if n + 1 == amplitudes.len() => " and ",
                         _ => ", ",
                     };
-                    prose = prose.and(Prose::text(comma)).and(Prose::formula(Formula::Decimal(amplitude.clone())));
+                    prose = prose
+                        .and(Prose::text(comma))
+                        .and(Prose::formula(Formula::Decimal(amplitude.clone())));
                 }
                 prose.and(Prose::new("; at {} ", [Formula::Decimal(at.clone())]))
             }

@@ -114,7 +114,12 @@ impl Step {
     }
 
     /// A paragraph where there is something to say.
-    pub(super) fn say_where<const N: usize>(self, wanted: Wanted, template: &str, formulas: [Formula; N]) -> Self {
+    pub(super) fn say_where<const N: usize>(
+        self,
+        wanted: Wanted,
+        template: &str,
+        formulas: [Formula; N],
+    ) -> Self {
         match wanted {
             Wanted::Numbers => self.say(template, formulas),
             Wanted::Formulas => self,

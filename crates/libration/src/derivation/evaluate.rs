@@ -116,9 +116,9 @@ impl<E: Clone> Values<E> {
             Formula::Sum(terms) => {
                 terms.iter().try_fold(Rational::from(0), |sum, term| Some(sum + self.constant(term)?))
             }
-            Formula::Product(factors) => {
-                factors.iter().try_fold(Rational::from(1), |product, factor| Some(product * self.constant(factor)?))
-            }
+            Formula::Product(factors) => factors
+                .iter()
+                .try_fold(Rational::from(1), |product, factor| Some(product * self.constant(factor)?)),
             Formula::Fraction(over, under) => self.constant(over)?.checked_div(&self.constant(under)?),
             Formula::Power(base, exponent) => {
                 self.constant(base)?.integer_power(isize::try_from(self.integer(exponent)?).ok()?)
@@ -150,9 +150,7 @@ pub(super) fn evaluate<R: Analysis>(
         Formula::Pi => ring.pi().ok_or(NoValue::NotInRing("π")),
         Formula::Name(name) => of_name(name, ring, values),
         Formula::Negate(it) => Ok(ring.negate(&of(it)?)),
-        Formula::Sum(terms) => {
-            terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?)))
-        }
+        Formula::Sum(terms) => terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?))),
         Formula::Product(factors) => {
             let one = rational(&Rational::from(1))?;
             factors.iter().try_fold(one, |product, factor| Ok(ring.multiply(&product, &of(factor)?)))

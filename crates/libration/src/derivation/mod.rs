@@ -33,6 +33,6 @@ pub use document::{Block, Derivation, Prose, Span, Step, Table};
 pub use elliptic::elliptic;
 pub use evaluate::NoValue;
 pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
-pub use published::formulas;
 pub use print::{formula_latex, statement_latex, to_html, to_latex, to_markdown};
+pub use published::formulas;
 pub use trials::Swing;

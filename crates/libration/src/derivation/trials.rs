@@ -158,7 +158,10 @@ impl Trials {
     }
 
     /// The numbers of the reader's swing, each a formula with its digits and unit; none if no swing was given.
-    pub(super) fn numbers(&self, wanted: &[(Formula, usize, Unit)]) -> Result<Vec<Equation>, DerivationError> {
+    pub(super) fn numbers(
+        &self,
+        wanted: &[(Formula, usize, Unit)],
+    ) -> Result<Vec<Equation>, DerivationError> {
         let wanted = if self.wanted == Wanted::Numbers { wanted } else { &[] };
         let shown = &self.trials[self.shown].values;
         let number = |(formula, digits, unit): &(Formula, usize, Unit)| {
@@ -291,7 +294,10 @@ impl Trial {
             return Ok(Comparison { value, difference });
         }
         let degrees = &self.amplitude.mantissa;
-        Err(failed(statement, format!("at {degrees} degrees its sides differ by {difference:e} of their size")))
+        Err(failed(
+            statement,
+            format!("at {degrees} degrees its sides differ by {difference:e} of their size"),
+        ))
     }
 
     fn side(&self, statement: &Statement, formula: &Formula) -> Result<Side, DerivationError> {

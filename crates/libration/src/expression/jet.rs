@@ -164,9 +164,7 @@ impl<'a, R: Ring> Jet<'a, R> {
             Operation::Multiply(a, b) if self.tape.is_constant(b) => {
                 Some(ring.multiply(&at(a).plain[n], self.zeroth(b)))
             }
-            Operation::Multiply(a, b) => {
-                Some(ring.convolution(&at(a).plain[..=n], &at(b).plain[..=n]))
-            }
+            Operation::Multiply(a, b) => Some(ring.convolution(&at(a).plain[..=n], &at(b).plain[..=n])),
             Operation::Divide(a, b) => quotient(ring, &at(a).plain[n], &at(place).plain, &at(b).plain),
             Operation::Power(a, ref exponent) => {
                 let exponent = ring.rational(exponent)?;

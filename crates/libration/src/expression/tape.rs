@@ -21,11 +21,23 @@ pub(crate) enum Operation {
     Power(usize, Rational),
     Exp(usize),
     /// One of a pair of functions, `of` the first operand, whose derivative is `slope` times the other.
-    Paired { function: Function, of: usize, other: usize, slope: Slope },
+    Paired {
+        function: Function,
+        of: usize,
+        other: usize,
+        slope: Slope,
+    },
     /// tan or tanh, the square of which stands in the next place.
-    Tangent { function: Function, of: usize },
+    Tangent {
+        function: Function,
+        of: usize,
+    },
     /// ln, asin, acos, atan: the derivative is that of `of` divided by the value at `divisor`.
-    Inverse { function: Function, of: usize, divisor: usize },
+    Inverse {
+        function: Function,
+        of: usize,
+        divisor: usize,
+    },
     Abs(usize),
 }
 
@@ -286,7 +298,8 @@ impl Writer<'_> {
             let under = self.place(Operation::Subtract(one, square));
             self.function(Function::Sqrt, under)
         };
-        let divisor = if function == Function::Acos { self.place(Operation::Negate(divisor)) } else { divisor };
+        let divisor =
+            if function == Function::Acos { self.place(Operation::Negate(divisor)) } else { divisor };
         self.place(Operation::Inverse { function, of, divisor })
     }
 }

@@ -10,10 +10,7 @@ use crate::series::truncated::product;
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
 /// whatever the gauge. `None` when a number is not rational.
-pub(crate) fn agrees_with_the_potential(
-    model: &Model<Rational>,
-    set: &SeriesSet<Rational>,
-) -> Option<bool> {
+pub(crate) fn agrees_with_the_potential(model: &Model<Rational>, set: &SeriesSet<Rational>) -> Option<bool> {
     let square = squared_energy_amplitude(model, &set.x_max)?;
     if square != squared_energy_amplitude(model, &set.x_min)? {
         return Some(false);
@@ -43,7 +40,8 @@ fn squared_energy_amplitude(model: &Model<Rational>, x: &[Rational]) -> Option<V
         slope.push(Rationals.times_integer(coefficient, i64::try_from(n).ok()?));
         // n + 1 times the coefficient of V at order n + 1.
         let work = Rationals.convolution(&jet.result(0)[1..=n], &slope);
-        let energy = Rationals.over_integer(&Rationals.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
+        let energy =
+            Rationals.over_integer(&Rationals.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
         square.push(Rationals.divide(&energy, &model.omega0_squared)?);
     }
     square.truncate(x.len());

@@ -67,7 +67,11 @@ impl FromStr for Gauge {
             }
         }
         let list: Vec<Rational> = list.into_iter().map(|a| a.unwrap_or_else(|| Rational::from(0))).collect();
-        if list[0].is_zero() { Err(NotAGauge::NoFirst(text.to_owned())) } else { Ok(Self::Coefficients(list)) }
+        if list[0].is_zero() {
+            Err(NotAGauge::NoFirst(text.to_owned()))
+        } else {
+            Ok(Self::Coefficients(list))
+        }
     }
 }
 
@@ -93,13 +97,17 @@ pub enum NotAGauge {
     )]
     Unknown(String),
     /// An item of the list that is no coefficient.
-    #[error("`{0}` is no coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}")]
+    #[error(
+        "`{0}` is no coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}"
+    )]
     Item(String),
     /// A coefficient that is given twice.
     #[error("the gauge gives A{0} twice: give it once")]
     Twice(usize),
     /// A list without A1.
-    #[error("the gauge `{0}` has no A1: ε must be of first order in the swing, so give one that is not zero, as A1=1")]
+    #[error(
+        "the gauge `{0}` has no A1: ε must be of first order in the swing, so give one that is not zero, as A1=1"
+    )]
     NoFirst(String),
     /// A coefficient that is no fraction.
     #[error(transparent)]
@@ -120,7 +128,9 @@ mod tests {
 
     #[test]
     fn gauges_that_mean_nothing_are_refused() {
-        for text in ["", "energie", "A1", "A0=1", "A1=x", "A2=1", "A1=0", "A1=1,A1=2", "A1=1,B3=2", "A99999999=1"] {
+        for text in
+            ["", "energie", "A1", "A0=1", "A1=x", "A2=1", "A1=0", "A1=1,A1=2", "A1=1,B3=2", "A99999999=1"]
+        {
             assert!(text.parse::<Gauge>().is_err(), "{text}");
         }
     }

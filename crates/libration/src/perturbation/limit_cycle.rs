@@ -54,11 +54,8 @@ fn start<'a, R: PhaseRing>(
     let zero = numbers.zero();
     let position = Harmonic { cosine: amplitude.clone(), sine: zero.clone() };
     let velocity = Harmonic { cosine: zero, sine: numbers.negate(&numbers.multiply(omega0, amplitude)) };
-    let inputs = [
-        ring.sum_of_harmonics(&[(1, position)]),
-        ring.sum_of_harmonics(&[(1, velocity)]),
-        ring.zero(),
-    ];
+    let inputs =
+        [ring.sum_of_harmonics(&[(1, position)]), ring.sum_of_harmonics(&[(1, velocity)]), ring.zero()];
     Jet::new(ring, tape, &inputs).ok()
 }
 
@@ -129,7 +126,9 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let nothing = || Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
         let symmetric = self.excitation.symmetric;
         let forced = (0..=highest_harmonic(self.excitation.degree, n))
-            .map(|k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) })
+            .map(
+                |k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) },
+            )
             .collect::<Option<Vec<_>>>()?;
         self.orders.push(forced);
         let position = self.sum_of(&self.orders[n]);
@@ -163,11 +162,13 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn forced(&self, rest: &R::Element, k: usize) -> Option<Harmonic<Number<R>>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
-        let detunings = if k == 0 { [1, 1] } else { [u64::try_from(k).ok()? - 1, u64::try_from(k).ok()? + 1] };
+        let detunings =
+            if k == 0 { [1, 1] } else { [u64::try_from(k).ok()? - 1, u64::try_from(k).ok()? + 1] };
         let (driving, mixed) = (self.driving(rest, k), self.mixed(k));
         let respond = |driving: &Number<R>, mixed: &Number<R>| {
             let forcing = numbers.add(driving, &numbers.times_integer(mixed, k_squared));
-            let response = numbers.over_integer(&numbers.over_integer(&forcing, detunings[0])?, detunings[1])?;
+            let response =
+                numbers.over_integer(&numbers.over_integer(&forcing, detunings[0])?, detunings[1])?;
             Some(if k == 0 { response } else { numbers.negate(&response) })
         };
         Some(Harmonic {
@@ -224,12 +225,10 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let numbers = self.ring.numbers();
         let highest = self.orders.last().map_or(0, Vec::len);
         let nothing = Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
-        let coefficient = |order: &Vec<Harmonic<Number<R>>>, k: usize| {
-            order.get(k).unwrap_or(&nothing).clone()
-        };
-        let harmonics = (0..highest)
-            .map(|k| self.orders.iter().map(|order| coefficient(order, k)).collect())
-            .collect();
+        let coefficient =
+            |order: &Vec<Harmonic<Number<R>>>, k: usize| order.get(k).unwrap_or(&nothing).clone();
+        let harmonics =
+            (0..highest).map(|k| self.orders.iter().map(|order| coefficient(order, k)).collect()).collect();
         Family { frequency: self.frequency, harmonics }
     }
 }

@@ -126,10 +126,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn forced(&self, rest: &R::Element, k: usize) -> Option<Number<R>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
-        let forcing = numbers.add(
-            &self.driving(rest, k),
-            &numbers.times_integer(&self.mixed(k), k_squared),
-        );
+        let forcing = numbers.add(&self.driving(rest, k), &numbers.times_integer(&self.mixed(k), k_squared));
         if k == 0 {
             return Some(forcing);
         }
@@ -154,11 +151,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     }
 
     /// The harmonics of order n as a sum, each as it is told.
-    fn sum(
-        &self,
-        n: usize,
-        term: impl Fn(usize, Number<R>) -> (usize, Harmonic<Number<R>>),
-    ) -> R::Element {
+    fn sum(&self, n: usize, term: impl Fn(usize, Number<R>) -> (usize, Harmonic<Number<R>>)) -> R::Element {
         let present = self.cosines[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
         self.ring.sum_of_harmonics(&present.map(|(k, a)| term(k, a.clone())).collect::<Vec<_>>())
     }
@@ -186,8 +179,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             cosine: self.cosines[n].get(k).unwrap_or(&zero).clone(),
             sine: zero.clone(),
         };
-        let harmonics =
-            (0..=order).map(|k| (0..=order).map(|n| coefficient(k, n)).collect()).collect();
+        let harmonics = (0..=order).map(|k| (0..=order).map(|n| coefficient(k, n)).collect()).collect();
         Family { frequency: self.frequency, harmonics }
     }
 }

@@ -162,7 +162,11 @@ fn constant<R: PhaseRing>(ring: &R, value: &Number<R>) -> R::Element {
 }
 
 /// The harmonics divided by a unit of length.
-fn in_units<R: Ring>(ring: &R, mut family: Family<R::Element>, unit: &R::Element) -> Option<Family<R::Element>> {
+fn in_units<R: Ring>(
+    ring: &R,
+    mut family: Family<R::Element>,
+    unit: &R::Element,
+) -> Option<Family<R::Element>> {
     let per_unit = ring.divide(&ring.rational(&Rational::from(1))?, unit)?;
     for harmonic in family.harmonics.iter_mut().flatten() {
         harmonic.cosine = ring.multiply(&harmonic.cosine, &per_unit);

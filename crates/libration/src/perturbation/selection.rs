@@ -19,7 +19,8 @@ impl Condition {
     /// From as many exact values as a polynomial of this degree in x and x′ needs. `None` when one is not rational.
     pub(crate) fn new(tape: &Tape, omega0: &Rational, degree: usize, symmetric: bool) -> Option<Self> {
         let ring = HarmonicSums { numbers: Rationals };
-        let places: Vec<Rational> = (1..=i64::try_from(degree.div_ceil(2)).ok()?).map(Rational::from).collect();
+        let places: Vec<Rational> =
+            (1..=i64::try_from(degree.div_ceil(2)).ok()?).map(Rational::from).collect();
         let value = |a: &Rational| first_sine(&ring, tape, omega0, a)?.checked_div(a);
         let values = places.iter().map(value).collect::<Option<Vec<_>>>()?;
         let squares: Vec<Rational> = places.iter().map(|a| Rationals.multiply(a, a)).collect();
@@ -28,9 +29,10 @@ impl Condition {
 
     /// The value of M(√s)/√s.
     fn at(&self, s: &Rational) -> Rational {
-        self.coefficients.iter().rev().fold(Rational::from(0), |sum, m| {
-            Rationals.add(&Rationals.multiply(&sum, s), m)
-        })
+        self.coefficients
+            .iter()
+            .rev()
+            .fold(Rational::from(0), |sum, m| Rationals.add(&Rationals.multiply(&sum, s), m))
     }
 
     /// M′(√s) = Σ (2j + 1)·mⱼsʲ.

@@ -25,10 +25,19 @@ fn adhoc() {
         let model = pendulum(order, Gauge::Fundamental);
         let start = std::time::Instant::now();
         let mut primes = 0;
-        let set = exact_series(&model, &mut |n| { primes = n; ControlFlow::Continue(()) }).unwrap();
+        let set = exact_series(&model, &mut |n| {
+            primes = n;
+            ControlFlow::Continue(())
+        })
+        .unwrap();
         println!("{order}: {:?} {primes} primes", start.elapsed());
         if order == 7 {
-            for s in [&set.frequency, &set.x_max, &set.of_amplitude.as_ref().unwrap().frequency, &set.of_amplitude.as_ref().unwrap().epsilon] {
+            for s in [
+                &set.frequency,
+                &set.x_max,
+                &set.of_amplitude.as_ref().unwrap().frequency,
+                &set.of_amplitude.as_ref().unwrap().epsilon,
+            ] {
                 println!("{}", s.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "));
             }
         }
@@ -64,14 +73,28 @@ fn adhoc_van_der_pol() {
     println!("{found:?} {others:?}");
     for order in [6, 20, 60] {
         let motion = Motion::LimitCycle(condition.selected(&found[0]));
-        let model = Model { tape: tape.clone(), values: vec![], omega0_squared: Rational::from(1), uses_velocity: true, motion, order };
+        let model = Model {
+            tape: tape.clone(),
+            values: vec![],
+            omega0_squared: Rational::from(1),
+            uses_velocity: true,
+            motion,
+            order,
+        };
         let start = std::time::Instant::now();
         let mut primes = 0;
-        let set = exact_series(&model, &mut |n| { primes = n; ControlFlow::Continue(()) }).unwrap();
+        let set = exact_series(&model, &mut |n| {
+            primes = n;
+            ControlFlow::Continue(())
+        })
+        .unwrap();
         println!("vdp {order}: {:?} {primes} primes", start.elapsed());
         if order == 6 {
             println!("{}", set.frequency.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "));
-            println!("{}", set.harmonics[1].iter().map(|h| h.cosine.to_string()).collect::<Vec<_>>().join(" "));
+            println!(
+                "{}",
+                set.harmonics[1].iter().map(|h| h.cosine.to_string()).collect::<Vec<_>>().join(" ")
+            );
             println!("{}", set.harmonics[3].iter().map(|h| h.sine.to_string()).collect::<Vec<_>>().join(" "));
         }
     }

@@ -18,7 +18,11 @@ pub(crate) fn quotient<R: Ring>(
 }
 
 /// n·cₙ of the c with c′ = a′·b, from the weighted a₁ … aₙ and b₀ … bₙ₋₁.
-pub(crate) fn weighted_integral<R: Ring>(ring: &R, weighted_a: &[R::Element], b: &[R::Element]) -> R::Element {
+pub(crate) fn weighted_integral<R: Ring>(
+    ring: &R,
+    weighted_a: &[R::Element],
+    b: &[R::Element],
+) -> R::Element {
     ring.convolution(weighted_a, b)
 }
 

@@ -56,11 +56,7 @@ pub(crate) fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option
 }
 
 /// bₙ of b = √a with b₀ = 1, from aₙ and b₀ … bₙ₋₁.
-pub(crate) fn next_square_root<R: Ring>(
-    ring: &R,
-    a_n: &R::Element,
-    b: &[R::Element],
-) -> Option<R::Element> {
+pub(crate) fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Element]) -> Option<R::Element> {
     let known = ring.convolution(&b[1..], &b[1..]);
     ring.over_integer(&ring.subtract(a_n, &known), 2)
 }
@@ -156,10 +152,7 @@ mod tests {
         assert_eq!(inverse.first(), series(&["0", "1", "0", "1/6", "0", "3/40", "0", "5/112"]));
         assert_eq!(inverse.composed(&Rationals, &sine()), series(&["0", "1", "0", "0", "0", "0", "0", "0"]));
         let sine_of = powers(&Rationals, &sine()).unwrap();
-        assert_eq!(
-            sine_of.composed(&Rationals, &inverse.first()),
-            inverse.composed(&Rationals, &sine())
-        );
+        assert_eq!(sine_of.composed(&Rationals, &inverse.first()), inverse.composed(&Rationals, &sine()));
     }
 
     #[test]

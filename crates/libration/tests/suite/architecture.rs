@@ -13,6 +13,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
+    ("derivation", &["pendulum", "period_formulas", "algebra"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

@@ -2,7 +2,9 @@
 
 use super::super::check::{DerivationError, Equation};
 use super::super::document::Step;
-use super::super::formula::{Formula, Name, Statement, Unit, cos, derivative, integral, letter, number, sin, sqrt};
+use super::super::formula::{
+    Formula, Name, Statement, Unit, cos, derivative, integral, letter, number, sin, sqrt,
+};
 use super::super::trials::Trials;
 use super::super::words::{omega_0, period, sin_half_amplitude, small_swing_period, theta_0};
 use crate::algebra::Rational;
@@ -34,10 +36,8 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, Derivation
     let motion = Statement::equal(acceleration(), -(gravity.clone() / length.clone() * sin(theta())));
     let frequency = trials.define(&Name::new("ω").index(0), sqrt(gravity.clone() / length.clone()))?;
     let small = trials.define(&Name::new("T").index(0), number(2) * Formula::Pi / omega_0())?;
-    let numbers = trials.numbers(&[
-        (omega_0(), 11, Unit::RadianPerSecond),
-        (small_swing_period(), 11, Unit::Second),
-    ])?;
+    let numbers = trials
+        .numbers(&[(omega_0(), 11, Unit::RadianPerSecond), (small_swing_period(), 11, Unit::Second)])?;
     Ok(Step::new("The equation of motion")
         .say(
             "A small heavy body hangs from a pivot by a rod of length {}, without friction, and swings in a vertical \
@@ -54,7 +54,8 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, Derivation
 }
 
 pub(super) fn conservation(trials: &Trials) -> Result<Step, DerivationError> {
-    let any_motion = trials.with(&acceleration(), Rational::new(1, 3).unwrap_or_else(|| Rational::from(0)).into())?;
+    let any_motion =
+        trials.with(&acceleration(), Rational::new(1, 3).unwrap_or_else(|| Rational::from(0)).into())?;
     let bracket = Formula::from(acceleration()) + omega_0().squared() * sin(theta());
     let identity = Statement::equal(derivative(energy(), "t"), velocity() * bracket);
     let conserved = Statement::equal(energy(), -(omega_0().squared() * cos(theta_0())));

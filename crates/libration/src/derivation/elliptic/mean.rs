@@ -3,8 +3,8 @@
 use super::super::check::{DerivationError, Equation, Given, same_series_where};
 use super::super::document::{Prose, Step, Table};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, order, rounded, series, sin,
-    sqrt,
+    Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, order,
+    rounded, series, sin, sqrt,
 };
 use super::super::trials::Trials;
 use super::super::words::{complete_integral, cos_half_amplitude, period, small_swing_period};
@@ -36,7 +36,8 @@ fn mean(name: &str, n: impl Into<Formula>) -> Name {
 
 /// 1/√(a² cos² φ + b² sin² φ).
 fn integrand(angle: &Formula) -> Formula {
-    number(1) / sqrt(a().squared() * cos(angle.clone()).squared() + b().squared() * sin(angle.clone()).squared())
+    number(1)
+        / sqrt(a().squared() * cos(angle.clone()).squared() + b().squared() * sin(angle.clone()).squared())
 }
 
 fn gauss(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
@@ -56,13 +57,18 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
     let to_x = Statement::equal(integrand(&arc) * derivative(arc, "x"), in_x);
     let new_variable = (x() - a() * b() / x()) / 2;
     let examples = examples.with(&Name::new("y"), new_variable.clone())?;
-    let slope = Statement::equal(derivative(new_variable.clone(), "x"), (x().squared() + a() * b()) / (2 * x().squared()));
+    let slope = Statement::equal(
+        derivative(new_variable.clone(), "x"),
+        (x().squared() + a() * b()) / (2 * x().squared()),
+    );
     let arithmetic = Statement::equal(
         ((a() + b()) / 2).squared() + y().squared(),
         (a().squared() + x().squared()) * (b().squared() + x().squared()) / (4 * x().squared()),
     );
-    let geometric =
-        Statement::equal(a() * b() + y().squared(), (x().squared() + a() * b()).squared() / (4 * x().squared()));
+    let geometric = Statement::equal(
+        a() * b() + y().squared(),
+        (x().squared() + a() * b()).squared() / (4 * x().squared()),
+    );
     let invariant = Statement::equal(gauss(a(), b()), gauss((a() + b()) / 2, sqrt(a() * b())));
     Ok(Step::new("The integral as a mean")
         .say("Gauss found a shorter way. Let", [])
@@ -96,18 +102,18 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
 pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
     let mut trials = trials.clone();
     let n = || letter("n");
-    let starts = [
-        trials.define(&mean("a", 0), number(1))?,
-        trials.define(&mean("b", 0), cos_half_amplitude())?,
-    ];
+    let starts =
+        [trials.define(&mean("a", 0), number(1))?, trials.define(&mean("b", 0), cos_half_amplitude())?];
     for step in 0..STEPS {
         let (a, b) = (Formula::from(mean("a", step)), Formula::from(mean("b", step)));
         trials.define(&mean("a", step + 1), (a.clone() + b.clone()) / 2)?;
         trials.define(&mean("b", step + 1), sqrt(a * b))?;
     }
     let (a_n, b_n) = (Formula::from(mean("a", n())), Formula::from(mean("b", n())));
-    let arithmetic = Equation::definition(Statement::defined(mean("a", n() + 1), (a_n.clone() + b_n.clone()) / 2));
-    let geometric = Equation::definition(Statement::defined(mean("b", n() + 1), sqrt(a_n.clone() * b_n.clone())));
+    let arithmetic =
+        Equation::definition(Statement::defined(mean("a", n() + 1), (a_n.clone() + b_n.clone()) / 2));
+    let geometric =
+        Equation::definition(Statement::defined(mean("b", n() + 1), sqrt(a_n.clone() * b_n.clone())));
     let limit = agm(1, cos_half_amplitude());
     let ratio = number(2) / Formula::Pi * complete_integral(letter("m"));
     let same = Statement::equal(ratio, number(1) / limit.clone());
@@ -116,7 +122,8 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
     let nome = trials.define(&Name::new("q"), call(Function::Exp, nome))?;
     let theta = trials.define_function("ϑ", &["q"], theta_series());
     let power = letter("q").pow(number(2).pow(n()));
-    let error = Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power.clone()]).squared());
+    let error =
+        Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power.clone()]).squared());
     let small = theta_squared()?;
     Ok(Step::new("The period in a few steps")
         .say("Repeat the two means, beginning with", [])
@@ -175,7 +182,8 @@ fn iterates(trials: &Trials) -> Result<Table, DerivationError> {
         };
         let errors = [cell(error(&a), 2)?, cell(error(&b), 2)?];
         rows.push(
-            [vec![Prose::formula(number(n)), cell(a.clone(), 12)?, cell(b.clone(), 12)?], errors.to_vec()].concat(),
+            [vec![Prose::formula(number(n)), cell(a.clone(), 12)?, cell(b.clone(), 12)?], errors.to_vec()]
+                .concat(),
         );
         if trials.value(&(a - b))?.to_f64() < 1e-30 {
             break;

@@ -32,7 +32,11 @@ pub fn elliptic(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         mean::invariance(&mut trials)?,
         mean::iteration(&trials)?,
     ];
-    Ok(Derivation { title: "The period of a pendulum at any amplitude".to_owned(), introduction: introduction(), steps })
+    Ok(Derivation {
+        title: "The period of a pendulum at any amplitude".to_owned(),
+        introduction: introduction(),
+        steps,
+    })
 }
 
 fn introduction() -> Vec<Block> {

@@ -3,11 +3,13 @@
 use super::super::check::{DerivationError, equal_rationals, same_series};
 use super::super::document::{Prose, Step, Table};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, agm, apply, cos, derivative, double_factorial, integral, letter, monomial, number, order,
-    polynomial, rounded, series, sin, sqrt,
+    Formula, Name, Statement, Unit, agm, apply, cos, derivative, double_factorial, integral, letter,
+    monomial, number, order, polynomial, rounded, series, sin, sqrt,
 };
 use super::super::trials::Trials;
-use super::super::words::{amplitude, complete_integral, cos_half_amplitude, period_ratio, sin_half_amplitude, theta_0};
+use super::super::words::{
+    amplitude, complete_integral, cos_half_amplitude, period_ratio, sin_half_amplitude, theta_0,
+};
 use crate::algebra::Rational;
 use crate::period_formulas::{period_in_amplitude, period_in_sine_squared};
 
@@ -38,7 +40,8 @@ pub(super) fn binomial(trials: &Trials) -> Result<Step, DerivationError> {
     let x = letter("x");
     let root = number(1) / sqrt(number(1) - x.clone());
     let sum = series("n", 0, coefficient() * x.clone().pow(n()));
-    let first = [(1, 1), (1, 2), (3, 8), (5, 16), (35, 128)].map(|(p, q)| Rational::new(p, q).unwrap_or_else(|| 0.into()));
+    let first = [(1, 1), (1, 2), (3, 8), (5, 16), (35, 128)]
+        .map(|(p, q)| Rational::new(p, q).unwrap_or_else(|| 0.into()));
     let explicit = polynomial(&first, &x) + order(x.clone().pow(5));
     let integrand = number(1) / sqrt(number(1) - letter("m") * sin(psi()).squared());
     let term = coefficient() * letter("m").pow(n()) * sin(psi()).pow(2 * n());
@@ -70,7 +73,8 @@ const SLOW: i64 = 140;
 
 pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<Step, DerivationError> {
     let i = |n: Formula| apply("I", [n]);
-    let definition = trials.define_function("I", &["n"], integral("ψ", 0, Formula::Pi / 2, sin(psi()).pow(2 * n())));
+    let definition =
+        trials.define_function("I", &["n"], integral("ψ", 0, Formula::Pi / 2, sin(psi()).pow(2 * n())));
     let product = -(cos(psi()) * sin(psi()).pow(2 * n() - 1));
     let rest = (2 * n() - 1) * (cos(psi()).squared() * sin(psi()).pow(2 * n() - 2));
     let parts = Statement::equal(derivative(product, "ψ"), sin(psi()).pow(2 * n()) - rest);
@@ -147,8 +151,15 @@ fn partial_sums(trials: &Trials) -> Result<Table, DerivationError> {
             Prose::formula(rounded(sum / ratio - 1.0, 2, Unit::One)),
         ]);
     }
-    let titles = [Prose::formula(n()), Prose::text("coefficient"), Prose::text("term"), Prose::text("sum"), Prose::text("error")];
-    let note = Prose::new("the error is relative to {} from the mean of two numbers, below", [period_ratio()]);
+    let titles = [
+        Prose::formula(n()),
+        Prose::text("coefficient"),
+        Prose::text("term"),
+        Prose::text("sum"),
+        Prose::text("error"),
+    ];
+    let note =
+        Prose::new("the error is relative to {} from the mean of two numbers, below", [period_ratio()]);
     Ok(Table { head: titles.into(), rows, note })
 }
 

@@ -2,7 +2,9 @@
 
 use super::super::check::{DerivationError, Equation};
 use super::super::document::Step;
-use super::super::formula::{Formula, Name, Statement, Unit, call, cos, derivative, integral, letter, number, sin, sqrt};
+use super::super::formula::{
+    Formula, Name, Statement, Unit, call, cos, derivative, integral, letter, number, sin, sqrt,
+};
 use super::super::trials::Trials;
 use super::super::words::{
     complete_integral as k_of, omega_0, period, period_ratio, sin_half_amplitude, theta_0,

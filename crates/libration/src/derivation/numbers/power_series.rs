@@ -98,7 +98,8 @@ impl Ring for PowerSeries {
         let (a, b) = (a.get(shift..)?, &divisor[shift..]);
         let mut quotient: Coefficients = Vec::with_capacity(a.len());
         for n in 0..a.len().min(b.len()) {
-            let known = (1..=n).fold(Rational::from(0), |sum, i| sum + b[i].clone() * quotient[n - i].clone());
+            let known =
+                (1..=n).fold(Rational::from(0), |sum, i| sum + b[i].clone() * quotient[n - i].clone());
             quotient.push((a[n].clone() - known).checked_div(&b[0])?);
         }
         Some(quotient)
@@ -119,9 +120,7 @@ impl Ring for PowerSeries {
             Function::Sin => self.compose(at, |n| over(n, if odd(n) { alternating(n) } else { 0 })),
             Function::Cos => self.compose(at, |n| over(n, if odd(n) { 0 } else { alternating(n) })),
             Function::Exp => self.compose(at, |n| over(n, 1)),
-            Function::Tan => {
-                self.divide(&self.value(Function::Sin, at)?, &self.value(Function::Cos, at)?)
-            }
+            Function::Tan => self.divide(&self.value(Function::Sin, at)?, &self.value(Function::Cos, at)?),
             Function::Ln => {
                 let one = Rational::from(1);
                 let excess = self.subtract(at, &constant(one, at.len()));

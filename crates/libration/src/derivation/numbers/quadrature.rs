@@ -9,6 +9,9 @@ use crate::derivation::evaluate::NoValue;
 /// Halvings of the step after which an integral is given up.
 const LEVELS: usize = 10;
 
+/// Bits of the distance from an end that stay unused.
+const SPARED: isize = 40;
+
 /// The nodes that each halving adds.
 static NODES: [OnceLock<Vec<Node>>; LEVELS] = [const { OnceLock::new() }; LEVELS];
 
@@ -76,10 +79,11 @@ impl Node {
         Self { place, weight }
     }
 
-    /// Whether the place cannot be told from 0 or 1.
+    /// Whether the place is so close to 0 or 1 that an integrand may lose its last bits there. What is cut off is
+    /// below 2⁻¹⁰⁷ of an integrand like 1/√x.
     fn is_at_the_end(&self) -> bool {
         let bits = isize::try_from(PRECISION).unwrap_or(isize::MAX);
-        let near = |distance: BigFloat| distance.exponent().is_none_or(|exponent| exponent < 4 - bits);
+        let near = |distance: BigFloat| distance.exponent().is_none_or(|exponent| exponent < SPARED - bits);
         near(self.place.clone()) || near(number(1) - self.place.clone())
     }
 }

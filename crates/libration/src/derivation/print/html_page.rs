@@ -78,18 +78,13 @@ fn equation(equation: &Equation) -> String {
 }
 
 fn in_a_row(first: &Layout, rest: &[(Layout, Layout)]) -> String {
-    let links: String =
-        rest.iter().map(|(relation, formula)| mathml(relation) + &mathml(formula)).collect();
+    let links: String = rest.iter().map(|(relation, formula)| mathml(relation) + &mathml(formula)).collect();
     format!("<mrow>{}{links}</mrow>", mathml(first))
 }
 
 fn aligned(first: &Layout, rest: &[(Layout, Layout)]) -> String {
     let row = |left: &str, (relation, formula): &(Layout, Layout)| {
-        format!(
-            "<mtr><mtd>{left}</mtd><mtd><mrow>{}{}</mrow></mtd></mtr>",
-            mathml(relation),
-            mathml(formula)
-        )
+        format!("<mtr><mtd>{left}</mtd><mtd><mrow>{}{}</mrow></mtd></mtr>", mathml(relation), mathml(formula))
     };
     let mut left = mathml(first);
     let rows: String = rest.iter().map(|link| row(&std::mem::take(&mut left), link)).collect();
@@ -100,8 +95,7 @@ fn table(table: &Table) -> String {
     let cells = |tag: &str, cells: &[Prose]| -> String {
         cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", prose(cell))).collect()
     };
-    let rows: String =
-        table.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", row))).collect();
+    let rows: String = table.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", row))).collect();
     format!(
         "<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n<p class=\"check\">{}</p>",
         cells("th", &table.head),

@@ -197,7 +197,9 @@ impl Style {
         match function {
             Function::Sqrt => Layout::Root(Box::new(self.formula(argument))),
             Function::Abs => Layout::Bars(Box::new(self.formula(argument))),
-            Function::Exp => scripts(Layout::Letter("e".to_owned()), None, Some(Self::Inline.formula(argument))),
+            Function::Exp => {
+                scripts(Layout::Letter("e".to_owned()), None, Some(Self::Inline.formula(argument)))
+            }
             _ if needs_brackets(self, argument) => self.bracketed_call(function, exponent, argument),
             _ => Layout::Row(vec![head(function, exponent), Layout::Application, self.formula(argument)]),
         }
@@ -312,9 +314,9 @@ fn needs_brackets(style: Style, argument: &Formula) -> bool {
     match argument {
         Formula::Name(_) | Formula::Pi => false,
         Formula::Fraction(..) => style == Style::Inline,
-        Formula::Product(factors) => {
-            !factors.iter().all(|factor| matches!(factor, Formula::Name(_) | Formula::Pi | Formula::Number(_)))
-        }
+        Formula::Product(factors) => !factors
+            .iter()
+            .all(|factor| matches!(factor, Formula::Name(_) | Formula::Pi | Formula::Number(_))),
         _ => true,
     }
 }

@@ -12,16 +12,17 @@ pub(super) fn mathml(layout: &Layout) -> String {
         Layout::Digits(digits) => element("mn", digits),
         Layout::Sign(sign) => element("mo", &sign.to_string()),
         Layout::Prefix(sign) => format!("<mo form=\"prefix\">{sign}</mo>"),
-        Layout::Suffix(text) => format!("<mo form=\"postfix\" lspace=\"0em\" rspace=\"0em\">{}</mo>", html(text)),
+        Layout::Suffix(text) => {
+            format!("<mo form=\"postfix\" lspace=\"0em\" rspace=\"0em\">{}</mo>", html(text))
+        }
         Layout::Comma => "<mo>,</mo>".to_owned(),
         Layout::Application => "<mo>&#x2061;</mo><mspace width=\"0.17em\"/>".to_owned(),
         Layout::ThinSpace => "<mspace width=\"0.17em\"/>".to_owned(),
         Layout::Fraction(over, under) => format!("<mfrac>{}{}</mfrac>", mathml(over), mathml(under)),
         Layout::Root(under) => format!("<msqrt>{}</msqrt>", mathml(under)),
-        Layout::Primed(base, primes) => match &**base {
-            Layout::Letter(letter) => element("mi", &(letter.clone() + &primes_text(*primes))),
-            other => format!("<mrow>{}<mo>{}</mo></mrow>", mathml(other), primes_text(*primes)),
-        },
+        Layout::Primed(base, primes) => {
+            format!("<msup>{}<mo>{}</mo></msup>", mathml(base), primes_text(*primes))
+        }
         Layout::Scripts { base, below, above } => {
             scripts("msub", "msup", "msubsup", &mathml(base), below.as_deref(), above.as_deref())
         }
@@ -50,11 +51,23 @@ fn element(tag: &str, text: &str) -> String {
     format!("<{tag}>{}</{tag}>", html(text))
 }
 
+/// Brackets grow with what is tall and keep their size about a line of text.
 fn fenced(open: &str, inner: &Layout, close: &str) -> String {
+    let stretchy = is_tall(inner);
     let fence = |form: &str, sign: &str| {
-        format!("<mo stretchy=\"true\" form=\"{form}\" lspace=\"0em\" rspace=\"0em\">{sign}</mo>")
+        format!("<mo stretchy=\"{stretchy}\" form=\"{form}\" lspace=\"0em\" rspace=\"0em\">{sign}</mo>")
     };
     format!("<mrow>{}{}{}</mrow>", fence("prefix", open), mathml(inner), fence("postfix", close))
+}
+
+fn is_tall(layout: &Layout) -> bool {
+    match layout {
+        Layout::Fraction(..) | Layout::Root(_) | Layout::Large { .. } => true,
+        Layout::Row(parts) => parts.iter().any(is_tall),
+        Layout::Scripts { base, .. } => is_tall(base),
+        Layout::Brackets(inner) | Layout::Bars(inner) => is_tall(inner),
+        _ => false,
+    }
 }
 
 fn scripts(

@@ -1,6 +1,6 @@
 //! The exact ratio and the formulas that match its series at small amplitudes.
 
-use super::super::check::{DerivationError, Given, equal_rationals, same_series, same_series_where};
+use super::super::check::{DerivationError, Given, equal_fractions, same_series, same_series_where};
 use super::super::document::Step;
 use super::super::formula::{Formula, Name, Statement, Unit, agm, letter, monomial, number, order, sin};
 use super::super::trials::Trials;
@@ -22,7 +22,8 @@ fn fraction(numerator: i64, denominator: i64) -> Formula {
 
 pub(super) fn exact_ratio(trials: &Trials) -> Result<Step, DerivationError> {
     let period_series = Statement::equal(ratio(), in_even_powers(&period_in_amplitude(3)));
-    let frequency_series = Statement::equal(agm(1, cos_half_amplitude()), in_even_powers(&frequency_in_amplitude(3)));
+    let frequency_series =
+        Statement::equal(agm(1, cos_half_amplitude()), in_even_powers(&frequency_in_amplitude(3)));
     Ok(Step::new("What is approximated")
         .say(
             "The exact ratio is one over the arithmetic–geometric mean of one and the cosine of half the amplitude: the \
@@ -56,10 +57,8 @@ pub(super) fn molina(trials: &Trials) -> Result<Step, DerivationError> {
     let quotient = || theta_0() / sin(theta_0());
     let power = || letter("p");
     let fourth = power() / 180 + power().squared() / 72;
-    let expanded = number(1)
-        + power() / 6 * theta_0().squared()
-        + fourth * theta_0().pow(4)
-        + order(theta_0().pow(6));
+    let expanded =
+        number(1) + power() / 6 * theta_0().squared() + fourth * theta_0().pow(4) + order(theta_0().pow(6));
     let general = Statement::equal(quotient().pow(power()), expanded);
     // Each coefficient is of second degree in p at most: three values decide, the fourth is the one wanted.
     let mut checked = None;
@@ -87,10 +86,16 @@ pub(super) fn molina(trials: &Trials) -> Result<Step, DerivationError> {
             [power(), power() / 6],
         );
     Ok(step
-        .show(equal_rationals("n", 1..=1, exponent)?)
+        .show(equal_fractions(exponent)?)
         .show(stated(trials, "molina", "Mol", formula.clone())?)
-        .say("so that the factor in the force was taken to the power 3/4. In the next term there is a rest,", [])
-        .show(equal_rationals("n", 1..=1, left)?)
+        .say(
+            "so that the factor in the force was taken to the power 3/4. In the next term there is a rest,",
+            [],
+        )
+        .show(equal_fractions(left)?)
         .show(leading_error("molina", "Mol", formula)?)
-        .say("eight times smaller than what Bernoulli’s formula leaves out, and of the other sign.", []))
+        .say(
+            "nearly eight times smaller than what Bernoulli’s formula leaves out, and of the other sign.",
+            [],
+        ))
 }

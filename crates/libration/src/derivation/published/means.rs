@@ -152,10 +152,7 @@ fn kept_denominator() -> Result<Equation, DerivationError> {
     let name = period_of("kept");
     let (a, c) = (((number(1) + root()) / 2).squared(), ((number(1) - root()) / 2).squared());
     let ratio = number(1) / (a.clone() - c.squared() / (4 * a));
-    let given = [
-        Given::Value(Name::new("T"), exact_ratio()),
-        Given::Value(name.clone(), ratio.clone()),
-    ];
+    let given = [Given::Value(Name::new("T"), exact_ratio()), Given::Value(name.clone(), ratio.clone())];
     let error = Rational::new(-5, 1 << 46).map_or_else(|| number(0), Formula::from);
     let error = error * theta_0().pow(16) + order(theta_0().pow(18));
     let statement = Statement::equal(Formula::from(name) / letter("T") - 1, error);

@@ -32,7 +32,11 @@ pub fn formulas(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         series::three_terms(&trials)?,
         report::all_at_one_amplitude(&trials)?,
     ];
-    Ok(Derivation { title: "Where the formulas for the period come from".to_owned(), introduction: introduction(), steps })
+    Ok(Derivation {
+        title: "Where the formulas for the period come from".to_owned(),
+        introduction: introduction(),
+        steps,
+    })
 }
 
 fn introduction() -> Vec<Block> {

@@ -1,6 +1,6 @@
 //! A formula, its leading error, and the errors of all of them side by side.
 
-use super::super::check::{DerivationError, Equation, Given, failed, same_series_where};
+use super::super::check::{Check, DerivationError, Equation, Given, failed, same_series_where};
 use super::super::document::{Prose, Step, Table};
 use super::super::formula::{Formula, Name, Statement, Unit, agm, monomial, number, order, rounded};
 use super::super::trials::Trials;
@@ -32,11 +32,16 @@ pub(super) fn exact_ratio() -> Formula {
 }
 
 /// The formula of this key and mark, which must be the one of the catalogue.
-pub(super) fn stated(trials: &Trials, key: &str, mark: &str, ratio: Formula) -> Result<Equation, DerivationError> {
+pub(super) fn stated(
+    trials: &Trials,
+    key: &str,
+    mark: &str,
+    ratio: Formula,
+) -> Result<Equation, DerivationError> {
     let statement = Statement::defined(Formula::from(period_of(mark)) / small_swing_period(), ratio.clone());
     let catalogued = catalogued(key)?;
     trials.agrees_with(&statement, &ratio, |angle| catalogued.period_ratio(angle))?;
-    Ok(Equation::definition(statement))
+    Ok(Equation::new(statement, Check::Catalogued { key: key.to_owned() }))
 }
 
 /// The first power of the amplitude in a formula's error, which must be the one of the catalogue.
@@ -56,7 +61,8 @@ pub(super) fn leading_error(key: &str, mark: &str, ratio: Formula) -> Result<Equ
 
 /// The formula of the catalogue with this key.
 pub(super) fn catalogued(key: &str) -> Result<PeriodFormula, DerivationError> {
-    PeriodFormula::by_key(key).map_err(|error| DerivationError::Failed { formula: key.to_owned(), reason: error.to_string() })
+    PeriodFormula::by_key(key)
+        .map_err(|error| DerivationError::Failed { formula: key.to_owned(), reason: error.to_string() })
 }
 
 pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<Step, DerivationError> {
@@ -79,7 +85,9 @@ pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<Step, DerivationEr
             Prose::formula(rounded(formula.fractional_error(&angle), 2, Unit::One)),
         ]);
     }
-    let note = Prose::text("errors here from the catalogue of formulas, which computes them in as many digits as it takes");
+    let note = Prose::text(
+        "errors here from the catalogue of formulas, which computes them in as many digits as it takes",
+    );
     Ok(Step::new("Side by side")
         .say("All of them at an amplitude of {}, where the exact ratio is {}:", [
             trials.amplitude(),

@@ -21,10 +21,7 @@ fn formula() -> Formula {
 
 pub(super) fn butikov(trials: &Trials) -> Result<Step, DerivationError> {
     let upright = integral("φ", 0, letter("θ"), number(1) / (2 * cos(letter("φ") / 2)));
-    let to_angle = Statement::equal(
-        upright,
-        ln(call(Function::Tan, Formula::Pi / 4 + letter("θ") / 4)),
-    );
+    let to_angle = Statement::equal(upright, ln(call(Function::Tan, Formula::Pi / 4 + letter("θ") / 4)));
     let near_top = Statement::equal(
         ln(distance() * cos(distance() / 4) / (4 * sin(distance() / 4))),
         -(distance().squared() / 48) + order(distance().pow(4)),
@@ -32,7 +29,8 @@ pub(super) fn butikov(trials: &Trials) -> Result<Step, DerivationError> {
     let growth = trials.with(&Name::new("u"), number(50))?;
     let u = || letter("u");
     let cosine = Statement::equal(call(Function::Cosh, ln(2 * u())), u() + number(1) / (4 * u()));
-    let both = trials.with(&Name::new("η"), number(1) / 10)?.with(&Name::new("δ"), Formula::Pi - theta_0())?;
+    let both =
+        trials.with(&Name::new("η"), number(1) / 10)?.with(&Name::new("δ"), Formula::Pi - theta_0())?;
     let sum = Statement::equal(
         ln(number(4) / distance()) + ln(2 * distance() / letter("δ")),
         ln(number(8) / letter("δ")),
@@ -81,7 +79,8 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<Step, DerivationErro
     let predicted = -(delta().squared() * (number(1) / 16 - number(1) / (48 * logarithm())));
     let mut rows = Vec::new();
     for power in [1, 2, 3, 4] {
-        let small = Formula::from(Rational::from(10).integer_power(-power).unwrap_or_else(|| Rational::from(0)));
+        let small =
+            Formula::from(Rational::from(10).integer_power(-power).unwrap_or_else(|| Rational::from(0)));
         let near = trials.with(&amplitude(), Formula::Pi - small.clone())?;
         let value = |formula: &Formula| Ok::<f64, DerivationError>(near.value(formula)?.to_f64());
         let error = value(&(formula() / exact_ratio() - 1))?;

@@ -1,6 +1,6 @@
 //! The formulas with the amplitude in a denominator.
 
-use super::super::check::{DerivationError, equal_rationals, same_series};
+use super::super::check::{DerivationError, equal_fractions, same_series};
 use super::super::document::Step;
 use super::super::formula::{Formula, Statement, Unit, monomial, number, order, rounded};
 use super::super::trials::Trials;
@@ -41,7 +41,7 @@ pub(super) fn black_vel(trials: &Trials) -> Result<Step, DerivationError> {
              first degree in {} has them: it is the Padé approximant of degrees zero and one. Its next coefficient is wrong by only",
             [theta_0().squared()],
         )
-        .show(equal_rationals("n", 1..=1, excess)?)
+        .show(equal_fractions(excess)?)
         .say("eleven times less than Bernoulli’s formula, which has none:", [])
         .show(leading_error("black_vel_1", "BV1", one_term.clone())?)
         .say(
@@ -57,9 +57,11 @@ pub(super) fn three_terms(trials: &Trials) -> Result<Step, DerivationError> {
         [theta_0()],
     );
     for (corrections, key, mark) in [(2, "black_vel_2", "BV2"), (3, "black_vel_3", "BV3")] {
-        step = step
-            .show(stated(trials, key, mark, formula(corrections))?)
-            .show(leading_error(key, mark, formula(corrections))?);
+        step = step.show(stated(trials, key, mark, formula(corrections))?).show(leading_error(
+            key,
+            mark,
+            formula(corrections),
+        )?);
     }
     Ok(step.say(
         "but near the top nothing is gained: these polynomials have their zero far beyond it, and the compensation of the \
