@@ -13,8 +13,8 @@ impl Expression {
 
     fn derivative_of_simplified(&self, by: &Symbol) -> Self {
         match self {
-            Self::Number(_) | Self::Pi => Expression::from(0),
-            Self::Symbol(symbol) => Expression::from(i64::from(symbol == by)),
+            Self::Number(_) | Self::Pi => Self::from(0),
+            Self::Symbol(symbol) => Self::from(i64::from(symbol == by)),
             Self::Negate(a) => negative(a.derivative_of_simplified(by)),
             Self::Add(a, b) => sum(a.derivative_of_simplified(by), b.derivative_of_simplified(by)),
             Self::Subtract(a, b) => {
