@@ -107,7 +107,7 @@ mod tests {
     /// The value at a place to 300 bits.
     fn value(tree: &Expression, at: &BigFloat) -> BigFloat {
         let tape = Tape::new(&[tree], &[Symbol::plain("x")]).unwrap();
-        Jet::new(&Floats { precision: 300 }, &tape, &[at.clone()]).unwrap().result(0)[0].clone()
+        Jet::new(&Floats { precision: 300 }, &tape, std::slice::from_ref(at)).unwrap().result(0)[0].clone()
     }
 
     #[test]
