@@ -2,11 +2,13 @@
 
 mod completions;
 mod derive;
+mod expand;
 mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;
+mod paper;
 mod period;
 
 use crate::failure::Failure;
@@ -39,6 +41,8 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Expand(expand::Expand),
+    Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
     #[command(subcommand)]
@@ -58,7 +62,9 @@ impl Libration {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
+            Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),

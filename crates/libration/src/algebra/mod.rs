@@ -1,7 +1,9 @@
-//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, and polynomials
-//! in named variables, and the product of integer polynomials.
+//! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, polynomials in
+//! named variables, the product of integer polynomials, and complex numbers.
 
 mod big_float;
+mod complex;
+mod doubles;
 mod floats;
 mod function;
 mod harmonics;
@@ -14,6 +16,8 @@ mod ring;
 mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
+pub use complex::Complex;
+pub(crate) use doubles::Doubles;
 pub(crate) use floats::Floats;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};

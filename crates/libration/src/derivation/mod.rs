@@ -25,6 +25,8 @@ mod published;
 
 mod print;
 
+pub mod paper;
+
 #[cfg(test)]
 mod tests;
 

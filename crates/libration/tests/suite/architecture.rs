@@ -13,7 +13,9 @@ const MAP: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
-    ("derivation", &["pendulum", "period_formulas", "algebra"]),
+    ("oscillator", &["expression", "algebra"]),
+    ("perturbation", &["oscillator", "expression", "series", "algebra"]),
+    ("derivation", &["elliptic", "pendulum", "period_formulas", "algebra", "series", "expression"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

@@ -21,3 +21,5 @@ mod period;
 mod period_formulas;
 mod quantity;
 mod series;
+mod series_evaluation;
+mod truncated_system;

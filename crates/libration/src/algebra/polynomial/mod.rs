@@ -8,6 +8,9 @@ mod variable;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Mul, Neg, Sub};
 
+use dashu::base::{Gcd, UnsignedAbs};
+use dashu::integer::UBig;
+
 pub use monomial::Monomial;
 pub use polynomials::Polynomials;
 pub use variable::Variable;
@@ -114,6 +117,23 @@ impl Polynomial {
         let scale =
             |(monomial, other): (&Monomial, &Rational)| (monomial.clone(), other.clone() * factor.clone());
         Self { terms: self.terms.iter().map(scale).collect() }
+    }
+
+    /// The multiple whose coefficients are whole numbers without a common divisor, signs kept.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        let parts = || self.terms.values().map(Rational::parts);
+        let multiple =
+            parts().fold(UBig::ONE, |multiple, (_, below)| &multiple / (&multiple).gcd(below) * below);
+        let common = parts().fold(UBig::ZERO, |common, (above, below)| {
+            let whole = above.unsigned_abs() * (&multiple / below);
+            if common.is_zero() { whole } else { common.gcd(whole) }
+        });
+        if common.is_zero() {
+            Self::zero()
+        } else {
+            self.scaled(&Rational::from_parts(multiple.into(), common))
+        }
     }
 
     /// The power with a natural exponent.
@@ -271,6 +291,14 @@ mod tests {
             .map(|power| sample().coefficient(&x, power) * Polynomial::variable(x.clone()).pow(power));
         assert_eq!(powers.fold(Polynomial::zero(), Add::add), sample());
         assert_eq!(sample().degree(), 3);
+    }
+
+    #[test]
+    fn the_primitive_multiple_has_coprime_integers() {
+        let scaled = sample().scaled(&Rational::new(22, 35).unwrap());
+        assert_eq!(scaled.primitive().to_string(), "-105 - 10*x*y + 3*y^2 + 15*x^3");
+        assert_eq!(number("-7/3").primitive(), number("-1"));
+        assert!(Polynomial::zero().primitive().is_zero());
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{Condition, Powers};
-use crate::algebra::{Harmonic, HarmonicSums, PhaseRing, Polynomial, Polynomials, Rational, Ring, Variable};
+use crate::algebra::{PhaseRing, Polynomial, Polynomials, Rational, Ring, Variable};
+use crate::perturbation::cosines::{COSINES, Cosines, cosines};
 
 /// The harmonics of x, and the powers of ε they have.
 #[derive(Clone, Debug)]
@@ -34,16 +35,6 @@ pub(super) fn frequency_correction(order: u32) -> Variable {
     Variable::indexed("d", order)
 }
 
-const SUMS: HarmonicSums<Polynomials> = HarmonicSums { numbers: Polynomials };
-
-/// Σ cₖ cos kτ with polynomials cₖ.
-type Cosines = <HarmonicSums<Polynomials> as Ring>::Element;
-
-fn cosines(terms: impl IntoIterator<Item = (u32, Polynomial)>) -> Cosines {
-    let harmonic = |(k, cosine)| (k as usize, Harmonic { cosine, sine: Polynomial::zero() });
-    SUMS.sum_of_harmonics(&terms.into_iter().map(harmonic).collect::<Vec<_>>())
-}
-
 /// x, its powers and Δ as power series in ε, as far as they are known.
 pub(super) struct Expansion<'a> {
     ansatz: &'a Ansatz,
@@ -58,7 +49,7 @@ pub(super) struct Expansion<'a> {
 impl<'a> Expansion<'a> {
     pub(super) fn new(ansatz: &'a Ansatz, force: &'a [Rational]) -> Self {
         let one = Polynomial::constant(Rational::from(1));
-        Self { ansatz, force, powers: vec![vec![SUMS.zero()]; force.len()], frequency: vec![one] }
+        Self { ansatz, force, powers: vec![vec![COSINES.zero()]; force.len()], frequency: vec![one] }
     }
 
     /// The conditions of an order, whose coefficients enter as symbols.
@@ -66,7 +57,7 @@ impl<'a> Expansion<'a> {
         self.fill_powers(order as usize);
         self.insert(order, &BTreeMap::new());
         let equation = self.equation_of_motion(order as usize);
-        let polynomial = |harmonic: u32| SUMS.harmonic(&equation, harmonic as usize).cosine;
+        let polynomial = |harmonic: u32| COSINES.harmonic(&equation, harmonic as usize).cosine;
         let condition =
             |harmonic: &u32| Condition { order, harmonic: *harmonic, polynomial: polynomial(*harmonic) };
         self.ansatz.harmonics.iter().map(condition).collect()
@@ -87,9 +78,9 @@ impl<'a> Expansion<'a> {
     fn fill_powers(&mut self, n: usize) {
         self.frequency.resize(n, Polynomial::zero());
         for n in self.powers[0].len()..=n {
-            self.powers[0].push(SUMS.zero());
+            self.powers[0].push(COSINES.zero());
             for p in 1..self.force.len() {
-                let next = SUMS.convolution(&self.powers[0][1..n], &self.powers[p - 1][1..n]);
+                let next = COSINES.convolution(&self.powers[0][1..n], &self.powers[p - 1][1..n]);
                 self.powers[p].push(next);
             }
         }
@@ -99,20 +90,19 @@ impl<'a> Expansion<'a> {
     fn equation_of_motion(&self, n: usize) -> Cosines {
         let acceleration = (0..n).map(|m| {
             let square = Polynomials.convolution(&self.frequency[..=m], &self.frequency[..=m]);
-            SUMS.times_number(&self.second_derivative(n - m), &square)
+            COSINES.times_number(&self.second_derivative(n - m), &square)
         });
-        let force = self
-            .force
-            .iter()
-            .zip(&self.powers)
-            .map(|(factor, power)| SUMS.times_number(&power[n], &Polynomial::constant(factor.clone())));
-        acceleration.chain(force).fold(SUMS.zero(), |sum, term| SUMS.add(&sum, &term))
+        let force =
+            self.force.iter().zip(&self.powers).map(|(factor, power)| {
+                COSINES.times_number(&power[n], &Polynomial::constant(factor.clone()))
+            });
+        acceleration.chain(force).fold(COSINES.zero(), |sum, term| COSINES.add(&sum, &term))
     }
 
     /// The coefficient of εⁿ in the second derivative of x with respect to Ωt.
     fn second_derivative(&self, n: usize) -> Cosines {
         let term = |k: &u32| {
-            let amplitude = SUMS.harmonic(&self.powers[0][n], *k as usize).cosine;
+            let amplitude = COSINES.harmonic(&self.powers[0][n], *k as usize).cosine;
             (*k, amplitude.scaled(&-Rational::from(i64::from(k * k))))
         };
         cosines(self.ansatz.harmonics.iter().map(term))

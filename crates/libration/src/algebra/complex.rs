@@ -1,0 +1,124 @@
+//! Complex numbers in `f64`.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The complex number re + i·im.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Complex {
+    /// The real part.
+    pub re: f64,
+    /// The imaginary part.
+    pub im: f64,
+}
+
+impl Complex {
+    /// re + i·im.
+    #[must_use]
+    pub const fn new(re: f64, im: f64) -> Self {
+        Self { re, im }
+    }
+
+    /// e^{iφ}.
+    #[must_use]
+    pub fn unit(phase: f64) -> Self {
+        Self::new(libm::cos(phase), libm::sin(phase))
+    }
+
+    /// |z|.
+    #[must_use]
+    pub fn abs(self) -> f64 {
+        libm::hypot(self.re, self.im)
+    }
+
+    /// z times a real number.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self::new(self.re * factor, self.im * factor)
+    }
+
+    /// zⁿ.
+    #[must_use]
+    pub fn powi(self, exponent: u32) -> Self {
+        (0..exponent).fold(Self::from(1.0), |power, _| power * self)
+    }
+
+    /// Whether both parts are finite.
+    #[must_use]
+    pub const fn is_finite(self) -> bool {
+        self.re.is_finite() && self.im.is_finite()
+    }
+}
+
+impl From<f64> for Complex {
+    fn from(re: f64) -> Self {
+        Self { re, im: 0.0 }
+    }
+}
+
+impl Add for Complex {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.re + other.re, self.im + other.im)
+    }
+}
+
+impl Sub for Complex {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.re - other.re, self.im - other.im)
+    }
+}
+
+impl Mul for Complex {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+    }
+}
+
+/// Smith's algorithm, which neither over- nor underflows where the quotient does not.
+impl Div for Complex {
+    type Output = Self;
+    fn div(self, by: Self) -> Self {
+        if by.re.abs() < by.im.abs() {
+            let turned = |z: Self| Self::new(z.im, -z.re);
+            return turned(self) / turned(by);
+        }
+        let ratio = by.im / by.re;
+        let denominator = by.re + by.im * ratio;
+        Self::new((self.re + self.im * ratio) / denominator, (self.im - self.re * ratio) / denominator)
+    }
+}
+
+impl Neg for Complex {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.re, -self.im)
+    }
+}
+
+impl std::iter::Sum for Complex {
+    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
+        terms.fold(Self::default(), Add::add)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotients_undo_products() {
+        for (a, b) in
+            [((3.0, -2.0), (0.5, 4.0)), ((1e200, 1e200), (1e-180, 3e-180)), ((1.0, 0.0), (0.0, 2.0))]
+        {
+            let (a, b) = (Complex::new(a.0, a.1), Complex::new(b.0, b.1));
+            assert!((a * b / b - a).abs() <= 1e-15 * a.abs());
+        }
+    }
+
+    #[test]
+    fn powers_of_a_unit_turn_it() {
+        assert!((Complex::unit(0.3).powi(7) - Complex::unit(2.1)).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,181 @@
+//! A series in numbers: term by term, with what is known of the rest.
+
+mod bound;
+mod convergence;
+mod pade;
+mod roots;
+
+use crate::algebra::{BigFloat, Rational};
+use crate::double_double::DoubleDouble;
+
+pub use bound::pendulum_period_remainder;
+pub use convergence::{Convergence, Singularity};
+pub use pade::{Pade, Pole};
+
+/// A power series Σ cₙxⁿ at one x, term by term. Terms with cₙ = 0 are left out, the constant term excepted.
+///
+/// # Accuracy
+/// Terms, sums and distances between sums are rounded once, from sums that are wrong by less than 1e-60 of their
+/// largest term. x is taken as the exact `f64`.
+///
+/// # Examples
+/// ```
+/// use libration::period_formulas::period_in_amplitude;
+/// use libration::perturbation::{Certainty, Evaluation, pendulum_period_remainder};
+/// // T/T0 of the pendulum by even powers of θ0, here at a right angle.
+/// let mut series = vec![];
+/// for coefficient in period_in_amplitude(40) {
+///     series.extend([coefficient, 0.into()]);
+/// }
+/// let amplitude = 90_f64.to_radians();
+/// let bound = |power| pendulum_period_remainder(amplitude, power / 2);
+/// let ratio = Evaluation::new(&series, amplitude).with_bound(bound);
+/// assert!((ratio.value() - 1.180340599016096).abs() < 1e-15);
+/// assert_eq!(ratio.steps()[3].remainder.certainty, Certainty::Proven);
+/// assert_eq!(ratio.corrections_needed(1e-6), Some(8));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    at: f64,
+    steps: Vec<Step>,
+}
+
+/// One term of a series, and the sum so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// n.
+    pub power: usize,
+    /// cₙxⁿ.
+    pub term: f64,
+    /// c₀ + … + cₙxⁿ.
+    pub sum: f64,
+    /// How far the sum may be from that of the whole series.
+    pub remainder: Remainder,
+}
+
+/// How much is missing from a sum, in magnitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remainder {
+    /// At most so much is missing, or about so much when it is estimated; infinite where the series does not
+    /// converge, or is not known to.
+    pub size: f64,
+    /// What this rests on.
+    pub certainty: Certainty,
+}
+
+/// What a remainder rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// A theorem.
+    Proven,
+    /// The last sum, and the decay of the coefficients continued beyond it.
+    Estimated,
+}
+
+impl Evaluation {
+    /// Σ cₙxⁿ with c₀, c₁, … given. The remainders are estimates: the distance from the last sum, and for what is
+    /// beyond it a geometric series with the ratio that [`Convergence`] finds.
+    #[must_use]
+    pub fn new(coefficients: &[Rational], x: f64) -> Self {
+        let (terms, sums) = terms_and_sums(coefficients, x);
+        let last = sums.last().cloned().unwrap_or_else(|| float(0.0));
+        let beyond = beyond_the_last(coefficients, &terms, x);
+        let steps = terms.iter().zip(sums).map(|((power, term), sum)| Step {
+            power: *power,
+            term: term.to_f64(),
+            sum: sum.to_f64(),
+            remainder: Remainder {
+                size: (last.clone() - sum).to_f64().abs() + beyond,
+                certainty: Certainty::Estimated,
+            },
+        });
+        Self { at: x, steps: steps.collect() }
+    }
+
+    /// The same with proven remainders: `remainder_after` gives a bound of what is missing when the terms up to a
+    /// power are kept.
+    #[must_use]
+    pub fn with_bound(mut self, remainder_after: impl Fn(usize) -> f64) -> Self {
+        for step in &mut self.steps {
+            step.remainder = Remainder { size: remainder_after(step.power), certainty: Certainty::Proven };
+        }
+        self
+    }
+
+    /// x.
+    #[must_use]
+    pub const fn at(&self) -> f64 {
+        self.at
+    }
+
+    /// The terms by ascending power.
+    #[must_use]
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// The sum of all terms.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.steps.last().map_or(0.0, |step| step.sum)
+    }
+
+    /// How many terms beyond the first it takes for the remainder to be, and to stay, at most this fraction of the
+    /// sum; `None` when the terms given do not reach it.
+    #[must_use]
+    pub fn corrections_needed(&self, tolerance: f64) -> Option<usize> {
+        let reached = |step: &Step| step.remainder.size <= tolerance * step.sum.abs();
+        let good = self.steps.iter().rev().take_while(|step| reached(step)).count();
+        (good > 0).then(|| self.steps.len() - good)
+    }
+}
+
+/// Bits of the sums.
+const PRECISION: usize = 256;
+
+/// An `f64` as it is.
+fn float(x: f64) -> BigFloat {
+    BigFloat::from_words(DoubleDouble::from(x), PRECISION)
+}
+
+/// The terms with their powers, and the sums up to each.
+fn terms_and_sums(coefficients: &[Rational], x: f64) -> (Vec<(usize, BigFloat)>, Vec<BigFloat>) {
+    let powers = std::iter::successors(Some(float(1.0)), |power| Some(power.clone() * float(x)));
+    let terms: Vec<(usize, BigFloat)> = coefficients
+        .iter()
+        .zip(powers)
+        .enumerate()
+        .filter(|(n, (coefficient, _))| *n == 0 || !coefficient.is_zero())
+        .map(|(n, (coefficient, power))| (n, BigFloat::from_rational(coefficient, PRECISION) * power))
+        .collect();
+    let add = |sum: &mut BigFloat, (_, term): &(usize, BigFloat)| {
+        *sum = sum.clone() + term.clone();
+        Some(sum.clone())
+    };
+    let sums = terms.iter().scan(float(0.0), add).collect();
+    (terms, sums)
+}
+
+/// An estimate of the sum of the terms that are not given. Each of the last few terms, continued to the end with the
+/// ratio of the series, says where the next one may be.
+fn beyond_the_last(coefficients: &[Rational], terms: &[(usize, BigFloat)], x: f64) -> f64 {
+    const LAST: usize = 4;
+    let Some((end, _)) = terms.last() else { return 0.0 };
+    let Some(convergence) = Convergence::of(coefficients) else {
+        // Too few terms to see a ratio: what is missing is as large as what came last.
+        return terms.iter().skip(1).next_back().map_or(0.0, |(_, term)| term.to_f64().abs());
+    };
+    let ratio = x.abs() / convergence.at_least;
+    if ratio >= 1.0 {
+        return f64::INFINITY;
+    }
+    let continued = |(power, term): &(usize, BigFloat)| term.to_f64().abs() * power_of(ratio, end - power);
+    let largest = terms.iter().rev().take(LAST).map(continued).fold(0.0, f64::max);
+    let next = power_of(ratio, convergence.stride);
+    largest * next / (1.0 - next)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
+fn power_of(base: f64, exponent: usize) -> f64 {
+    libm::pow(base, exponent as f64)
+}
