@@ -40,6 +40,8 @@
 //! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
 //! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
 //! | [`algebra`] | the exact rationals in which series coefficients are given |
+//! | [`expression`] | formulas and equations of motion as they are typed, exactly |
+//! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
 //! | [`measurement`] | an instrument's text file as columns of numbers |
 //! | [`fit`] | measured periods explained by a law: T0, its test, gravity |
 //!
@@ -63,7 +65,11 @@ mod series;
 
 pub mod expression;
 
+pub mod oscillator;
+
 pub mod perturbation;
+
+pub mod derivation;
 
 pub mod measurement;
 

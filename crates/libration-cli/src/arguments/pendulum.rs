@@ -30,6 +30,11 @@ impl PendulumOptions {
         self.gravity.unwrap_or(DEFAULT_GRAVITY)
     }
 
+    /// Whether neither was given.
+    pub(crate) fn is_default(self) -> bool {
+        self.length.is_none() && self.gravity.is_none()
+    }
+
     pub(crate) fn pendulum(self) -> Result<Pendulum, Failure> {
         Pendulum::new(self.length(), self.gravity()).map_err(|error| Failure::no_answer("pendulum", error))
     }

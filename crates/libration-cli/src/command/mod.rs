@@ -1,11 +1,14 @@
 //! The questions that can be asked, one file each.
 
 mod completions;
+mod derive;
+mod expand;
 mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;
+mod paper;
 mod period;
 
 use crate::failure::Failure;
@@ -25,6 +28,7 @@ Examples:
   libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
   libration motion 150deg --times 0:10:0.5    angle and velocity in time
   libration formulas --amplitude 90deg --tolerance 1e-3
+  libration derive --road elliptic            how the exact period is found, step by step
   libration figure errors --output errors.svg
   libration fit periods measured.csv --length 0.57m±0.004m
 
@@ -37,6 +41,9 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Expand(expand::Expand),
+    Paper(paper::Paper),
+    Derive(derive::Derive),
     Figure(figure::Figure),
     #[command(subcommand)]
     Fit(Fit),
@@ -55,7 +62,10 @@ impl Libration {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
+            Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::Paper(question) => question.answer(out),
+            Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),

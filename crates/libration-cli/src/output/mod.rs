@@ -4,6 +4,7 @@ pub(crate) mod csv;
 pub(crate) mod file;
 pub(crate) mod json;
 pub(crate) mod number;
+pub(crate) mod series;
 pub(crate) mod table;
 
 /// The form of an answer.

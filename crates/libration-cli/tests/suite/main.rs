@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod command;
+mod derive;
 mod figures;
 mod files;
 mod fit;

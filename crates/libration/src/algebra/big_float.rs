@@ -24,6 +24,12 @@ impl BigFloat {
         Self(rounded(Float::from(integer), precision))
     }
 
+    /// `None` for what is not finite.
+    pub(crate) fn from_f64(value: f64, precision: usize) -> Option<Self> {
+        let value = Float::try_from(value).ok().filter(|_| value.is_finite())?;
+        Some(Self(rounded(value, precision)))
+    }
+
     pub(crate) fn from_rational(value: &Rational, precision: usize) -> Self {
         let (numerator, denominator) = value.parts();
         Self::from_big(numerator.clone(), precision)

@@ -72,6 +72,8 @@ impl Ring for Floats {
     }
 
     fn value(&self, function: Function, at: &BigFloat) -> Option<BigFloat> {
+        // An exact zero has no precision of its own.
+        let at = &self.rounded(at);
         let (zero, one) = (self.zero(), self.integer(1));
         let positive = *at > zero;
         let magnitude = if positive { at.clone() } else { -at.clone() };

@@ -3,6 +3,7 @@
 
 mod big_float;
 mod complex;
+mod doubles;
 mod floats;
 mod function;
 mod harmonics;
@@ -16,6 +17,7 @@ mod sampled_harmonics;
 
 pub(crate) use big_float::BigFloat;
 pub use complex::Complex;
+pub(crate) use doubles::Doubles;
 pub(crate) use floats::Floats;
 pub use function::Function;
 pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};

@@ -63,6 +63,45 @@ impl Rational {
         self.0.to_f64().value()
     }
 
+    /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; in plain digits from 0.0001
+    /// up to the digits asked for.
+    #[must_use]
+    pub fn to_decimal(&self, digits: usize) -> String {
+        let digits = digits.max(1);
+        if self.is_zero() {
+            return "0".to_owned();
+        }
+        let (mut figures, mut exponent) = self.figures(digits, self.decimal_exponent());
+        if figures.len() > digits {
+            // Rounding or a low estimate has made one digit too many.
+            exponent += 1;
+            (figures, _) = self.figures(digits, exponent);
+        }
+        let sign = if self.is_negative() { "-" } else { "" };
+        format!("{sign}{}", placed(figures.trim_end_matches('0'), exponent))
+    }
+
+    /// The power of ten of the first digit, or one less.
+    fn decimal_exponent(&self) -> isize {
+        let (numerator, denominator) = self.parts();
+        let length = |text: String| isize::try_from(text.trim_start_matches('-').len()).unwrap_or(isize::MAX);
+        length(numerator.to_string()) - length(denominator.to_string()) - 1
+    }
+
+    /// The integer nearest to |a|·10^(digits − 1 − exponent), in digits.
+    fn figures(&self, digits: usize, exponent: isize) -> (String, isize) {
+        let (numerator, denominator) = self.parts();
+        let (_, magnitude) = numerator.clone().into_parts();
+        let shift = isize::try_from(digits).unwrap_or(isize::MAX) - 1 - exponent;
+        let ten = |power: isize| UBig::from(10_u8).pow(power.unsigned_abs());
+        let (upper, lower) = if shift >= 0 {
+            (magnitude * ten(shift), denominator.clone())
+        } else {
+            (magnitude, denominator * ten(shift))
+        };
+        (((upper * 2_u8 + &lower) / (lower * 2_u8)).to_string(), exponent)
+    }
+
     /// `numerator / denominator`, the latter not zero.
     pub(crate) fn from_parts(numerator: IBig, denominator: UBig) -> Self {
         Self(RBig::from_parts(numerator, denominator))
@@ -78,6 +117,11 @@ impl Rational {
     #[must_use]
     pub fn is_negative(&self) -> bool {
         self.parts().0.sign() == Sign::Negative
+    }
+
+    /// Bits of the numerator or the denominator, whichever is longer.
+    pub(crate) fn bits(&self) -> usize {
+        self.parts().0.bit_len().max(self.parts().1.bit_len())
     }
 
     /// Whether this is a whole number.
@@ -113,15 +157,20 @@ impl Rational {
         Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
     }
 
+    /// The nearest whole number.
+    pub(crate) fn rounded(&self) -> Self {
+        Self(RBig::from(self.0.round()))
+    }
+
     /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
     pub(crate) fn coarsened(&self) -> Self {
         let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
         Self::simplest_between(&below, self)
     }
 
-    /// aⁿ; `None` for a negative power of zero, or more bits than 2²⁶.
+    /// aⁿ; `None` for a negative power of zero, or more bits than 2¹⁶.
     pub(crate) fn integer_power(&self, n: isize) -> Option<Self> {
-        const BITS: usize = 1 << 26;
+        const BITS: usize = 1 << 16;
         let (numerator, denominator) = self.parts();
         let size = numerator.bit_len().max(denominator.bit_len());
         if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {
@@ -203,6 +252,19 @@ impl FromStr for Rational {
             return Err(refusal());
         }
         Ok(Self::from_parts(numerator, denominator))
+    }
+}
+
+/// Significant digits, the first at 10^exponent, as a decimal.
+fn placed(figures: &str, exponent: isize) -> String {
+    let (first, rest) = figures.split_at(1);
+    let whole = usize::try_from(exponent).unwrap_or(0) + 1;
+    match exponent {
+        0.. if figures.len() > whole => format!("{}.{}", &figures[..whole], &figures[whole..]),
+        0..=20 => format!("{figures:0<whole$}"),
+        -4..0 => format!("0.{}{figures}", "0".repeat(exponent.unsigned_abs() - 1)),
+        _ if rest.is_empty() => format!("{first}e{exponent}"),
+        _ => format!("{first}.{rest}e{exponent}"),
     }
 }
 
@@ -351,6 +413,24 @@ mod tests {
         assert_eq!((a.clone() - b.clone()) + b.clone(), a);
         assert_eq!(a.checked_div(&b).unwrap() * b, a);
         assert_eq!(a.clone() + -a, Rational::from(0));
+    }
+
+    #[test]
+    fn decimals_have_the_digits_asked_for() {
+        for (text, digits, decimal) in [
+            ("1/3", 5, "0.33333"),
+            ("-2/3", 3, "-0.667"),
+            ("999999/1000", 3, "1000"),
+            ("1/80000", 4, "1.25e-5"),
+            ("123456789", 3, "123000000"),
+            ("355/113", 10, "3.14159292"),
+            ("0", 7, "0"),
+            ("1/1024", 20, "0.0009765625"),
+        ] {
+            assert_eq!(rational(text).to_decimal(digits), decimal);
+        }
+        let power = rational("7").integer_power(100).unwrap();
+        assert_eq!(power.to_decimal(6), "3.23448e84");
     }
 
     #[test]

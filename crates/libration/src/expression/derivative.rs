@@ -1,6 +1,6 @@
 //! The derivative of a formula.
 
-use super::simplify::{call, difference, integer, negative, power, product, quotient, sum};
+use super::simplify::{call, difference, negative, power, product, quotient, sum};
 use super::{Expression, Function, Symbol};
 
 impl Expression {
@@ -13,8 +13,8 @@ impl Expression {
 
     fn derivative_of_simplified(&self, by: &Symbol) -> Self {
         match self {
-            Self::Number(_) | Self::Pi => integer(0),
-            Self::Symbol(symbol) => integer(i64::from(symbol == by)),
+            Self::Number(_) | Self::Pi => Expression::from(0),
+            Self::Symbol(symbol) => Expression::from(i64::from(symbol == by)),
             Self::Negate(a) => negative(a.derivative_of_simplified(by)),
             Self::Add(a, b) => sum(a.derivative_of_simplified(by), b.derivative_of_simplified(by)),
             Self::Subtract(a, b) => {
@@ -38,14 +38,14 @@ impl Expression {
 fn of_quotient(a: &Expression, b: &Expression, by: &Symbol) -> Expression {
     let (upper, lower) = (a.derivative_of_simplified(by), b.derivative_of_simplified(by));
     let first = quotient(upper, b.clone());
-    let square = power(b.clone(), integer(2));
+    let square = power(b.clone(), Expression::from(2));
     difference(first, quotient(product(a.clone(), lower), square))
 }
 
 /// (aᵇ)′ = b·aᵇ⁻¹·a′ + aᵇ·ln a·b′.
 fn of_power(a: &Expression, b: &Expression, by: &Symbol) -> Expression {
     let (base, exponent) = (a.derivative_of_simplified(by), b.derivative_of_simplified(by));
-    let lowered = power(a.clone(), difference(b.clone(), integer(1)));
+    let lowered = power(a.clone(), difference(b.clone(), Expression::from(1)));
     let first = product(product(b.clone(), lowered), base);
     if exponent.is_zero() {
         return first;
@@ -57,8 +57,8 @@ fn of_power(a: &Expression, b: &Expression, by: &Symbol) -> Expression {
 /// f(u)′ for an inner derivative u′ that is not zero.
 fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression {
     let of = |function| call(function, u.clone());
-    let square = |a: Expression| power(a, integer(2));
-    let one_minus_square = || difference(integer(1), square(u.clone()));
+    let square = |a: Expression| power(a, Expression::from(2));
+    let one_minus_square = || difference(Expression::from(1), square(u.clone()));
     match function {
         Function::Sin => product(of(Function::Cos), inner),
         Function::Cos => negative(product(of(Function::Sin), inner)),
@@ -68,10 +68,63 @@ fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression 
         Function::Tan => quotient(inner, square(of(Function::Cos))),
         Function::Tanh => quotient(inner, square(of(Function::Cosh))),
         Function::Ln => quotient(inner, u.clone()),
-        Function::Sqrt => quotient(inner, product(integer(2), of(Function::Sqrt))),
+        Function::Sqrt => quotient(inner, product(Expression::from(2), of(Function::Sqrt))),
         Function::Abs => quotient(product(u.clone(), inner), of(Function::Abs)),
         Function::Asin => quotient(inner, call(Function::Sqrt, one_minus_square())),
         Function::Acos => negative(quotient(inner, call(Function::Sqrt, one_minus_square()))),
-        Function::Atan => quotient(inner, sum(integer(1), square(u.clone()))),
+        Function::Atan => quotient(inner, sum(Expression::from(1), square(u.clone()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{BigFloat, Floats, Rational, Ring};
+    use crate::expression::{Jet, Tape};
+
+    fn formula(text: &str) -> Expression {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn derivatives_have_their_closed_forms() {
+        for (text, slope) in [
+            ("x^3", "3*x^2"),
+            ("sin(a*x)", "a*cos(a*x)"),
+            ("x'*x''*a", "0"),
+            ("a/(1 + x^2)", "-2*a*x/(1 + x^2)^2"),
+            ("sqrt(1 + x^2)", "x/sqrt(1 + x^2)"),
+            ("2^x", "2^x*ln(2)"),
+            ("x^a", "a*x^(a - 1)"),
+            ("abs(x)", "x/abs(x)"),
+            ("tanh(-x)", "-1/cosh(x)^2"),
+        ] {
+            let found = formula(text).derivative(&Symbol::plain("x"));
+            assert!(difference(found.clone(), formula(slope)).vanishes(), "{text}: {found}");
+        }
+    }
+
+    /// The value at a place to 300 bits.
+    fn value(tree: &Expression, at: &BigFloat) -> BigFloat {
+        let tape = Tape::new(&[tree], &[Symbol::plain("x")]).unwrap();
+        Jet::new(&Floats { precision: 300 }, &tape, &[at.clone()]).unwrap().result(0)[0].clone()
+    }
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        let floats = Floats { precision: 300 };
+        let at = floats.rational(&Rational::new(3, 7).unwrap()).unwrap();
+        let step = BigFloat::from_integer(1, 300) / BigFloat::from_integer(1 << 60, 300);
+        let functions = Function::ALL.map(|function| format!("{}(x*x + x/3)", function.name()));
+        let others = ["x^x", "(1 + x)^(x - 2)/x", "exp(-x)^2 - x/(2 - sin(x))", "-x^(2/3)*abs(x - 1)"];
+        for text in functions.iter().map(String::as_str).chain(others) {
+            let tree = formula(text);
+            let slope = value(&tree.derivative(&Symbol::plain("x")), &at);
+            let rise =
+                value(&tree, &(at.clone() + step.clone())) - value(&tree, &(at.clone() - step.clone()));
+            // The third derivative times 2⁻¹²⁰/6 is what the central difference is wrong by.
+            let error = (rise.halved() / step.clone() - slope).exponent();
+            assert!(error.is_none_or(|exponent| exponent < -100), "{text}: 2^{error:?}");
+        }
     }
 }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use super::lexer::Token;
 use super::parser::Parser;
-use super::simplify::{difference, integer, negative, quotient, sum};
+use super::simplify::{difference, negative, quotient, sum};
 use super::{Expression, Symbol};
 
 pub use error::EquationError;
@@ -152,7 +152,7 @@ fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expressi
     if factor.vanishes() {
         return Err(EquationError::DropsOut(own.clone()));
     }
-    let rest = form.substitute(own, &integer(0)).simplified();
+    let rest = form.substitute(own, &Expression::from(0)).simplified();
     Ok(quotient(opposite(rest), factor))
 }
 

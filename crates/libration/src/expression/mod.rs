@@ -69,6 +69,12 @@ pub enum Expression {
     Call(Function, Box<Self>),
 }
 
+impl From<i64> for Expression {
+    fn from(integer: i64) -> Self {
+        Self::Number(Rational::from(integer))
+    }
+}
+
 /// A name with its time derivatives: `x`, `x'`, `x''`, `mu`, `t`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol {

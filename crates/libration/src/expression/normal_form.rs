@@ -10,7 +10,7 @@ use super::{Expression, Function, Symbol};
 use crate::algebra::Rational;
 use polynomial::Polynomial;
 
-/// Products of two terms that one formula may cost.
+/// Products of two terms, more for long coefficients, that one formula may cost.
 const MOST_WORK: usize = 1 << 16;
 
 /// What the polynomials are in.
@@ -127,12 +127,12 @@ impl Expansion {
     }
 
     fn times(&mut self, a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Option<Polynomial<Atom>> {
-        self.work = self.work.checked_sub(a.terms() * b.terms())?;
+        self.work = self.work.checked_sub(a.cost().saturating_mul(b.cost()))?;
         a.times(b)
     }
 
     fn sum(&mut self, a: &NormalForm, b: &NormalForm) -> Option<NormalForm> {
-        self.work = self.work.checked_sub(a.upper.terms() + b.upper.terms())?;
+        self.work = self.work.checked_sub(a.upper.cost() + b.upper.cost())?;
         if a.lower == b.lower {
             return Some(NormalForm { upper: a.upper.plus(&b.upper), lower: a.lower.clone() });
         }

@@ -1,7 +1,5 @@
 //! Formulas in a shorter form: exact arithmetic of numbers, and what zero, one and double signs leave.
 
-use dashu::base::BitTest;
-
 use super::{Expression, Function};
 use crate::algebra::{Rational, Rationals, Ring};
 
@@ -54,10 +52,6 @@ impl Expression {
     }
 }
 
-pub(super) fn integer(value: i64) -> Expression {
-    Expression::Number(Rational::from(value))
-}
-
 pub(super) fn negative(a: Expression) -> Expression {
     match a {
         Expression::Number(value) => Expression::Number(-value),
@@ -84,7 +78,7 @@ pub(super) fn sum(a: Expression, b: Expression) -> Expression {
 
 pub(super) fn difference(a: Expression, b: Expression) -> Expression {
     if a == b {
-        return integer(0);
+        return Expression::from(0);
     }
     if b.is_zero() {
         return a;
@@ -102,7 +96,7 @@ pub(super) fn product(a: Expression, b: Expression) -> Expression {
         return Expression::Number(Rationals.multiply(a, b));
     }
     if a.is_zero() || b.is_zero() {
-        return integer(0);
+        return Expression::from(0);
     }
     if a.is_one() {
         return b;
@@ -138,7 +132,7 @@ pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
         return Expression::Divide(Box::new(a), Box::new(b));
     }
     if a.is_zero() {
-        return integer(0);
+        return Expression::from(0);
     }
     if b.is_one() {
         return a;
@@ -153,7 +147,7 @@ pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
 
 pub(super) fn power(a: Expression, b: Expression) -> Expression {
     if b.is_zero() || a.is_one() {
-        return integer(1);
+        return Expression::from(1);
     }
     if b.is_one() {
         return a;
@@ -168,8 +162,7 @@ pub(super) fn power(a: Expression, b: Expression) -> Expression {
 
 /// The power of a number, when it is a fraction of moderate size.
 fn number_power(base: &Rational, exponent: &Rational) -> Option<Rational> {
-    let (numerator, denominator) = base.parts();
-    let bits = numerator.bit_len().max(denominator.bit_len());
+    let bits = base.bits();
     let times = exponent.parts().0.clone().into_parts().1;
     let times = if bits <= 1 { 1 } else { usize::try_from(&times).ok()? };
     (bits.saturating_mul(times) <= LARGEST_POWER_BITS).then(|| Rationals.power(base, exponent)).flatten()

@@ -9,7 +9,7 @@ use super::family::Family;
 use super::law::Law;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::Rational;
-use crate::quantity::Angle;
+use crate::quantity::{Angle, nearest};
 
 /// An approximation to T/T0, the period over that of small swings, with what is known about it.
 ///
@@ -282,22 +282,5 @@ pub fn fractional_errors(formulas: &[PeriodFormula], amplitude: &Angle) -> Vec<f
 }
 
 fn nearest_keys(asked: &str) -> Vec<String> {
-    const SHOWN: usize = 3;
-    let mut keys: Vec<&String> = catalogue().iter().flat_map(PeriodFormula::keys).collect();
-    keys.sort_by_key(|key| edit_distance(asked, key));
-    keys.into_iter().take(SHOWN).cloned().collect()
-}
-
-/// The fewest insertions, deletions and replacements of characters (V. I. Levenshtein, 1966).
-fn edit_distance(from: &str, to: &str) -> usize {
-    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
-    for (i, a) in from.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, b) in to.chars().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row.last().copied().unwrap_or(0)
+    nearest(asked, catalogue().iter().flat_map(PeriodFormula::keys).map(String::as_str))
 }

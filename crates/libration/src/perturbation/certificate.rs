@@ -1,6 +1,7 @@
 //! Exact checks of a family's series by a road that knows no harmonics.
 
 use super::conservative::{displacement, period_ratio};
+use super::first_integral;
 use super::model::Model;
 use super::series_set::SeriesSet;
 use crate::algebra::{HarmonicSums, Rational, Rationals, Ring};
@@ -46,6 +47,19 @@ fn squared_energy_amplitude(model: &Model<Rational>, x: &[Rational]) -> Option<V
     }
     square.truncate(x.len());
     Some(square)
+}
+
+/// Whether the period as a function of the amplitude agrees exactly with the first integral of an odd oscillator.
+/// `None` when a number is not rational.
+pub(crate) fn agrees_with_the_first_integral(
+    model: &Model<Rational>,
+    set: &SeriesSet<Rational>,
+) -> Option<bool> {
+    let of = set.of_amplitude.as_ref()?;
+    let length = of.period.len();
+    Some(
+        first_integral::period_ratio(&model.tape, &model.values, &model.omega0_squared, length)? == of.period,
+    )
 }
 
 /// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers. `None` when it meets a root that

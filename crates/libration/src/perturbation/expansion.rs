@@ -100,6 +100,9 @@ pub enum Certificate {
     /// Frequency and turning points agree exactly with the reversion of the potential, which proves them; the single
     /// harmonics rest on the fresh primes.
     Potential,
+    /// The period agrees exactly with the integral of the first integral, which proves it; the rest rests on the
+    /// fresh primes.
+    FirstIntegral,
     /// All coefficients rest on the fresh primes.
     FreshPrimes,
     /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
@@ -110,7 +113,7 @@ impl Certificate {
     /// Whether the frequency is proven by an exact check.
     #[must_use]
     pub fn is_proof(self) -> bool {
-        matches!(self, Self::PlainRationals | Self::Potential)
+        matches!(self, Self::PlainRationals | Self::Potential | Self::FirstIntegral)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::algebra::{NotARational, Rational};
 /// How the expansion parameter ε of a family of periodic motions is related to it. The choice changes every
 /// series in ε and no relation between physical quantities.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Gauge {
     /// ε is the coefficient of cos Ωt.
     #[default]

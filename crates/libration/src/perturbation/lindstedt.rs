@@ -47,8 +47,8 @@ pub(crate) fn family<R: PhaseRing>(
     let half_wave = fundamental.iter().step_by(2).all(|a| numbers.is_zero(a));
     let mut expansion = Expansion::new(ring, centre)?;
     for (n, gauge) in fundamental.iter().enumerate().skip(1) {
-        let harmonics = (0..=n).filter(|k| !half_wave || (n - k) % 2 == 0);
-        expansion.extend(gauge, harmonics)?;
+        let harmonics: Vec<usize> = (0..=n).filter(|k| !half_wave || (n - k) % 2 == 0).collect();
+        expansion.extend(gauge, &harmonics)?;
     }
     Some(expansion.into_family())
 }
@@ -93,16 +93,17 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         })
     }
 
-    /// Solves the equations of the next order.
-    fn extend(&mut self, gauge: &Number<R>, harmonics: impl Iterator<Item = usize>) -> Option<()> {
+    /// Solves the equations of the next order, in which only these harmonics are present.
+    fn extend(&mut self, gauge: &Number<R>, harmonics: &[usize]) -> Option<()> {
         let (ring, n) = (self.ring, self.cosines.len());
         self.jet.extend(&vec![ring.zero(); self.inputs]).ok()?;
         let rest = self.jet.result(0)[n].clone();
         if n > 1 {
-            self.impose_solvability(&rest)?;
+            let secular = if harmonics.contains(&1) { self.secular(&rest) } else { ring.numbers().zero() };
+            self.impose_solvability(&secular)?;
         }
         let mut cosines = vec![ring.numbers().zero(); n + 1];
-        for k in harmonics {
+        for &k in harmonics {
             cosines[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
         }
         self.cosines.push(cosines);
@@ -112,11 +113,15 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         Some(())
     }
 
+    /// What drives cos τ at order n without Wₙ₋₁.
+    fn secular(&self, rest: &R::Element) -> Number<R> {
+        self.ring.numbers().add(&self.driving(rest, 1), &self.mixed(1))
+    }
+
     /// Wₙ₋₁ from the harmonic cos τ of order n.
-    fn impose_solvability(&mut self, rest: &R::Element) -> Option<()> {
+    fn impose_solvability(&mut self, secular: &Number<R>) -> Option<()> {
         let numbers = self.ring.numbers();
-        let secular = numbers.add(&self.driving(rest, 1), &self.mixed(1));
-        let next = numbers.divide(&numbers.negate(&secular), &self.cosines[1][1])?;
+        let next = numbers.divide(&numbers.negate(secular), &self.cosines[1][1])?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
         Some(())

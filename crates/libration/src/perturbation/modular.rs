@@ -12,13 +12,17 @@ use crate::algebra::{
 /// Roots of unity of order 2²⁰ are in every field used, enough for half a million harmonics.
 const LOG_ROOTS: u32 = 20;
 
+/// More primes than any order that is allowed needs.
+const MOST_PRIMES: usize = 4000;
+
 /// The series modulo as many primes as it takes. `watch` is told the number of primes done and may break off.
 pub(crate) fn exact_series(
     model: &Model<Rational>,
     watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
-    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS))?.ok_or(Unsolved::NoPrimes)?;
+    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES))?
+        .ok_or(Unsolved::NoPrimes)?;
     let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));
     set.ok_or(Unsolved::NoPrimes)
 }

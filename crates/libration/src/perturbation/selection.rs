@@ -24,7 +24,7 @@ impl Condition {
         let value = |a: &Rational| first_sine(&ring, tape, omega0, a)?.checked_div(a);
         let values = places.iter().map(value).collect::<Option<Vec<_>>>()?;
         let squares: Vec<Rational> = places.iter().map(|a| Rationals.multiply(a, a)).collect();
-        Some(Self { coefficients: interpolated(&squares, &values)?, degree, symmetric })
+        Some(Self { coefficients: interpolated(&Rationals, &squares, &values)?, degree, symmetric })
     }
 
     /// The value of M(√s)/√s.
@@ -129,23 +129,27 @@ pub(crate) enum Others {
 }
 
 /// The coefficients of the polynomial through the points, by Newton's divided differences.
-fn interpolated(places: &[Rational], values: &[Rational]) -> Option<Vec<Rational>> {
+pub(crate) fn interpolated<R: Ring>(
+    ring: &R,
+    places: &[R::Element],
+    values: &[R::Element],
+) -> Option<Vec<R::Element>> {
     let mut differences = values.to_vec();
     for step in 1..places.len() {
         for i in (step..places.len()).rev() {
-            let rise = Rationals.subtract(&differences[i], &differences[i - 1]);
-            differences[i] = rise.checked_div(&Rationals.subtract(&places[i], &places[i - step]))?;
+            let rise = ring.subtract(&differences[i], &differences[i - 1]);
+            differences[i] = ring.divide(&rise, &ring.subtract(&places[i], &places[i - step]))?;
         }
     }
-    let mut polynomial: Vec<Rational> = vec![];
+    let mut polynomial: Vec<R::Element> = vec![];
     for (place, difference) in places.iter().zip(&differences).rev() {
         // polynomial·(s − place) + difference.
-        polynomial.insert(0, Rational::from(0));
+        polynomial.insert(0, ring.zero());
         for i in 0..polynomial.len() - 1 {
-            let carried = Rationals.multiply(&polynomial[i + 1], place);
-            polynomial[i] = Rationals.subtract(&polynomial[i], &carried);
+            let carried = ring.multiply(&polynomial[i + 1], place);
+            polynomial[i] = ring.subtract(&polynomial[i], &carried);
         }
-        polynomial[0] = Rationals.add(&polynomial[0], difference);
+        polynomial[0] = ring.add(&polynomial[0], difference);
     }
     Some(polynomial)
 }

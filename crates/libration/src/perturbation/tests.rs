@@ -99,3 +99,31 @@ fn adhoc_van_der_pol() {
         }
     }
 }
+
+#[test]
+fn adhoc_relativistic() {
+    use super::first_integral::period_ratio;
+    let force: Expression = "-x*(1-x'^2)^(3/2)".parse().unwrap();
+    let tape = Tape::new(&[&force], &[symbol("x", 0), symbol("x", 1)]).unwrap();
+    let values = values_at(&Rationals, &tape, Rational::from(0)).unwrap();
+    for order in [9, 31] {
+        let start = std::time::Instant::now();
+        let ratio = period_ratio(&tape, &values, &Rational::from(1), order).unwrap();
+        println!("first integral {:?}", start.elapsed());
+        let motion = Motion::Centre { gauge: Gauge::Fundamental, symmetric: true };
+        let model = Model {
+            tape: tape.clone(),
+            values: values.clone(),
+            omega0_squared: Rational::from(1),
+            uses_velocity: true,
+            motion,
+            order,
+        };
+        let start = std::time::Instant::now();
+        let set = exact_series(&model, &mut |_| ControlFlow::Continue(())).unwrap();
+        println!("lindstedt {:?}", start.elapsed());
+        let of = set.of_amplitude.unwrap();
+        println!("{}", of.frequency.iter().take(8).map(ToString::to_string).collect::<Vec<_>>().join(" "));
+        assert_eq!(of.period, ratio);
+    }
+}

@@ -13,6 +13,9 @@ const MAP: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
+    ("oscillator", &["expression", "algebra"]),
+    ("perturbation", &["oscillator", "expression", "series", "algebra"]),
+    ("derivation", &["elliptic", "pendulum", "period_formulas", "algebra", "series", "expression"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

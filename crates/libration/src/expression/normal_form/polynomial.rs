@@ -32,6 +32,12 @@ impl<V: Ord + Clone> Polynomial<V> {
         self.0.len()
     }
 
+    /// What a product or a sum with this costs for each of the other's terms.
+    pub(super) fn cost(&self) -> usize {
+        const BITS: usize = 256;
+        self.0.values().map(|coefficient| 1 + coefficient.bits() / BITS).sum()
+    }
+
     /// The coefficient of the monomial that comes last, `None` for zero.
     pub(super) fn leading(&self) -> Option<&Rational> {
         self.0.values().next_back()

@@ -1,0 +1,260 @@
+"""Times exact perturbation series in libration, FLINT, PARI/GP, SymPy and the package asymptotics, one after the other.
+
+Every tool gets each case and order in a process of its own, on one core, with a time limit; starting the tool is not
+timed. The tools' last coefficients are compared with each other exactly. Exit status 1 if ours disagree.
+
+Times are seconds of the processor, so that other work on the machine matters less. A cell shows the
+median, the growth N^p since the order above, and the quotient by our time (theirs/ours).
+"""
+import argparse
+import json
+import math
+import os
+import shlex
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "perturbation"))
+sys.dont_write_bytecode = True
+
+IN_A1 = "Omega to eps^(N-1) and all harmonics to eps^N, in the gauge eps = a1"
+IN_AMPLITUDE = "the same, then the reversion: eps, Omega, T and all harmonics as series in the amplitude"
+EULER = "T/T0 to theta0^N from Euler numbers: an inverse of cos, an exponential; ours by the library's own way"
+CASES = {
+    "pendulum": ("x'' + sin x = 0, sin taken directly: " + IN_A1, (7, 9, 15, 31, 61, 101, 201)),
+    "pendulum, full answer": (IN_AMPLITUDE, (7, 9, 13, 15, 31, 61, 101, 201)),
+    "duffing": ("x'' + x + x^3 = 0: " + IN_A1, (7, 9, 16, 31, 101)),
+    "duffing, full answer": (IN_AMPLITUDE, (7, 9, 13, 16, 31, 101)),
+    "van_der_pol": ("x'' + x = mu (1 - x^2) x': Omega to mu^N with the cycle it needs, to mu^(N-1)", (4, 20, 60)),
+    "period": (EULER, (100, 200, 400)),
+    "period, composition": ("T/T0 to theta0^N by putting sin^2(theta0/2) into the series of (2/pi) K", (100, 200, 400)),
+    "period, AGM": ("T/T0 to theta0^N as 1/agm(1, cos(theta0/2)) on series", (100, 200, 400)),
+}
+OURS = "libration"
+
+
+class Timed:
+    """What a tool answered: the seconds of its passes and its last coefficients, or why there are none."""
+
+    def __init__(self, passes=(), check=(), reason=""):
+        self.seconds = statistics.median(passes) if passes else None
+        self.check, self.reason = tuple(check), reason
+
+    def contradicts(self, truth):
+        return any(mine and theirs and mine != theirs for mine, theirs in zip(self.check, truth))
+
+
+class PythonTool:
+    """A module of perturbation/ with a dictionary of cases, run by this file as a worker."""
+
+    def __init__(self, name, module, cases="CASES"):
+        self.name, self.module, self.cases = name, module, cases
+
+    def command(self, *what):
+        return [sys.executable, __file__, "--worker", self.module, self.cases, *what]
+
+    def version(self):
+        probe = subprocess.run(self.command(), capture_output=True, text=True, check=False)
+        return probe.stdout.strip() or f"missing: {probe.stderr.strip().splitlines()[-1]}"
+
+    def ask(self, case, order, limit):
+        return answered(self.command(case, str(order)), "", limit)
+
+
+class Pari:
+    """PARI/GP, its script fed through standard input."""
+
+    name = "PARI/GP"
+    command = ["gp", "-q", "--default", "parisizemax=4G", str(HERE / "perturbation/with_pari.gp")]
+
+    def version(self):
+        if not shutil.which("gp"):
+            return "missing: install pari-gp"
+        return "PARI/GP " + subprocess.run(self.command, input="print(version())", capture_output=True, text=True, check=False).stdout.strip()
+
+    def ask(self, case, order, limit):
+        return answered(self.command, f'bench("{case}", {order})', limit)
+
+
+class Libration:
+    """A command that is given case and order and prints lines {"case", "order", "seconds", "check"}.
+
+    `seconds` is a number or a list of passes, `check` the last coefficients as the other tools give them."""
+
+    name = OURS
+
+    def __init__(self, command):
+        self.command = shlex.split(command) if command else []
+
+    def version(self):
+        return " ".join(self.command) if self.command and shutil.which(self.command[0]) else "missing: see --ours"
+
+    def ask(self, case, order, limit):
+        return answered([*self.command, case, str(order)], "", limit, lambda it: (it["case"], it["order"]) == (case, order))
+
+
+def answered(command, standard_input, limit, wanted=lambda _: True):
+    """The last line of JSON that is wanted, as a Timed; a few seconds for the start are granted."""
+    try:
+        run = subprocess.run(command, input=standard_input, capture_output=True, text=True, timeout=limit + 5, check=False)
+    except subprocess.TimeoutExpired:
+        return Timed(reason=f"> {limit:g} s")
+    lines = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
+    lines = [line for line in lines if wanted(line)]
+    if not lines:
+        return Timed(reason="failed: " + (run.stderr.strip().splitlines() or ["no answer"])[-1][:80])
+    passes, check = lines[-1]["seconds"], lines[-1]["check"]
+    if passes is None:
+        return Timed(reason="–")
+    answer = Timed(passes if isinstance(passes, list) else [passes], [check] if isinstance(check, str) else check)
+    return answer if answer.seconds <= limit else Timed(reason=f"> {limit:g} s")
+
+
+def work(module, cases, case=None, order=None):
+    """The worker: prints the tool's version, or the times of a case as JSON."""
+    tool = __import__(module)
+    if case is None:
+        print(tool.VERSION)
+    elif case not in getattr(tool, cases):
+        print(json.dumps({"seconds": None, "check": []}))
+    else:
+        passes, check = passes_of(getattr(tool, cases)[case], int(order))
+        print(json.dumps({"seconds": passes, "check": [None if it is None else str(it) for it in check]}))
+
+
+def passes_of(task, order):
+    """Processor seconds of up to 7 passes, each a mean over as many runs as make 20 ms, after one pass for warming up; of slow
+    tasks that first pass itself."""
+    start = time.process_time()
+    check = task(order)[-1]
+    once = time.process_time() - start
+    if once > 2:
+        return [once], check
+    runs, passes = max(1, math.ceil(0.02 / once)), []
+    while len(passes) < 7:
+        start = time.process_time()
+        for _ in range(runs):
+            task(order)
+        passes.append((time.process_time() - start) / runs)
+    return passes, check
+
+
+def measure(tools, case, orders, limit):
+    """{order: {tool: Timed}}; a tool that failed or ran out of time at one order is not asked for higher ones."""
+    rows, given_up = {}, {}
+    for order in orders:
+        rows[order] = {}
+        for tool in tools:
+            answer = given_up.get(tool.name) or tool.ask(case, order, limit)
+            if not answer.seconds:
+                given_up[tool.name] = answer
+            rows[order][tool.name] = answer
+    return rows
+
+
+def truth_of(answers):
+    """The last coefficients that most tools give."""
+    counts = Counter(it.check for it in answers.values() if it.check and all(it.check))
+    return counts.most_common(1)[0][0] if counts else ()
+
+
+def duration(seconds):
+    for unit, size in (("s", 1), ("ms", 1e-3)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-6:.3g} µs"
+
+
+def growth(before, now):
+    """The exponent p of cost ~ N^p between two (order, Timed); None if either is without a time."""
+    (n0, old), (n1, new) = before, now
+    return math.log(new.seconds / old.seconds) / math.log(n1 / n0) if old.seconds and new.seconds else None
+
+
+def cell(answer, before, order, ours, truth):
+    if not answer.seconds:
+        return answer.reason
+    power = growth(before, (order, answer)) if before else None
+    parts = [duration(answer.seconds), f"N^{power:.1f}" if power is not None else ""]
+    parts += [f"{answer.seconds / ours.seconds:.3g}×" if ours and ours.seconds and ours is not answer else ""]
+    parts += ["WRONG" if answer.contradicts(truth) else ""]
+    return ", ".join(part for part in parts if part)
+
+
+def table(rows, tools):
+    """Lines of an aligned table, tools without any time left out."""
+    shown = [tool.name for tool in tools if any(answers[tool.name].seconds for answers in rows.values())]
+    lines, before = [["N", *shown]], {}
+    for order, answers in rows.items():
+        truth = truth_of(answers)
+        ours = answers.get(OURS)
+        lines.append([str(order)] + [cell(answers[name], before.get(name), order, ours, truth) for name in shown])
+        before = {name: (order, answers[name]) for name in shown}
+    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
+    lines.insert(1, ["-" * width for width in widths])
+    return ["| " + " | ".join(text.ljust(width) for text, width in zip(line, widths)) + " |" for line in lines]
+
+
+def contradictions(rows):
+    """(order, tool, what it gives, what most give)."""
+    for order, answers in rows.items():
+        truth = truth_of(answers)
+        yield from ((order, name, it.check, truth) for name, it in answers.items() if it.contradicts(truth))
+
+
+def records(case, rows):
+    for order, answers in rows.items():
+        truth = truth_of(answers)
+        for name, it in answers.items():
+            if it.seconds or it.reason != "–":
+                wrong = it.contradicts(truth)
+                yield {"case": case, "order": order, "tool": name, "seconds": it.seconds, "note": it.reason, "wrong": wrong, "check": it.check}
+
+
+def short(check):
+    return ", ".join(it if not it or len(it) < 40 else f"{it[:20]}…{it[-16:]}" for it in check if it)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    built = HERE.parents[1] / "target/release/libration-series"
+    parser.add_argument("--ours", default=str(built) if built.exists() else "", help="our command, as one string")
+    parser.add_argument("--limit", type=float, default=60, help="seconds a tool may take for one answer")
+    parser.add_argument("--largest", type=int, default=10**6, help="leave out orders above this")
+    parser.add_argument("--case", action="append", choices=CASES, help="only this case; may be repeated")
+    parser.add_argument("--json", metavar="FILE", help="write all times there too")
+    return parser.parse_args()
+
+
+def main(options):
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    every = [Libration(options.ours), PythonTool("FLINT", "with_flint"), Pari(), PythonTool("SymPy", "with_sympy")]
+    every += [PythonTool("SymPy, in symbols", "with_sympy", "IN_SYMBOLS"), PythonTool("asymptotics", "with_asymptotics")]
+    versions = {tool.name: tool.version() for tool in every}
+    print("\n".join(f"{name}: {version}" for name, version in versions.items()))
+    tools = [tool for tool in every if not versions[tool.name].startswith("missing")]
+    kept, ours_wrong = [], False
+    for case in options.case or CASES:
+        meaning, orders = CASES[case]
+        rows = measure(tools, case, [order for order in orders if order <= options.largest], options.limit)
+        print(f"\n{case}: {meaning}\n", *table(rows, tools), sep="\n", flush=True)
+        for order, name, check, truth in contradictions(rows):
+            print(f"{name} at N = {order} gives {short(check)}; the others {short(truth)}")
+            ours_wrong |= name == OURS
+        kept += records(case, rows)
+    if options.json:
+        Path(options.json).write_text(json.dumps({"schema": 1, "versions": versions, "times": kept}, indent=1) + "\n", encoding="utf-8")
+    return ours_wrong
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--worker"]:
+        work(*sys.argv[2:])
+    else:
+        sys.exit(main(arguments()))

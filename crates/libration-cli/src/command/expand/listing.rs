@@ -1,0 +1,237 @@
+//! The expansion to read, and in LaTeX.
+
+use super::Answer;
+use crate::output::series::{Notation, Style, subscript, superscript, wrapped};
+use libration::algebra::Rational;
+use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
+use std::io::{self, Write};
+
+/// Lines are broken here.
+const COLUMN: usize = 110;
+
+/// Digits of a number that stands in a sentence.
+const SHORT: usize = 12;
+
+pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let expansion = &answer.expansion;
+    let notation = Notation { precision: expansion.precision, style: Style::Text };
+    let symbols = Symbols::new(&expansion.variable);
+    writeln!(out, "{}", answer.title)?;
+    writeln!(out, "{}", answer.equation)?;
+    writeln!(out, "{}", setting(expansion))?;
+    writeln!(out, "{}\n", meaning(expansion, &symbols))?;
+    for (name, text) in lines(expansion, notation, &symbols) {
+        writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
+    }
+    let amplitudes = [
+        ("A", "of the largest displacement A", &expansion.of_amplitude),
+        ("h", "of half the swing h", &expansion.of_half_swing),
+    ];
+    for (symbol, title, of) in
+        amplitudes.into_iter().filter_map(|(s, title, of)| Some((s, title, of.as_ref()?)))
+    {
+        writeln!(out, "\nas functions {title}:")?;
+        for (name, text) in amplitude_lines(of, notation, symbol, symbols.variable) {
+            writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
+        }
+    }
+    writeln!(out, "\n{}", checked(expansion))?;
+    for note in &answer.notes {
+        writeln!(out, "note: {note}")?;
+    }
+    Ok(())
+}
+
+/// The symbols that stand for the variable.
+struct Symbols<'a> {
+    variable: &'a str,
+    latex: &'a str,
+}
+
+impl<'a> Symbols<'a> {
+    fn new(variable: &'a Variable) -> Self {
+        match variable {
+            Variable::Epsilon(_) => Self { variable: "ε", latex: r"\epsilon" },
+            Variable::Parameter(name) if name == "mu" => Self { variable: "μ", latex: r"\mu" },
+            Variable::Parameter(name) if name == "epsilon" => Self { variable: "ε", latex: r"\epsilon" },
+            Variable::Parameter(name) => Self { variable: name, latex: name },
+        }
+    }
+}
+
+fn number(value: &Rational, precision: Precision) -> String {
+    match precision {
+        Precision::Exact => value.to_string(),
+        Precision::Digits(_) => value.to_decimal(SHORT),
+    }
+}
+
+fn setting(expansion: &Expansion) -> String {
+    let number = |value| number(value, expansion.precision);
+    format!("about x = {}, where ω0² = {}", number(&expansion.equilibrium), number(&expansion.omega0_squared))
+}
+
+/// What the variable means, and how far the series go.
+fn meaning(expansion: &Expansion, symbols: &Symbols<'_>) -> String {
+    let Symbols { variable, .. } = symbols;
+    let power =
+        |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
+    let order = expansion.order;
+    match &expansion.variable {
+        Variable::Epsilon(gauge) => {
+            let gauge = gauge_in_words(gauge);
+            let frequency =
+                if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
+            format!("x to {}, {frequency}; {gauge}; τ = Ωt", power(order))
+        }
+        Variable::Parameter(_) => {
+            format!("the limit cycle to {}; τ = Ωt counts so that there is no sin τ", power(order))
+        }
+    }
+}
+
+fn gauge_in_words(gauge: &libration::perturbation::Gauge) -> String {
+    use libration::perturbation::Gauge;
+    match gauge {
+        Gauge::Fundamental => "gauge: ε is the coefficient of cos τ".to_owned(),
+        Gauge::XMax => "gauge: ε is the largest displacement".to_owned(),
+        Gauge::HalfSwing => "gauge: ε is half the distance between the turning points".to_owned(),
+        Gauge::Energy => "gauge: ε = √(2E)/ω0, E the energy above the equilibrium".to_owned(),
+        Gauge::Nome => "gauge: ε = 8√q, q the nome".to_owned(),
+        Gauge::Coefficients(_) => format!("gauge: {gauge} in a₁ = A₁ε + A₂ε² + …"),
+        _ => format!("gauge: {gauge}"),
+    }
+}
+
+fn lines(expansion: &Expansion, notation: Notation, symbols: &Symbols<'_>) -> Vec<(String, String)> {
+    let variable = symbols.variable;
+    let unit = unit(expansion);
+    let mut lines = vec![("Ω/ω0 = ".to_owned(), notation.series(&expansion.frequency_ratio, variable))];
+    for harmonic in &expansion.harmonics {
+        for (name, series) in named(harmonic) {
+            lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
+        }
+    }
+    lines.push((format!("x_max = {unit}"), bracketed(&unit, notation.series(&expansion.x_max, variable))));
+    if mirrored(expansion) {
+        lines.push(("x_min = ".to_owned(), "-x_max".to_owned()));
+    } else {
+        lines
+            .push((format!("x_min = {unit}"), bracketed(&unit, notation.series(&expansion.x_min, variable))));
+    }
+    lines
+}
+
+fn mirrored(expansion: &Expansion) -> bool {
+    expansion.x_max.iter().zip(&expansion.x_min).all(|(max, min)| *max == -min.clone())
+}
+
+/// The root in whose units displacements are given, when it is not 1.
+fn unit(expansion: &Expansion) -> String {
+    let squared = &expansion.unit_squared;
+    if *squared == Rational::from(1) { String::new() } else { format!("√({squared})·") }
+}
+
+fn bracketed(unit: &str, text: String) -> String {
+    if unit.is_empty() || !text.contains(' ') { text } else { format!("({text})") }
+}
+
+/// The parts of a harmonic that are present, with their names.
+fn named(harmonic: &Harmonics) -> Vec<(String, &[Rational])> {
+    let k = harmonic.k;
+    let present = |series: &[Rational]| series.iter().any(|c| !c.is_zero());
+    let mut named: Vec<(String, &[Rational])> = vec![];
+    if k == 1 || present(&harmonic.cos) {
+        named.push((format!("a{}", subscript(k)), &harmonic.cos));
+    }
+    if present(&harmonic.sin) {
+        named.push((format!("b{}", subscript(k)), &harmonic.sin));
+    }
+    named
+}
+
+fn amplitude_lines(
+    of: &AmplitudeSeries,
+    notation: Notation,
+    symbol: &str,
+    variable: &str,
+) -> Vec<(String, String)> {
+    let mut lines = vec![
+        ("Ω/ω0 = ".to_owned(), notation.series(&of.frequency_ratio, symbol)),
+        ("T/T0 = ".to_owned(), notation.series(&of.period_ratio, symbol)),
+        (format!("{variable} = "), notation.series(&of.epsilon, symbol)),
+    ];
+    for (k, series) in &of.harmonics {
+        lines.push((format!("a{} = ", subscript(*k)), notation.series(series, symbol)));
+    }
+    lines
+}
+
+fn checked(expansion: &Expansion) -> String {
+    let precision = match expansion.precision {
+        Precision::Exact => "all coefficients are exact".to_owned(),
+        Precision::Digits(digits) => {
+            format!("the coefficients are not rational; they are given to {digits} digits")
+        }
+    };
+    let how = match expansion.certificate {
+        Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
+        Certificate::Potential => {
+            "frequency and turning points are proven by the reversion of the potential, \
+             the harmonics are confirmed by two spare primes of 62 bits"
+        }
+        Certificate::FirstIntegral => {
+            "the period is proven by the first integral, the rest is confirmed by two spare primes of 62 bits"
+        }
+        Certificate::FreshPrimes => "confirmed by two spare primes of 62 bits, not proven",
+        Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
+    };
+    format!("{precision}; {how}")
+}
+
+/// The series as display equations.
+pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let expansion = &answer.expansion;
+    let notation = Notation { precision: expansion.precision, style: Style::Latex };
+    let symbols = Symbols::new(&expansion.variable);
+    let unit = match &expansion.unit_squared {
+        one if *one == Rational::from(1) => String::new(),
+        squared => format!(r"\sqrt{{{squared}}}\,"),
+    };
+    let scaled = |series: &[Rational]| bracketed(&unit, notation.series(series, symbols.latex));
+    writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
+    writeln!(out, "\\begin{{align*}}")?;
+    writeln!(
+        out,
+        "  \\frac{{\\Omega}}{{\\omega_0}} &= {} \\\\",
+        notation.series(&expansion.frequency_ratio, symbols.latex)
+    )?;
+    for harmonic in &expansion.harmonics {
+        for (letter, series) in [("a", &harmonic.cos), ("b", &harmonic.sin)] {
+            if (letter == "a" && harmonic.k == 1) || series.iter().any(|c| !c.is_zero()) {
+                writeln!(out, "  {letter}_{{{}}} &= {unit}{} \\\\", harmonic.k, scaled(series))?;
+            }
+        }
+    }
+    writeln!(out, "  x_{{\\max}} &= {unit}{} \\\\", scaled(&expansion.x_max))?;
+    writeln!(out, "  x_{{\\min}} &= {unit}{}", scaled(&expansion.x_min))?;
+    writeln!(out, "\\end{{align*}}")?;
+    for (symbol, of) in [("A", &expansion.of_amplitude), ("h", &expansion.of_half_swing)] {
+        let Some(of) = of else { continue };
+        writeln!(out, "\\begin{{align*}}")?;
+        let series = [
+            (r"\frac{\Omega}{\omega_0}".to_owned(), &of.frequency_ratio),
+            (r"\frac{T}{T_0}".to_owned(), &of.period_ratio),
+            (symbols.latex.to_owned(), &of.epsilon),
+        ];
+        let harmonics = of.harmonics.iter().map(|(k, series)| (format!("a_{{{k}}}"), series));
+        let lines: Vec<String> = series
+            .into_iter()
+            .chain(harmonics)
+            .map(|(name, series)| format!("  {name} &= {}", notation.series(series, symbol)))
+            .collect();
+        writeln!(out, "{}", lines.join(" \\\\\n"))?;
+        writeln!(out, "\\end{{align*}}")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,174 @@
+//! `libration paper`: two published derivations checked equation by equation.
+
+use crate::failure::Failure;
+use crate::output::{Form, FormOptions, csv, json, json::Record, number};
+use libration::derivation::paper::{Document, Row, Verdict, rows};
+use std::io::{self, Write};
+
+/// Every equation of two published derivations, verified or corrected by computing it
+///
+/// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What
+/// they print is compared with what the program computes, exactly where that can be done.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration paper                    every equation with its verdict and evidence
+  libration paper --only wrong       what is wrong, and what should stand there
+  libration paper --label 25 --json")]
+pub(crate) struct Paper {
+    /// Only statements with this verdict
+    #[arg(long, value_parser = verdict, value_name = "VERDICT")]
+    only: Option<Verdict>,
+    /// Only one document
+    #[arg(long, value_parser = document, value_name = "DOCUMENT")]
+    document: Option<Document>,
+    /// Only labels with this number or these words, such as 25, C2, `Fig. 1`
+    #[arg(long)]
+    label: Option<String>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl Paper {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let chosen: Vec<Row> = rows().into_iter().filter(|row| self.is_asked_for(row)).collect();
+        if chosen.is_empty() {
+            return Err(Failure::no_answer(
+                "paper",
+                "no statement is like that: leave out --label or --only",
+            ));
+        }
+        match self.form.form() {
+            Form::Json => {
+                json::document_with_list(out, Record::new(), "equations", chosen.iter().map(record))?;
+            }
+            Form::Csv => write_csv(out, &chosen)?,
+            Form::Table => write_pages(out, &chosen)?,
+        }
+        Ok(())
+    }
+
+    fn is_asked_for(&self, row: &Row) -> bool {
+        let label = self.label.as_ref().is_none_or(|asked| has_label(row, asked));
+        let verdict = self.only.is_none_or(|verdict| verdict == row.finding.verdict);
+        let document = self.document.is_none_or(|document| document == row.document);
+        label && verdict && document
+    }
+}
+
+/// A number is meant whole, words may be part of a label.
+fn has_label(row: &Row, asked: &str) -> bool {
+    let asked = asked.trim().trim_start_matches('(').trim_end_matches(')');
+    let bare = row.label.trim_start_matches('(').trim_end_matches(')');
+    let numbered = row.label.starts_with('(');
+    bare.eq_ignore_ascii_case(asked)
+        || (!numbered && row.label.to_lowercase().contains(&asked.to_lowercase()))
+}
+
+fn verdict(text: &str) -> Result<Verdict, String> {
+    let found = Verdict::ALL.into_iter().find(|verdict| verdict.name() == text);
+    found.ok_or_else(|| format!("`{text}` is no verdict: give verified, typo or wrong"))
+}
+
+fn document(text: &str) -> Result<Document, String> {
+    let found = Document::ALL.into_iter().find(|document| document.key() == text);
+    found.ok_or_else(|| format!("`{text}` is no document: give black-vel or cote"))
+}
+
+fn record(row: &Row) -> Record {
+    let finding = &row.finding;
+    let record = Record::new()
+        .with("document", row.document.key())
+        .with("label", row.label.as_str())
+        .with("claim", row.claim.as_str())
+        .with("printed", row.printed.clone())
+        .with("verdict", finding.summary())
+        .with("correct", finding.correct.as_str())
+        .with("evidence", finding.evidence.as_str());
+    if finding.holds_for.is_empty() {
+        return record;
+    }
+    let ends = finding.holds_for.iter().map(|&(from, to)| vec![json::number(from), json::number(to)]);
+    record.with("holds_for_rad", ends.collect::<Vec<_>>())
+}
+
+fn write_csv(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
+    csv::line(
+        out,
+        &["document", "label", "claim", "printed", "verdict", "correct", "evidence", "holds_for_rad"],
+    )?;
+    for row in rows {
+        let finding = &row.finding;
+        let ranges = finding
+            .holds_for
+            .iter()
+            .map(|&(from, to)| format!("{} to {}", number::exact(from), number::exact(to)));
+        csv::line(
+            out,
+            &[
+                row.document.key().to_owned(),
+                row.label.clone(),
+                row.claim.clone(),
+                row.printed.join("; "),
+                finding.summary(),
+                finding.correct.clone(),
+                finding.evidence.clone(),
+                ranges.collect::<Vec<_>>().join("; "),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+/// Grouped by document, each statement as a paragraph, the count of verdicts at the end.
+fn write_pages(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
+    for document in Document::ALL {
+        let chosen: Vec<&Row> = rows.iter().filter(|row| row.document == document).collect();
+        if !chosen.is_empty() {
+            writeln!(out, "{}\n", wrapped(document.title(), 0))?;
+        }
+        for row in chosen {
+            write_row(out, row)?;
+        }
+    }
+    let count = |verdict: Verdict| rows.iter().filter(|row| row.finding.verdict == verdict).count();
+    let counts = Verdict::ALL.map(|verdict| format!("{} {verdict}", count(verdict)));
+    writeln!(out, "{} statements: {}", rows.len(), counts.join(", "))
+}
+
+fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
+    let finding = &row.finding;
+    writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, finding.summary().to_uppercase()), 0))?;
+    writeln!(out, "{}", wrapped(&row.claim, INDENT))?;
+    for formula in &row.printed {
+        writeln!(out, "{}", wrapped(&format!("printed   {formula}"), INDENT))?;
+    }
+    if !finding.correct.is_empty() {
+        writeln!(out, "{}", wrapped(&format!("correct   {}", finding.correct), INDENT))?;
+    }
+    writeln!(out, "{}\n", wrapped(&format!("evidence  {}", finding.evidence), INDENT))
+}
+
+const INDENT: usize = 4;
+const WIDTH: usize = 110;
+
+/// The text in lines of at most `WIDTH` letters, each after `indent` blanks; a longer word stands alone.
+fn wrapped(text: &str, indent: usize) -> String {
+    let blanks = " ".repeat(indent);
+    let mut lines = vec![blanks.clone()];
+    let mut width = indent;
+    for word in text.split(' ') {
+        let length = word.chars().count();
+        if width > indent && width + 1 + length > WIDTH {
+            lines.push(blanks.clone());
+            width = indent;
+        }
+        let line = lines.last_mut().expect("there is always a line");
+        if width > indent {
+            line.push(' ');
+            width += 1;
+        }
+        line.push_str(word);
+        width += length;
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,80 @@
+//! Double-precision numbers as a ring, for searches.
+
+use super::{Function, Rational, Ring};
+
+/// The `f64`s; NaN where there is no value.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Doubles;
+
+impl Ring for Doubles {
+    type Element = f64;
+
+    fn zero(&self) -> f64 {
+        0.0
+    }
+
+    fn is_zero(&self, a: &f64) -> bool {
+        *a == 0.0
+    }
+
+    fn rational(&self, value: &Rational) -> Option<f64> {
+        Some(value.to_f64())
+    }
+
+    fn add(&self, a: &f64, b: &f64) -> f64 {
+        a + b
+    }
+
+    fn subtract(&self, a: &f64, b: &f64) -> f64 {
+        a - b
+    }
+
+    fn negate(&self, a: &f64) -> f64 {
+        -a
+    }
+
+    fn multiply(&self, a: &f64, b: &f64) -> f64 {
+        a * b
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "rounded as every product is")]
+    fn times_integer(&self, a: &f64, factor: i64) -> f64 {
+        a * factor as f64
+    }
+
+    fn divide(&self, a: &f64, divisor: &f64) -> Option<f64> {
+        Some(a / divisor)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "rounded as every quotient is")]
+    fn over_integer(&self, a: &f64, divisor: u64) -> Option<f64> {
+        Some(a / divisor as f64)
+    }
+
+    fn value(&self, function: Function, at: &f64) -> Option<f64> {
+        let at = *at;
+        Some(match function {
+            Function::Sqrt => at.sqrt(),
+            Function::Sin => libm::sin(at),
+            Function::Cos => libm::cos(at),
+            Function::Tan => libm::tan(at),
+            Function::Asin => libm::asin(at),
+            Function::Acos => libm::acos(at),
+            Function::Atan => libm::atan(at),
+            Function::Sinh => libm::sinh(at),
+            Function::Cosh => libm::cosh(at),
+            Function::Tanh => libm::tanh(at),
+            Function::Exp => libm::exp(at),
+            Function::Ln => libm::log(at),
+            Function::Abs => at.abs(),
+        })
+    }
+
+    fn power(&self, a: &f64, exponent: &Rational) -> Option<f64> {
+        Some(libm::pow(*a, exponent.to_f64()))
+    }
+
+    fn pi(&self) -> Option<f64> {
+        Some(std::f64::consts::PI)
+    }
+}

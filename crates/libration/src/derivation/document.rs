@@ -1,0 +1,153 @@
+//! A derivation as data: steps of sentences, checked formulas and tables.
+
+use super::check::Equation;
+use super::formula::Formula;
+
+/// A worked derivation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derivation {
+    /// What is derived.
+    pub title: String,
+    /// Where it begins and where it leads.
+    pub introduction: Vec<Block>,
+    /// The steps in order.
+    pub steps: Vec<Step>,
+}
+
+/// A step of a derivation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What it does.
+    pub heading: String,
+    /// How.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// Sentences.
+    Paragraph(Prose),
+    /// An aside: a common error, a limit of what was said.
+    Remark(Prose),
+    /// A formula with its check.
+    Equation(Equation),
+    /// Numbers in rows.
+    Table(Table),
+}
+
+/// Sentences with formulas in them. What they assert as an equation stands in an [`Equation`], where it is checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prose(pub Vec<Span>);
+
+/// A piece of a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Span {
+    /// Words.
+    Text(String),
+    /// A formula.
+    Formula(Formula),
+}
+
+/// What a reader wants to see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// The steps.
+    Formulas,
+    /// The steps with the numbers of a swing.
+    Numbers,
+}
+
+/// Numbers in rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The titles of the columns.
+    pub head: Vec<Prose>,
+    /// The cells, row by row.
+    pub rows: Vec<Vec<Prose>>,
+    /// How the numbers were made and checked.
+    pub note: Prose,
+}
+
+impl Prose {
+    /// Words alone.
+    pub(super) fn text(text: impl Into<String>) -> Self {
+        Self(vec![Span::Text(text.into())])
+    }
+
+    /// The template with each `{}` replaced by the next formula.
+    pub(super) fn new<const N: usize>(template: &str, formulas: [Formula; N]) -> Self {
+        debug_assert_eq!(template.matches("{}").count(), N, "{template}");
+        let mut formulas = formulas.into_iter();
+        let mut spans = Vec::new();
+        for (n, text) in template.split("{}").enumerate() {
+            if n > 0 {
+                spans.extend(formulas.next().map(Span::Formula));
+            }
+            if !text.is_empty() {
+                spans.push(Span::Text(text.to_owned()));
+            }
+        }
+        Self(spans)
+    }
+
+    /// The formula alone.
+    pub(super) fn formula(formula: Formula) -> Self {
+        Self(vec![Span::Formula(formula)])
+    }
+
+    /// This followed by more.
+    pub(super) fn and(mut self, more: Self) -> Self {
+        self.0.extend(more.0);
+        self
+    }
+}
+
+impl Step {
+    pub(super) fn new(heading: &str) -> Self {
+        Self { heading: heading.to_owned(), blocks: Vec::new() }
+    }
+
+    /// A paragraph, each `{}` of which is the next formula.
+    pub(super) fn say<const N: usize>(self, template: &str, formulas: [Formula; N]) -> Self {
+        self.with(Block::Paragraph(Prose::new(template, formulas)))
+    }
+
+    /// A paragraph where there is something to say.
+    pub(super) fn say_where<const N: usize>(
+        self,
+        wanted: Wanted,
+        template: &str,
+        formulas: [Formula; N],
+    ) -> Self {
+        match wanted {
+            Wanted::Numbers => self.say(template, formulas),
+            Wanted::Formulas => self,
+        }
+    }
+
+    /// An aside.
+    pub(super) fn remark<const N: usize>(self, template: &str, formulas: [Formula; N]) -> Self {
+        self.with(Block::Remark(Prose::new(template, formulas)))
+    }
+
+    /// A checked formula.
+    pub(super) fn show(self, equation: Equation) -> Self {
+        self.with(Block::Equation(equation))
+    }
+
+    /// Checked formulas.
+    pub(super) fn show_all(self, equations: Vec<Equation>) -> Self {
+        equations.into_iter().fold(self, Self::show)
+    }
+
+    /// A table.
+    pub(super) fn table(self, table: Table) -> Self {
+        self.with(Block::Table(table))
+    }
+
+    fn with(mut self, block: Block) -> Self {
+        self.blocks.push(block);
+        self
+    }
+}

@@ -1,0 +1,68 @@
+//! Black and Vel: equations (1) to (54), the appendices, Fig. 1, and the claims of the text.
+
+use super::statement::{Check, Document, Statement};
+
+mod approximations;
+mod equation_of_motion;
+mod integral;
+
+mod fourier;
+mod sizes;
+mod third_order;
+mod two_harmonics;
+
+mod forms;
+mod gauges;
+mod in_amplitude;
+mod iteration;
+
+mod accuracy;
+mod damping;
+mod figure;
+mod regimes;
+
+mod appendix_a;
+mod appendix_b;
+mod appendix_c;
+
+/// In groups.
+pub(super) const STATEMENTS: &[&[Statement]] = &[
+    equation_of_motion::STATEMENTS,
+    approximations::STATEMENTS,
+    integral::STATEMENTS,
+    fourier::STATEMENTS,
+    two_harmonics::STATEMENTS,
+    sizes::STATEMENTS,
+    third_order::STATEMENTS,
+    forms::STATEMENTS,
+    gauges::STATEMENTS,
+    iteration::STATEMENTS,
+    in_amplitude::STATEMENTS,
+    figure::STATEMENTS,
+    regimes::STATEMENTS,
+    accuracy::STATEMENTS,
+    damping::STATEMENTS,
+    appendix_a::STATEMENTS,
+    appendix_b::STATEMENTS,
+    appendix_c::STATEMENTS,
+];
+
+const fn statement(
+    label: &'static str,
+    claim: &'static str,
+    printed: &'static [&'static str],
+    check: Check,
+) -> Statement {
+    Statement { document: Document::BlackVel, after: label, label, claim, printed, check }
+}
+
+/// Text that stands after an equation.
+const fn text_after(
+    after: &'static str,
+    label: &'static str,
+    claim: &'static str,
+    printed: &'static [&'static str],
+    check: Check,
+) -> Statement {
+    Statement { document: Document::BlackVel, after, label, claim, printed, check }
+}

@@ -1,0 +1,93 @@
+//! What a check found.
+
+use std::fmt;
+
+/// What became of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is right.
+    Verified,
+    /// It is meant rightly and written wrongly.
+    Typo,
+    /// It is wrong.
+    Wrong,
+}
+
+impl Verdict {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Verified, Self::Typo, Self::Wrong];
+
+    /// `verified`, `typo` or `wrong`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Verified => "verified",
+            Self::Typo => "typo",
+            Self::Wrong => "wrong",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+/// The verdict on a statement, with its reasons.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// Verified, typo or wrong.
+    pub verdict: Verdict,
+    /// Where the verdict holds, if not everywhere; often empty.
+    pub restriction: String,
+    /// What should stand there; empty where the statement needs no correction.
+    pub correct: String,
+    /// What was computed, with its numbers.
+    pub evidence: String,
+    /// The amplitudes in radians on which a quantitative claim holds; empty for other statements.
+    pub holds_for: Vec<(f64, f64)>,
+}
+
+impl Finding {
+    pub(super) fn verified(evidence: impl Into<String>) -> Self {
+        Self {
+            verdict: Verdict::Verified,
+            restriction: String::new(),
+            correct: String::new(),
+            evidence: evidence.into(),
+            holds_for: Vec::new(),
+        }
+    }
+
+    pub(super) fn typo(correct: impl Into<String>, evidence: impl Into<String>) -> Self {
+        Self { verdict: Verdict::Typo, correct: correct.into(), ..Self::verified(evidence) }
+    }
+
+    pub(super) fn wrong(correct: impl Into<String>, evidence: impl Into<String>) -> Self {
+        Self { verdict: Verdict::Wrong, ..Self::typo(correct, evidence) }
+    }
+
+    /// Verified if `right`, else wrong with this correction.
+    pub(super) fn verified_if(right: bool, correct: impl Into<String>, evidence: impl Into<String>) -> Self {
+        if right { Self::verified(evidence) } else { Self::wrong(correct, evidence) }
+    }
+
+    pub(super) fn restricted(self, restriction: impl Into<String>) -> Self {
+        Self { restriction: restriction.into(), ..self }
+    }
+
+    pub(super) fn with_correct(self, correct: impl Into<String>) -> Self {
+        Self { correct: correct.into(), ..self }
+    }
+
+    pub(super) fn holding_for(self, holds_for: Vec<(f64, f64)>) -> Self {
+        Self { holds_for, ..self }
+    }
+
+    /// The verdict and its restriction: `verified`, `wrong for n = 1`.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        format!("{} {}", self.verdict, self.restriction).trim_end().to_owned()
+    }
+}

@@ -1,0 +1,35 @@
+//! The period of a formula as an exact power series in the amplitude, against the series of the period.
+
+use crate::algebra::Rational;
+use crate::derivation::paper::compare::{first_difference, series_in};
+use crate::derivation::paper::finding::Finding;
+use crate::expression::Expression;
+use crate::period_formulas::{frequency_in_amplitude, period_in_amplitude};
+
+/// T/T0 as a series in the amplitude against the exact one.
+pub(super) fn agreement(formula: &Expression, through: usize) -> Option<Finding> {
+    const TERMS: usize = 16;
+    let printed = series_in("theta0", TERMS, formula, &[("T0", 1)])?;
+    let exact = exact_series(TERMS);
+    let Some((power, difference)) = first_difference(&printed, &exact) else {
+        return Some(Finding::verified(format!("equals the exact series to theta0^{}", printed.len() - 1)));
+    };
+    let term = |n: usize| format!("{}*theta0^{n}", exact[n]);
+    let evidence = format!(
+        "expanded exactly it agrees with the series of the period below theta0^{power}; its error begins with \
+         {difference}*theta0^{power}"
+    );
+    Some(Finding::verified_if(power > through, format!("the term is {}", term(power)), evidence))
+}
+
+/// T/T0 = 1 + 0·θ0 + θ0²/16 + ….
+pub(super) fn exact_series(terms: usize) -> Vec<Rational> {
+    let even = period_in_amplitude(terms / 2).into_iter();
+    even.flat_map(|coefficient| [coefficient, Rational::from(0)]).take(terms).collect()
+}
+
+/// T0/T = 1 + 0·θ0 − θ0²/16 + ….
+pub(super) fn frequency_series(terms: usize) -> Vec<Rational> {
+    let even = frequency_in_amplitude(terms / 2).into_iter();
+    even.flat_map(|coefficient| [coefficient, Rational::from(0)]).take(terms).collect()
+}

@@ -1,0 +1,108 @@
+//! A statement of a document: where it stands, what it says, and how it is checked.
+
+use super::finding::Finding;
+use super::printed::Printed;
+
+/// One of the two documents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Document {
+    /// B. Black and V. Vel, Am. J. Phys. 91, 776 (2023).
+    BlackVel,
+    /// J. Côté, Period of a Pendulum.
+    Cote,
+}
+
+impl Document {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::BlackVel, Self::Cote];
+
+    /// `black-vel` or `cote`.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::BlackVel => "black-vel",
+            Self::Cote => "cote",
+        }
+    }
+
+    /// Author, title and place.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::BlackVel => {
+                "B. Black and V. Vel, An analysis of the large amplitude simple pendulum using Fourier series, \
+                 Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
+            }
+            Self::Cote => "J. C\u{f4}t\u{e9}, Period of a Pendulum; its displayed equations in their order",
+        }
+    }
+}
+
+/// A statement with what became of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Where it stands.
+    pub document: Document,
+    /// `(25)`, `(C2)`, `Fig. 1`, or `text: …`.
+    pub label: String,
+    /// What it says, in words of our own.
+    pub claim: String,
+    /// What stands there, as formulas; integrals and sums by what is under them.
+    pub printed: Vec<String>,
+    /// What was found.
+    pub finding: Finding,
+}
+
+/// A check: what is printed against what is computed; `None` when the printed formulas cannot be evaluated.
+pub(super) type Check = fn(&Printed) -> Option<Finding>;
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Statement {
+    pub(super) document: Document,
+    /// The label itself, or that of the equation or figure which a text follows.
+    pub(super) after: &'static str,
+    pub(super) label: &'static str,
+    pub(super) claim: &'static str,
+    pub(super) printed: &'static [&'static str],
+    pub(super) check: Check,
+}
+
+/// The evidence where a check could not be carried out.
+pub(super) const NOT_EVALUATED: &str = "the printed formula has no value where it is needed";
+
+impl Statement {
+    pub(super) fn row(&self) -> Row {
+        Row {
+            document: self.document,
+            label: self.label.to_owned(),
+            claim: self.claim.to_owned(),
+            printed: self.printed.iter().map(|&text| text.to_owned()).collect(),
+            finding: self.finding(self.printed),
+        }
+    }
+
+    /// What the check finds when this is printed.
+    pub(super) fn finding(&self, printed: &[&str]) -> Finding {
+        let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
+        finding.unwrap_or_else(|| Finding::wrong("", NOT_EVALUATED))
+    }
+}
+
+/// The statements of a document's groups in the order of the document.
+pub(super) fn in_order(groups: &[&'static [Statement]]) -> Vec<&'static Statement> {
+    let mut ordered: Vec<&Statement> = groups.iter().copied().flatten().collect();
+    // A stable sort: what follows an equation comes behind it, in the order of its group.
+    ordered.sort_by_key(|statement| (place_of(statement.after), statement.after != statement.label));
+    ordered
+}
+
+/// The place of `(25)`, `(C2)` or `Fig. 1`, in appendix and number; the figure is referred to after equation (51).
+fn place_of(label: &str) -> (Option<char>, u32, u32) {
+    if label.starts_with("Fig.") {
+        return (None, 51, 1);
+    }
+    let number = label.trim_matches(['(', ')']);
+    let digits = number.trim_start_matches(|letter: char| letter.is_ascii_uppercase());
+    let appendix = number.chars().next().filter(char::is_ascii_uppercase);
+    (appendix, digits.parse().unwrap_or(u32::MAX), 0)
+}

@@ -1,0 +1,49 @@
+//! Text made harmless: every character stands for itself in the form it is written to.
+
+/// For the text of HTML and MathML.
+pub(super) fn html(text: &str) -> String {
+    text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            letter => escaped.push(letter),
+        }
+        escaped
+    })
+}
+
+/// For the text of LaTeX, which is given Unicode by inputenc and T1 fonts; what these do not have is spelt.
+pub(super) fn latex_text(text: &str) -> String {
+    text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
+        match letter {
+            '\\' => escaped.push_str("\\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '_' | '%' => escaped.extend(['\\', letter]),
+            '^' => escaped.push_str("\\textasciicircum{}"),
+            '~' => escaped.push_str("\\textasciitilde{}"),
+            '–' => escaped.push_str("--"),
+            '’' => escaped.push('\''),
+            '“' => escaped.push_str("``"),
+            '”' => escaped.push_str("''"),
+            '…' => escaped.push_str("\\ldots{}"),
+            '°' => escaped.push_str("\\ensuremath{^\\circ}"),
+            '−' => escaped.push_str("\\ensuremath{-}"),
+            letter => escaped.push(letter),
+        }
+        escaped
+    })
+}
+
+/// For the text of Markdown: nothing becomes emphasis, a link, a heading or HTML.
+pub(super) fn markdown(text: &str) -> String {
+    text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
+        match letter {
+            '<' => escaped.push_str("&lt;"),
+            '&' => escaped.push_str("&amp;"),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '$' | '#' | '|' => escaped.extend(['\\', letter]),
+            letter => escaped.push(letter),
+        }
+        escaped
+    })
+}

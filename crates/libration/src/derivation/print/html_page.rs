@@ -1,0 +1,104 @@
+//! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
+
+use super::super::check::Equation;
+use super::super::document::{Block, Derivation, Prose, Span, Table};
+use super::escape::html;
+use super::layout::{self, Layout, Style};
+use super::mathml::mathml;
+
+const STYLE: &str = "
+:root { color-scheme: light dark; --ink: #1c1c1c; --paper: #fdfcf9; --soft: #6b6b6b; --line: #d9d5cb; --tick: #2c7a3f }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e2dc; --paper: #181a1b; --soft: #a09c92; --line: #3b3d3e; --tick: #7cc48d }
+}
+body { max-width: 44rem; margin: 3rem auto; padding: 0 1.2rem; color: var(--ink); background: var(--paper);
+  font: 1.05rem/1.6 Charter, 'Bitstream Charter', 'Iowan Old Style', Georgia, 'Times New Roman', serif }
+h1 { font-size: 1.7rem; line-height: 1.25 }
+h2 { font-size: 1.2rem; margin-top: 2.4rem; border-top: 1px solid var(--line); padding-top: 1rem }
+math { font-size: 1.06em }
+.formula { overflow-x: auto; overflow-y: hidden; padding: .3rem 0; text-align: center }
+.formula mtd { padding: .25em .1em }
+.formula mtd:first-child { text-align: right }
+.formula mtd + mtd { text-align: left }
+.check { color: var(--soft); font-size: .82rem; line-height: 1.4; text-align: center; margin: 0 1rem 1rem }
+.check::before { content: '✓ '; color: var(--tick); font-weight: bold }
+.remark { border-left: 3px solid var(--line); margin-left: 0; padding-left: 1rem; color: var(--soft) }
+.wide { overflow-x: auto }
+table { border-collapse: collapse; margin: 1rem auto .4rem; font-size: .92rem; font-variant-numeric: tabular-nums }
+th, td { padding: .2rem .7rem; text-align: right; white-space: nowrap }
+thead th { border-bottom: 1px solid var(--ink); font-weight: normal }
+tbody tr + tr td { border-top: 1px solid var(--line) }
+";
+
+/// The derivation as a page that stands alone.
+#[must_use]
+pub fn to_html(derivation: &Derivation) -> String {
+    let title = html(&derivation.title);
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+    );
+    write_blocks(&mut page, &derivation.introduction);
+    for (n, step) in derivation.steps.iter().enumerate() {
+        page.push_str(&format!("<h2>{}. {}</h2>\n", n + 1, html(&step.heading)));
+        write_blocks(&mut page, &step.blocks);
+    }
+    page.push_str("</body>\n</html>\n");
+    page
+}
+
+fn write_blocks(page: &mut String, blocks: &[Block]) {
+    for block in blocks {
+        page.push_str(&match block {
+            Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
+            Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
+            Block::Equation(it) => equation(it),
+            Block::Table(it) => table(it),
+        });
+        page.push('\n');
+    }
+}
+
+fn prose(prose: &Prose) -> String {
+    let span = |span: &Span| match span {
+        Span::Text(text) => html(text),
+        Span::Formula(formula) => format!("<math>{}</math>", mathml(&Style::Inline.formula(formula))),
+    };
+    prose.0.iter().map(span).collect()
+}
+
+fn equation(equation: &Equation) -> String {
+    let (first, rest) = layout::statement(equation.statement());
+    let inside = if rest.len() > 1 { aligned(&first, &rest) } else { in_a_row(&first, &rest) };
+    format!(
+        "<div class=\"formula\"><math display=\"block\">{inside}</math></div>\n<p class=\"check\">{}</p>",
+        prose(&equation.check().to_prose())
+    )
+}
+
+fn in_a_row(first: &Layout, rest: &[(Layout, Layout)]) -> String {
+    let links: String = rest.iter().map(|(relation, formula)| mathml(relation) + &mathml(formula)).collect();
+    format!("<mrow>{}{links}</mrow>", mathml(first))
+}
+
+fn aligned(first: &Layout, rest: &[(Layout, Layout)]) -> String {
+    let row = |left: &str, (relation, formula): &(Layout, Layout)| {
+        format!("<mtr><mtd>{left}</mtd><mtd><mrow>{}{}</mrow></mtd></mtr>", mathml(relation), mathml(formula))
+    };
+    let mut left = mathml(first);
+    let rows: String = rest.iter().map(|link| row(&std::mem::take(&mut left), link)).collect();
+    format!("<mtable displaystyle=\"true\">{rows}</mtable>")
+}
+
+fn table(table: &Table) -> String {
+    let cells = |tag: &str, cells: &[Prose]| -> String {
+        cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", prose(cell))).collect()
+    };
+    let rows: String = table.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", row))).collect();
+    format!(
+        "<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n<p class=\"check\">{}</p>",
+        cells("th", &table.head),
+        prose(&table.note)
+    )
+}

@@ -1,0 +1,69 @@
+//! Derivations as a LaTeX document that needs amsmath alone.
+
+use super::super::document::{Block, Derivation, Prose, Span, Table};
+use super::escape::latex_text;
+use super::{inline_latex, statement_latex};
+
+const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
+\\usepackage{amsmath}
+\\setlength{\\parindent}{0pt}
+\\setlength{\\parskip}{0.6em}
+\\setlength{\\textwidth}{15cm}
+\\setlength{\\oddsidemargin}{0.5cm}
+\\setlength{\\textheight}{23cm}
+\\setlength{\\topmargin}{-1cm}
+\\postdisplaypenalty=10000
+\\newcommand{\\checked}[1]{\\par\\nobreak\\vspace{-0.8em}{\\centering\\footnotesize\\itshape #1\\par}\\vspace{0.4em}}
+\\newenvironment{remark}{\\begin{quote}\\small}{\\end{quote}}
+";
+
+/// The derivation as a complete document for `pdflatex`.
+#[must_use]
+pub fn to_latex(derivation: &Derivation) -> String {
+    let mut text = HEAD.to_owned();
+    text.push_str(&format!("\\title{{{}}}\n\\author{{}}\n\\date{{}}\n", latex_text(&derivation.title)));
+    text.push_str("\\begin{document}\n\\maketitle\n");
+    write_blocks(&mut text, &derivation.introduction);
+    for step in &derivation.steps {
+        text.push_str(&format!("\n\\section{{{}}}\n", latex_text(&step.heading)));
+        write_blocks(&mut text, &step.blocks);
+    }
+    text.push_str("\n\\end{document}\n");
+    text
+}
+
+fn write_blocks(text: &mut String, blocks: &[Block]) {
+    for block in blocks {
+        text.push('\n');
+        text.push_str(&match block {
+            Block::Paragraph(it) => prose(it),
+            Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
+            Block::Equation(equation) => format!(
+                "\\[\n{}\n\\]\n\\checked{{{}}}",
+                statement_latex(equation.statement()),
+                prose(&equation.check().to_prose())
+            ),
+            Block::Table(it) => table(it),
+        });
+        text.push('\n');
+    }
+}
+
+fn prose(prose: &Prose) -> String {
+    let span = |span: &Span| match span {
+        Span::Text(text) => latex_text(text),
+        Span::Formula(formula) => format!("${}$", inline_latex(formula)),
+    };
+    prose.0.iter().map(span).collect()
+}
+
+fn table(table: &Table) -> String {
+    let line = |cells: &[Prose]| cells.iter().map(prose).collect::<Vec<_>>().join(" & ") + " \\\\\n";
+    let rows: String = table.rows.iter().map(|row| line(row)).collect();
+    format!(
+        "\\begin{{center}}\n\\small\n\\begin{{tabular}}{{{}}}\n{}\\hline\n{rows}\\end{{tabular}}\n\\end{{center}}\n\\checked{{{}}}",
+        "r".repeat(table.head.len()),
+        line(&table.head),
+        prose(&table.note),
+    )
+}

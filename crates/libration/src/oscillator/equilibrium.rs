@@ -1,0 +1,156 @@
+//! Where an oscillator can rest, and whether it returns there.
+
+use super::constant::{Approximation, Constant, PRECISION};
+use super::error::{Refusal, Unfit};
+use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
+use super::roots::{LARGEST_DEGREE, SEARCHED, polynomial_zeros, zeros};
+use crate::algebra::{BigFloat, Rational};
+use crate::expression::Expression;
+
+/// How far a zero may be from the number found for it, relative to it or to one.
+pub(super) const FOUND_WITHIN: f64 = 1e-6;
+
+/// Bits of the longest fractions that are tried as zeros.
+const LONGEST_FRACTION: usize = 128;
+
+/// A place of rest.
+#[derive(Clone, Debug)]
+pub(super) struct Equilibrium {
+    pub(super) at: Constant,
+    pub(super) omega0_squared: Constant,
+}
+
+/// Numbers next to which the force at rest vanishes, and where they were looked for.
+pub(super) struct Candidates {
+    /// The nearest to zero first, of equal distance the positive one.
+    pub(super) near: Vec<f64>,
+    pub(super) searched: String,
+}
+
+/// Where the force at rest passes zero, to double precision.
+pub(super) fn candidates(force: &Force) -> Candidates {
+    let at_rest = force.at_rest();
+    let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
+    let (mut near, searched) = match (polynomial, Curve::new(&at_rest, &force.x)) {
+        (Some(coefficients), _) => (polynomial_zeros(&scaled(&coefficients)), "all real numbers".to_owned()),
+        (None, Some(curve)) => (zeros(|x| curve.at(x)), format!("from -{SEARCHED} to {SEARCHED}")),
+        (None, None) => (vec![], "nothing".to_owned()),
+    };
+    near.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(b.total_cmp(a)));
+    near.dedup();
+    Candidates { near, searched }
+}
+
+/// The coefficients over the last one, rounded.
+fn scaled(coefficients: &[Rational]) -> Vec<f64> {
+    let last = coefficients.last();
+    let over_last = |c: &Rational| last.and_then(|last| c.checked_div(last)).map_or(0.0, |c| c.to_f64());
+    coefficients.iter().map(over_last).collect()
+}
+
+/// The zero of the force next to a candidate.
+pub(super) fn refined(force: &Force, near: f64) -> Option<Constant> {
+    zero_or_fraction(force, near, FOUND_WITHIN)
+}
+
+/// The zero of the force next to a number, exactly if it is a fraction.
+fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
+    let fraction = |number: &BigFloat, bits| {
+        let simplest = simplest_about(number, bits);
+        let fits = simplest.bits() <= LONGEST_FRACTION && vanishes_at(force, &simplest);
+        fits.then_some(Constant::Exact(simplest))
+    };
+    // A multiple zero is no place for Newton's method, but may be a fraction of few digits.
+    if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
+        return Some(simple);
+    }
+    let digits = zero_next_to(force, near, within, PRECISION)?;
+    Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
+}
+
+/// Whether the force at rest is proved to vanish there.
+pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
+    let at_rest = force.at_rest();
+    let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
+    // Exact arithmetic is for what vanishes in digits.
+    let digits = curve.precisely_at(&BigFloat::from_rational(place, PRECISION));
+    let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(place));
+    value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
+}
+
+/// Whether a number of [`PRECISION`] bits may be what rounding leaves of zero.
+fn is_tiny(number: &BigFloat) -> bool {
+    let quarter = isize::try_from(PRECISION / 4).unwrap_or(isize::MAX);
+    number.exponent().is_none_or(|size| size < -quarter)
+}
+
+/// The zero next to a constant that is given, at most 5 % away.
+pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
+    const WITHIN: f64 = 0.05;
+    if let Some(exact) = place.to_rational().filter(|exact| vanishes_at(force, exact)) {
+        return Some(Constant::Exact(exact));
+    }
+    zero_or_fraction(force, Curve::new(place, &force.x)?.at(0.0), WITHIN)
+}
+
+/// The zero of the force to so many bits, by Newton's method from a number next to it.
+pub(super) fn zero_next_to(force: &Force, near: f64, within: f64, precision: usize) -> Option<BigFloat> {
+    const MOST_STEPS: usize = 30;
+    let (at_rest, stiffness) = (force.at_rest(), force.stiffness());
+    let (force, stiffness) = (Curve::new(&at_rest, &force.x)?, Curve::new(&stiffness, &force.x)?);
+    let mut x = BigFloat::from_f64(near, precision)?;
+    for _ in 0..MOST_STEPS {
+        let step = newton_step(force.precisely_at(&x)?, stiffness.precisely_at(&x)?)?;
+        x = x + step.clone();
+        if is_last(&step, &x) {
+            return Some(x).filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0));
+        }
+    }
+    None
+}
+
+/// F/(−F′); no step where F vanishes, `None` where only F′ does.
+fn newton_step(force: BigFloat, stiffness: BigFloat) -> Option<BigFloat> {
+    if force.is_zero() {
+        return Some(force);
+    }
+    (!stiffness.is_zero()).then(|| force / stiffness)
+}
+
+/// Whether the next step of Newton's method would be below the last bits.
+fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
+    let bits = isize::try_from(x.precision() * 9 / 10).unwrap_or(isize::MAX);
+    step.exponent().is_none_or(|size| size < x.exponent().unwrap_or(0).max(0) - bits)
+}
+
+/// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
+pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Refusal> {
+    let refusal = |why| Refusal { at: at.to_string(), why };
+    let stiffness = value_at(force, &force.stiffness(), &at);
+    let omega0_squared = stiffness.ok_or_else(|| refusal(Unfit::NotSmooth))?;
+    if !omega0_squared.is_positive() {
+        return Err(refusal(Unfit::NotRestoring { omega0_squared: omega0_squared.to_string() }));
+    }
+    if !force.is_reversible() {
+        let damping = value_at(force, &force.damping(), &at).filter(|it| it.to_f64() != 0.0);
+        return Err(refusal(match damping {
+            Some(damping) => Unfit::Damped { damping: damping.to_string() },
+            None => Unfit::Irreversible,
+        }));
+    }
+    Ok(Equilibrium { at, omega0_squared })
+}
+
+/// The value of a formula at a constant; one that is zero to its digits is zero.
+fn value_at(force: &Force, formula: &Expression, at: &Constant) -> Option<Constant> {
+    let curve = Curve::new(formula, &force.x)?;
+    match at {
+        Constant::Exact(place) => curve.constant_at(place),
+        Constant::Approximate(Approximation(place)) => {
+            let value = curve.precisely_at(place)?;
+            let zero = is_tiny(&value).then(|| Rational::from(0));
+            let exact = formula.to_rational().or(zero).map(Constant::Exact);
+            Some(exact.unwrap_or(Constant::Approximate(Approximation(value))))
+        }
+    }
+}

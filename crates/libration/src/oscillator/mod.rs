@@ -1,0 +1,20 @@
+//! Oscillators: an equation of motion about an equilibrium, and a catalogue of named ones.
+
+mod catalogue;
+mod named;
+
+mod constant;
+mod equilibrium;
+mod force;
+mod roots;
+
+mod error;
+mod model;
+
+pub use constant::{Approximation, Constant};
+pub use error::{OscillatorError, Refusal, Unfit};
+pub use model::{Kind, Oscillator};
+pub use named::{NamedOscillator, Parameter, UnknownOscillator, catalogue};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,112 @@
+//! The oscillators that can be asked for by name.
+
+use super::catalogue::CATALOGUE;
+use super::{Oscillator, OscillatorError};
+use crate::expression::{Equation, EquationError, Expression};
+use crate::quantity::{excerpt, nearest};
+
+/// An oscillator of the literature, as data.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::NamedOscillator;
+/// let duffing = NamedOscillator::by_key("duffing")?;
+/// let oscillator = duffing.oscillator(&[("epsilon", "0.1".parse()?)])?;
+/// assert_eq!(oscillator.acceleration().to_string(), "-x - 0.1*x^3");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct NamedOscillator {
+    /// The name it is asked for by.
+    pub key: &'static str,
+    /// Other names for it.
+    pub also: &'static [&'static str],
+    /// What it is called in a sentence.
+    pub title: &'static str,
+    /// Its equation of motion.
+    pub equation: &'static str,
+    /// The parameters in it.
+    pub parameters: &'static [Parameter],
+    /// The parameter in which a limit cycle is expanded; it keeps no value.
+    pub expansion_parameter: Option<&'static str>,
+    /// What it describes.
+    pub description: &'static str,
+    /// Which motions are oscillations about the equilibrium.
+    pub domain: &'static str,
+    /// Where it comes from; `attributed to` where that is not read but remembered.
+    pub source: &'static str,
+}
+
+/// A parameter of a named oscillator.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// Its name in the equation.
+    pub name: &'static str,
+    /// The value it has unless another is given.
+    pub default: &'static str,
+    /// What it stands for.
+    pub meaning: &'static str,
+}
+
+/// A key that no oscillator has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "no oscillator has the key `{key}`; the nearest are {}; the keys are {}; or write its equation, as x'' + sin(x) = 0",
+    near.join(", "),
+    known.join(", ")
+)]
+pub struct UnknownOscillator {
+    /// What was asked for, shortened.
+    pub key: String,
+    /// The nearest keys there are.
+    pub near: Vec<String>,
+    /// All keys.
+    pub known: Vec<&'static str>,
+}
+
+/// Every oscillator of the catalogue.
+#[must_use]
+pub fn catalogue() -> &'static [NamedOscillator] {
+    &CATALOGUE
+}
+
+impl NamedOscillator {
+    /// The oscillator of this key.
+    ///
+    /// # Errors
+    /// No oscillator has this key; the error lists the nearest keys and all of them.
+    pub fn by_key(key: &str) -> Result<&'static Self, UnknownOscillator> {
+        let found = CATALOGUE.iter().find(|named| named.keys().any(|known| known == key));
+        found.ok_or_else(|| UnknownOscillator {
+            key: excerpt(key),
+            near: nearest(&excerpt(key), CATALOGUE.iter().flat_map(Self::keys)),
+            known: CATALOGUE.iter().map(|named| named.key).collect(),
+        })
+    }
+
+    fn keys(&self) -> impl Iterator<Item = &'static str> {
+        std::iter::once(self.key).chain(self.also.iter().copied())
+    }
+
+    /// The equation with these values of parameters, the default values for the others; an expansion parameter that is
+    /// not given stays.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn equation_with(&self, values: &[(&str, Expression)]) -> Result<Equation, EquationError> {
+        let given = self.equation.parse::<Equation>()?.with(values)?;
+        let open = given.parameters();
+        let open = self.parameters.iter().filter(|it| open.contains(it.name));
+        let open = open.filter(|it| Some(it.name) != self.expansion_parameter);
+        let defaults = open.map(|it| Ok((it.name, it.default.parse()?)));
+        given.with(&defaults.collect::<Result<Vec<_>, EquationError>>()?)
+    }
+
+    /// The oscillator about its equilibrium, with these values of parameters.
+    ///
+    /// # Errors
+    /// As [`equation_with`](Self::equation_with) and [`Oscillator::new`].
+    pub fn oscillator(&self, values: &[(&str, Expression)]) -> Result<Oscillator, OscillatorError> {
+        Oscillator::new(&self.equation_with(values)?)
+    }
+}

@@ -1,0 +1,165 @@
+//! A model's series in floats, where its numbers are not rational, computed twice to know how many digits hold.
+
+use super::limit_cycle::first_sine;
+use super::model::{Model, Motion, Selected, values_at};
+use super::selection::interpolated;
+use super::series_set::SeriesSet;
+use crate::algebra::{BigFloat, Floats, HarmonicSums, Rational, Ring};
+use crate::expression::{Jet, Tape};
+
+/// Decimal digits of an answer in floats.
+pub(crate) const DIGITS: usize = 40;
+
+/// Bits for this many digits.
+fn bits(digits: usize) -> usize {
+    digits * 10 / 3 + 16
+}
+
+/// A model in floats, and its equilibrium.
+pub(crate) type Prepared = (Model<BigFloat>, BigFloat);
+
+/// The series with ω0² and the equilibrium, once two precisions agree to [`DIGITS`]; `None` when none do, or there
+/// are no series.
+pub(crate) fn approximate_series(
+    prepare: &dyn Fn(Floats) -> Option<Prepared>,
+) -> Option<(SeriesSet<Rational>, Rational, Rational)> {
+    let mut precision = bits(DIGITS) + 64;
+    let mut coarse = series_at(prepare, precision)?.0;
+    for _ in 0..6 {
+        precision += precision / 2;
+        let (fine, omega0_squared, equilibrium) = series_at(prepare, precision)?;
+        if agree(&coarse, &fine) {
+            let numbers = fine.numbers();
+            let set = fine.with_numbers(numbers.iter().map(|x| cleaned(x).to_rational()))?;
+            return Some((set, omega0_squared.to_rational(), cleaned(&equilibrium).to_rational()));
+        }
+        coarse = fine;
+    }
+    None
+}
+
+fn series_at(
+    prepare: &dyn Fn(Floats) -> Option<Prepared>,
+    precision: usize,
+) -> Option<(SeriesSet<BigFloat>, BigFloat, BigFloat)> {
+    let floats = Floats { precision };
+    let (model, equilibrium) = prepare(floats)?;
+    let ring = HarmonicSums { numbers: floats };
+    let set = model.series(&ring, |x| Some(x.clone()), |x| Some(x.sqrt()))?;
+    Some((set, model.omega0_squared, equilibrium))
+}
+
+fn digits_as_bits() -> isize {
+    isize::try_from(bits(DIGITS)).unwrap_or(isize::MAX)
+}
+
+/// What is left of a cancellation is zero.
+fn cleaned(x: &BigFloat) -> BigFloat {
+    let noise = x.exponent().is_none_or(|exponent| exponent < -digits_as_bits());
+    let kept = x.rounded_to(bits(DIGITS));
+    if noise { kept.clone() - kept } else { kept }
+}
+
+fn agree(coarse: &SeriesSet<BigFloat>, fine: &SeriesSet<BigFloat>) -> bool {
+    coarse.numbers().iter().zip(&fine.numbers()).all(|(a, b)| {
+        let size = b.exponent().unwrap_or(0).max(0);
+        (a.clone() - b.clone()).exponent().is_none_or(|gap| gap < size - digits_as_bits())
+    })
+}
+
+/// The centre at the equilibrium next to a number, by Newton's method.
+pub(crate) fn centre(
+    floats: Floats,
+    tape: &Tape,
+    near: f64,
+    motion: Motion<BigFloat>,
+    uses_velocity: bool,
+    order: usize,
+) -> Option<Prepared> {
+    const MOST_STEPS: usize = 64;
+    let settled = isize::try_from(floats.precision).ok()? - 8;
+    let mut x = BigFloat::from_f64(near, floats.precision)?;
+    let (mut force, mut slope) = force_and_slope(floats, tape, &x)?;
+    for _ in 0..MOST_STEPS {
+        let step = floats.divide(&force, &slope)?;
+        x = x - step.clone();
+        (force, slope) = force_and_slope(floats, tape, &x)?;
+        if step.exponent().is_none_or(|size| size < x.exponent().unwrap_or(0).max(0) - settled) {
+            break;
+        }
+    }
+    let values = values_at(&floats, tape, x.clone())?;
+    let model = Model { tape: tape.clone(), values, omega0_squared: -slope, uses_velocity, motion, order };
+    Some((model, x))
+}
+
+/// F and ∂F/∂x at rest.
+fn force_and_slope(floats: Floats, tape: &Tape, x: &BigFloat) -> Option<(BigFloat, BigFloat)> {
+    let mut jet = Jet::new(&floats, tape, &[x.clone(), floats.zero()]).ok()?;
+    jet.extend(&[floats.rational(&1.into())?, floats.zero()]).ok()?;
+    let force = jet.result(0);
+    Some((force[0].clone(), force[1].clone()))
+}
+
+/// The attracting limit cycle of smallest amplitude.
+pub(crate) fn limit_cycle(
+    floats: Floats,
+    tape: &Tape,
+    omega0_squared: &Rational,
+    degree: usize,
+    symmetric: bool,
+    order: usize,
+) -> Option<Prepared> {
+    let omega0_squared = floats.rational(omega0_squared)?;
+    let omega0 = omega0_squared.sqrt();
+    let ring = HarmonicSums { numbers: floats };
+    let places: Vec<BigFloat> = (1..=i64::try_from(degree.div_ceil(2)).ok()?)
+        .map(|a| BigFloat::from_integer(a, floats.precision))
+        .collect();
+    let value = |a: &BigFloat| floats.divide(&first_sine(&ring, tape, &omega0, a)?, a);
+    let values = places.iter().map(value).collect::<Option<Vec<_>>>()?;
+    let squares: Vec<BigFloat> = places.iter().map(|a| floats.multiply(a, a)).collect();
+    let condition = interpolated(&floats, &squares, &values)?;
+    let square = attracting_root(floats, &condition)?;
+    let selected = Selected {
+        amplitude: square.sqrt(),
+        unit_squared: floats.rational(&1.into())?,
+        slope: slope(floats, &condition, &square),
+        degree,
+        symmetric,
+    };
+    let motion = Motion::LimitCycle(selected);
+    let model =
+        Model { tape: tape.clone(), values: vec![], omega0_squared, uses_velocity: true, motion, order };
+    Some((model, floats.zero()))
+}
+
+fn at(floats: Floats, condition: &[BigFloat], s: &BigFloat) -> BigFloat {
+    condition.iter().rev().fold(floats.zero(), |sum, m| floats.add(&floats.multiply(&sum, s), m))
+}
+
+/// Σ (2j + 1)·mⱼsʲ.
+fn slope(floats: Floats, condition: &[BigFloat], s: &BigFloat) -> BigFloat {
+    let weighted = condition.iter().zip((1..).step_by(2)).map(|(m, weight)| floats.times_integer(m, weight));
+    at(floats, &weighted.collect::<Vec<_>>(), s)
+}
+
+/// The smallest s at which the condition changes from negative to positive, between 2⁻⁴⁰ and 2⁴⁰, by bisection.
+fn attracting_root(floats: Floats, condition: &[BigFloat]) -> Option<BigFloat> {
+    const STEPS_PER_OCTAVE: i64 = 32;
+    let negative = |s: &BigFloat| at(floats, condition, s) < floats.zero();
+    let ratio = floats.power(&floats.rational(&2.into())?, &Rational::new(1, STEPS_PER_OCTAVE)?)?;
+    let mut low = floats.power(&floats.rational(&2.into())?, &Rational::from(-40))?;
+    for _ in 0..80 * STEPS_PER_OCTAVE {
+        let mut high = floats.multiply(&low, &ratio);
+        if negative(&low) && !negative(&high) {
+            for _ in 0..floats.precision {
+                let middle = floats.add(&low, &high).halved();
+                if negative(&middle) { low = middle } else { high = middle }
+            }
+            return Some(low);
+        }
+        low = high;
+    }
+    None
+}
