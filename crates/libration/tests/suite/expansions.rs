@@ -20,7 +20,7 @@ fn integer(n: usize) -> Rational {
 
 fn product(a: &[Rational], b: &[Rational]) -> Series {
     let length = a.len().min(b.len());
-    let term = |n: usize| (0..=n).map(|i| a[i].clone() * b[n - i].clone());
+    let term = |n: usize| (0..=n).map(move |i| a[i].clone() * b[n - i].clone());
     (0..length).map(|n| term(n).fold(Rational::from(0), |sum, x| sum + x)).collect()
 }
 
