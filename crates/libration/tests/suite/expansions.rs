@@ -170,7 +170,10 @@ fn chebyshev_in_reciprocal(n: usize, length: usize) -> Series {
         return before;
     }
     for _ in 1..n {
-        let next = sum(&scaled(&now, &Rational::from(8)), &scaled(&product(&variable_squared, &before), &Rational::from(-1)));
+        let next = sum(
+            &scaled(&now, &Rational::from(8)),
+            &scaled(&product(&variable_squared, &before), &Rational::from(-1)),
+        );
         (before, now) = (now, next);
     }
     now
@@ -208,7 +211,7 @@ fn the_pendulum_in_its_fundamental_is_a_quotient_of_chebyshev_polynomials() {
 fn the_period_obeys_legendre_and_euler() {
     let order = 61;
     let of = expand(&pendulum(), order, &Gauge::Fundamental).unwrap().of_amplitude.unwrap();
-    let euler: Series = period_in_amplitude(order / 2 + 1);
+    let euler: Series = period_in_amplitude(order / 2);
     assert_eq!(of.period_ratio.iter().step_by(2).cloned().collect::<Vec<_>>(), euler);
     // sin θ R″ + cos θ R′ − ¼ sin θ R = 0.
     let derivative = |a: &[Rational]| -> Series {
@@ -325,7 +328,8 @@ fn coefficients_in_digits_agree_with_exact_ones() {
 
 #[test]
 fn questions_without_an_answer_are_refused() {
-    let ask = |equation: &str, gauge: Gauge| expand(&oscillator(equation), 5, &gauge).unwrap_err().to_string();
+    let ask =
+        |equation: &str, gauge: Gauge| expand(&oscillator(equation), 5, &gauge).unwrap_err().to_string();
     assert!(ask("x'' = -x*(1-x'^2)^(3/2)", Gauge::Energy).contains("velocity"));
     assert!(ask("x'' = -x - x^3", Gauge::Nome).contains("pendulum"));
     assert!(ask("x'' = -x + mu*(1-x^2)*x'", Gauge::XMax).contains("limit cycle"));
