@@ -28,6 +28,3 @@ pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
 pub use restoring_force::restoring_force;
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
-
-#[cfg(test)]
-mod tests;
