@@ -18,6 +18,7 @@ mod fourier;
 mod ledger;
 mod measurement;
 mod motion;
+mod open_gauge;
 mod period;
 mod period_formulas;
 mod quantity;
