@@ -90,7 +90,7 @@ impl Residues {
 #[derive(Debug)]
 struct MixedRadix<'a> {
     fields: &'a [PrimeField],
-    /// p₀⋯pⱼ₋₁ modulo p_k, by k and j ≤ k, in Montgomery form.
+    /// p₀⋯pⱼ₋₁ modulo pₖ, by k and j ≤ k, in Montgomery form.
     products: Vec<Vec<u64>>,
     /// The inverse of the last of these.
     inverses: Vec<u64>,

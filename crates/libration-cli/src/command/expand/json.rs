@@ -25,7 +25,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         of.as_ref().map_or(Value::Null, |of| of_amplitude(of, expansion.precision))
     };
     let mut record = Record::new()
-        .with("oscillator", answer.key.clone())
+        .with("oscillator", answer.key)
         .with("equation", answer.equation.clone())
         .with("order", expansion.order)
         .with("gauge", gauge)
