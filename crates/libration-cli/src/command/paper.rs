@@ -137,10 +137,11 @@ fn write_pages(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
 
 fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
     let finding = &row.finding;
-    writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, finding.summary().to_uppercase()), 0))?;
+    let verdict = format!("{} {}", finding.verdict.name().to_uppercase(), finding.restriction);
+    writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, verdict.trim_end()), 0))?;
     writeln!(out, "{}", wrapped(&row.claim, INDENT))?;
-    for formula in &row.printed {
-        writeln!(out, "{}", wrapped(&format!("printed   {formula}"), INDENT))?;
+    if !row.printed.is_empty() {
+        writeln!(out, "{}", wrapped(&format!("printed   {}", row.printed.join("; ")), INDENT))?;
     }
     if !finding.correct.is_empty() {
         writeln!(out, "{}", wrapped(&format!("correct   {}", finding.correct), INDENT))?;

@@ -4,7 +4,7 @@ use super::accuracy::ratio_of_leading_errors;
 use super::text_after;
 use crate::algebra::Rational;
 use crate::derivation::paper::amplitudes::in_degrees;
-use crate::derivation::paper::compare::{decimal, first_difference, series_in};
+use crate::derivation::paper::compare::{decimal, first_difference};
 use crate::derivation::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders, ratio_at,
 };
