@@ -46,7 +46,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     text_after(
         "Fig. 1",
-        "text: the 1/T form is worth its while against the power series (14)",
+        "text: (implicit) the 1/T form is worth its while against the power series (14)",
         "With as many corrections the series of 1/T is more accurate than that of T.",
         &["corrections = 3"],
         against_the_power_series,
