@@ -54,7 +54,7 @@ impl Equation {
         names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
     }
 
-    /// The equations with constants in the place of parameters.
+    /// The equations with constants in the place of parameters, simplified.
     ///
     /// # Errors
     /// A name that is no parameter, or is given twice; a value that has symbols in it; an equation whose second
@@ -74,7 +74,8 @@ impl Equation {
                 *side = side.substitute(&symbol, value);
             }
         }
-        Self::solved(written)
+        let simplified = |(left, right): (Expression, Expression)| (left.simplified(), right.simplified());
+        Self::solved(written.into_iter().map(simplified).collect())
     }
 
     /// Solves each equation for its own second derivative.

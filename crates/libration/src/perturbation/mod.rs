@@ -26,6 +26,3 @@ pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precisio
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
-
-#[cfg(test)]
-mod tests;

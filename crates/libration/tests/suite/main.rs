@@ -11,6 +11,7 @@ mod accuracy;
 mod architecture;
 mod elliptic;
 mod equation;
+mod expansions;
 mod expression;
 mod fit;
 mod fourier;
