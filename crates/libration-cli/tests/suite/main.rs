@@ -9,4 +9,5 @@ mod files;
 mod fit;
 mod formulas;
 mod motion;
+mod paper;
 mod period;

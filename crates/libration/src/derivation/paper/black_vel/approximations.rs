@@ -85,8 +85,9 @@ fn asymptotic_at_the_top(printed: &Printed) -> Option<Finding> {
         let complement = PI - theta0;
         let formula = decimal(printed.formula(0)?, &[("T0", 2.0), ("theta0", theta0)])? / 2.0;
         let error = formula / period_ratio_near_top(complement) - 1.0;
-        let expected = -(1.0 / 16.0 - 1.0 / (48.0 * libm::log(8.0 / complement))) * complement * complement;
-        vanishes &= (error - expected).abs() < complement.powi(4) + ROUNDING;
+        let square = complement * complement;
+        let expected = -(1.0 / 16.0 - 1.0 / (48.0 * libm::log(8.0 / complement))) * square;
+        vanishes &= (error - expected).abs() < square * square + ROUNDING;
         shown.push(format!("{error:.3e} at {complement:.0e} rad below pi"));
     }
     let evidence = format!(

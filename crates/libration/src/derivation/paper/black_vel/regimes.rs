@@ -4,7 +4,7 @@ use super::accuracy::ratio_of_leading_errors;
 use super::text_after;
 use crate::algebra::Rational;
 use crate::derivation::paper::amplitudes::in_degrees;
-use crate::derivation::paper::compare::{decimal, first_difference, series_in};
+use crate::derivation::paper::compare::{decimal, first_difference};
 use crate::derivation::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders, ratio_at,
 };
@@ -46,7 +46,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     text_after(
         "Fig. 1",
-        "text: the 1/T form is worth its while against the power series (14)",
+        "text: (implicit) the 1/T form is worth its while against the power series (14)",
         "With as many corrections the series of 1/T is more accurate than that of T.",
         &["corrections = 3"],
         against_the_power_series,
