@@ -1,4 +1,10 @@
-//! Periodic motions of any oscillator as exact series.
+//! Periodic motions of any oscillator as power series, exact and to any order.
+//!
+//! About a centre the motions form a family with a parameter ε, whose meaning is free: the [`Gauge`]. [`expand`] gives
+//! frequency and harmonics by powers of ε and of the amplitude. A self-excited oscillator has a limit cycle, which is
+//! expanded in the strength of the excitation. [`OpenGauge`] shows the equations order by order before a gauge is
+//! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`Evaluation`],
+//! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
 
 mod approximate;
 mod certificate;
