@@ -20,6 +20,39 @@ fn equations(derivation: &Derivation) -> Vec<&Equation> {
         .collect()
 }
 
+#[test]
+fn dump_perturbation() {
+    use crate::oscillator::NamedOscillator;
+    use crate::perturbation::Gauge;
+    for (key, order) in [
+        ("pendulum", 5),
+        ("quadratic", 4),
+        ("duffing", 7),
+        ("morse", 3),
+        ("double_well", 5),
+        ("pendulum", 9),
+        ("sinh", 5),
+        ("x_over_sqrt", 5),
+        ("rotating_hoop", 5),
+    ] {
+        let start = std::time::Instant::now();
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        match perturbation(
+            &oscillator,
+            order,
+            &Gauge::Fundamental,
+            Some(&Released { amplitude: 0.4, angular_frequency: Some(3.0) }),
+        ) {
+            Ok(d) => {
+                std::fs::write(format!("/tmp/p_{key}_{order}.html"), to_html(&d)).unwrap();
+                std::fs::write(format!("/tmp/p_{key}_{order}.tex"), to_latex(&d)).unwrap();
+            }
+            Err(e) => eprintln!("{key}: {e}"),
+        }
+        eprintln!("{key} {order} {:?}", start.elapsed());
+    }
+}
+
 fn fraction(numerator: i64, denominator: i64) -> Formula {
     Rational::new(numerator, denominator).unwrap().into()
 }
