@@ -54,7 +54,7 @@ impl Equation {
         names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
     }
 
-    /// The equations with constants in the place of parameters.
+    /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
     ///
     /// # Errors
     /// A name that is no parameter, or is given twice; a value that has symbols in it; an equation whose second
@@ -70,8 +70,9 @@ impl Equation {
             if let Some(inside) = value.symbols().pop_first() {
                 return Err(EquationError::NotConstant { name: symbol.name, inside });
             }
-            for side in written.iter_mut().flat_map(|(left, right)| [left, right]) {
-                *side = side.substitute(&symbol, value);
+            let sides = written.iter_mut().flat_map(|(left, right)| [left, right]);
+            for side in sides.filter(|side| side.contains(&symbol)) {
+                *side = side.substitute(&symbol, value).simplified();
             }
         }
         Self::solved(written)

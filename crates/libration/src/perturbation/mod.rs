@@ -14,6 +14,7 @@ mod lindstedt;
 mod model;
 mod modular;
 mod open_gauge;
+mod relation;
 mod selection;
 mod series_set;
 mod truncated_system;
@@ -25,6 +26,7 @@ pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
+pub use relation::{Approximant, ExactValue, NotAQuantity, Quantity, Radius, Relation, Road};
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
 
 #[cfg(test)]
