@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::model::{Kind, Oscillator};
+use super::model::Oscillator;
 use super::taylor_step::{Rates, State, TaylorStep};
 
 /// The motion of an oscillator from one turning point to the other, or once around its limit cycle. It knows of no
@@ -113,8 +113,7 @@ impl PeriodicMotion {
     /// The displacement from the equilibrium at a time from 0 to the period, counted from the largest displacement.
     #[must_use]
     pub fn displacement_at(&self, time: f64) -> f64 {
-        let time =
-            if self.returns && time > 0.5 * self.duration { self.duration - time } else { time };
+        let time = if self.returns && time > 0.5 * self.duration { self.duration - time } else { time };
         let place = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
         self.steps.get(place).map_or(f64::NAN, |step| step.state_at(time - step.start).x - self.equilibrium)
     }

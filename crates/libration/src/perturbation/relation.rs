@@ -345,7 +345,8 @@ mod tests {
             ("rayleigh_cubic", 0.3),
         ];
         for (key, amplitude) in cases {
-            for quantity in [Quantity::Period, Quantity::Frequency, Quantity::Cosine(1), Quantity::Cosine(3)] {
+            for quantity in [Quantity::Period, Quantity::Frequency, Quantity::Cosine(1), Quantity::Cosine(3)]
+            {
                 let missing = differs_by(key, quantity, amplitude);
                 assert!(missing < 1e-13, "{key}, {quantity}: {missing:e}");
             }
