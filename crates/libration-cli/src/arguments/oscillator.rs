@@ -65,7 +65,7 @@ impl OscillatorOptions {
         let given = self.values()?;
         let (equation, key, title) = match &named {
             Ok(named) => (of_catalogue(named, &given)?, Some(named.key), named.title.to_owned()),
-            Err(unknown) if !self.oscillator.contains('=') => {
+            Err(unknown) if is_like_a_key(&self.oscillator) => {
                 return Err(Failure::usage("OSCILLATOR|EQUATION", unknown));
             }
             Err(_) => (self.typed(&given)?, None, "an equation of motion".to_owned()),
@@ -92,6 +92,11 @@ impl OscillatorOptions {
         let items = self.set.iter().flat_map(|items| items.split(','));
         items.map(value).collect()
     }
+}
+
+/// Whether it is one word, and so no equation.
+fn is_like_a_key(text: &str) -> bool {
+    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
 }
 
 fn of_catalogue(named: &NamedOscillator, values: &[(String, Expression)]) -> Result<Equation, Failure> {

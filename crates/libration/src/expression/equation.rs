@@ -70,9 +70,8 @@ impl Equation {
             if let Some(inside) = value.symbols().pop_first() {
                 return Err(EquationError::NotConstant { name: symbol.name, inside });
             }
-            let sides = written.iter_mut().flat_map(|(left, right)| [left, right]);
-            for side in sides.filter(|side| side.contains(&symbol)) {
-                *side = side.substitute(&symbol, value).simplified();
+            for side in written.iter_mut().flat_map(|(left, right)| [left, right]) {
+                *side = side.with_value(&symbol, value);
             }
         }
         Self::solved(written)

@@ -272,6 +272,27 @@ mod tests {
         }
     }
 
+    /// x'² = ⅔(A − x)(x − b)(x − c) of the quadratic oscillator gives T = √6·π/agm(√(A − c), √(b − c)).
+    fn quadratic_period(x_max: f64) -> f64 {
+        let p = 3.0 + 2.0 * x_max;
+        let root = (p * (p - 8.0 * x_max)).sqrt();
+        let (b, c) = ((root - p) / 4.0, (-root - p) / 4.0);
+        let (mut greater, mut lesser) = ((x_max - c).sqrt(), (b - c).sqrt());
+        for _ in 0..8 {
+            (greater, lesser) = (0.5 * (greater + lesser), (greater * lesser).sqrt());
+        }
+        6.0_f64.sqrt() * std::f64::consts::PI / greater
+    }
+
+    #[test]
+    fn no_amplitude_is_left_out() {
+        for step in 1..1200 {
+            let x_max = 0.4 * f64::from(step) / 1200.0;
+            let motion = PeriodicMotion::from_turning_point(&named("quadratic"), x_max).unwrap();
+            assert_close(motion.period(), quadratic_period(x_max), 2e-14, &format!("from {x_max}"));
+        }
+    }
+
     #[test]
     fn the_other_turning_point_of_an_asymmetric_well_is_found() {
         let motion = PeriodicMotion::from_turning_point(&named("quadratic"), 0.1).unwrap();

@@ -64,11 +64,12 @@ impl Rates {
         Some(TaylorStep { start: 0.0, length, coefficients })
     }
 
-    /// The radius of convergence as the last two coefficients tell it.
+    /// The radius of convergence as the last coefficients tell it, some of which may be small by chance.
     fn radius(&self, coefficients: &[f64]) -> Option<f64> {
+        const LAST: u32 = 8;
         let part = |n: usize| self.size / coefficients[n].abs();
         let by = |n: u32| libm::pow(part(usize::try_from(n).unwrap_or(0)), 1.0 / f64::from(n));
-        let radius = f64::min(by(ORDER), by(ORDER - 1));
+        let radius = (ORDER - LAST..=ORDER).map(by).fold(f64::INFINITY, f64::min);
         (radius.is_finite() && radius > 0.0).then_some(radius)
     }
 }

@@ -235,7 +235,8 @@ impl<'a> Relation<'a> {
         };
         let uncertainty = match self.quantity {
             Quantity::Cosine(_) => 4e-15 * value.abs(),
-            _ => f64::EPSILON * value,
+            // Half a unit in the last place, and as much for what is compared with it.
+            _ => 2.0 * f64::EPSILON * value,
         };
         Ok(ExactValue { value, uncertainty, road: Road::Elliptic })
     }

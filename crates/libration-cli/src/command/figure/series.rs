@@ -5,6 +5,7 @@ use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
+use crate::output::series::superscript;
 use libration::oscillator::NoPeriodicMotion;
 use libration::perturbation::{
     Evaluation, ExactValue, Expansion, Gauge, MAX_ORDER, Quantity, Radius, Relation, expand,
@@ -28,7 +29,7 @@ pub(super) struct Series {
     #[arg(long, value_name = "AMPLITUDE")]
     to: Option<String>,
     /// The smallest error shown
-    #[arg(long, default_value = "1e-15", value_parser = arguments::positive)]
+    #[arg(long, default_value = "1e-14", value_parser = arguments::positive)]
     lowest: f64,
     #[command(flatten)]
     pub(super) options: PictureOptions,
@@ -38,6 +39,8 @@ pub(super) struct Series {
 const UNKNOWN_RADIUS: f64 = 2.0;
 /// How far beyond the radius of convergence the picture goes.
 const BEYOND: f64 = 1.2;
+/// How far beyond the last motion.
+const END: f64 = 1.02;
 /// The error at the top.
 const HIGHEST: f64 = 10.0;
 /// Amplitudes at which a curve is computed.
@@ -94,7 +97,7 @@ impl Series {
         let mut lines: Vec<Line> = powers
             .iter()
             .map(|&power| Line {
-                label: format!("to power {power}"),
+                label: format!("to {}{}", setting.abscissa.symbol, superscript(power)),
                 errors: errors(&|sample| sum_to(&sample.evaluation, power)),
             })
             .collect();
@@ -108,6 +111,8 @@ impl Series {
             });
         }
         let radius = radius.map(|radius| (radius.value(), radius_label(&radius)));
+        let last = sampled.last().map_or(0.0, |sample| sample.amplitude);
+        let to = to.min(END * f64::max(last, radius.map_or(0.0, |(radius, _)| radius)));
         Ok(against_amplitude(&lines, radius, to, &setting))
     }
 

@@ -69,7 +69,7 @@ impl<'a> Numbers<'a> {
         if let Err(refusal @ NoPeriodicMotion::Amplitude(_)) = &exact {
             return Err(Failure::no_answer("--evaluate", refusal));
         }
-        let pade = (1..=HIGHEST_DEGREE).map_while(|degree| quotient(relation, degree, amplitude)).collect();
+        let pade = (1..=HIGHEST_DEGREE).filter_map(|degree| quotient(relation, degree, amplitude)).collect();
         Ok(Self {
             answer,
             relation,

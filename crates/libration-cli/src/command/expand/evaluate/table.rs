@@ -1,12 +1,12 @@
 //! The series in numbers, to read.
 
 use super::super::listing::{self, Symbols};
-use super::{Numbers, Quotient, certainty};
+use super::{Numbers, Quotient};
 use crate::output::number::{rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet};
 use libration::algebra::Rational;
-use libration::perturbation::{Evaluation, ExactValue, Precision, Quantity, Radius, Road, Step};
+use libration::perturbation::{Certainty, Evaluation, ExactValue, Precision, Quantity, Radius, Road, Step};
 use std::io::{self, Write};
 
 /// Longer coefficients are written as decimals.
@@ -46,7 +46,7 @@ fn subject(numbers: &Numbers<'_>) -> String {
     let place = if numbers.answer.expansion.variable.is_strength() {
         format!("at {symbol} = {}", short(numbers.amplitude, 12))
     } else {
-        format!("at the amplitude {symbol} = {}", in_units(numbers, numbers.amplitude))
+        format!("at the amplitude {symbol} = {}", in_units(numbers, numbers.amplitude, 10))
     };
     let unit = &numbers.answer.expansion.unit_squared;
     let units = match numbers.relation.quantity() {
@@ -57,23 +57,27 @@ fn subject(numbers: &Numbers<'_>) -> String {
 }
 
 /// An amplitude, in radians and degrees when it is an angle.
-fn in_units(numbers: &Numbers<'_>, amplitude: f64) -> String {
+fn in_units(numbers: &Numbers<'_>, amplitude: f64, digits: usize) -> String {
     if numbers.answer.is_angle && !numbers.answer.expansion.variable.is_strength() {
-        return format!("{} rad = {}°", short(amplitude, 12), short(amplitude.to_degrees(), 10));
+        let degrees = amplitude.to_degrees();
+        return format!("{} rad = {}°", short(amplitude, digits), short(degrees, digits));
     }
-    short(amplitude, 12)
+    short(amplitude, digits)
 }
 
 fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     let evaluation = &numbers.evaluation;
-    let bound = evaluation.steps().first().map_or("", |step| certainty(step.remainder.certainty));
+    let bound = match evaluation.steps().first().map(|step| step.remainder.certainty) {
+        Some(Certainty::Proven) => "|error| below (proven)",
+        _ => "|error| about (estimated)",
+    };
     let mut table = Table::new(vec![
         Column::numbers("power"),
         Column::numbers("coefficient"),
         Column::numbers("term"),
         Column::numbers("sum so far"),
         Column::numbers("its error"),
-        Column::numbers(format!("|error| below ({bound})")),
+        Column::numbers(bound),
         Column::words(""),
     ]);
     for step in evaluation.steps() {
@@ -90,7 +94,7 @@ fn row(numbers: &Numbers<'_>, step: &Step) -> Vec<String> {
         rounded(step.term, 5),
         rounded(step.sum, 15),
         error(&numbers.exact, step.sum),
-        rounded(step.remainder.size, 3),
+        if step.remainder.size.is_finite() { rounded(step.remainder.size, 3) } else { "no bound".to_owned() },
         if smallest { "← smallest term" } else { "" }.to_owned(),
     ]
 }
@@ -136,12 +140,12 @@ fn exact(numbers: &Numbers<'_>) -> String {
 
 fn convergence(numbers: &Numbers<'_>) -> String {
     let symbol = symbol(numbers);
-    let side = |radius: f64| if numbers.amplitude.abs() < radius { "inside" } else { "BEYOND it" };
     match numbers.radius {
         None => "too few terms to estimate a radius: give a larger --order".to_owned(),
         Some(Radius::Known(radius)) => {
-            let place = if side(radius) == "inside" { "this is inside" } else { "this is BEYOND it" };
-            format!("for {symbol} below {} (proven); {place}", in_units(numbers, radius))
+            let inside = numbers.amplitude.abs() < radius;
+            let place = if inside { "this is inside" } else { "this is BEYOND it" };
+            format!("for {symbol} below {} (proven); {place}", in_units(numbers, radius, 10))
         }
         Some(Radius::Estimated(found)) if found.at_most.is_infinite() => {
             format!(
@@ -156,7 +160,7 @@ fn convergence(numbers: &Numbers<'_>) -> String {
                 beyond if beyond > found.at_most => "this is BEYOND it",
                 _ => "this is too near to tell",
             };
-            let radius = in_units(numbers, found.radius);
+            let radius = in_units(numbers, found.radius, 4);
             format!("for {symbol} below about {radius} (estimated, between {low} and {high}); {place}")
         }
     }
