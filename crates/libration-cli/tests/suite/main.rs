@@ -10,4 +10,5 @@ mod files;
 mod fit;
 mod formulas;
 mod motion;
+mod paper;
 mod period;

@@ -24,6 +24,8 @@ pub enum Check {
     Definition,
     /// Nothing to check: where the derivation starts.
     Premise,
+    /// Nothing to check: a number of the reader's.
+    Given,
     /// All sides are the same power series, computed with exact fractions.
     Series {
         /// The variable of the series.
@@ -191,7 +193,7 @@ pub(super) fn same_series_where(
                 values.set(name, value);
             }
             Given::Function(name, parameter, body) => {
-                values.define(&Name::new(name), &[parameter], body.clone())
+                values.define(&Name::new(name), &[parameter], body.clone());
             }
         }
     }
@@ -265,6 +267,7 @@ impl Check {
         match self {
             Self::Definition => Prose::text("definition"),
             Self::Premise => Prose::text("the starting point"),
+            Self::Given => Prose::text("as given"),
             Self::Series { variable, coefficients } => Prose::new(
                 "checked: the same power series in {}, exactly, through {}",
                 [variable.into(), last_power(variable, *coefficients)],

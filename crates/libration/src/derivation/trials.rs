@@ -42,6 +42,8 @@ pub(super) struct Trials {
 struct Trial {
     angle: Angle,
     amplitude: Decimal,
+    /// What describes the pendulum and the swing.
+    given: Vec<(Name, Decimal)>,
     values: Values<BigFloat>,
 }
 
@@ -180,6 +182,19 @@ impl Trials {
         side(&Statement::from(formula.clone()), formula, &DIGITS, &self.trials[self.shown].values)
     }
 
+    /// The reader's pendulum and amplitude; none if no swing was given.
+    pub(super) fn given(&self) -> Vec<Equation> {
+        let shown = match self.wanted {
+            Wanted::Formulas => &[],
+            Wanted::Numbers => &self.trials[self.shown..=self.shown],
+        };
+        let equation = |(name, value): &(Name, Decimal)| {
+            let statement = Statement::equal(name, Formula::Decimal(value.clone()));
+            Equation::new(statement, Check::Given)
+        };
+        shown.iter().flat_map(|trial| trial.given.iter().map(equation)).collect()
+    }
+
     /// Whether numbers are given.
     pub(super) fn wanted(&self) -> Wanted {
         self.wanted
@@ -247,7 +262,11 @@ impl Trial {
         let exactly = |value: f64| BigFloat::from_words(DoubleDouble::from(value), PRECISION);
         let mut values = Values::default();
         let mut omega = exactly(swing.pendulum.angular_frequency());
+        let amplitude = Decimal::short(angle.degrees(), Unit::Degree);
+        let mut given = vec![(Name::new("θ").index(0), amplitude.clone())];
         if let (Some(length), Some(gravity)) = (swing.pendulum.length(), swing.pendulum.gravity()) {
+            given.push((Name::new("ℓ"), Decimal::short(length, Unit::Metre)));
+            given.push((Name::new("g"), Decimal::short(gravity, Unit::MetrePerSecondSquared)));
             let (length, gravity) = (exactly(length), exactly(gravity));
             omega = (gravity.clone() / length.clone()).sqrt();
             values.set(&Name::new("ℓ"), length);
@@ -260,8 +279,7 @@ impl Trial {
         values.set(&Name::new("T"), exactly(swing.pendulum.period(&swing.amplitude)));
         values.set(&Name::new("θ"), exactly(moment.angle));
         values.set(&Name::new("θ").prime(), exactly(moment.velocity));
-        let amplitude = Decimal::short(angle.degrees(), Unit::Degree);
-        let mut trial = Self { angle, amplitude, values };
+        let mut trial = Self { angle, amplitude, given, values };
         trial.let_time_run();
         Ok(trial)
     }

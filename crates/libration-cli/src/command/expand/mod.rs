@@ -15,7 +15,7 @@ use std::io::Write;
 ///
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
-/// gauge. Self-excited oscillators with an open parameter, such as van_der_pol, are expanded in that parameter.
+/// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7

@@ -47,6 +47,8 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, Derivation
             [length, gravity, theta(), letter("t")],
         )
         .show(Equation::premise(motion))
+        .say_where(trials.wanted(), "The pendulum whose numbers follow each step has the amplitude, length and gravity", [])
+        .show_all(trials.given())
         .say("Two abbreviations, the second of which is the period of very small swings, for which the sine is the angle:", [])
         .show(frequency)
         .show(small)

@@ -81,11 +81,6 @@ pub(in crate::derivation) fn rounded(value: f64, digits: usize, unit: Unit) -> F
     Formula::Decimal(Decimal::rounded(value, digits, unit))
 }
 
-/// A number as it was given.
-pub(in crate::derivation) fn given(value: f64, unit: Unit) -> Formula {
-    Formula::Decimal(Decimal::short(value, unit))
-}
-
 /// Σ coefficientₙ·xⁿ over the coefficients that are not zero, with O(…) of the next power that may follow.
 pub(in crate::derivation) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formula {
     let powers = coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
@@ -130,11 +125,6 @@ impl Formula {
 
     pub(in crate::derivation) fn squared(self) -> Self {
         self.pow(2)
-    }
-
-    /// Half of it, as a fraction.
-    pub(in crate::derivation) fn half(self) -> Self {
-        self / 2
     }
 }
 

@@ -80,7 +80,7 @@ fn exact_at(key: &str) -> Result<Formula, DerivationError> {
 /// The last amplitude at which the second formula overtakes the first.
 fn overtaken(first: &str, second: &str) -> Result<Formula, DerivationError> {
     let crossovers = catalogued(first)?.crossovers_with(&catalogued(second)?);
-    let last = crossovers.into_iter().filter(|crossover| crossover.better_above == second).next_back();
+    let last = crossovers.into_iter().rfind(|crossover| crossover.better_above == second);
     last.map(|crossover| degrees(crossover.amplitude)).ok_or_else(|| missing(second))
 }
 

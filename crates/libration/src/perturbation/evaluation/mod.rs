@@ -73,19 +73,20 @@ pub enum Certainty {
 }
 
 impl Evaluation {
-    /// Σ cₙxⁿ with c₀, c₁, … given. The remainders are estimates: the distance from the last sum, and for what is
+    /// Σ cₙxⁿ with c₀, c₁, … given; all NaN when x is not finite. The remainders are estimates: the distance from the last sum, and for what is
     /// beyond it a geometric series with the ratio that [`Convergence`] finds.
     #[must_use]
     pub fn new(coefficients: &[Rational], x: f64) -> Self {
         let (terms, sums) = terms_and_sums(coefficients, x);
         let last = sums.last().cloned().unwrap_or_else(|| float(0.0));
         let beyond = beyond_the_last(coefficients, &terms, x);
+        let rounded = |number: &BigFloat| if x.is_finite() { number.to_f64() } else { f64::NAN };
         let steps = terms.iter().zip(sums).map(|((power, term), sum)| Step {
             power: *power,
-            term: term.to_f64(),
-            sum: sum.to_f64(),
+            term: rounded(term),
+            sum: rounded(&sum),
             remainder: Remainder {
-                size: (last.clone() - sum).to_f64().abs() + beyond,
+                size: rounded(&(last.clone() - sum)).abs() + beyond,
                 certainty: Certainty::Estimated,
             },
         });
