@@ -4,6 +4,7 @@
 mod bad_input;
 mod command;
 mod derive;
+mod expand;
 mod figures;
 mod files;
 mod fit;

@@ -121,6 +121,15 @@ impl Evaluation {
         self.steps.last().map_or(0.0, |step| step.sum)
     }
 
+    /// The smallest term, beyond the first, when the last two are larger: the sum gets no better after it.
+    #[must_use]
+    pub fn smallest_term(&self) -> Option<&Step> {
+        let size = |step: &Step| step.term.abs();
+        let smallest = self.steps.iter().skip(1).min_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let last = self.steps.iter().rev().take(2);
+        last.map(size).all(|last| last > size(smallest)).then_some(smallest)
+    }
+
     /// How many terms beyond the first it takes for the remainder to be, and to stay, at most this fraction of the
     /// sum; `None` when the terms given do not reach it.
     #[must_use]
