@@ -3,6 +3,7 @@
 
 mod big_float;
 mod complex;
+mod decimal_digits;
 mod doubles;
 mod floats;
 mod function;
@@ -11,6 +12,7 @@ mod integer_polynomial;
 mod polynomial;
 mod prime_field;
 mod rational;
+mod rationals;
 mod reconstruction;
 mod ring;
 mod sampled_harmonics;
@@ -24,8 +26,8 @@ pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;
 pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
 pub(crate) use prime_field::{PrimeField, primes_with_roots};
-pub(crate) use rational::Rationals;
 pub use rational::{NotARational, Rational};
+pub(crate) use rationals::Rationals;
 pub(crate) use reconstruction::{Images, reconstruct};
 pub(crate) use ring::Ring;
 pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};
