@@ -30,6 +30,15 @@
 //! // Bernoulli's 1 + θ0²/16 falls short of the exact period by 0.43 %.
 //! let bernoulli = PeriodFormula::by_key("bernoulli")?;
 //! assert!((bernoulli.fractional_error(&amplitude) + 0.00433).abs() < 1e-5);
+//!
+//! // The same period by perturbation theory, which knows nothing of elliptic functions: exact fractions.
+//! use libration::oscillator::Oscillator;
+//! use libration::perturbation::{Gauge, expand};
+//! let oscillator = Oscillator::new(&"theta'' + sin(theta) = 0".parse()?)?;
+//! let series = expand(&oscillator, 41, &Gauge::Fundamental)?.of_amplitude.ok_or("no amplitude")?;
+//! let ratio = series.period_ratio.iter().rev().fold(0.0, |sum, c| sum * amplitude.radians() + c.to_f64());
+//! assert_eq!(series.period_ratio[4].to_string(), "11/3072");
+//! assert!((ratio - 1.0731820071493).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -39,7 +48,11 @@
 //! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; the complement beside the modulus |
 //! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
 //! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
-//! | [`algebra`] | the exact rationals in which series coefficients are given |
+//! | [`algebra`] | the exact rationals in which series coefficients are given, polynomials in named variables |
+//! | [`expression`] | formulas and equations of motion as text, tree and tape |
+//! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
+//! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
+//! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
 //! | [`measurement`] | an instrument's text file as columns of numbers |

@@ -3,11 +3,12 @@
 use crate::failure::Failure;
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, Oscillator};
+use libration::quantity::Angle;
 
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct OscillatorOptions {
-    /// A key of the catalogue, such as pendulum or van_der_pol, or an equation, such as "x'' + x + x^3 = 0"
+    /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0"
     #[arg(value_name = "OSCILLATOR|EQUATION")]
     oscillator: String,
     /// The value of a parameter, a number or a formula of numbers; may be given several times
@@ -26,6 +27,36 @@ pub(crate) struct Chosen {
     pub(crate) key: Option<&'static str>,
     /// What it is called.
     pub(crate) title: String,
+    /// The parameters that have got a value.
+    pub(crate) values: Vec<(String, String)>,
+}
+
+/// Names of variables that are angles.
+const ANGLES: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
+
+impl Chosen {
+    /// Whether the variable is an angle, by its name.
+    pub(crate) fn is_angle(&self) -> bool {
+        ANGLES.contains(&self.oscillator.variable())
+    }
+
+    /// Reads an amplitude: a number, or an angle where the variable is one.
+    pub(crate) fn amplitude(&self, argument: &str, text: &str) -> Result<f64, Failure> {
+        let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+        if let Some(number) = number {
+            return Ok(number);
+        }
+        if self.is_angle() {
+            let angle = text.parse::<Angle>().map_err(|error| Failure::usage(argument, error))?;
+            return Ok(angle.radians());
+        }
+        let name = self.oscillator.variable();
+        let hint = "units of angles are for variables named as angles are, such as theta";
+        Err(Failure::usage(
+            argument,
+            format!("`{}` is no amplitude of {name}: give a number, such as 0.5; {hint}", text.trim()),
+        ))
+    }
 }
 
 impl OscillatorOptions {
@@ -36,12 +67,13 @@ impl OscillatorOptions {
 
     pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
+        let given = self.values()?;
         let (equation, key, title) = match &named {
-            Ok(named) => (self.of_catalogue(named)?, Some(named.key), named.title.to_owned()),
-            Err(unknown) if !self.oscillator.contains('=') => {
+            Ok(named) => (of_catalogue(named, &given)?, Some(named.key), named.title.to_owned()),
+            Err(unknown) if is_like_a_key(&self.oscillator) => {
                 return Err(Failure::usage("OSCILLATOR|EQUATION", unknown));
             }
-            Err(_) => (self.typed()?, None, "an equation of motion".to_owned()),
+            Err(_) => (self.typed(&given)?, None, "an equation of motion".to_owned()),
         };
         let oscillator = match &self.about {
             None => Oscillator::new(&equation),
@@ -51,19 +83,14 @@ impl OscillatorOptions {
             }
         };
         let oscillator = oscillator.map_err(|error| Failure::no_answer("oscillator", error))?;
-        Ok(Chosen { oscillator, key, title })
+        let values = values_used(named.ok(), &given);
+        Ok(Chosen { oscillator, key, title, values })
     }
 
-    fn typed(&self) -> Result<Equation, Failure> {
+    fn typed(&self, values: &[(String, Expression)]) -> Result<Equation, Failure> {
         let equation: Equation =
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
-        let values = self.values()?;
-        equation.with(&borrowed(&values)).map_err(|error| Failure::usage("--set", error))
-    }
-
-    fn of_catalogue(&self, named: &NamedOscillator) -> Result<Equation, Failure> {
-        let values = self.values()?;
-        named.equation_with(&borrowed(&values)).map_err(|error| Failure::usage("--set", error))
+        equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
     }
 
     fn values(&self) -> Result<Vec<(String, Expression)>, Failure> {
@@ -72,8 +99,35 @@ impl OscillatorOptions {
     }
 }
 
+/// Whether it is one word, and so no equation.
+fn is_like_a_key(text: &str) -> bool {
+    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
+}
+
+fn of_catalogue(named: &NamedOscillator, values: &[(String, Expression)]) -> Result<Equation, Failure> {
+    named.equation_with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
+}
+
+/// The values that were given, and the catalogue's for the other parameters.
+fn values_used(named: Option<&NamedOscillator>, given: &[(String, Expression)]) -> Vec<(String, String)> {
+    let defaults = named.into_iter().flat_map(|named| {
+        named.parameters.iter().filter(|parameter| Some(parameter.name) != named.expansion_parameter)
+    });
+    let defaults = defaults
+        .filter(|parameter| given.iter().all(|(name, _)| name != parameter.name))
+        .map(|parameter| (parameter.name.to_owned(), parameter.default.to_owned()));
+    let given = given.iter().map(|(name, value)| (name.clone(), value.to_string()));
+    given.chain(defaults).collect()
+}
+
 fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
     values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect()
+}
+
+/// The name as equations have it: ω0 is omega0.
+fn plain_name(name: &str) -> String {
+    let name = name.trim();
+    name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
 }
 
 fn value(item: &str) -> Result<(String, Expression), Failure> {
@@ -82,5 +136,5 @@ fn value(item: &str) -> Result<(String, Expression), Failure> {
     })?;
     let value =
         value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
-    Ok((name.trim().to_owned(), value))
+    Ok((plain_name(name), value))
 }

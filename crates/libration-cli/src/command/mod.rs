@@ -8,6 +8,7 @@ pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod motion;
+mod oscillators;
 mod paper;
 mod period;
 
@@ -28,6 +29,7 @@ Examples:
   libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
   libration motion 150deg --times 0:10:0.5    angle and velocity in time
   libration formulas --amplitude 90deg --tolerance 1e-3
+  libration expand duffing --order 9          perturbation series of any oscillator, exactly
   libration derive --road elliptic            how the exact period is found, step by step
   libration figure errors --output errors.svg
   libration fit periods measured.csv --length 0.57m±0.004m
@@ -42,6 +44,7 @@ enum Question {
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
+    Oscillators(oscillators::Oscillators),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -64,6 +67,7 @@ impl Libration {
             Question::Fourier(question) => question.answer(out),
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::Oscillators(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

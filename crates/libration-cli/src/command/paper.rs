@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
-use libration::derivation::paper::{Document, Row, Verdict, rows};
+use libration::derivation::paper::{Document, Row, Verdict, rows_where};
 use std::io::{self, Write};
 
 /// Every equation of two published derivations, verified or corrected by computing it
@@ -30,7 +30,8 @@ pub(crate) struct Paper {
 
 impl Paper {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let chosen: Vec<Row> = rows().into_iter().filter(|row| self.is_asked_for(row)).collect();
+        let mut chosen = rows_where(|document, label| self.asks_for(document, label));
+        chosen.retain(|row| self.only.is_none_or(|verdict| verdict == row.finding.verdict));
         if chosen.is_empty() {
             return Err(Failure::no_answer(
                 "paper",
@@ -47,21 +48,16 @@ impl Paper {
         Ok(())
     }
 
-    fn is_asked_for(&self, row: &Row) -> bool {
-        let label = self.label.as_ref().is_none_or(|asked| has_label(row, asked));
-        let verdict = self.only.is_none_or(|verdict| verdict == row.finding.verdict);
-        let document = self.document.is_none_or(|document| document == row.document);
-        label && verdict && document
+    fn asks_for(&self, document: Document, label: &str) -> bool {
+        self.document.is_none_or(|asked| asked == document)
+            && self.label.as_ref().is_none_or(|asked| is_named(label, asked))
     }
 }
 
 /// A number is meant whole, words may be part of a label.
-fn has_label(row: &Row, asked: &str) -> bool {
-    let asked = asked.trim().trim_start_matches('(').trim_end_matches(')');
-    let bare = row.label.trim_start_matches('(').trim_end_matches(')');
-    let numbered = row.label.starts_with('(');
-    bare.eq_ignore_ascii_case(asked)
-        || (!numbered && row.label.to_lowercase().contains(&asked.to_lowercase()))
+fn is_named(label: &str, asked: &str) -> bool {
+    let bare = |text: &str| text.trim().trim_matches(['(', ')']).to_lowercase();
+    bare(label) == bare(asked) || (!label.starts_with('(') && label.to_lowercase().contains(&bare(asked)))
 }
 
 fn verdict(text: &str) -> Result<Verdict, String> {
@@ -137,10 +133,11 @@ fn write_pages(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
 
 fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
     let finding = &row.finding;
-    writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, finding.summary().to_uppercase()), 0))?;
+    let verdict = format!("{} {}", finding.verdict.name().to_uppercase(), finding.restriction);
+    writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, verdict.trim_end()), 0))?;
     writeln!(out, "{}", wrapped(&row.claim, INDENT))?;
-    for formula in &row.printed {
-        writeln!(out, "{}", wrapped(&format!("printed   {formula}"), INDENT))?;
+    if !row.printed.is_empty() {
+        writeln!(out, "{}", wrapped(&format!("printed   {}", row.printed.join("; ")), INDENT))?;
     }
     if !finding.correct.is_empty() {
         writeln!(out, "{}", wrapped(&format!("correct   {}", finding.correct), INDENT))?;

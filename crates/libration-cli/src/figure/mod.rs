@@ -4,6 +4,7 @@ pub(crate) mod errors;
 pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod series;
 pub(crate) mod spectrum;
 
 pub(crate) mod chart;

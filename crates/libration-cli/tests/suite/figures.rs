@@ -16,6 +16,9 @@ fn each_picture_labels_its_axes() {
         ("motion --amplitudes 30deg,150deg", ["time t / T₀", "angle θ / θ₀"]),
         ("phase", ["angle θ / π", "velocity θ′ / ω₀"]),
         ("spectrum", ["harmonic n", "coefficient |aₙ| / rad"]),
+        ("series pendulum", ["amplitude θ₀ / degrees", "radius of convergence, 180°"]),
+        ("series duffing --amplitudes 0.5,1.1", ["last power of A kept", "A = 1.1"]),
+        ("series van_der_pol --quantity frequency", ["strength μ", "|error of Ω/ω₀|"]),
     ];
     for (arguments, labels) in cases {
         let svg = drawn(arguments);

@@ -4,9 +4,11 @@
 mod bad_input;
 mod command;
 mod derive;
+mod expand;
 mod figures;
 mod files;
 mod fit;
 mod formulas;
 mod motion;
+mod paper;
 mod period;

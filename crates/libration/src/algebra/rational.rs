@@ -71,17 +71,18 @@ impl Rational {
         if self.is_zero() {
             return "0".to_owned();
         }
-        let (mut figures, mut exponent) = self.figures(digits, self.decimal_exponent());
-        if figures.len() > digits {
-            // Rounding or a low estimate has made one digit too many.
+        let mut exponent = self.decimal_exponent();
+        let mut figures = self.figures(digits, exponent);
+        // The estimate may be low by one, and rounding may carry into a new digit.
+        while figures.len() > digits {
             exponent += 1;
-            (figures, _) = self.figures(digits, exponent);
+            figures = self.figures(digits, exponent);
         }
         let sign = if self.is_negative() { "-" } else { "" };
         format!("{sign}{}", placed(figures.trim_end_matches('0'), exponent))
     }
 
-    /// The power of ten of the first digit, or one less.
+    /// The power of ten of the first digit, or less.
     fn decimal_exponent(&self) -> isize {
         let (numerator, denominator) = self.parts();
         let length = |text: String| isize::try_from(text.trim_start_matches('-').len()).unwrap_or(isize::MAX);
@@ -89,7 +90,7 @@ impl Rational {
     }
 
     /// The integer nearest to |a|·10^(digits − 1 − exponent), in digits.
-    fn figures(&self, digits: usize, exponent: isize) -> (String, isize) {
+    fn figures(&self, digits: usize, exponent: isize) -> String {
         let (numerator, denominator) = self.parts();
         let (_, magnitude) = numerator.clone().into_parts();
         let shift = isize::try_from(digits).unwrap_or(isize::MAX) - 1 - exponent;
@@ -99,7 +100,7 @@ impl Rational {
         } else {
             (magnitude, denominator * ten(shift))
         };
-        (((upper * 2_u8 + &lower) / (lower * 2_u8)).to_string(), exponent)
+        ((upper * 2_u8 + &lower) / (lower * 2_u8)).to_string()
     }
 
     /// `numerator / denominator`, the latter not zero.

@@ -1,6 +1,6 @@
 //! Fractions from their residues modulo many primes.
 
-use dashu::base::{BitTest, Gcd, UnsignedAbs};
+use dashu::base::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu::integer::{IBig, UBig};
 
 use super::{PrimeField, Rational};
@@ -33,7 +33,7 @@ pub(crate) fn reconstruct<I: Images>(
         let field = PrimeField::new(prime);
         let Some(image) = images.image(&field)? else { continue };
         residues.push(&field, &image);
-        if residues.primes.len() < due + CONFIRMING_PRIMES {
+        if residues.fields.len() < due + CONFIRMING_PRIMES {
             continue;
         }
         match residues.fractions(hint) {
@@ -48,7 +48,7 @@ pub(crate) fn reconstruct<I: Images>(
 /// The images so far: for each number its residues modulo each prime, or nothing while they are all zero.
 #[derive(Debug, Default)]
 struct Residues {
-    primes: Vec<u64>,
+    fields: Vec<PrimeField>,
     residues: Vec<Option<Vec<u64>>>,
 }
 
@@ -57,104 +57,148 @@ impl Residues {
         self.residues.resize(image.len(), None);
         for (list, &residue) in self.residues.iter_mut().zip(image) {
             if list.is_some() || residue != 0 {
-                let list = list.get_or_insert_with(|| vec![0; self.primes.len()]);
-                list.push(field.representative(residue));
+                let list = list.get_or_insert_with(|| vec![0; self.fields.len()]);
+                list.push(residue);
             }
         }
-        self.primes.push(field.prime());
+        self.fields.push(field.clone());
     }
 
     /// All fractions, the one at `first` before the others; or the place of one that needs more primes.
     fn fractions(&self, first: usize) -> Result<Vec<Rational>, usize> {
-        let used = self.primes.len() - CONFIRMING_PRIMES;
-        let basis = Basis::new(&self.primes[..used]);
-        let one = |at: usize, denominator: &mut UBig| {
-            let Some(list) = &self.residues[at] else { return Ok(Rational::from(0)) };
-            basis
-                .fraction(&list[..used], denominator)
-                .filter(|fraction| self.confirms(fraction, &list[used..], used))
-                .ok_or(at)
+        let radix = MixedRadix::new(&self.fields);
+        let one = |at: usize, common: &mut Denominator| match &self.residues[at] {
+            None => Ok(Rational::from(0)),
+            Some(list) => radix.fraction(list, common).ok_or(at),
         };
         if first < self.residues.len() {
-            one(first, &mut UBig::from(1_u8))?;
+            one(first, &mut radix.denominator(UBig::ONE))?;
         }
-        let mut denominator = UBig::ONE;
-        (0..self.residues.len()).map(|at| one(at, &mut denominator)).collect()
-    }
-
-    fn confirms(&self, fraction: &Rational, residues: &[u64], used: usize) -> bool {
-        self.primes[used..].iter().zip(residues).all(|(&prime, &residue)| {
-            let (numerator, denominator) = fraction.residues(prime);
-            let product = u128::from(denominator) * u128::from(residue) % u128::from(prime);
-            denominator != 0 && product == u128::from(numerator)
-        })
+        // Series end in their largest denominators, which the coefficients before them divide.
+        let mut common = radix.denominator(UBig::ONE);
+        let backwards = (0..self.residues.len()).rev().map(|at| one(at, &mut common));
+        let mut fractions = backwards.collect::<Result<Vec<_>, usize>>()?;
+        fractions.reverse();
+        Ok(fractions)
     }
 }
 
-/// The Chinese remainder theorem for some primes.
+/// Numbers modulo the product of some primes, in the form d₀ + d₁p₀ + d₂p₀p₁ + …, found digit by digit in machine
+/// words. A small integer has few digits, and a small negative one ends in digits p − 1.
+///
+/// Reference: H. L. Garner, *The residue number system*, IRE Trans. Electron. Comput. EC-8, 140 (1959).
 #[derive(Debug)]
-struct Basis {
-    product: UBig,
-    /// 1 modulo one of the primes and 0 modulo the others.
-    idempotents: Vec<UBig>,
+struct MixedRadix<'a> {
+    fields: &'a [PrimeField],
+    /// p₀⋯pⱼ₋₁ modulo pₖ, by k and j ≤ k, in Montgomery form.
+    products: Vec<Vec<u64>>,
+    /// The inverse of the last of these.
+    inverses: Vec<u64>,
 }
 
-impl Basis {
-    fn new(primes: &[u64]) -> Self {
-        let product: UBig = primes.iter().map(|&prime| UBig::from(prime)).product();
-        let idempotent = |&prime: &u64| {
-            let others = &product / prime;
-            let field = PrimeField::new(prime);
-            let inverse = field.inverse(field.integer(&others % prime)).expect("the primes differ");
-            others * field.representative(inverse)
+/// A denominator, with its residues.
+#[derive(Debug)]
+struct Denominator {
+    value: UBig,
+    residues: Vec<u64>,
+}
+
+impl<'a> MixedRadix<'a> {
+    fn new(fields: &'a [PrimeField]) -> Self {
+        let products: Vec<Vec<u64>> = fields
+            .iter()
+            .enumerate()
+            .map(|(k, field)| {
+                let mut products = vec![field.unit()];
+                for other in &fields[..k] {
+                    products.push(field.product(products[products.len() - 1], field.integer(other.prime())));
+                }
+                products
+            })
+            .collect();
+        let inverse = |(field, products): (&PrimeField, &Vec<u64>)| {
+            products.last().and_then(|&product| field.inverse(product)).expect("the primes differ")
         };
-        Self { idempotents: primes.iter().map(idempotent).collect(), product }
+        let inverses = fields.iter().zip(&products).map(inverse).collect();
+        Self { fields, products, inverses }
     }
 
-    /// The residue modulo the product of the primes.
-    fn residue(&self, residues: &[u64]) -> UBig {
-        let sum: UBig = self.idempotents.iter().zip(residues).map(|(e, &residue)| e * residue).sum();
-        sum % &self.product
+    fn denominator(&self, value: UBig) -> Denominator {
+        let residues = self.fields.iter().map(|field| field.integer(&value % field.prime())).collect();
+        Denominator { value, residues }
+    }
+
+    /// The digits of the number with these residues times a denominator.
+    fn digits(&self, residues: &[u64], denominator: &Denominator) -> Vec<u64> {
+        let mut digits: Vec<u64> = Vec::with_capacity(self.fields.len());
+        for (k, field) in self.fields.iter().enumerate() {
+            let residue = field.representative(field.product(residues[k], denominator.residues[k]));
+            let known = field.inner_product(digits.iter().copied().zip(self.products[k].iter().copied()));
+            digits.push(field.product(field.difference(residue, known), self.inverses[k]));
+        }
+        digits
+    }
+
+    /// The integer with these digits, if the last of them say that it is small.
+    fn small_integer(&self, digits: &[u64]) -> Option<IBig> {
+        let negative = *digits.last()? != 0;
+        let is_end =
+            |(&digit, field): (&u64, &PrimeField)| digit == if negative { field.prime() - 1 } else { 0 };
+        let ends = digits.iter().zip(self.fields).rev().take_while(|&pair| is_end(pair)).count();
+        if ends < CONFIRMING_PRIMES {
+            return None;
+        }
+        let value = self.value(&digits[..digits.len() - ends]);
+        if !negative {
+            return Some(IBig::from(value));
+        }
+        let kept = &self.fields[..digits.len() - ends];
+        let product: UBig = kept.iter().map(|field| UBig::from(field.prime())).product();
+        Some(IBig::from(value) - IBig::from(product))
+    }
+
+    fn value(&self, digits: &[u64]) -> UBig {
+        let pairs = digits.iter().zip(self.fields).rev();
+        pairs.fold(UBig::ZERO, |value, (&digit, field)| value * field.prime() + digit)
     }
 
     /// The fraction with these residues, if the primes are enough to tell. `common` is a denominator that many of
     /// the fractions are expected to divide; it is brought up to date.
-    fn fraction(&self, residues: &[u64], common: &mut UBig) -> Option<Rational> {
-        let residue = self.residue(residues);
-        let numerator = self.balanced(&residue * &*common % &self.product);
-        if numerator.bit_len() + common.bit_len() + SPARE_BITS < self.product.bit_len() {
-            return Some(Rational::from_parts(numerator, common.clone()));
+    fn fraction(&self, residues: &[u64], common: &mut Denominator) -> Option<Rational> {
+        if let Some(numerator) = self.small_integer(&self.digits(residues, common)) {
+            return Some(Rational::from_parts(numerator, common.value.clone()));
         }
-        let fraction = self.by_division(residue)?;
-        let (_, denominator) = fraction.parts();
-        *common = lcm(common, denominator);
+        let one = self.denominator(UBig::ONE);
+        let used = self.fields.len().checked_sub(CONFIRMING_PRIMES)?;
+        let digits = self.digits(residues, &one);
+        let product: UBig = self.fields[..used].iter().map(|field| UBig::from(field.prime())).product();
+        let fraction = by_division(&product, self.value(&digits[..used]))?;
+        let own = self.denominator(fraction.parts().1.clone());
+        // The primes that had no part in it confirm it.
+        self.small_integer(&self.digits(residues, &own)).filter(|n| n == fraction.parts().0)?;
+        let both = lcm(&common.value, &own.value);
+        *common = if 2 * both.bit_len() < product.bit_len() { self.denominator(both) } else { own };
         Some(fraction)
     }
+}
 
-    fn balanced(&self, residue: UBig) -> IBig {
-        let negative = &self.product - &residue;
-        if residue <= negative { IBig::from(residue) } else { -IBig::from(negative) }
-    }
-
-    /// The step of Euclid's algorithm whose quotient stands out.
-    ///
-    /// Reference: M. Monagan, *Maximal quotient rational reconstruction*, ISSAC 2004, doi:10.1145/1005285.1005321.
-    fn by_division(&self, residue: UBig) -> Option<Rational> {
-        let (mut r, mut s) = ((self.product.clone(), residue), (IBig::ZERO, IBig::ONE));
-        while !r.1.is_zero() {
-            let bits = r.1.bit_len() + s.1.bit_len();
-            if bits + SPARE_BITS < self.product.bit_len() {
-                let denominator = s.1.clone().unsigned_abs();
-                let sign = s.1.sign();
-                return Some(Rational::from_parts(sign * IBig::from(r.1), denominator));
-            }
-            let (quotient, remainder) = (&r.0 / &r.1, &r.0 % &r.1);
-            let next = &s.0 - IBig::from(quotient) * &s.1;
-            r = (r.1, remainder);
-            s = (s.1, next);
+/// The fraction with this residue modulo a product of primes, if it stands out: the step of Euclid's algorithm
+/// after which numerator and denominator together are much smaller than the product.
+///
+/// Reference: M. Monagan, *Maximal quotient rational reconstruction*, ISSAC 2004, doi:10.1145/1005285.1005321.
+fn by_division(product: &UBig, residue: UBig) -> Option<Rational> {
+    let (mut r, mut s) = ((product.clone(), residue), (IBig::ZERO, IBig::ONE));
+    while !r.1.is_zero() {
+        if r.1.bit_len() + s.1.bit_len() + SPARE_BITS < product.bit_len() {
+            let sign = s.1.sign();
+            return Some(Rational::from_parts(sign * IBig::from(r.1), s.1.unsigned_abs()));
         }
-        None
+        let (quotient, remainder) = (&r.0).div_rem(&r.1);
+        let next = &s.0 - IBig::from(quotient) * &s.1;
+        r = (r.1, remainder);
+        s = (s.1, next);
     }
+    None
 }
 
 fn lcm(a: &UBig, b: &UBig) -> UBig {

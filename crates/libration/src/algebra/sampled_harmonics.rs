@@ -224,8 +224,9 @@ mod tests {
 
     /// Coefficients that obey the symmetry, different for each seed.
     fn terms(symmetry: Symmetry, seed: i64) -> Vec<(usize, Harmonic<i64>)> {
-        let allowed =
-            (0..6_usize).filter(|k| !symmetry.half_wave || k % 2 == seed.unsigned_abs() as usize % 2);
+        let allowed = (0..6_usize).filter(|k| {
+            !symmetry.half_wave || (seed.unsigned_abs().is_multiple_of(2)) == k.is_multiple_of(2)
+        });
         let sine = |k: i64| if symmetry.even_in_phase || k == 0 { 0 } else { seed - 2 * k };
         allowed.map(|k| (k, Harmonic { cosine: seed + 3 * k as i64, sine: sine(k as i64) })).collect()
     }

@@ -13,8 +13,8 @@ impl Expression {
 
     fn derivative_of_simplified(&self, by: &Symbol) -> Self {
         match self {
-            Self::Number(_) | Self::Pi => Expression::from(0),
-            Self::Symbol(symbol) => Expression::from(i64::from(symbol == by)),
+            Self::Number(_) | Self::Pi => Self::from(0),
+            Self::Symbol(symbol) => Self::from(i64::from(symbol == by)),
             Self::Negate(a) => negative(a.derivative_of_simplified(by)),
             Self::Add(a, b) => sum(a.derivative_of_simplified(by), b.derivative_of_simplified(by)),
             Self::Subtract(a, b) => {
@@ -107,7 +107,7 @@ mod tests {
     /// The value at a place to 300 bits.
     fn value(tree: &Expression, at: &BigFloat) -> BigFloat {
         let tape = Tape::new(&[tree], &[Symbol::plain("x")]).unwrap();
-        Jet::new(&Floats { precision: 300 }, &tape, &[at.clone()]).unwrap().result(0)[0].clone()
+        Jet::new(&Floats { precision: 300 }, &tape, std::slice::from_ref(at)).unwrap().result(0)[0].clone()
     }
 
     #[test]

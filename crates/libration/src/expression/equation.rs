@@ -54,7 +54,7 @@ impl Equation {
         names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
     }
 
-    /// The equations with constants in the place of parameters.
+    /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
     ///
     /// # Errors
     /// A name that is no parameter, or is given twice; a value that has symbols in it; an equation whose second
@@ -71,7 +71,7 @@ impl Equation {
                 return Err(EquationError::NotConstant { name: symbol.name, inside });
             }
             for side in written.iter_mut().flat_map(|(left, right)| [left, right]) {
-                *side = side.substitute(&symbol, value);
+                *side = side.with_value(&symbol, value);
             }
         }
         Self::solved(written)

@@ -88,6 +88,9 @@ impl<'a> Lexer<'a> {
         if superscript(next).is_some() || next == '⁻' {
             return self.raised();
         }
+        if self.take_if(|c| c == '√').is_some() {
+            return Ok(Token::Name(Symbol::plain("sqrt")));
+        }
         if let Some(sign) = sign(next) {
             self.at += next.len_utf8();
             let doubled = sign == '*' && self.take_if(|c| c == '*').is_some();
@@ -138,45 +141,52 @@ impl<'a> Lexer<'a> {
     /// A name and its primes; `None` when the character begins no name. A Greek letter is a name of its own, with
     /// the digits after it: ω0t is the product of ω0 and t.
     fn name(&mut self, first: char) -> Option<Result<Token, Fault>> {
-        let (mut name, mut count) = (String::new(), 0);
-        if let Some((letter, dots)) = dotted(first) {
-            name.push(letter);
-            count = dots;
-        } else if let Some(greek) = greek_name(first) {
-            name.push_str(greek);
-        } else if first.is_ascii_alphabetic() {
-            name.push(first);
-        } else {
-            return (first == '√').then(|| {
-                self.at += first.len_utf8();
-                Ok(Token::Name(Symbol { name: "sqrt".to_owned(), primes: 0 }))
-            });
-        }
+        let (mut name, dots) = beginning(first)?;
         self.at += first.len_utf8();
-        let word = first.is_ascii_alphabetic();
-        let letters = |c: char| (word && c.is_ascii_alphabetic()) || c.is_ascii_digit() || c == '_';
-        let mut subscripted = false;
+        let primes = dots.saturating_add(self.rest_of_name(&mut name, first.is_ascii_alphabetic()));
+        Some(if primes > MOST_PRIMES {
+            Err(Fault::TooManyPrimes)
+        } else {
+            Ok(Token::Name(Symbol { name, primes }))
+        })
+    }
+
+    /// Appends the letters and digits that belong to a name; the number of its dots and primes.
+    fn rest_of_name(&mut self, name: &mut String, word: bool) -> u8 {
+        let (mut count, mut index) = (0_u8, false);
         loop {
-            if let Some(c) = self.take_if(|c| letters(c) || (subscripted && c.is_ascii_alphanumeric())) {
-                subscripted |= c == '_';
+            let letters = word || index;
+            let belongs = |c: char| (letters && c.is_ascii_alphabetic()) || c.is_ascii_digit() || c == '_';
+            if let Some(c) = self.take_if(belongs) {
+                index |= c == '_';
                 name.push(c);
             } else if let Some(c) = self.take_if(|c| subscript(c).is_some()) {
                 name.extend(subscript(c));
-            } else if let Some(mark) = self.take_if(|c| ('\u{307}'..='\u{308}').contains(&c)) {
-                count += primes(mark).unwrap_or(0);
+            } else if let Some(mark) = self.take_if(is_dots) {
+                count = count.saturating_add(primes(mark).unwrap_or(0));
             } else {
                 break;
             }
-            if count > MOST_PRIMES {
-                return Some(Err(Fault::TooManyPrimes));
-            }
         }
-        for mark in self.take_while(|c| primes(c).is_some()).chars() {
-            count = primes(mark).map_or(count, |more| count.saturating_add(more));
-        }
-        let symbol = Symbol { name, primes: count };
-        Some(if count > MOST_PRIMES { Err(Fault::TooManyPrimes) } else { Ok(Token::Name(symbol)) })
+        let marks = self.take_while(|c| primes(c).is_some()).chars().filter_map(primes);
+        marks.fold(count, u8::saturating_add)
     }
+}
+
+/// What a name begins with, and the dots above it.
+fn beginning(first: char) -> Option<(String, u8)> {
+    match first {
+        _ if first.is_ascii_alphabetic() => Some((first.to_string(), 0)),
+        _ => {
+            let dotted = dotted(first).map(|(letter, dots)| (letter.to_string(), dots));
+            dotted.or_else(|| greek_name(first).map(|name| (name.to_owned(), 0)))
+        }
+    }
+}
+
+/// One or two dots above the letter before.
+fn is_dots(c: char) -> bool {
+    ('\u{307}'..='\u{308}').contains(&c)
 }
 
 /// The sign that a character stands for.

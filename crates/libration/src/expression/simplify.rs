@@ -1,6 +1,6 @@
 //! Formulas in a shorter form: exact arithmetic of numbers, and what zero, one and double signs leave.
 
-use super::{Expression, Function};
+use super::{Expression, Function, Symbol};
 use crate::algebra::{Rational, Rationals, Ring};
 
 /// Powers of numbers are worked out up to this size.
@@ -21,6 +21,25 @@ impl Expression {
             Self::Divide(a, b) => quotient(a.simplified(), b.simplified()),
             Self::Power(a, b) => power(a.simplified(), b.simplified()),
             Self::Call(function, a) => call(*function, a.simplified()),
+        }
+    }
+
+    /// The formula with a constant in the place of a symbol, worked out there and left as it is elsewhere.
+    pub(super) fn with_value(&self, symbol: &Symbol, value: &Self) -> Self {
+        if !self.contains(symbol) {
+            return self.clone();
+        }
+        let with = |a: &Self| a.with_value(symbol, value);
+        match self {
+            Self::Symbol(_) => value.simplified(),
+            Self::Number(_) | Self::Pi => self.clone(),
+            Self::Negate(a) => negative(with(a)),
+            Self::Add(a, b) => sum(with(a), with(b)),
+            Self::Subtract(a, b) => difference(with(a), with(b)),
+            Self::Multiply(a, b) => product(with(a), with(b)),
+            Self::Divide(a, b) => quotient(with(a), with(b)),
+            Self::Power(a, b) => power(with(a), with(b)),
+            Self::Call(function, a) => call(*function, with(a)),
         }
     }
 

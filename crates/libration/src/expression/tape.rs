@@ -237,7 +237,7 @@ impl Writer<'_> {
             _ => {
                 let half = self.natural_power(base, n / 2);
                 let square = self.place(Operation::Multiply(half, half));
-                if n % 2 == 0 { square } else { self.place(Operation::Multiply(square, base)) }
+                if n.is_multiple_of(2) { square } else { self.place(Operation::Multiply(square, base)) }
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 
 /// How far a zero may be from the number found for it, relative to it or to one.
-pub(super) const FOUND_WITHIN: f64 = 1e-6;
+const FOUND_WITHIN: f64 = 1e-6;
 
 /// Bits of the longest fractions that are tried as zeros.
 const LONGEST_FRACTION: usize = 128;
@@ -64,7 +64,7 @@ fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
     if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
         return Some(simple);
     }
-    let digits = zero_next_to(force, near, within, PRECISION)?;
+    let digits = zero_next_to(force, near, within)?;
     Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
 }
 
@@ -93,12 +93,12 @@ pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
     zero_or_fraction(force, Curve::new(place, &force.x)?.at(0.0), WITHIN)
 }
 
-/// The zero of the force to so many bits, by Newton's method from a number next to it.
-pub(super) fn zero_next_to(force: &Force, near: f64, within: f64, precision: usize) -> Option<BigFloat> {
+/// The zero of the force to [`PRECISION`] bits, by Newton's method from a number next to it.
+fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
     const MOST_STEPS: usize = 30;
     let (at_rest, stiffness) = (force.at_rest(), force.stiffness());
     let (force, stiffness) = (Curve::new(&at_rest, &force.x)?, Curve::new(&stiffness, &force.x)?);
-    let mut x = BigFloat::from_f64(near, precision)?;
+    let mut x = BigFloat::from_f64(near, PRECISION)?;
     for _ in 0..MOST_STEPS {
         let step = newton_step(force.precisely_at(&x)?, stiffness.precisely_at(&x)?)?;
         x = x + step.clone();

@@ -63,7 +63,7 @@ pub struct Refusal {
 #[non_exhaustive]
 pub enum Unfit {
     /// The force drives away, or has no linear part.
-    #[error("omega0^2 is {omega0_squared}, and it must be positive")]
+    #[error("the force does not drive back: omega0^2 is {omega0_squared} and must be positive")]
     NotRestoring {
         /// −∂F/∂x.
         omega0_squared: String,

@@ -11,10 +11,14 @@ mod roots;
 mod error;
 mod model;
 
+mod periodic_motion;
+mod taylor_step;
+
 pub use constant::{Approximation, Constant};
 pub use error::{OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
 pub use named::{NamedOscillator, Parameter, UnknownOscillator, catalogue};
+pub use periodic_motion::{NoPeriodicMotion, PeriodicMotion};
 
 #[cfg(test)]
 mod tests;

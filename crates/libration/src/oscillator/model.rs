@@ -2,11 +2,9 @@
 
 use super::OscillatorError;
 use super::constant::Constant;
-use super::equilibrium::{
-    Candidates, Equilibrium, FOUND_WITHIN, assessed, candidates, given, refined, vanishes_at, zero_next_to,
-};
-use super::force::{Curve, Force};
-use crate::algebra::{BigFloat, Rational};
+use super::equilibrium::{Candidates, Equilibrium, assessed, candidates, given, refined, vanishes_at};
+use super::force::Force;
+use crate::algebra::Rational;
 use crate::expression::{Equation, Expression, Symbol};
 
 /// So many places of rest, the nearest to zero, are looked at.
@@ -148,25 +146,6 @@ impl Oscillator {
     #[must_use]
     pub fn equilibrium(&self) -> &Constant {
         &self.equilibrium.at
-    }
-
-    /// Where it rests, to so many bits; `None` when the equilibrium cannot be refined.
-    #[allow(dead_code, reason = "for expansions in digits")]
-    pub(crate) fn equilibrium_in(&self, precision: usize) -> Option<BigFloat> {
-        match &self.equilibrium.at {
-            Constant::Exact(place) => Some(BigFloat::from_rational(place, precision)),
-            digits => zero_next_to(&self.force, digits.to_f64(), FOUND_WITHIN, precision),
-        }
-    }
-
-    /// ω0², to so many bits.
-    #[allow(dead_code, reason = "for expansions in digits")]
-    pub(crate) fn omega0_squared_in(&self, precision: usize) -> Option<BigFloat> {
-        if let Constant::Exact(value) = self.omega0_squared() {
-            return Some(BigFloat::from_rational(value, precision));
-        }
-        let stiffness = self.force.stiffness();
-        Curve::new(&stiffness, &self.force.x)?.precisely_at(&self.equilibrium_in(precision)?)
     }
 
     /// ω0², the square of the frequency of small oscillations; for a limit cycle at strength zero.

@@ -114,10 +114,6 @@ fn equilibria_that_are_no_fractions_are_said_to_be_in_digits() {
         assert_eq!(found.equilibrium().to_string(), at, "{text}");
         assert!((found.omega0_squared().to_f64() - stiffness).abs() < 1e-15, "{text}");
         assert!(found.equilibrium().exact().is_none() && !found.is_odd());
-        let precise = found.equilibrium_in(2000).unwrap().to_rational();
-        let short = found.equilibrium_in(300).unwrap().to_rational();
-        assert!((precise - short).magnitude().to_f64() < 1e-80);
-        assert!((found.omega0_squared_in(300).unwrap().to_f64() - stiffness).abs() < 1e-15);
     }
 }
 
@@ -149,7 +145,7 @@ fn symmetries_are_proved_not_sampled() {
 #[test]
 fn what_does_not_oscillate_is_refused_with_the_reason() {
     for (text, part) in [
-        ("x'' = x", "at 0 omega0^2 is -1, and it must be positive"),
+        ("x'' = x", "at 0 the force does not drive back: omega0^2 is -1 and must be positive"),
         ("x'' = -x^3", "omega0^2 is 0"),
         ("x'' = -1", "passes zero nowhere (all real numbers was searched)"),
         ("x'' = -exp(x)", "passes zero nowhere (from -10 to 10 was searched)"),

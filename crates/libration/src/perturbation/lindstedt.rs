@@ -36,7 +36,7 @@ pub(crate) struct Family<E> {
     pub(crate) harmonics: Vec<Vec<Harmonic<E>>>,
 }
 
-/// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, A_N.
+/// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, up to N.
 /// `None` when a number is not in the ring.
 pub(crate) fn family<R: PhaseRing>(
     ring: &R,

@@ -1,4 +1,10 @@
-//! Periodic motions of any oscillator as exact series.
+//! Periodic motions of any oscillator as power series, exact and to any order.
+//!
+//! About a centre the motions form a family with a parameter ε, whose meaning is free: the [`Gauge`]. [`expand`] gives
+//! frequency and harmonics by powers of ε and of the amplitude. A self-excited oscillator has a limit cycle, which is
+//! expanded in the strength of the excitation. [`OpenGauge`] shows the equations order by order before a gauge is
+//! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`Evaluation`],
+//! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
 
 mod approximate;
 mod certificate;
@@ -14,6 +20,8 @@ mod lindstedt;
 mod model;
 mod modular;
 mod open_gauge;
+mod relation;
+mod restoring_force;
 mod selection;
 mod series_set;
 mod truncated_system;
@@ -25,7 +33,6 @@ pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
+pub use relation::{Approximant, ExactValue, NotAQuantity, Quantity, Radius, Relation, Road};
+pub use restoring_force::restoring_force;
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
-
-#[cfg(test)]
-mod tests;

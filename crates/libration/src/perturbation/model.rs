@@ -123,7 +123,7 @@ impl<N> Model<N> {
         conservative::displacement(ring, &self.tape, values, omega0_squared, self.order)
     }
 
-    /// 0, A₁, …, A_N; for the gauges that have a name those of the fundamental one.
+    /// 0, A₁, A₂, …; for the gauges that have a name those of the fundamental one.
     fn fundamental<R: Ring>(&self, ring: &R, gauge: &Gauge) -> Option<Vec<R::Element>> {
         let mut list = vec![ring.zero(); self.order + 1];
         match gauge {

@@ -49,8 +49,8 @@ pub(crate) fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::E
 /// As many coefficients of √a as a has, for a₀ = 1 and the root that begins with 1.
 pub(crate) fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let mut b = vec![ring.rational(&1.into())?];
-    for n in 1..a.len() {
-        b.push(next_square_root(ring, &a[n], &b)?);
+    for a_n in a.iter().skip(1) {
+        b.push(next_square_root(ring, a_n, &b)?);
     }
     Some(b)
 }

@@ -14,7 +14,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
-    ("perturbation", &["oscillator", "expression", "series", "algebra"]),
+    ("perturbation", &["oscillator", "expression", "pendulum", "series", "algebra"]),
     ("derivation", &["elliptic", "pendulum", "period_formulas", "algebra", "series", "expression"]),
     ("measurement", &[]),
     ("fit", &["pendulum"]),

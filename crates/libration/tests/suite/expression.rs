@@ -214,7 +214,7 @@ fn the_deepest_trees_fit_the_stack_of_a_thread() {
             let slope = tree.derivative(&x);
             assert!(slope.clone() == slope && !slope.to_latex().is_empty() && slope.contains(&x));
             assert!(slope.substitute(&x, &formula("1/(1 + x)")).simplified().contains(&x));
-            assert!(tree.polynomial_degree(&[x.clone()]).is_none());
+            assert!(tree.polynomial_degree(std::slice::from_ref(&x)).is_none());
         }
     };
     std::thread::Builder::new().stack_size(1 << 21).spawn(body).unwrap().join().unwrap();

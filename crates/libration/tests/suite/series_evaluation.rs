@@ -72,6 +72,40 @@ fn pair(length: i64, rho: i64) -> Vec<Rational> {
         .collect()
 }
 
+/// T/T0 of x″ + x + x³ + x⁵ = 0 by powers of A², by reversion of the potential with python-flint. The force has further
+/// zeros at A² = e^(±2πi/3), where a separatrix ends the series.
+const CUBIC_QUINTIC: [&str; 12] = [
+    "1",
+    "-3/8",
+    "-23/256",
+    "469/2048",
+    "-97285/786432",
+    "-250921/6291456",
+    "69222521/603979776",
+    "-112601777/1610612736",
+    "-6514578167/274877906944",
+    "1481533518365/19791209299968",
+    "-92333126443789/1899956092796928",
+    "-253320174431833/15199648742375424",
+];
+
+/// Ω of the Van der Pol oscillator by powers of μ², with python-flint; singular at |μ| = 1.85 (C. M. Andersen and J. F.
+/// Geer, SIAM J. Appl. Math. 42, 678 (1982)).
+const VAN_DER_POL: [&str; 12] = [
+    "1",
+    "-1/16",
+    "17/3072",
+    "35/884736",
+    "-678899/5096079360",
+    "28160413/2293235712000",
+    "16729607288111/3698530556313600000",
+    "-5722795344767278507/5219366321069752320000000",
+    "-1846779765852173498887007/14731139504587268947968000000000",
+    "3202506386889338212533493973243/41577168137747107878744883200000000000",
+    "-4038372199485064617691118289043994731/3872464178615255430139995425341440000000000000",
+    "-56002320086753768951322082337270395510634270309/11902381115621105952443537043358727798784000000000000000",
+];
+
 #[test]
 fn sums_of_the_period_series_are_the_exact_period() {
     for degrees in [1e-3_f64, 10.0, 60.0, 90.0] {
@@ -166,6 +200,19 @@ fn outside_the_circle_of_convergence_nothing_is_promised() {
 }
 
 #[test]
+fn what_is_not_finite_gives_nan() {
+    let series = period_in_amplitude(10);
+    for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+        let found = Evaluation::new(&series, x);
+        assert!(found.value().is_nan() && found.corrections_needed(1.0).is_none());
+        assert!(Pade::new(&series, 2, 2).unwrap().value_at(x).is_nan());
+    }
+    for x in [1e-300, 1e300, -0.0] {
+        assert!(!Evaluation::new(&series, x).value().is_nan());
+    }
+}
+
+#[test]
 fn radii_of_convergence_are_found_with_honest_ranges() {
     let negated = |series: Vec<Rational>| -> Vec<Rational> {
         let sign = |n: usize| Rational::from(if n.is_multiple_of(2) { 1 } else { -1 });
@@ -193,6 +240,20 @@ fn radii_of_convergence_are_found_with_honest_ranges() {
             (a, b) => assert_eq!(a, b, "{name}"),
         }
     }
+}
+
+#[test]
+fn twelve_coefficients_are_enough_for_a_pair_of_singularities() {
+    let found = Convergence::of(&CUBIC_QUINTIC.map(rational)).unwrap();
+    assert!(found.at_least < 1.0 && 1.0 < found.at_most && found.at_most - found.at_least < 0.2, "{found:?}");
+    let Singularity::Pair { angle } = found.singularity else { panic!("{found:?}") };
+    assert!((angle - 2.0 * PI / 3.0).abs() < 0.03, "{angle}");
+    let found = Convergence::of(&even(&VAN_DER_POL.map(rational))).unwrap();
+    assert_eq!(found.stride, 2);
+    assert!(
+        found.at_least < 1.85 && 1.85 < found.at_most && found.at_most - found.at_least < 0.2,
+        "{found:?}"
+    );
 }
 
 #[test]

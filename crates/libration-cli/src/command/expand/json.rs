@@ -24,9 +24,10 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let of = |of: &Option<AmplitudeSeries>| {
         of.as_ref().map_or(Value::Null, |of| of_amplitude(of, expansion.precision))
     };
-    let mut record = Record::new()
-        .with("oscillator", answer.key.clone())
+    let record = Record::new()
+        .with("oscillator", answer.key)
         .with("equation", answer.equation.clone())
+        .with("parameters", parameters(answer))
         .with("order", expansion.order)
         .with("gauge", gauge)
         .with("variable", expansion.variable.name())
@@ -42,10 +43,12 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         .with("of_half_swing", of(&expansion.of_half_swing))
         .with("certified", expansion.certificate.is_proof())
         .with("certificate", certificate(expansion.certificate));
-    for note in &answer.notes {
-        record = record.note(note);
-    }
     json::document(out, record)
+}
+
+fn parameters(answer: &Answer) -> Value {
+    let values = answer.values.iter().map(|(name, value)| (name.clone(), value.clone().into()));
+    Value::Object(values.collect::<Map<_, _>>())
 }
 
 fn object(fields: impl Iterator<Item = (String, Record)>) -> Value {

@@ -16,9 +16,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Text };
     let symbols = Symbols::new(&expansion.variable);
-    writeln!(out, "{}", answer.title)?;
-    writeln!(out, "{}", answer.equation)?;
-    writeln!(out, "{}", setting(expansion))?;
+    write_head(out, answer)?;
     writeln!(out, "{}\n", meaning(expansion, &symbols))?;
     for (name, text) in lines(expansion, notation, &symbols) {
         writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
@@ -35,21 +33,29 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
             writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
         }
     }
-    writeln!(out, "\n{}", checked(expansion))?;
-    for note in &answer.notes {
-        writeln!(out, "note: {note}")?;
+    writeln!(out, "\n{}", checked(expansion))
+}
+
+/// What is expanded about what.
+pub(super) fn write_head(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    writeln!(out, "{}", answer.title)?;
+    writeln!(out, "{}", answer.equation)?;
+    if !answer.values.is_empty() {
+        let values: Vec<String> =
+            answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        writeln!(out, "with {}", values.join(", "))?;
     }
-    Ok(())
+    writeln!(out, "{}", setting(answer))
 }
 
 /// The symbols that stand for the variable.
-struct Symbols<'a> {
-    variable: &'a str,
+pub(super) struct Symbols<'a> {
+    pub(super) variable: &'a str,
     latex: &'a str,
 }
 
 impl<'a> Symbols<'a> {
-    fn new(variable: &'a Variable) -> Self {
+    pub(super) fn new(variable: &'a Variable) -> Self {
         match variable {
             Variable::Epsilon(_) => Self { variable: "ε", latex: r"\epsilon" },
             Variable::Parameter(name) if name == "mu" => Self { variable: "μ", latex: r"\mu" },
@@ -66,9 +72,11 @@ fn number(value: &Rational, precision: Precision) -> String {
     }
 }
 
-fn setting(expansion: &Expansion) -> String {
+fn setting(answer: &Answer) -> String {
+    let expansion = &answer.expansion;
     let number = |value| number(value, expansion.precision);
-    format!("about x = {}, where ω0² = {}", number(&expansion.equilibrium), number(&expansion.omega0_squared))
+    let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
+    format!("about {} = {place}, where ω0² = {square}", answer.oscillator.variable())
 }
 
 /// What the variable means, and how far the series go.

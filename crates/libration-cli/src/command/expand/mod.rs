@@ -1,19 +1,21 @@
 //! `libration expand`: exact perturbation series of any oscillator.
 
+mod evaluate;
 mod json;
 mod listing;
 
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::{Form, FormOptions};
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, expand};
+use libration::oscillator::Oscillator;
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, Quantity, expand};
 use std::io::Write;
 
 /// Exact series of an oscillator's frequency, harmonics and period, to any order
 ///
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
-/// gauge. Self-excited oscillators with an open parameter, such as van_der_pol, are expanded in that parameter.
+/// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7
@@ -21,18 +23,28 @@ use std::io::Write;
   libration expand \"x'' + x + 0.1*x^3 = 0\" --order 5 --latex
   libration expand quadratic --order 6 --gauge half_swing
   libration expand van_der_pol --order 8 --json
+  libration expand pendulum --evaluate 40deg               T/T0 term by term, beside the exact value
+  libration expand duffing --set epsilon=0.1 --evaluate 2 --quantity a3
+  libration oscillators                                    the oscillators known by name
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing, energy (ε = √(2E)/ω0),
 nome (pendulum, ε = 8√q), or the coefficients of a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.")]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,
-    /// The highest power of the expansion parameter
-    #[arg(long, default_value = "7", value_parser = arguments::count::<MAX_ORDER>)]
-    order: usize,
+    /// The highest power of the expansion parameter [default: 7; 31 with --evaluate]
+    #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
+    order: Option<usize>,
     /// What the expansion parameter means
     #[arg(long, default_value = "fundamental")]
     gauge: Gauge,
+    /// Numbers term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5, or 40deg
+    /// where the variable is an angle; for a limit cycle at this value of its parameter
+    #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
+    evaluate: Option<String>,
+    /// What is evaluated: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+    #[arg(long, default_value = "period", requires = "evaluate")]
+    quantity: Quantity,
     /// Write LaTeX
     #[arg(long, conflicts_with_all = ["json", "csv"])]
     latex: bool,
@@ -40,22 +52,36 @@ pub(crate) struct Expand {
     form: FormOptions,
 }
 
+/// The order to which an expansion is listed.
+const LISTED: usize = 7;
+/// The order to which an expansion is evaluated.
+const EVALUATED: usize = 31;
+
 /// An expansion with the words for it.
 struct Answer {
     key: Option<&'static str>,
     title: String,
     equation: String,
     equation_latex: String,
+    /// The parameters with their values.
+    values: Vec<(String, String)>,
+    is_angle: bool,
+    oscillator: Oscillator,
     expansion: Expansion,
-    notes: Vec<String>,
 }
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let chosen = self.oscillator.chosen()?;
-        let expansion = expand(&chosen.oscillator, self.order, &self.gauge)
+        let amplitude =
+            self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
+        let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
+        let expansion = expand(&chosen.oscillator, order, &self.gauge)
             .map_err(|error| Failure::no_answer("expansion", error))?;
         let answer = Answer::new(chosen, expansion);
+        if let Some(amplitude) = amplitude {
+            return evaluate::write(out, self.form.form(), &answer, self.quantity, amplitude);
+        }
         match self.form.form() {
             Form::Json => json::write(out, &answer)?,
             Form::Csv => json::write_csv(out, &answer)?,
@@ -71,11 +97,13 @@ impl Answer {
         let equation = chosen.oscillator.equation();
         Self {
             key: chosen.key,
-            title: chosen.title,
+            title: chosen.title.clone(),
             equation: equation.to_string(),
             equation_latex: equation.to_latex().join(r",\quad "),
+            is_angle: chosen.is_angle(),
+            values: chosen.values,
+            oscillator: chosen.oscillator,
             expansion,
-            notes: vec![],
         }
     }
 }

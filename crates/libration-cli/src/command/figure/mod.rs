@@ -5,6 +5,7 @@ mod motion;
 mod phase;
 mod releases;
 mod report;
+mod series;
 mod spectrum;
 
 use crate::arguments;
@@ -15,14 +16,16 @@ use crate::output::FormOptions;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Draw a picture: errors of the formulas, motions, the phase portrait, harmonics
+/// Draw a picture: errors of the formulas, motions, the phase portrait, harmonics, perturbation series
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure errors --output errors.svg
   libration figure errors --formulas bernoulli,carvalhaes_suppes --from 60deg --output errors.png
   libration figure motion --amplitudes 30deg,90deg,179deg --output motion.svg
   libration figure phase --output phase.svg
-  libration figure spectrum --amplitudes 60deg,150deg,179deg --output spectrum.png")]
+  libration figure spectrum --amplitudes 60deg,150deg,179deg --output spectrum.png
+  libration figure series pendulum --output series.svg
+  libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 --output terms.png")]
 pub(crate) struct Figure {
     #[command(subcommand)]
     picture: Subject,
@@ -34,6 +37,7 @@ enum Subject {
     Motion(motion::Motion),
     Phase(phase::Phase),
     Spectrum(spectrum::Spectrum),
+    Series(series::Series),
 }
 
 /// The options of every picture.
@@ -59,6 +63,7 @@ impl Figure {
             Subject::Motion(subject) => ("motion", &subject.options, subject.picture()?),
             Subject::Phase(subject) => ("phase", &subject.options, subject.picture()?),
             Subject::Spectrum(subject) => ("spectrum", &subject.options, subject.picture()?),
+            Subject::Series(subject) => ("series", &subject.options, subject.picture()?),
         };
         let picture = Picture { width: options.width, height: options.height, ..picture };
         file::write(&options.output, &picture)?;

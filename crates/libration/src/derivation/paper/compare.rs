@@ -11,9 +11,11 @@ use super::power_series::PowerSeries;
 /// Numerical identities are held to this; what is compared is of the order of 1.
 pub(super) const ROUNDING: f64 = 1e-13;
 
-/// The formula as a number, its symbols having these values.
+/// The formula as a number, its symbols having these values; `None` when that is no number.
 pub(super) fn decimal(formula: &Expression, values: &[(&str, f64)]) -> Option<f64> {
-    value(&Decimals, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v))
+    let number =
+        value(&Decimals, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
+    number.filter(|number| !number.is_nan())
 }
 
 /// The formula as a power series in `variable`, other symbols being `values`.
@@ -79,11 +81,7 @@ pub(super) fn largest_residual(residual: &Expression, ranges: &[(&str, f64, f64)
     let mut largest = 0.0_f64;
     for index in 1..=POINTS {
         let at = point(index, ranges);
-        let here = decimal(residual, &at)?;
-        if here.is_nan() {
-            return None;
-        }
-        largest = largest.max(here.abs());
+        largest = largest.max(decimal(residual, &at)?.abs());
     }
     Some(largest)
 }

@@ -49,7 +49,14 @@ use statement::{Statement, in_order};
 /// Every statement with its verdict, in the order of the documents.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    statements().iter().map(Statement::row).collect()
+    rows_where(|_, _| true)
+}
+
+/// The statements chosen by document and label; only these are checked.
+#[must_use]
+pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
+    let asked = statements().into_iter().filter(|statement| chosen(statement.document, statement.label));
+    asked.map(|statement| statement.row()).collect()
 }
 
 fn statements() -> Vec<Statement> {

@@ -6,10 +6,16 @@ use crate::derivation::paper::finding::Finding;
 use crate::expression::Expression;
 use crate::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 
+/// The T/T0 of a formula for T as a series in the amplitude, from T0 = 2.
+pub(super) fn ratio_series(formula: &Expression, terms: usize) -> Option<Vec<Rational>> {
+    let period = series_in("theta0", terms, formula, &[("T0", 2)])?;
+    Some(period.iter().map(|coefficient| coefficient.divided_by_power_of_two(1)).collect())
+}
+
 /// T/T0 as a series in the amplitude against the exact one.
 pub(super) fn agreement(formula: &Expression, through: usize) -> Option<Finding> {
     const TERMS: usize = 16;
-    let printed = series_in("theta0", TERMS, formula, &[("T0", 1)])?;
+    let printed = ratio_series(formula, TERMS)?;
     let exact = exact_series(TERMS);
     let Some((power, difference)) = first_difference(&printed, &exact) else {
         return Some(Finding::verified(format!("equals the exact series to theta0^{}", printed.len() - 1)));

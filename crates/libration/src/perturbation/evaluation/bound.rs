@@ -17,8 +17,8 @@ pub fn pendulum_period_remainder(amplitude: f64, corrections: usize) -> f64 {
     const LARGEST: f64 = 0.697_591_146_728_6;
     const TERMS_SUMMED: usize = 64;
     let x = (amplitude / PI) * (amplitude / PI);
-    if !(x < 1.0) {
-        return if x.is_nan() { f64::NAN } else { f64::INFINITY };
+    if x.is_nan() || x >= 1.0 {
+        return if x.is_nan() { x } else { f64::INFINITY };
     }
     let n = real(corrections);
     // Σ xⁿ/n beyond the corrections: some terms, and for the rest a geometric series.

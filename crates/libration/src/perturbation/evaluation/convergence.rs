@@ -113,11 +113,14 @@ fn one_singularity(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> 
     let line = |n: usize| Some(weighted(n, 1.0)? - weighted(n - 1, 1.0)?);
     let parabola =
         |n: usize| Some(0.5 * (weighted(n, 2.0)? - 2.0 * weighted(n - 1, 2.0)? + weighted(n - 2, 2.0)?));
-    let (value, straight) = (parabola(end)?, line(end)?);
-    let uncertainty = f64::max((value - straight).abs(), (value - parabola(end - 1)?).abs());
-    // Singularities next to the nearest one, and logarithms, can spoil the square and not the line.
-    let value = if value > 0.0 { value } else { straight };
-    Some((Inverse { value, uncertainty: 2.0 * uncertainty }, singularity)).filter(|(it, _)| it.value > 0.0)
+    let (curved, straight) = (parabola(end)?, line(end)?);
+    let (curved_change, straight_change) =
+        ((curved - parabola(end - 1)?).abs(), (straight - line(end - 1)?).abs());
+    // Logarithms, and singularities next to the nearest one, spoil the parabola before the line.
+    let (value, change) =
+        if curved_change < straight_change { (curved, curved_change) } else { (straight, straight_change) };
+    let uncertainty = 2.0 * f64::max((curved - straight).abs(), change);
+    (value > 0.0).then_some((Inverse { value, uncertainty }, singularity))
 }
 
 /// From cₙ₊₁cₙ₋₁ − cₙ² and the like, which for a pair of singularities go to powers of 1/ρ², and its angle from three

@@ -73,19 +73,20 @@ pub enum Certainty {
 }
 
 impl Evaluation {
-    /// Σ cₙxⁿ with c₀, c₁, … given. The remainders are estimates: the distance from the last sum, and for what is
+    /// Σ cₙxⁿ with c₀, c₁, … given; all NaN when x is not finite. The remainders are estimates: the distance from the last sum, and for what is
     /// beyond it a geometric series with the ratio that [`Convergence`] finds.
     #[must_use]
     pub fn new(coefficients: &[Rational], x: f64) -> Self {
         let (terms, sums) = terms_and_sums(coefficients, x);
         let last = sums.last().cloned().unwrap_or_else(|| float(0.0));
         let beyond = beyond_the_last(coefficients, &terms, x);
+        let rounded = |number: &BigFloat| if x.is_finite() { number.to_f64() } else { f64::NAN };
         let steps = terms.iter().zip(sums).map(|((power, term), sum)| Step {
             power: *power,
-            term: term.to_f64(),
-            sum: sum.to_f64(),
+            term: rounded(term),
+            sum: rounded(&sum),
             remainder: Remainder {
-                size: (last.clone() - sum).to_f64().abs() + beyond,
+                size: rounded(&(last.clone() - sum)).abs() + beyond,
                 certainty: Certainty::Estimated,
             },
         });
@@ -118,6 +119,15 @@ impl Evaluation {
     #[must_use]
     pub fn value(&self) -> f64 {
         self.steps.last().map_or(0.0, |step| step.sum)
+    }
+
+    /// The smallest term, beyond the first, when the last two are larger: the sum gets no better after it.
+    #[must_use]
+    pub fn smallest_term(&self) -> Option<&Step> {
+        let size = |step: &Step| step.term.abs();
+        let smallest = self.steps.iter().skip(1).min_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let last = self.steps.iter().rev().take(2);
+        last.map(size).all(|last| last > size(smallest)).then_some(smallest)
     }
 
     /// How many terms beyond the first it takes for the remainder to be, and to stay, at most this fraction of the

@@ -77,7 +77,7 @@ impl Pade {
         &self.denominator
     }
 
-    /// The value at a number, which is taken as exact; infinite or NaN at a pole.
+    /// The value at a number, which is taken as exact; infinite or NaN at a pole, NaN where z is not finite.
     ///
     /// # Accuracy
     /// Rounded once, unless 50 digits cancel in numerator or denominator.
@@ -90,6 +90,9 @@ impl Pade {
                 .fold(float(0.0), |sum, term| sum * float(z) + BigFloat::from_rational(term, PRECISION))
         };
         let (above, below) = (value(&self.numerator), value(&self.denominator));
+        if !z.is_finite() {
+            return f64::NAN;
+        }
         if below.is_zero() { above.to_f64() / 0.0 } else { (above / below).to_f64() }
     }
 

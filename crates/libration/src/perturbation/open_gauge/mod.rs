@@ -60,7 +60,7 @@ impl OpenGauge {
     pub const MAX_ORDER: u32 = 15;
 
     /// The conditions up to ε^order for a restoring force g(x) = g₁x + g₂x² + … given by g₁, g₂, …; what is not
-    /// given is zero.
+    /// given is zero. [`restoring_force`](super::restoring_force) gives that of an oscillator.
     ///
     /// # Errors
     /// When the order is not between 1 and [`MAX_ORDER`](Self::MAX_ORDER), g₁ is not positive, or the force has

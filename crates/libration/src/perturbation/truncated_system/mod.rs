@@ -30,7 +30,7 @@ pub use verdict::Verdict;
 /// let solutions = system.solutions(1.0)?;
 /// assert_eq!(solutions.len(), 4);
 /// assert_eq!(solutions[0].verdict, Verdict::Accepted);
-/// assert!((solutions[0].frequency_ratio_squared.re - 0.8744).abs() < 1e-4);
+/// assert!((solutions[0].frequency_ratio_squared.re - 0.87425).abs() < 1e-5);
 /// # Ok::<(), libration::perturbation::TruncatedSystemError>(())
 /// ```
 ///

@@ -4,7 +4,7 @@ use super::{statement, text_after};
 use crate::algebra::{Rational, Ring};
 use crate::derivation::paper::compare::{ROUNDING, decimal, series_in};
 use crate::derivation::paper::finding::Finding;
-use crate::derivation::paper::period_series::{agreement, exact_series};
+use crate::derivation::paper::period_series::{agreement, exact_series, ratio_series};
 use crate::derivation::paper::power_series::PowerSeries;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::statement::Statement;
@@ -58,7 +58,7 @@ fn agrees_to_sixth(printed: &Printed) -> Option<Finding> {
 fn exponent_of_molina(printed: &Printed) -> Option<Finding> {
     let force = series_in("theta0", 8, printed.formula(0)?, &[])?;
     let from_force = PowerSeries::rational(8).power(&force, &Rational::new(-1, 2)?)?;
-    let period = series_in("theta0", 8, printed.formula(1)?, &[("T0", 1)])?;
+    let period = ratio_series(printed.formula(1)?, 8)?;
     let one_power = Printed::read(&["theta0/sin(theta0)"])?;
     let slope = series_in("theta0", 8, one_power.formula(0)?, &[])?.get(2)?.clone();
     let exponent = exact_series(4).get(2)?.checked_div(&slope)?;
@@ -83,17 +83,18 @@ fn asymptotic_at_the_top(printed: &Printed) -> Option<Finding> {
         let theta0 = PI - complement;
         // What the subtraction π − θ0 gives back.
         let complement = PI - theta0;
-        let formula = decimal(printed.formula(0)?, &[("T0", 1.0), ("theta0", theta0)])?;
+        let formula = decimal(printed.formula(0)?, &[("T0", 2.0), ("theta0", theta0)])? / 2.0;
         let error = formula / period_ratio_near_top(complement) - 1.0;
-        let expected = -(1.0 / 16.0 - 1.0 / (48.0 * libm::log(8.0 / complement))) * complement * complement;
-        vanishes &= (error - expected).abs() < complement.powi(4) + ROUNDING;
+        let square = complement * complement;
+        let expected = -(1.0 / 16.0 - 1.0 / (48.0 * libm::log(8.0 / complement))) * square;
+        vanishes &= (error - expected).abs() < square * square + ROUNDING;
         shown.push(format!("{error:.3e} at {complement:.0e} rad below pi"));
     }
     let evidence = format!(
         "the error vanishes as -delta^2*(1/16 - 1/(48*ln(8/delta))), delta = pi - theta0: {}; at small amplitudes \
          it is {:.1} %",
         shown.join(", "),
-        100.0 * (decimal(printed.formula(0)?, &[("T0", 1.0), ("theta0", 0.0)])? - 1.0)
+        100.0 * (decimal(printed.formula(0)?, &[("T0", 2.0), ("theta0", 0.0)])? / 2.0 - 1.0)
     );
     Some(Finding::verified_if(vanishes, "", evidence).restricted("near theta0 = pi"))
 }

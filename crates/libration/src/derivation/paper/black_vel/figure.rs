@@ -6,7 +6,7 @@ use crate::derivation::paper::amplitudes::in_degrees;
 use crate::derivation::paper::compare::{decimal, series_in};
 use crate::derivation::paper::errors::{PLOTTED, error, exact_at, in_words, leaders};
 use crate::derivation::paper::finding::{Finding, Verdict};
-use crate::derivation::paper::period_series::agreement;
+use crate::derivation::paper::period_series::{agreement, ratio_series};
 use crate::derivation::paper::power_series::PowerSeries;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::statement::Statement;
@@ -71,7 +71,7 @@ fn second_mean_series(terms: usize) -> Option<Vec<Rational>> {
 
 fn second_mean(printed: &Printed) -> Option<Finding> {
     const TERMS: usize = 14;
-    let stands = series_in("theta0", TERMS, printed.formula(0)?, &[("T0", 1)])?;
+    let stands = ratio_series(printed.formula(0)?, TERMS)?;
     let same = stands == second_mean_series(TERMS)?;
     let agreement = agreement(printed.formula(0)?, 2)?;
     let evidence = format!(
@@ -104,7 +104,7 @@ fn belendez(printed: &Printed) -> Option<Finding> {
         let under = Printed::read(&[reading])?;
         let whole = inserted(under.formula(0)?);
         let at_rest = decimal(&whole, &[("theta0", 0.0), ("T0", 1.0)])?;
-        let slope = series_in("theta0", 4, &whole, &[("T0", 1)]).and_then(|series| series.get(2).cloned());
+        let slope = ratio_series(&whole, 4).and_then(|series| series.get(2).cloned());
         tried.push(match slope {
             Some(slope) => format!("r = {reading}: T/T0 = 1 + {slope}*theta0^2 + ..."),
             None => format!("r = {reading}: T(0)/T0 = {at_rest:.5}"),

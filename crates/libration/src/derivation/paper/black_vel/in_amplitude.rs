@@ -5,7 +5,7 @@ use crate::algebra::{Polynomial, Polynomials, Rational, Rationals, Ring};
 use crate::derivation::paper::compare::{series_in, written};
 use crate::derivation::paper::finding::{Finding, Verdict};
 use crate::derivation::paper::lindstedt::{Expansion, numbers};
-use crate::derivation::paper::period_series::{agreement, frequency_series};
+use crate::derivation::paper::period_series::{agreement, frequency_series, ratio_series};
 use crate::derivation::paper::power_series::PowerSeries;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::statement::Statement;
@@ -72,7 +72,7 @@ fn compose_with_inverse(k: u32) -> Option<Vec<Rational>> {
 pub(super) fn period(printed: &Printed) -> Option<Finding> {
     const TERMS: usize = 7;
     let ring = PowerSeries::rational(TERMS);
-    let ratio = series_in("theta0", TERMS, printed.formula(0)?, &[("T0", 1)])?;
+    let ratio = ratio_series(printed.formula(0)?, TERMS)?;
     let frequency = ring.divide(&ring.rational(&Rational::from(1))?, &ratio)?;
     let expansion = Expansion::odd_gauge(7)?;
     let right = in_every_gauge(&frequency, &expansion.frequency()?, expansion.amplitude().get(..TERMS)?);

@@ -110,9 +110,9 @@ pub(super) fn inverse(series: &[Rational]) -> Option<Vec<Rational>> {
 }
 
 /// θ0 + F(x) with the computed F of x, to θ0⁷.
-fn improved(x: &Vec<Rational>) -> Option<Vec<Rational>> {
+fn improved(x: &[Rational]) -> Option<Vec<Rational>> {
     let ring = PowerSeries::rational(x.len());
-    let excess = inserted(&ring, &split(5)?, |name| (name == "epsilon").then(|| x.clone()))?;
+    let excess = inserted(&ring, &split(5)?, |name| (name == "epsilon").then(|| x.to_vec()))?;
     Some(ring.add(&ring.variable()?, &excess))
 }
 

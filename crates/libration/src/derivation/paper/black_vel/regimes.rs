@@ -4,11 +4,12 @@ use super::accuracy::ratio_of_leading_errors;
 use super::text_after;
 use crate::algebra::Rational;
 use crate::derivation::paper::amplitudes::in_degrees;
-use crate::derivation::paper::compare::{decimal, first_difference, series_in};
+use crate::derivation::paper::compare::{decimal, first_difference};
 use crate::derivation::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders, ratio_at,
 };
 use crate::derivation::paper::finding::Finding;
+use crate::derivation::paper::period_series::ratio_series;
 use crate::derivation::paper::printed::Printed;
 use crate::derivation::paper::statement::Statement;
 use crate::period_formulas::period_in_amplitude;
@@ -45,7 +46,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     text_after(
         "Fig. 1",
-        "text: the 1/T form is worth its while against the power series (14)",
+        "text: (implicit) the 1/T form is worth its while against the power series (14)",
         "With as many corrections the series of 1/T is more accurate than that of T.",
         &["corrections = 3"],
         against_the_power_series,
@@ -125,7 +126,7 @@ fn dip_of_one_term(printed: &Printed) -> Option<Finding> {
 
 /// The [0/1] Padé approximant of the series of T in θ0² is 1/(1 − t₁θ0²).
 fn interplay(printed: &Printed) -> Option<Finding> {
-    let stands = series_in("theta0", 8, printed.formula(0)?, &[("T0", 1)])?;
+    let stands = ratio_series(printed.formula(0)?, 8)?;
     let slope = period_in_amplitude(1).pop()?;
     let mut geometric = vec![Rational::from(0); 8];
     let mut power = Rational::from(1);

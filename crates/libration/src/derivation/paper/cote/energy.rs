@@ -158,9 +158,8 @@ fn rising_quarter(printed: &Printed) -> Option<Finding> {
     let theta0 = amplitude()?;
     let (mut squares, mut rising) = (0.0_f64, true);
     for instant in instants(&theta0, 48)? {
-        let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians()))?;
         // Rounding may make the difference of the cosines negative at the turning points.
-        let stands = if stands.is_nan() { 0.0 } else { stands };
+        let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians())).unwrap_or(0.0);
         squares =
             squares.max((stands * stands - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);
         rising &= instant.velocity <= 1e-9 || (stands - instant.velocity).abs() < 1e-7;

@@ -188,5 +188,5 @@ fn physical_pendulum(printed: &Printed) -> Option<Finding> {
     let correct = "also the moment of inertia I about the pivot: omega0^2 = m*g*d/I, d from the pivot to the centre of mass";
     let right = (stands / exact - 1.0).abs() < 1e-12;
     let finding = Finding::verified_if(right, correct, evidence);
-    Some(if right { finding } else { finding.restricted("as far as it goes: it is not enough") })
+    Some(if right { finding } else { finding.restricted("by omission") })
 }

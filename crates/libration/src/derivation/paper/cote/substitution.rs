@@ -119,19 +119,19 @@ fn the_substitution(printed: &Printed) -> Option<Finding> {
     Some(Finding::verified_if(largest < ROUNDING && increasing, "", evidence))
 }
 
-/// Both sides with dψ = 1 and dθ = dθ/dψ by central differences.
+/// Both sides with dψ = 2 and dθ = 2·dθ/dψ by central differences.
 fn differential(printed: &Printed) -> Option<Finding> {
     const STEP: f64 = 1e-5;
     let residual = printed.residual(0)?;
     let mut largest = 0.0_f64;
     for (theta0, psi) in points() {
-        let slope = (theta_of(theta0, psi + STEP) - theta_of(theta0, psi - STEP)) / (2.0 * STEP);
+        let twice_slope = (theta_of(theta0, psi + STEP) - theta_of(theta0, psi - STEP)) / STEP;
         let values = [
             ("theta", theta_of(theta0, psi)),
             ("theta0", theta0),
             ("psi", psi),
-            ("dtheta", slope),
-            ("dpsi", 1.0),
+            ("dtheta", twice_slope),
+            ("dpsi", 2.0),
         ];
         largest = largest.max(decimal(&residual, &values)?.abs());
     }

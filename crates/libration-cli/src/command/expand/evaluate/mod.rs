@@ -1,0 +1,106 @@
+//! `libration expand --evaluate`: a series in numbers, term by term, beside the exact value.
+
+mod json;
+mod table;
+
+use super::Answer;
+use crate::failure::Failure;
+use crate::output::Form;
+use libration::oscillator::NoPeriodicMotion;
+use libration::perturbation::{Certainty, Evaluation, ExactValue, Quantity, Radius, Relation};
+use std::io::Write;
+
+/// The relative errors for which the terms are counted.
+const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// Padé approximants up to this degree above and below.
+const HIGHEST_DEGREE: usize = 16;
+
+/// A relation at one amplitude, with all that is said about it.
+struct Numbers<'a> {
+    answer: &'a Answer,
+    relation: &'a Relation<'a>,
+    amplitude: f64,
+    evaluation: Evaluation,
+    exact: Result<ExactValue, NoPeriodicMotion>,
+    radius: Option<Radius>,
+    pade: Vec<Quotient>,
+}
+
+/// A Padé approximant [n/n] at the amplitude.
+struct Quotient {
+    degree: usize,
+    value: f64,
+    /// A pole between zero and the amplitude, which makes the value worthless.
+    pole_before: Option<f64>,
+}
+
+/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation.
+pub(super) fn write(
+    out: &mut dyn Write,
+    form: Form,
+    answer: &Answer,
+    quantity: Quantity,
+    amplitude: f64,
+) -> Result<(), Failure> {
+    let relation = Relation::new(&answer.oscillator, &answer.expansion, quantity);
+    if relation.series().iter().all(libration::algebra::Rational::is_zero) {
+        return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(answer))));
+    }
+    let numbers = Numbers::new(answer, &relation, amplitude)?;
+    match form {
+        Form::Json => json::write(out, &numbers)?,
+        Form::Csv => json::write_csv(out, &numbers)?,
+        Form::Table => table::write(out, &numbers)?,
+    }
+    Ok(())
+}
+
+/// Which harmonics there are in the place of one that is not.
+fn absent(answer: &Answer) -> String {
+    let present: Vec<String> =
+        answer.expansion.harmonics.iter().take(6).map(|harmonic| format!("a{}", harmonic.k)).collect();
+    format!("is zero to this order; harmonics that are not: {}", present.join(", "))
+}
+
+impl<'a> Numbers<'a> {
+    fn new(answer: &'a Answer, relation: &'a Relation<'a>, amplitude: f64) -> Result<Self, Failure> {
+        let exact = relation.exact_at(amplitude);
+        if let Err(refusal @ NoPeriodicMotion::Amplitude(_)) = &exact {
+            return Err(Failure::no_answer("--evaluate", refusal));
+        }
+        let pade = (1..=HIGHEST_DEGREE).filter_map(|degree| quotient(relation, degree, amplitude)).collect();
+        Ok(Self {
+            answer,
+            relation,
+            amplitude,
+            evaluation: relation.evaluation_at(amplitude),
+            exact,
+            radius: relation.radius(),
+            pade,
+        })
+    }
+
+    /// How far a value is from the exact one; `None` when there is none.
+    fn error(&self, value: f64) -> Option<f64> {
+        self.exact.as_ref().ok().map(|exact| value - exact.value)
+    }
+
+    fn needed(&self) -> impl Iterator<Item = (f64, Option<usize>)> {
+        TOLERANCES.into_iter().map(|tolerance| (tolerance, self.evaluation.corrections_needed(tolerance)))
+    }
+}
+
+fn quotient(relation: &Relation<'_>, degree: usize, amplitude: f64) -> Option<Quotient> {
+    let approximant = relation.approximant(degree)?;
+    let pole_before = approximant.first_pole().filter(|pole| *pole <= amplitude);
+    Some(Quotient { degree, value: approximant.value_at(amplitude), pole_before })
+}
+
+/// The word for what a bound rests on.
+fn certainty(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Proven => "proven",
+        Certainty::Estimated => "estimated",
+    }
+}

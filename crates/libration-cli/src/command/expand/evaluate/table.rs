@@ -1,0 +1,210 @@
+//! The series in numbers, to read.
+
+use super::super::listing::{self, Symbols};
+use super::{Numbers, Quotient};
+use crate::output::number::{rounded, short};
+use crate::output::series::{coefficient, subscript, superscript};
+use crate::output::table::{Column, Table, sheet};
+use libration::algebra::Rational;
+use libration::perturbation::{Certainty, Evaluation, ExactValue, Precision, Quantity, Radius, Road, Step};
+use std::io::{self, Write};
+
+/// Longer coefficients are written as decimals.
+const LONGEST_FRACTION: usize = 21;
+
+pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
+    listing::write_head(out, numbers.answer)?;
+    writeln!(out, "{}\n", subject(numbers))?;
+    write_steps(out, numbers)?;
+    writeln!(out)?;
+    sheet(out, &summary(numbers))?;
+    if !numbers.pade.is_empty() {
+        writeln!(out)?;
+        write_pade(out, numbers)?;
+    }
+    Ok(())
+}
+
+fn symbol(numbers: &Numbers<'_>) -> String {
+    match &numbers.answer.expansion.variable {
+        variable if variable.is_strength() => Symbols::new(variable).variable.to_owned(),
+        _ => "A".to_owned(),
+    }
+}
+
+fn name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::Period => "T/T0".to_owned(),
+        Quantity::Frequency => "Ω/ω0".to_owned(),
+        Quantity::Cosine(k) => format!("a{}", subscript(k)),
+    }
+}
+
+/// What the table is of, and where.
+fn subject(numbers: &Numbers<'_>) -> String {
+    let symbol = symbol(numbers);
+    let place = if numbers.answer.expansion.variable.is_strength() {
+        format!("at {symbol} = {}", short(numbers.amplitude, 12))
+    } else {
+        format!("at the amplitude {symbol} = {}", in_units(numbers, numbers.amplitude, 10))
+    };
+    let unit = &numbers.answer.expansion.unit_squared;
+    let units = match numbers.relation.quantity() {
+        Quantity::Cosine(_) if *unit != Rational::from(1) => format!(", in units of √({unit})"),
+        _ => String::new(),
+    };
+    format!("{} by powers of {symbol}{units}, {place}", name(numbers.relation.quantity()))
+}
+
+/// An amplitude, in radians and degrees when it is an angle.
+fn in_units(numbers: &Numbers<'_>, amplitude: f64, digits: usize) -> String {
+    if numbers.answer.is_angle && !numbers.answer.expansion.variable.is_strength() {
+        let degrees = amplitude.to_degrees();
+        return format!("{} rad = {}°", short(amplitude, digits), short(degrees, digits));
+    }
+    short(amplitude, digits)
+}
+
+fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
+    let evaluation = &numbers.evaluation;
+    let bound = match evaluation.steps().first().map(|step| step.remainder.certainty) {
+        Some(Certainty::Proven) => "|error| below (proven)",
+        _ => "|error| about (estimated)",
+    };
+    let mut table = Table::new(vec![
+        Column::numbers("power"),
+        Column::numbers("coefficient"),
+        Column::numbers("term"),
+        Column::numbers("sum so far"),
+        Column::numbers("its error"),
+        Column::numbers(bound),
+        Column::words(""),
+    ]);
+    for step in evaluation.steps() {
+        table.row(out, row(numbers, step))?;
+    }
+    table.finish(out)
+}
+
+fn row(numbers: &Numbers<'_>, step: &Step) -> Vec<String> {
+    let smallest = numbers.evaluation.smallest_term().is_some_and(|smallest| smallest.power == step.power);
+    vec![
+        step.power.to_string(),
+        shortened(&numbers.relation.series()[step.power], numbers.answer.expansion.precision),
+        rounded(step.term, 5),
+        rounded(step.sum, 15),
+        error(&numbers.exact, step.sum),
+        if step.remainder.size.is_finite() { rounded(step.remainder.size, 3) } else { "no bound".to_owned() },
+        if smallest { "← smallest term" } else { "" }.to_owned(),
+    ]
+}
+
+/// A fraction while it is short, else the beginning of its decimals.
+fn shortened(value: &Rational, precision: Precision) -> String {
+    let exact = coefficient(value, precision);
+    if exact.chars().count() <= LONGEST_FRACTION { exact } else { format!("{}…", value.to_decimal(10)) }
+}
+
+/// The distance from the exact value, as far as that is known.
+fn error<E>(exact: &Result<ExactValue, E>, value: f64) -> String {
+    match exact {
+        Ok(exact) if (value - exact.value).abs() <= exact.uncertainty => {
+            format!("below {:.0e}", exact.uncertainty)
+        }
+        Ok(exact) => rounded(value - exact.value, 3),
+        Err(_) => "unknown".to_owned(),
+    }
+}
+
+fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
+    let mut lines = vec![("exact value", exact(numbers)), ("convergence", convergence(numbers))];
+    if let Some(smallest) = numbers.evaluation.smallest_term() {
+        lines.push(("no help after", after(numbers, smallest)));
+    }
+    lines.push(("terms needed", needed(&numbers.evaluation, numbers.needed())));
+    lines
+}
+
+fn exact(numbers: &Numbers<'_>) -> String {
+    match &numbers.exact {
+        Ok(exact) => {
+            let road = match exact.road {
+                Road::Elliptic => "by elliptic integrals",
+                Road::Integration => "by integrating the equation of motion",
+            };
+            format!("{}, right to {:.0e}, {road}", rounded(exact.value, 16), exact.uncertainty)
+        }
+        Err(reason) => format!("none: {reason}"),
+    }
+}
+
+fn convergence(numbers: &Numbers<'_>) -> String {
+    let symbol = symbol(numbers);
+    match numbers.radius {
+        None => "too few terms to estimate a radius: give a larger --order".to_owned(),
+        Some(Radius::Known(radius)) => {
+            let inside = numbers.amplitude.abs() < radius;
+            let place = if inside { "this is inside" } else { "this is BEYOND it" };
+            format!("for {symbol} below {} (proven); {place}", in_units(numbers, radius, 10))
+        }
+        Some(Radius::Estimated(found)) if found.at_most.is_infinite() => {
+            format!(
+                "for {symbol} below {} at least, perhaps everywhere (estimated)",
+                short(found.at_least, 3)
+            )
+        }
+        Some(Radius::Estimated(found)) => {
+            let (low, high) = (short(found.at_least, 4), short(found.at_most, 4));
+            let place = match numbers.amplitude.abs() {
+                inside if inside < found.at_least => "this is inside",
+                beyond if beyond > found.at_most => "this is BEYOND it",
+                _ => "this is too near to tell",
+            };
+            let radius = in_units(numbers, found.radius, 4);
+            format!("for {symbol} below about {radius} (estimated, between {low} and {high}); {place}")
+        }
+    }
+}
+
+/// Where the series is at its best when its terms grow.
+fn after(numbers: &Numbers<'_>, smallest: &Step) -> String {
+    let error = match numbers.error(smallest.sum) {
+        Some(error) => format!(", where the error is {}", rounded(error, 2)),
+        None => String::new(),
+    };
+    format!("{}{}: from there on the terms grow{error}", symbol(numbers), superscript(smallest.power))
+}
+
+fn needed(evaluation: &Evaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
+    let known = evaluation.steps().len().saturating_sub(1);
+    let counted = counts.map(|(tolerance, count)| match count {
+        Some(count) => format!("{count} for {tolerance:.0e}"),
+        None => format!("more than {known} for {tolerance:.0e}"),
+    });
+    format!("after the first: {}", counted.collect::<Vec<_>>().join(", "))
+}
+
+fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
+    let last = numbers.pade.last().map_or(0, |last| last.degree);
+    let mut table = Table::new(vec![
+        Column::words("Padé"),
+        Column::numbers("value"),
+        Column::numbers("its error"),
+        Column::words(""),
+    ]);
+    let shown = |quotient: &&Quotient| quotient.degree.is_power_of_two() || quotient.degree == last;
+    for quotient in numbers.pade.iter().filter(shown) {
+        let degree = quotient.degree;
+        let pole = quotient.pole_before.map(|pole| format!("has a pole before, at {}", short(pole, 5)));
+        table.row(
+            out,
+            vec![
+                format!("[{degree}/{degree}]"),
+                rounded(quotient.value, 15),
+                error(&numbers.exact, quotient.value),
+                pole.unwrap_or_default(),
+            ],
+        )?;
+    }
+    table.finish(out)
+}

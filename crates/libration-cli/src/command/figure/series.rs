@@ -1,0 +1,233 @@
+//! `libration figure series`: how far partial sums of a series are from the exact value.
+
+use super::PictureOptions;
+use crate::arguments::{self, Chosen, OscillatorOptions};
+use crate::failure::Failure;
+use crate::figure::chart::Picture;
+use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
+use crate::output::series::superscript;
+use libration::oscillator::NoPeriodicMotion;
+use libration::perturbation::{
+    Evaluation, ExactValue, Expansion, Gauge, MAX_ORDER, Quantity, Radius, Relation, expand,
+};
+
+/// Error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
+#[derive(Debug, clap::Args)]
+pub(super) struct Series {
+    #[command(flatten)]
+    oscillator: OscillatorOptions,
+    /// The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
+    #[arg(long, default_value = "33", value_parser = arguments::count::<MAX_ORDER>)]
+    order: usize,
+    /// What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+    #[arg(long, default_value = "period")]
+    quantity: Quantity,
+    /// Instead, the error against the last power kept, at these amplitudes, such as 30deg,90deg,150deg
+    #[arg(long, value_name = "A,A", value_delimiter = ',', conflicts_with = "to")]
+    amplitudes: Vec<String>,
+    /// The largest amplitude shown [default: a fifth beyond the radius of convergence]
+    #[arg(long, value_name = "AMPLITUDE")]
+    to: Option<String>,
+    /// The smallest error shown
+    #[arg(long, default_value = "1e-14", value_parser = arguments::positive)]
+    lowest: f64,
+    #[command(flatten)]
+    pub(super) options: PictureOptions,
+}
+
+/// The largest amplitude shown where no radius of convergence is known.
+const UNKNOWN_RADIUS: f64 = 2.0;
+/// How far beyond the radius of convergence the picture goes.
+const BEYOND: f64 = 1.2;
+/// How far beyond the last motion.
+const END: f64 = 1.02;
+/// The error at the top.
+const HIGHEST: f64 = 10.0;
+/// Amplitudes at which a curve is computed.
+const SAMPLES: u32 = 240;
+/// More curves than a picture can keep apart.
+const MOST_AMPLITUDES: usize = 12;
+
+impl Series {
+    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+        if self.lowest >= HIGHEST {
+            return Err(Failure::no_answer("--lowest", format!("{} is not below {HIGHEST}", self.lowest)));
+        }
+        let chosen = self.oscillator.chosen()?;
+        let expansion = expand(&chosen.oscillator, self.order, &Gauge::Fundamental)
+            .map_err(|error| Failure::no_answer("expansion", error))?;
+        let relation = Relation::new(&chosen.oscillator, &expansion, self.quantity);
+        let powers = powers(&relation);
+        if powers.is_empty() {
+            let reason = format!("{} has no term beyond the first to this order", self.quantity);
+            return Err(Failure::no_answer("--quantity", reason));
+        }
+        let setting = setting(&chosen, &expansion, self.quantity, self.lowest);
+        if self.amplitudes.is_empty() {
+            self.in_amplitude(&chosen, &relation, &powers, setting)
+        } else {
+            self.in_terms(&chosen, &relation, setting)
+        }
+    }
+
+    fn in_amplitude(
+        &self,
+        chosen: &Chosen,
+        relation: &Relation<'_>,
+        powers: &[usize],
+        setting: Setting,
+    ) -> Result<Picture, Failure> {
+        let radius = relation.radius().filter(|radius| radius.value().is_finite());
+        let to = match &self.to {
+            Some(text) => positive(chosen, "--to", text)?,
+            None => BEYOND * radius.map_or(UNKNOWN_RADIUS, |radius| radius.value()),
+        };
+        let sampled = sampled(relation, to);
+        if sampled.is_empty() {
+            let reason = "there is no motion at these amplitudes: give a smaller --to";
+            return Err(Failure::no_answer("figure series", reason));
+        }
+        let errors = |value: &dyn Fn(&Sample) -> f64| {
+            let points = sampled.iter().map(|sample| (sample.amplitude, value(sample)));
+            let resolved = points
+                .zip(&sampled)
+                .filter_map(|((x, value), sample)| Some((x, resolved_error(value, &sample.exact)?)));
+            resolved.collect()
+        };
+        let mut lines: Vec<Line> = powers
+            .iter()
+            .map(|&power| Line {
+                label: format!("to {}{}", setting.abscissa.symbol, superscript(power)),
+                errors: errors(&|sample| sum_to(&sample.evaluation, power)),
+            })
+            .collect();
+        let degrees = (1..=4).rev().map(|n| 2 * n);
+        if let Some((degree, approximant)) =
+            degrees.filter_map(|degree| Some((degree, relation.approximant(degree)?))).next()
+        {
+            lines.push(Line {
+                label: format!("Padé [{degree}/{degree}]"),
+                errors: errors(&|sample| approximant.value_at(sample.amplitude)),
+            });
+        }
+        let radius = radius.map(|radius| (radius.value(), radius_label(&radius)));
+        let last = sampled.last().map_or(0.0, |sample| sample.amplitude);
+        let to = to.min(END * f64::max(last, radius.map_or(0.0, |(radius, _)| radius)));
+        Ok(against_amplitude(&lines, radius, to, &setting))
+    }
+
+    fn in_terms(
+        &self,
+        chosen: &Chosen,
+        relation: &Relation<'_>,
+        setting: Setting,
+    ) -> Result<Picture, Failure> {
+        if self.amplitudes.len() > MOST_AMPLITUDES {
+            let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", self.amplitudes.len());
+            return Err(Failure::usage("--amplitudes", reason));
+        }
+        let mut lines = vec![];
+        for text in &self.amplitudes {
+            let amplitude = positive(chosen, "--amplitudes", text)?;
+            let exact = relation.exact_at(amplitude).map_err(|error| no_exact(text, &error))?;
+            let evaluation = relation.evaluation_at(amplitude);
+            let errors = evaluation
+                .steps()
+                .iter()
+                .filter_map(|step| Some((real(step.power), resolved_error(step.sum, &exact)?)));
+            lines.push(Line {
+                label: format!("{} = {}", setting.abscissa.symbol, setting.abscissa.shown(amplitude)),
+                errors: errors.collect(),
+            });
+        }
+        Ok(against_terms(&lines, &setting))
+    }
+}
+
+fn no_exact(text: &str, reason: &NoPeriodicMotion) -> Failure {
+    Failure::no_answer("--amplitudes", format!("{}: {reason}", text.trim()))
+}
+
+fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<f64, Failure> {
+    let amplitude = chosen.amplitude(argument, text)?;
+    if amplitude > 0.0 {
+        return Ok(amplitude);
+    }
+    Err(Failure::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))
+}
+
+fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f64) -> Setting {
+    let abscissa = if expansion.variable.is_strength() {
+        Abscissa {
+            symbol: expansion.variable.name().replace("mu", "μ"), name: "strength", in_degrees: false
+        }
+    } else {
+        let symbol = if chosen.is_angle() { "θ₀" } else { "A" }.to_owned();
+        Abscissa { symbol, name: "amplitude", in_degrees: chosen.is_angle() }
+    };
+    let quantity = match quantity {
+        Quantity::Period => "T/T₀".to_owned(),
+        Quantity::Frequency => "Ω/ω₀".to_owned(),
+        Quantity::Cosine(_) => quantity.to_string(),
+    };
+    let title = match chosen.key {
+        Some(_) => chosen.title.clone(),
+        None => chosen.oscillator.equation().to_string(),
+    };
+    Setting { title, quantity, abscissa, lowest, highest: HIGHEST }
+}
+
+/// The last powers of the partial sums: 2, 4, 8, … and the last one, where each adds something to the one before.
+fn powers(relation: &Relation<'_>) -> Vec<usize> {
+    let present: Vec<usize> =
+        (1..relation.series().len()).filter(|n| !relation.series()[*n].is_zero()).collect();
+    let doubled = std::iter::successors(Some(2), |power: &usize| power.checked_mul(2));
+    let end = present.last().copied().unwrap_or(0);
+    let mut powers: Vec<usize> = doubled
+        .take_while(|power| *power < end)
+        .filter_map(|power| present.iter().copied().filter(|n| *n <= power).next_back())
+        .chain(present.last().copied())
+        .collect();
+    powers.dedup();
+    powers
+}
+
+/// The error of a value, where it is larger than what is uncertain about the exact one.
+fn resolved_error(value: f64, exact: &ExactValue) -> Option<f64> {
+    Some(value - exact.value).filter(|error| error.abs() > exact.uncertainty)
+}
+
+/// An amplitude with the exact value there.
+struct Sample {
+    amplitude: f64,
+    exact: ExactValue,
+    evaluation: Evaluation,
+}
+
+/// Even steps from zero up to where motions end.
+fn sampled(relation: &Relation<'_>, to: f64) -> Vec<Sample> {
+    let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
+    let sample = |amplitude| {
+        let exact = relation.exact_at(amplitude).ok()?;
+        Some(Sample { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
+    };
+    amplitudes.map_while(sample).collect()
+}
+
+/// The sum of the terms up to a power.
+fn sum_to(evaluation: &Evaluation, power: usize) -> f64 {
+    let kept = evaluation.steps().iter().take_while(|step| step.power <= power);
+    kept.last().map_or(f64::NAN, |step| step.sum)
+}
+
+fn radius_label(radius: &Radius) -> &'static str {
+    match radius {
+        Radius::Known(_) => "radius of convergence",
+        Radius::Estimated(_) => "radius of convergence, estimated",
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
+fn real(power: usize) -> f64 {
+    power as f64
+}

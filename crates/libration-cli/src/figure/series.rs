@@ -1,0 +1,93 @@
+//! The errors of partial sums: against the amplitude, with the radius of convergence, or against the last power kept.
+
+use super::chart::{Axis, Panel, Picture, Series};
+use super::cusps::sizes;
+use super::style;
+use crate::output::number::short;
+
+/// The name of a curve and its signed errors.
+pub(crate) struct Line {
+    pub(crate) label: String,
+    pub(crate) errors: Vec<(f64, f64)>,
+}
+
+/// What the picture is of.
+pub(crate) struct Setting {
+    pub(crate) title: String,
+    pub(crate) quantity: String,
+    pub(crate) abscissa: Abscissa,
+    pub(crate) lowest: f64,
+    pub(crate) highest: f64,
+}
+
+/// What the series is in.
+pub(crate) struct Abscissa {
+    pub(crate) symbol: String,
+    pub(crate) name: &'static str,
+    pub(crate) in_degrees: bool,
+}
+
+impl Abscissa {
+    fn value(&self, amplitude: f64) -> f64 {
+        if self.in_degrees { amplitude.to_degrees() } else { amplitude }
+    }
+
+    /// A value for the legend.
+    pub(crate) fn shown(&self, amplitude: f64) -> String {
+        let degrees = if self.in_degrees { "°" } else { "" };
+        format!("{}{degrees}", short(self.value(amplitude), 4))
+    }
+
+    fn label(&self) -> String {
+        let unit = if self.in_degrees { " / degrees" } else { "" };
+        format!("{} {}{unit}", self.name, self.symbol)
+    }
+}
+
+/// Errors against the amplitude in radians or in the oscillator's own unit.
+pub(crate) fn against_amplitude(
+    lines: &[Line],
+    radius: Option<(f64, &str)>,
+    to: f64,
+    setting: &Setting,
+) -> Picture {
+    let abscissa = &setting.abscissa;
+    let mut series: Vec<Series> =
+        lines.iter().enumerate().map(|(n, line)| curve(n, line, abscissa)).collect();
+    if let Some((radius, label)) = radius {
+        let ends = [setting.lowest, setting.highest].map(|error| (abscissa.value(radius), error));
+        let label = format!("{label}, {}", abscissa.shown(radius));
+        series.push(Series::line(&label, style::reference(), ends));
+    }
+    let x = Axis::linear(&abscissa.label(), 0.0, abscissa.value(to));
+    let wide = abscissa.in_degrees && abscissa.value(to) > 90.0;
+    let x = if wide { x.with_tick_step(30.0) } else { x };
+    picture(x, series, setting)
+}
+
+fn curve(number: usize, line: &Line, abscissa: &Abscissa) -> Series {
+    let errors: Vec<(f64, f64)> = line.errors.iter().map(|(x, error)| (abscissa.value(*x), *error)).collect();
+    Series::line(&line.label, style::curve(number), sizes(&errors))
+}
+
+/// Errors against the last power kept.
+pub(crate) fn against_terms(lines: &[Line], setting: &Setting) -> Picture {
+    let mut series = vec![];
+    for (number, line) in lines.iter().enumerate() {
+        let points: Vec<(f64, f64)> =
+            line.errors.iter().map(|(power, error)| (*power, error.abs())).collect();
+        series.push(Series::line("", style::thin(number), points.clone()));
+        series.push(Series::line(&line.label, style::markers(number), points));
+    }
+    let last = series.iter().flat_map(|series| &series.points).map(|point| point.x).fold(1.0, f64::max);
+    let x = Axis::linear(&format!("last power of {} kept", setting.abscissa.symbol), 0.0, last + 1.0);
+    let whole = x.tick_step.max(1.0);
+    picture(x.with_tick_step(whole), series, setting)
+}
+
+fn picture(x: Axis, series: Vec<Series>, setting: &Setting) -> Picture {
+    let label = format!("|error of {}|", setting.quantity);
+    let y = Axis::logarithmic(&label, setting.lowest, setting.highest);
+    let title = format!("Partial sums of {}: {}", setting.quantity, setting.title);
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }])
+}

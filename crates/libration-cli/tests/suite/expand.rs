@@ -1,0 +1,276 @@
+//! `libration expand` and `libration oscillators`.
+
+use crate::command::{close, json, libration, message, run, text};
+use serde_json::Value;
+
+fn list(value: &Value) -> Vec<&str> {
+    value.as_array().unwrap().iter().map(|entry| entry.as_str().unwrap()).collect()
+}
+
+/// Every entry is a fraction in lowest terms as text, as `-1/16`.
+fn assert_fractions(value: &Value, length: usize, what: &str) {
+    let entries = list(value);
+    assert_eq!(entries.len(), length, "{what}");
+    for entry in entries {
+        let (above, below) = entry.split_once('/').unwrap_or((entry, "1"));
+        let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        assert!(digits(above.strip_prefix('-').unwrap_or(above)) && digits(below), "{what}: {entry}");
+    }
+}
+
+fn refusal(arguments: &[&str], status: i32) -> String {
+    let output = run(arguments);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    message(&output)
+}
+
+#[test]
+fn every_field_of_the_contract_is_there() {
+    let order = 7;
+    let answer = json("expand pendulum --order 7");
+    assert_eq!(answer["equation"], "theta'' + sin(theta) = 0");
+    assert_eq!(answer["order"], order);
+    assert_eq!(answer["gauge"], "fundamental");
+    assert_eq!(answer["variable"], "epsilon");
+    assert_eq!(answer["omega0_squared"], "1");
+    assert_eq!(answer["certified"], true);
+    // Order N keeps x to ε^N and the frequency to ε^(N−1).
+    assert_eq!(list(&answer["frequency_ratio"]), ["1", "0", "-1/16", "0", "1/1024", "0", "-1/65536"]);
+    assert_fractions(&answer["x_max"], order + 1, "x_max");
+    assert_fractions(&answer["x_min"], order + 1, "x_min");
+    assert_eq!(list(&answer["harmonics"]["3"]["cos"])[3], "-1/192");
+    for (k, harmonic) in answer["harmonics"].as_object().unwrap() {
+        assert_fractions(&harmonic["cos"], order + 1, k);
+        assert_fractions(&harmonic["sin"], order + 1, k);
+    }
+    let of = &answer["of_amplitude"];
+    assert_fractions(&of["frequency_ratio"], order, "of_amplitude.frequency_ratio");
+    assert_eq!(list(&of["period_ratio"]), ["1", "0", "1/16", "0", "11/3072", "0", "173/737280"]);
+    assert_eq!(list(&of["epsilon"])[..4], ["0", "1", "0", "1/192"]);
+    for (k, harmonic) in of["harmonics"].as_object().unwrap() {
+        assert_fractions(&harmonic["cos"], order + 1, k);
+        assert_fractions(&harmonic["sin"], order + 1, k);
+    }
+    assert_eq!(answer["of_half_swing"], Value::Null);
+}
+
+#[test]
+fn the_half_swing_is_for_asymmetric_wells_and_amplitudes_for_families() {
+    let quadratic = json("expand quadratic --order 4");
+    assert!(quadratic["of_amplitude"].is_object() && quadratic["of_half_swing"].is_object());
+    assert!(quadratic["harmonics"]["0"].is_object() && quadratic["harmonics"]["2"].is_object());
+    let cycle = json("expand van_der_pol --order 4");
+    assert_eq!(cycle["variable"], "mu");
+    for absent in ["gauge", "of_amplitude", "of_half_swing"] {
+        assert_eq!(cycle[absent], Value::Null, "{absent}");
+    }
+    assert_eq!(list(&cycle["frequency_ratio"]), ["1", "0", "-1/16", "0", "17/3072"]);
+    // The phase has no sin τ.
+    assert!(list(&cycle["harmonics"]["1"]["sin"]).iter().all(|entry| *entry == "0"));
+}
+
+#[test]
+fn every_oscillator_of_the_catalogue_is_expanded_or_refused_for_a_reason() {
+    let catalogue = json("oscillators");
+    let oscillators = catalogue["oscillators"].as_array().unwrap();
+    assert!(oscillators.len() >= 14);
+    for oscillator in oscillators {
+        let key = oscillator["key"].as_str().unwrap();
+        let output = libration(&format!("expand {key} --order 5 --json"));
+        if key == "pure_cubic" {
+            assert_eq!(output.status.code(), Some(1));
+            assert!(message(&output).contains("omega0^2 is 0"), "{}", message(&output));
+            continue;
+        }
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(answer["frequency_ratio"][0], "1", "{key}");
+        for field in ["title", "equation", "description", "domain", "source"] {
+            assert!(oscillator[field].as_str().is_some_and(|text| !text.is_empty()), "{key}: {field}");
+        }
+    }
+}
+
+#[test]
+fn no_gauge_changes_what_can_be_measured() {
+    let physical = json("expand pendulum --order 7");
+    for gauge in ["x_max", "half_swing", "energy", "nome", "A1=1,A3=-1", "A1=2,A2=1/3"] {
+        let answer = json(&format!("expand pendulum --order 7 --gauge {gauge}"));
+        assert_eq!(answer["gauge"], gauge);
+        assert_ne!(answer["of_amplitude"]["epsilon"], physical["of_amplitude"]["epsilon"], "{gauge}");
+        for relation in ["frequency_ratio", "period_ratio", "harmonics"] {
+            assert_eq!(answer["of_amplitude"][relation], physical["of_amplitude"][relation], "{gauge}");
+        }
+    }
+}
+
+#[test]
+fn equations_are_shown_as_they_are_expanded() {
+    let listing = text("expand relativistic --order 3");
+    assert!(
+        listing.contains("x'' = -x*(1 - x'^2)^(3/2)\nwith c = 1\nabout x = 0, where ω0² = 1\n"),
+        "{listing}"
+    );
+    let soft = text("expand duffing --set epsilon=-1/2 --order 3");
+    assert!(soft.contains("x'' + x - 0.5*x^3 = 0\nwith epsilon = -1/2\n"), "{soft}");
+    let pendulum = text("expand pendulum --set ω0=3 --order 3");
+    assert!(
+        pendulum.contains("theta'' + 9*sin(theta) = 0\nwith omega0 = 3\nabout theta = 0, where ω0² = 9\n")
+    );
+    let left = text("expand double_well --about=-1 --order 3");
+    assert!(left.contains("about x = -1, where ω0² = 2"), "{left}");
+    let typed = String::from_utf8(run(&["expand", "x'' + k*x = 0", "--set", "k=4"]).stdout).unwrap();
+    assert!(typed.contains("x'' + 4*x = 0\nwith k = 4\n"), "{typed}");
+}
+
+#[test]
+fn latex_is_balanced() {
+    for key in ["pendulum", "quadratic", "van_der_pol", "rayleigh_cubic", "relativistic"] {
+        let latex = text(&format!("expand {key} --order 6 --latex"));
+        let count = |mark: &str| latex.matches(mark).count();
+        assert_eq!(count("{"), count("}"), "{key}");
+        assert_eq!(count("\\begin{align*}"), count("\\end{align*}"), "{key}");
+        assert_eq!(count("\\["), count("\\]"), "{key}");
+        assert!(count("\\frac{") > 3 && latex.is_ascii(), "{key}");
+    }
+}
+
+#[test]
+fn csv_has_a_row_for_each_coefficient() {
+    let rows = text("expand pendulum --order 5 --csv");
+    assert!(rows.starts_with("quantity,variable,power,coefficient\nfrequency_ratio,epsilon,0,1\n"));
+    assert!(rows.contains("\ncos_3,epsilon,3,-1/192\n") && rows.contains("\nperiod_ratio,x_max,4,11/3072\n"));
+    assert!(rows.lines().all(|line| line.split(',').count() == 4));
+}
+
+#[test]
+fn irrational_coefficients_are_announced() {
+    let output = run(&["expand", "x'' + sin(x)*sqrt(2 + x) = 0", "--order", "3", "--json"]);
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(answer["precision"].as_str().unwrap().ends_with("digits"), "{}", answer["precision"]);
+    assert_eq!(answer["certified"], false);
+}
+
+#[test]
+fn a_series_in_numbers_stands_beside_the_exact_value() {
+    let answer = json("expand pendulum --evaluate 40deg");
+    assert_eq!((&answer["quantity"], &answer["radius_is"]), (&"period".into(), &"proven".into()));
+    close(&answer["amplitude"], 40_f64.to_radians(), 1e-15);
+    // 1/agm(1, cos 20°), by mpmath.
+    close(&answer["exact"], 1.031_340_519_130_037, 1e-15);
+    close(&answer["radius"], std::f64::consts::PI, 1e-15);
+    for step in answer["steps"].as_array().unwrap() {
+        let number = |name: &str| step[name].as_f64().unwrap();
+        assert_eq!(step["bound_is"], "proven");
+        // Beside the bound there is the rounding of sum and exact value.
+        assert!(number("error").abs() <= number("bound") + 5e-16, "{step}");
+        assert!(step["coefficient"].is_string() && step["power"].is_u64());
+    }
+    assert_eq!(answer["terms_needed"], serde_json::json!({"1e-3": 1, "1e-6": 4, "1e-9": 6, "1e-12": 8}));
+    assert!(answer["pade"][1]["error"].as_f64().unwrap().abs() < 1e-9);
+}
+
+#[test]
+fn other_oscillators_have_exact_values_too() {
+    // The energy integral of 60 digits; the limit cycle by a Taylor method of order 55.
+    let cases = [
+        ("duffing --evaluate 0.5", 5.768_845_544_751_767),
+        ("sinh --evaluate 1", 5.911_611_295_076_775),
+        ("quadratic --evaluate 0.1", 6.311_599_097_216_832),
+        ("van_der_pol --evaluate 0.5", 6.380_675_801_773_586),
+    ];
+    for (question, period) in cases {
+        let answer = json(&format!("expand {question}"));
+        close(&answer["exact"], period / std::f64::consts::TAU, 1e-12);
+        assert_eq!(answer["steps"][0]["bound_is"], "estimated", "{question}");
+        let last = answer["steps"].as_array().unwrap().last().unwrap();
+        assert!(last["error"].as_f64().unwrap().abs() < 1e-9, "{question}: {last}");
+    }
+    // T·Ω = 2π, and the third harmonic of the pendulum at 2 rad by its nome.
+    let frequency = json("expand duffing --evaluate 0.5 --quantity frequency");
+    close(&frequency["exact"], std::f64::consts::TAU / 5.768_845_544_751_767, 1e-12);
+}
+
+#[test]
+fn it_is_seen_where_a_series_stops_helping() {
+    let beyond = json("expand duffing --evaluate 1.5");
+    let smallest = beyond["smallest_term_power"].as_u64().unwrap();
+    let steps = beyond["steps"].as_array().unwrap();
+    let error = |step: &Value| step["error"].as_f64().unwrap().abs();
+    assert!(smallest < 30 && error(steps.last().unwrap()) > 10.0 * error(&steps[1]));
+    assert_eq!(beyond["terms_needed"]["1e-3"], Value::Null);
+    let told = text("expand duffing --evaluate 1.5");
+    assert!(told.contains("← smallest term") && told.contains("BEYOND"), "{told}");
+    let inside = text("expand duffing --evaluate 0.5");
+    assert!(!inside.contains("← smallest term") && inside.contains("this is inside"), "{inside}");
+    let over_the_top = text("expand pendulum --evaluate 200deg");
+    assert!(
+        over_the_top.contains("exact value   none: ") && over_the_top.contains("(proven); this is BEYOND")
+    );
+}
+
+#[test]
+fn the_terms_are_csv_too() {
+    let rows = text("expand pendulum --evaluate 1 --order 5 --csv");
+    assert!(rows.starts_with("power,coefficient,term,sum,error,bound,bound_is\n0,1,1.0,1.0,"), "{rows}");
+    assert_eq!(rows.lines().count(), 4);
+    assert!(rows.contains("\n4,11/3072,"));
+}
+
+#[test]
+fn an_unknown_name_is_answered_with_the_nearest_ones() {
+    let message = refusal(&["expand", "pendulem"], 2);
+    assert!(message.contains("`pendulem`; the nearest are pendulum"), "{message}");
+    assert!(refusal(&["oscillators", "dufing"], 2).contains("duffing"));
+    // What is no name is read as an equation.
+    let message = refusal(&["expand", "x'' + x"], 2);
+    assert!(message.contains("= 0") && !message.contains("the keys are"), "{message}");
+}
+
+#[test]
+fn an_ambiguous_formula_is_refused_with_a_hint_below_it() {
+    let message = refusal(&["expand", "x'' + sin x = 0"], 2);
+    assert!(message.contains("sin(x)") && message.contains("\n  x'' + sin x = 0\n        ^"), "{message}");
+    assert!(refusal(&["expand", "x'' + 1/2x = 0"], 2).contains("(1/2)*x or 1/(2*x)"));
+}
+
+#[test]
+fn what_cannot_be_expanded_is_refused_with_its_reason() {
+    let cases: [(&[&str], i32, &str); 18] = [
+        (&["expand", "pendulum", "--order", "0"], 2, "1 to 1000"),
+        (&["expand", "pendulum", "--order", "99999"], 2, "1 to 1000"),
+        (&["expand", "pendulum", "--gauge", "nonsense"], 2, "half_swing"),
+        (&["expand", "pendulum", "--gauge", "A2=1"], 2, "A1=1"),
+        (&["expand", "duffing", "--gauge", "nome"], 1, "pendulum"),
+        (&["expand", "van_der_pol", "--gauge", "x_max"], 1, "leave the gauge out"),
+        (&["expand", "x'' - x = 0"], 1, "omega0^2 is -1"),
+        (&["expand", "x'' + 0.1*x' + x = 0"], 1, "decay or grow"),
+        (&["expand", "x'' + x = cos(t)"], 1, "depends on t"),
+        (&["expand", "x'' + k*x = 0"], 1, "k=0.1"),
+        (&["expand", "double_well", "--about", "0.3"], 1, "0.3 is no equilibrium"),
+        (&["expand", "pendulum", "--set", "g=9.8"], 2, "its only parameter is omega0"),
+        (&["expand", "duffing", "--set", "epsilon"], 2, "NAME=VALUE"),
+        (&["expand", "duffing", "--evaluate", "40deg"], 2, "give a number"),
+        (&["expand", "pendulum", "--evaluate", "40furlongs"], 2, "60deg"),
+        (&["expand", "duffing", "--evaluate", "-1"], 1, "above zero"),
+        (&["expand", "pendulum", "--evaluate", "1", "--quantity", "a2"], 1, "a1, a3, a5"),
+        (&["expand", "pendulum", "--evaluate", "1", "--quantity", "energy"], 2, "frequency"),
+    ];
+    for (arguments, status, part) in cases {
+        let message = refusal(arguments, status);
+        assert!(message.contains(part), "{arguments:?}: {message}");
+        assert!(message.starts_with("error: "), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
+fn the_catalogue_is_listed_with_parameters_and_sources() {
+    let duffing = text("oscillators duffing");
+    for part in ["x'' + x + epsilon*x^3 = 0", "epsilon = 1: strength", "source", "Duffing"] {
+        assert!(duffing.contains(part), "{part}: {duffing}");
+    }
+    let answer = json("oscillators van_der_pol");
+    assert_eq!(answer["oscillators"][0]["expansion_parameter"], "mu");
+    assert_eq!(answer["oscillators"][0]["parameters"][0]["name"], "mu");
+    assert_eq!(text("oscillators duffing morse --csv").lines().count(), 3);
+}

@@ -1,0 +1,375 @@
+//! A quantity of periodic motions as a function of the amplitude: its series, its exact values, and how far the
+//! series goes.
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::str::FromStr;
+
+use super::evaluation::{Convergence, Evaluation, Pade, pendulum_period_remainder};
+use super::expand::is_pendulum;
+use super::expansion::{Expansion, Variable};
+use crate::algebra::{Rational, Rationals};
+use crate::oscillator::{Kind, NoPeriodicMotion, Oscillator, PeriodicMotion};
+use crate::pendulum::{Pendulum, period_ratio};
+use crate::quantity::Angle;
+use crate::series::truncated::reciprocal;
+
+/// What is asked of a periodic motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantity {
+    /// T/T0.
+    #[default]
+    Period,
+    /// Ω/ω0.
+    Frequency,
+    /// The coefficient of cos kΩt.
+    Cosine(usize),
+}
+
+/// A text that names no quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no quantity: give period, frequency, or a harmonic such as a3")]
+pub struct NotAQuantity(String);
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Period => formatter.write_str("period"),
+            Self::Frequency => formatter.write_str("frequency"),
+            Self::Cosine(k) => write!(formatter, "a{k}"),
+        }
+    }
+}
+
+impl FromStr for Quantity {
+    type Err = NotAQuantity;
+
+    fn from_str(text: &str) -> Result<Self, NotAQuantity> {
+        /// Beyond all orders of expansions.
+        const HIGHEST: usize = 10_000;
+        let text = text.trim();
+        match text {
+            "period" => Ok(Self::Period),
+            "frequency" => Ok(Self::Frequency),
+            _ => {
+                let harmonic = text.strip_prefix('a').and_then(|k| k.parse().ok()).filter(|k| *k <= HIGHEST);
+                harmonic.map(Self::Cosine).ok_or_else(|| NotAQuantity(text.chars().take(60).collect()))
+            }
+        }
+    }
+}
+
+/// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::NamedOscillator;
+/// use libration::perturbation::{Gauge, Quantity, Relation, expand};
+/// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
+/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
+/// let period = Relation::new(&pendulum, &expansion, Quantity::Period);
+/// let exact = period.exact_at(1.0)?;
+/// let error = (period.evaluation_at(1.0).value() - exact.value).abs();
+/// assert!(error < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Relation<'a> {
+    oscillator: &'a Oscillator,
+    expansion: &'a Expansion,
+    quantity: Quantity,
+    series: Vec<Rational>,
+}
+
+/// A value found without the series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExactValue {
+    /// The value.
+    pub value: f64,
+    /// It may be wrong by so much.
+    pub uncertainty: f64,
+    /// How it was found.
+    pub road: Road,
+}
+
+/// How an exact value is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Road {
+    /// Elliptic integrals and theta functions.
+    Elliptic,
+    /// The equation of motion, integrated by its Taylor series.
+    Integration,
+}
+
+/// The distance from zero up to which a series converges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Radius {
+    /// By a theorem.
+    Known(f64),
+    /// As the coefficients suggest.
+    Estimated(Convergence),
+}
+
+impl Radius {
+    /// The radius, or the estimate of it.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        match self {
+            Self::Known(value) => *value,
+            Self::Estimated(convergence) => convergence.radius,
+        }
+    }
+}
+
+impl<'a> Relation<'a> {
+    /// The relation in an expansion of this oscillator. The series of a harmonic that is not present is zero.
+    #[must_use]
+    pub fn new(oscillator: &'a Oscillator, expansion: &'a Expansion, quantity: Quantity) -> Self {
+        let series = match &expansion.of_amplitude {
+            Some(of) => match quantity {
+                Quantity::Period => of.period_ratio.clone(),
+                Quantity::Frequency => of.frequency_ratio.clone(),
+                Quantity::Cosine(k) => {
+                    let found = of.harmonics.iter().find(|(n, _)| *n == k);
+                    found.map_or_else(|| nothing(expansion.order), |(_, series)| series.clone())
+                }
+            },
+            None => of_strength(expansion, quantity),
+        };
+        Self { oscillator, expansion, quantity, series }
+    }
+
+    /// What it is a relation for.
+    #[must_use]
+    pub const fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// The coefficients, indexed by the power of the amplitude.
+    #[must_use]
+    pub fn series(&self) -> &[Rational] {
+        &self.series
+    }
+
+    /// The series in numbers, with proven remainders where there is a theorem: for the pendulum's period.
+    #[must_use]
+    pub fn evaluation_at(&self, amplitude: f64) -> Evaluation {
+        let evaluation = Evaluation::new(&self.series, amplitude);
+        if self.quantity == Quantity::Period && is_pendulum(self.oscillator) {
+            return evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2));
+        }
+        evaluation
+    }
+
+    /// Up to where the series converges; `None` when too few coefficients are given to tell.
+    #[must_use]
+    pub fn radius(&self) -> Option<Radius> {
+        if is_pendulum(self.oscillator) && self.series.iter().any(|c| !c.is_zero()) {
+            // K(m) has no zeros, so that period, frequency and harmonics are analytic for |Re θ0| < π.
+            return Some(Radius::Known(PI));
+        }
+        Convergence::of(&self.series).map(Radius::Estimated)
+    }
+
+    /// The Padé approximant of equal degrees above and below in the powers that are present, with what all terms have
+    /// in common in front; `None` when the coefficients do not suffice.
+    #[must_use]
+    pub fn approximant(&self, degree: usize) -> Option<Approximant> {
+        let present: Vec<usize> = (0..self.series.len()).filter(|n| !self.series[*n].is_zero()).collect();
+        let first = *present.first()?;
+        let stride = present.iter().fold(0, |stride, n| greatest_common_divisor(stride, n - first));
+        let spread: Vec<Rational> = self.series[first..].iter().step_by(stride.max(1)).cloned().collect();
+        let pade = Pade::new(&spread, degree, degree)?;
+        Some(Approximant { pade, first: real(first), stride: real(stride.max(1)) })
+    }
+
+    /// The value without the series, as the motion itself has it. Harmonics of limit cycles are in the expansion's
+    /// units.
+    ///
+    /// # Accuracy
+    /// As [`ExactValue::uncertainty`] says.
+    ///
+    /// # Errors
+    /// There is no such motion, or it is not found.
+    pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoPeriodicMotion> {
+        if is_pendulum(self.oscillator) {
+            return self.of_pendulum(amplitude);
+        }
+        let motion = self.motion_at(amplitude)?;
+        let unit = libm::sqrt(self.expansion.unit_squared.to_f64());
+        let small_period = 2.0 * PI / libm::sqrt(self.expansion.omega0_squared.to_f64());
+        let ratio = motion.period() / small_period;
+        // Near an unstable equilibrium errors grow with the period.
+        let relative = 1e-13 * f64::max(1.0, ratio * ratio);
+        let (value, uncertainty) = match self.quantity {
+            Quantity::Period => (ratio, ratio * relative),
+            Quantity::Frequency => (1.0 / ratio, relative / ratio),
+            Quantity::Cosine(k) => (motion.cosine(k) / unit, relative * motion.x_max() / unit),
+        };
+        Ok(ExactValue { value, uncertainty, road: Road::Integration })
+    }
+
+    fn motion_at(&self, amplitude: f64) -> Result<PeriodicMotion, NoPeriodicMotion> {
+        match self.oscillator.kind() {
+            Kind::LimitCycle { .. } => {
+                let leading = self.expansion.x_max.first().map_or(0.0, Rational::to_f64);
+                let near = leading * libm::sqrt(self.expansion.unit_squared.to_f64());
+                PeriodicMotion::limit_cycle(self.oscillator, amplitude, near)
+            }
+            _ => PeriodicMotion::from_turning_point(self.oscillator, amplitude),
+        }
+    }
+
+    fn of_pendulum(&self, amplitude: f64) -> Result<ExactValue, NoPeriodicMotion> {
+        if !(amplitude > 0.0 && amplitude.is_finite()) {
+            return Err(NoPeriodicMotion::Amplitude(amplitude));
+        }
+        let ratio = period_ratio(amplitude);
+        if !ratio.is_finite() {
+            return Err(NoPeriodicMotion::NotRestoring(amplitude));
+        }
+        let value = match self.quantity {
+            Quantity::Period => ratio,
+            Quantity::Frequency => 1.0 / ratio,
+            Quantity::Cosine(k) => pendulum_harmonic(amplitude, k),
+        };
+        let uncertainty = match self.quantity {
+            Quantity::Cosine(_) => 4e-15 * value.abs(),
+            // Half a unit in the last place, and as much for what is compared with it.
+            _ => 2.0 * f64::EPSILON * value,
+        };
+        Ok(ExactValue { value, uncertainty, road: Road::Elliptic })
+    }
+}
+
+/// aₖ of the pendulum.
+fn pendulum_harmonic(amplitude: f64, k: usize) -> f64 {
+    let pendulum = Pendulum::from_angular_frequency(1.0).ok();
+    let motion = pendulum.zip(Angle::from_radians(amplitude).ok()).and_then(|(p, a)| p.released_from(a).ok());
+    let harmonics = motion.map(|motion| motion.harmonics(f64::MIN_POSITIVE, k / 2 + 1));
+    harmonics.map_or(f64::NAN, |it| it.terms.iter().find(|term| term.n == k).map_or(0.0, |term| term.angle))
+}
+
+/// The series of a limit cycle by powers of the strength.
+fn of_strength(expansion: &Expansion, quantity: Quantity) -> Vec<Rational> {
+    match quantity {
+        Quantity::Frequency => expansion.frequency_ratio.clone(),
+        Quantity::Period => {
+            reciprocal(&Rationals, &expansion.frequency_ratio).unwrap_or_else(|| nothing(expansion.order))
+        }
+        Quantity::Cosine(k) => {
+            expansion.harmonic(k).map_or_else(|| nothing(expansion.order), |harmonic| harmonic.cos.clone())
+        }
+    }
+}
+
+fn nothing(order: usize) -> Vec<Rational> {
+    vec![Rational::from(0); order + 1]
+}
+
+/// A Padé approximant in a power of the amplitude, times another power.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Approximant {
+    pade: Pade,
+    first: f64,
+    stride: f64,
+}
+
+impl Approximant {
+    /// Its value; infinite or NaN at a pole.
+    #[must_use]
+    pub fn value_at(&self, amplitude: f64) -> f64 {
+        libm::pow(amplitude, self.first) * self.pade.value_at(libm::pow(amplitude, self.stride))
+    }
+
+    /// The quotient itself.
+    #[must_use]
+    pub const fn pade(&self) -> &Pade {
+        &self.pade
+    }
+
+    /// The least amplitude at which it has a pole.
+    #[must_use]
+    pub fn first_pole(&self) -> Option<f64> {
+        let positive = |pole: &super::Pole| pole.position.re > 0.0 && pole.position.im == 0.0;
+        let first = self.pade.poles().into_iter().find(positive)?;
+        Some(libm::pow(first.position.re, 1.0 / self.stride))
+    }
+}
+
+impl Variable {
+    /// Whether it is the strength of a self-excitation.
+    #[must_use]
+    pub const fn is_strength(&self) -> bool {
+        matches!(self, Self::Parameter(_))
+    }
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
+fn real(power: usize) -> f64 {
+    power as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oscillator::NamedOscillator;
+    use crate::perturbation::{Gauge, expand};
+
+    fn differs_by(key: &str, quantity: Quantity, amplitude: f64) -> f64 {
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        let relation = Relation::new(&oscillator, &expansion, quantity);
+        let exact = relation.exact_at(amplitude).unwrap();
+        let error = relation.evaluation_at(amplitude).value() - exact.value;
+        f64::max(error.abs() - exact.uncertainty, 0.0)
+    }
+
+    /// Series to the 30th power and motions meet where (amplitude/radius)³⁰ is below the last digit.
+    #[test]
+    fn series_and_motions_agree_in_every_quantity() {
+        let cases = [
+            ("pendulum", 0.8),
+            ("duffing", 0.25),
+            ("quadratic", 0.1),
+            ("relativistic", 0.5),
+            ("toda", 0.5),
+            ("morse", 0.15),
+            ("double_well", 0.1),
+            ("mathews_lakshmanan", 0.2),
+            ("van_der_pol", 0.3),
+            ("rayleigh", 0.3),
+            ("rayleigh_cubic", 0.3),
+        ];
+        for (key, amplitude) in cases {
+            for quantity in [Quantity::Period, Quantity::Frequency, Quantity::Cosine(1), Quantity::Cosine(3)]
+            {
+                let missing = differs_by(key, quantity, amplitude);
+                assert!(missing < 1e-13, "{key}, {quantity}: {missing:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn quantities_are_read_and_written_back() {
+        for text in ["period", "frequency", "a0", "a3"] {
+            assert_eq!(text.parse::<Quantity>().unwrap().to_string(), text);
+        }
+        for text in ["", "b3", "a", "a-1", "a99999", "energy"] {
+            assert!(text.parse::<Quantity>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn approximants_of_harmonics_keep_their_leading_power() {
+        let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&pendulum, 31, &Gauge::Fundamental).unwrap();
+        let third = Relation::new(&pendulum, &expansion, Quantity::Cosine(3));
+        let value = third.approximant(6).unwrap().value_at(2.0);
+        assert!((value / third.exact_at(2.0).unwrap().value - 1.0).abs() < 1e-7, "{value}");
+    }
+}
