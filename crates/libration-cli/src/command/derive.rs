@@ -50,7 +50,7 @@ struct PerturbationOptions {
     /// Perturbation: the highest power of the expansion parameter, 2 to 9 [default: 5]
     #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
     order: Option<usize>,
-    /// Perturbation: what the expansion parameter means, such as x_max or A1=1,A3=-1 [default: fundamental]
+    /// Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental]
     #[arg(long)]
     gauge: Option<Gauge>,
     /// Perturbation: the value of a parameter; may be given several times

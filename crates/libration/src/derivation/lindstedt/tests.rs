@@ -22,10 +22,7 @@ fn every_single_coefficient_matters_to_the_equation_of_motion() {
             for n in (0..series.len()).filter(|n| *k != 1 || *n == 0) {
                 let mut wrong = motion(&question, &question.solution);
                 wrong.harmonics[place].1[n] = series[n].clone() + Rational::new(1, 1_000_000).unwrap();
-                assert!(
-                    matches!(solves(&question, &wrong), Err(DerivationError::Failed { .. })),
-                    "{key} {k} {n}"
-                );
+                assert!(solves(&question, &wrong).is_err(), "{key} {k} {n}");
             }
         }
         for n in 0..order {
