@@ -157,7 +157,7 @@ impl Exact {
     }
 
     fn harmonic(&self, k: usize) -> Option<f64> {
-        let term = self.harmonics.terms.iter().find(|term| usize::try_from(term.n) == Ok(k));
+        let term = self.harmonics.terms.iter().find(|term| term.n == k);
         term.map(|term| term.angle)
     }
 }

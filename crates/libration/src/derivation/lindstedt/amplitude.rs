@@ -63,6 +63,11 @@ fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Giv
     question.harmonics().into_iter().map(|k| Given::Value(harmonic_name(k), series(k))).collect()
 }
 
+/// ε after so many passes.
+fn answer(pass: usize) -> Name {
+    Name::new("ε").index(i64::try_from(pass).unwrap_or(i64::MAX))
+}
+
 /// A = s₁ε + s₂ε² + … solved as ε = A/s₁ + F(ε), by putting each answer in again.
 fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Result<Step, DerivationError> {
     let amplitude = Formula::from(question.amplitude());
@@ -76,22 +81,29 @@ fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Res
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
         .show(Equation::definition(Statement::defined(apply("F", [letter("z")]), function.clone())))
-        .say("begin with {}, and put each answer into {} again:", [start.clone(), letter("F")]);
+        .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
+        .show(Equation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
-    let mut known = vec![Rational::from(0), scale.clone()];
+    let mut known = vec![Rational::from(0), scale];
     for pass in 1..=question.order {
-        let again = start.clone() + apply("F", [polynomial(&known, &amplitude)]);
-        let given = [Given::Function("F", "z", function.clone())];
+        let again = start.clone() + apply("F", [answer(pass - 1).into()]);
+        let given = [
+            Given::Function("F", "z", function.clone()),
+            Given::Value(answer(pass - 1), polynomial(&known, &amplitude)),
+            Given::Value(answer(pass), again.clone()),
+        ];
         let mut next = series_value(&question.amplitude(), question.order + 1, &given, &again)?;
         next.truncate(question.order + 1);
-        let statement = Statement::equal(again, in_amplitude(question, &next, question.order + 1));
-        step = step
-            .say("Pass {}:", [number(i64::try_from(pass).unwrap_or(i64::MAX))])
-            .show(same_series_where(&question.amplitude(), question.order + 1, &given, statement)?);
+        let statement = Statement::equal(answer(pass), again).and_equal(in_amplitude(
+            question,
+            &next,
+            question.order + 1,
+        ));
+        step = step.show(same_series_where(&question.amplitude(), question.order + 1, &given, statement)?);
         known = next;
         if known.iter().eq(wanted.iter().take(question.order + 1)) {
             return Ok(step.say(
-                "Each pass has settled one more coefficient, and another would change nothing: this is the series of {}.",
+                "Each pass has settled at least one more coefficient, and another would change nothing: this is the series of {}.",
                 [letter("ε")],
             ));
         }

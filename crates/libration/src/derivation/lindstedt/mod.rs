@@ -10,6 +10,9 @@ mod second_gauge;
 mod small_swings;
 mod substitution;
 
+#[cfg(test)]
+mod tests;
+
 use super::check::DerivationError;
 use super::document::{Block, Derivation, Prose};
 use crate::oscillator::Oscillator;

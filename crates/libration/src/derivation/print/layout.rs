@@ -64,19 +64,16 @@ const ROOM: usize = 66;
 
 /// A chain of more than two formulas has a line for each, a sum that is too long several.
 pub(super) fn statement(statement: &Statement) -> Lines {
-    let rest: Vec<(Relation, Vec<Layout>)> =
-        statement.rest.iter().map(|(relation, formula)| (*relation, broken(formula))).collect();
-    let with_sign = |(relation, lines): (Relation, Vec<Layout>)| {
-        let mut sign = Some(sign_of(relation));
-        lines.into_iter().map(move |line| Layout::Row(vec![sign.take().unwrap_or(Layout::Indent), line]))
-    };
-    let mut right: Vec<Layout> = rest.into_iter().flat_map(with_sign).collect();
-    let mut first = broken(&statement.first);
+    let mut right = Vec::new();
+    for (relation, formula) in &statement.rest {
+        let mut sign = Some(sign_of(*relation));
+        for line in broken(formula) {
+            right.push(Layout::Row(vec![sign.take().unwrap_or(Layout::Indent), line]));
+        }
+    }
+    let first = broken(&statement.first);
     if first.len() > 1 {
-        let rest = first.drain(1..).map(|line| Layout::Row(vec![Layout::Indent, line]));
-        right = rest.chain(right).collect();
-        let left = first.pop().map(|line| std::iter::once(line).chain(right.drain(..)).collect());
-        return Lines { left: Layout::Row(vec![]), right: left.unwrap_or_default() };
+        return Lines { left: Layout::Row(vec![]), right: first.into_iter().chain(right).collect() };
     }
     Lines { left: Layout::Row(first), right }
 }
