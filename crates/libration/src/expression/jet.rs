@@ -39,11 +39,22 @@ impl<'a, R: Ring> Jet<'a, R> {
     /// The values at the inputs' zeroth coefficients.
     pub(crate) fn new(ring: &'a R, tape: &'a Tape, inputs: &[R::Element]) -> Result<Self, NoSeries> {
         let mut jet = Self::empty(ring, tape);
-        for place in 0..jet.places.len() {
-            let value = jet.value(place, inputs).ok_or(NoSeries { place })?;
-            jet.push(place, value);
-        }
+        jet.restart(inputs)?;
         Ok(jet)
+    }
+
+    /// Begins again with other zeroth coefficients, in the memory it has.
+    pub(crate) fn restart(&mut self, inputs: &[R::Element]) -> Result<(), NoSeries> {
+        for place in 0..self.places.len() {
+            let keep = usize::from(self.tape.is_constant(place));
+            self.places[place].plain.truncate(keep);
+            self.places[place].weighted.truncate(keep);
+            if self.places[place].plain.is_empty() {
+                let value = self.value(place, inputs).ok_or(NoSeries { place })?;
+                self.push(place, value);
+            }
+        }
+        Ok(())
     }
 
     /// The jet whose zeroth coefficients were found elsewhere, one for each place of the tape.

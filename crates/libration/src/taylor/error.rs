@@ -1,0 +1,71 @@
+//! Why an integration cannot begin, or did not come to its end.
+
+use super::Solution;
+
+/// Why there is no solution, or not all of it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum IntegrationError {
+    /// A state that does not fit the system.
+    #[error("a state of {got} numbers was given: give {wanted}, the coordinates and then the velocities")]
+    StateLength {
+        /// How many numbers there were.
+        got: usize,
+        /// How many there should be.
+        wanted: usize,
+    },
+    /// A state or a time at the beginning that is infinite or no number.
+    #[error("the motion cannot begin with {0}: give finite numbers")]
+    StartNotFinite(f64),
+    /// Times that are not finite.
+    #[error("{0} is no time: give finite ones")]
+    TimeNotFinite(f64),
+    /// Times that go back and forth.
+    #[error("the time {after} follows {before}: let all times go forward from the start, or all backward")]
+    TimesNotInOrder {
+        /// The one before, or the start.
+        before: f64,
+        /// The one that turns back.
+        after: f64,
+    },
+    /// A tolerance that cannot be met.
+    #[error(
+        "the tolerances are {relative:?} relative and {absolute:?} absolute: give a relative one from 1e-18 to 0.1 and \
+         an absolute one of zero or more"
+    )]
+    Tolerance {
+        /// The relative one.
+        relative: f64,
+        /// The absolute one.
+        absolute: f64,
+    },
+    /// An integration that began and stopped.
+    #[error("{cause} at t = {:?}: the motion is known until there", solution.end.time)]
+    Stopped {
+        /// Why it stopped.
+        cause: Cause,
+        /// What was computed.
+        solution: Box<Solution>,
+    },
+}
+
+/// What stops an integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A state in which the accelerations or their time derivatives have no finite value.
+    #[error("the accelerations have no finite value, or no derivative,")]
+    Singularity,
+    /// Steps that become shorter than the times can tell, as before a singularity.
+    #[error("the steps become too short, as they do before a singularity,")]
+    StepUnderflow,
+    /// As many steps as are allowed.
+    #[error("as many steps are taken as are allowed")]
+    StepLimit,
+    /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
+    #[error("an absolute value is zero and the motion can leave it to neither side")]
+    NoWayOn,
+    /// The watch said so.
+    #[error("the integration was interrupted")]
+    Interrupted,
+}

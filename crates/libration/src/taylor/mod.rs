@@ -1,0 +1,27 @@
+//! Motion in time of any system of equations of motion, by its Taylor series.
+//!
+//! The series of all coordinates come from the tape of the accelerations, one power of the time after the other. Each
+//! step is a polynomial that gives the state at every time inside it.
+
+mod error;
+mod system;
+
+mod moduli;
+mod sign_change;
+
+mod expander;
+mod step;
+mod step_length;
+
+mod branches;
+
+mod integrate;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::{Cause, IntegrationError};
+pub use integrate::{Moment, Solution, integrate};
+pub use step::Step;
+pub use step_length::Effort;
+pub use system::System;

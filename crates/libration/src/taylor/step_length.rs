@@ -1,0 +1,75 @@
+//! Order and length of the steps from what is demanded.
+//!
+//! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
+
+/// How exact an integration shall be, and when it shall give up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// The error of each number of the state made in one step, as a part of that number's size about the step.
+    pub relative: f64,
+    /// The error of each number of the state, in its own units, below which it need not come; zero if there is none.
+    pub absolute: f64,
+    /// The largest number of steps.
+    pub most_steps: usize,
+}
+
+impl Effort {
+    /// The least and the greatest relative tolerance.
+    pub const TOLERANCES: [f64; 2] = [1e-18, 0.1];
+
+    /// A relative tolerance, and so many steps that none but endless integrations take them.
+    #[must_use]
+    pub const fn to_tolerance(relative: f64) -> Self {
+        Self { relative, absolute: 0.0, most_steps: 100_000_000 }
+    }
+
+    pub(super) fn is_possible(&self) -> bool {
+        let [least, greatest] = Self::TOLERANCES;
+        (least..=greatest).contains(&self.relative) && (0.0..f64::INFINITY).contains(&self.absolute)
+    }
+
+    /// −ln(tolerance)/2 + 1, rounded up: the order at which a given accuracy costs least.
+    pub(super) fn order(&self) -> u32 {
+        const LOWEST: u32 = 6;
+        let best = (1.0 - 0.5 * libm::log(self.relative)).ceil();
+        (LOWEST..64).find(|&order| f64::from(order) >= best).unwrap_or(LOWEST)
+    }
+
+    /// The length of a step, positive; infinite where the series end.
+    ///
+    /// At e^−2 of the radius of convergence the terms fall by e² each, and by the order below the tolerance.
+    pub(super) fn step_length(&self, series: &[Vec<f64>]) -> f64 {
+        let floor = self.absolute / self.relative;
+        let radius = series.iter().map(|one| log_radius(one, floor)).fold(f64::INFINITY, f64::min);
+        libm::exp(radius - 2.0 - 0.7 / (f64::from(self.order()) - 1.0))
+    }
+}
+
+/// How many of the last coefficients are asked: by symmetry or by chance some are small.
+const LAST: usize = 4;
+/// How many of the first coefficients that are not zero tell the size.
+const FIRST: usize = 3;
+
+/// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last.
+fn log_radius(series: &[f64], floor: f64) -> f64 {
+    let logarithm = |c: f64| libm::log(c.abs());
+    let sizes = series.iter().map(|c| c.abs()).enumerate();
+    let sizes = sizes.map(|(n, size)| (n, if n == 0 { size.max(floor) } else { size }));
+    let first = sizes.filter(|(_, size)| *size > 0.0).take(FIRST).map(|(n, size)| (n, logarithm(size)));
+    let first: [Option<(usize, f64)>; FIRST] = collected(first);
+    let by = |k: usize| {
+        let last = logarithm(series[k]);
+        let known = first.iter().flatten().filter(|(n, _)| *n < k);
+        let radii = known.map(|(n, size)| (size - last) / count(k - n));
+        radii.fold(None, |largest: Option<f64>, radius| Some(largest.map_or(radius, |it| it.max(radius))))
+    };
+    (series.len().saturating_sub(LAST)..series.len()).filter_map(by).fold(f64::INFINITY, f64::min)
+}
+
+fn collected<T: Copy, const N: usize>(mut items: impl Iterator<Item = T>) -> [Option<T>; N] {
+    std::array::from_fn(|_| items.next())
+}
+
+fn count(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
