@@ -244,7 +244,7 @@ mod tests {
         assert!(error <= relative, "{what}: {value} is not {expected} but {error:e} off");
     }
 
-    /// Quadratures of the energy integral by mpmath with 60 digits: key, x_max, period.
+    /// Quadratures of the energy integral by mpmath with 60 digits: key, `x_max`, period.
     const PERIODS: [(&str, f64, f64); 16] = [
         ("pendulum", 0.5, 6.382_789_697_677_741),
         ("pendulum", 2.0, 8.349_752_926_918_494),

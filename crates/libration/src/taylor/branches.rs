@@ -63,11 +63,12 @@ impl Branches {
         if first.is_finite() {
             step.end = step.start + first * length;
         }
+        let moves = (step.end - step.start).abs() > 0.0;
         for ((change, sign), zero) in changes.iter().zip(&mut self.signs).zip(&mut self.at_zero) {
             let changes_now = *change == Some(first);
             *sign = if changes_now { -*sign } else { *sign };
             // A step without length leaves what is zero at zero.
-            *zero = changes_now || (*zero && step.end == step.start);
+            *zero = changes_now || (*zero && !moves);
         }
     }
 

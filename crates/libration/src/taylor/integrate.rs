@@ -31,13 +31,13 @@ pub struct Solution {
 /// behind the other. `watch` sees each step and may stop the integration.
 ///
 /// # Accuracy
-/// Each step errs by less than the tolerance in each number of the state, as a part of the largest of the first terms of its series.
-/// What becomes of these errors is a matter of the system: in the pendulum they grow like the square of the time, near an
-/// unstable equilibrium exponentially. State and length of a step are two-word numbers, so that sums of many steps lose
-/// nothing; the accelerations are rounded to one word each.
+/// Each step errs by less than the tolerance of [`Effort`]. What becomes of these errors is a matter of the system: the
+/// pendulum's phase gathers them like the square of the time, near an unstable equilibrium they grow exponentially.
+/// States go in two words from step to step, and times are exact, so that sums of many steps lose nothing; but the
+/// accelerations see each coordinate rounded to one word, of which an angle of a thousand turns loses four digits.
 ///
-/// Where the argument of an absolute value changes its sign the step ends and the other branch goes on. Other formulas
-/// that are not analytic, such as √(x²) at zero, stop the integration.
+/// Where the argument of an absolute value changes its sign the step ends, at the nearest `f64`, and the other branch
+/// goes on. Other formulas that are not analytic, such as √(x²) at zero, stop the integration.
 ///
 /// # Errors
 /// A start, times or tolerances that cannot be; a singularity, the step limit, or an interruption, with what was
@@ -95,7 +95,7 @@ fn check(system: &System, start: &Moment, times: &[f64], effort: &Effort) -> Res
     }
     let backward = times.last().is_some_and(|&last| last < start.time);
     let pairs = [start.time].into_iter().chain(times.iter().copied()).zip(times.iter().copied());
-    if let Some((before, after)) = pairs.into_iter().find(|(a, b)| a != b && (b < a) != backward) {
+    if let Some((before, after)) = pairs.into_iter().find(|(a, b)| if backward { b > a } else { b < a }) {
         return Err(IntegrationError::TimesNotInOrder { before, after });
     }
     let Effort { relative, absolute, .. } = *effort;
@@ -146,14 +146,17 @@ impl<'a> Integration<'a> {
 
     /// Where the step ends: always at an `f64`, so that times are exact.
     fn end_towards(&mut self, last: f64) -> Result<f64, Cause> {
-        let (start, length) = (self.step.start, self.effort.step_length(&self.step.series));
+        let (start, length) = (self.step.start, self.effort.step_length(self.step.coordinates()));
         if length == f64::INFINITY {
             return self.end_of_polynomials(last);
         }
         let remaining = last - start;
-        let end = if length < remaining.abs() { start + length.copysign(remaining) } else { last };
+        if length >= remaining.abs() {
+            return Ok(last);
+        }
+        let end = start + length.copysign(remaining);
         let shortest = 8.0 * f64::EPSILON * start.abs();
-        if end == last || (end - start).abs() > shortest { Ok(end) } else { Err(Cause::StepUnderflow) }
+        if (end - start).abs() > shortest { Ok(end) } else { Err(Cause::StepUnderflow) }
     }
 
     /// The farthest end up to which series that seem to be polynomials obey the equation of motion.
@@ -161,7 +164,7 @@ impl<'a> Integration<'a> {
         const HALVINGS: usize = 1100;
         let start = self.step.start;
         let ends = std::iter::successors(Some(last), |end| Some(start + 0.5 * (end - start)));
-        let mut ends = ends.take(HALVINGS).take_while(|&end| end != start);
+        let mut ends = ends.take(HALVINGS).take_while(|&end| (end - start).abs() > 0.0);
         let bound = self.effort.relative.sqrt();
         let found = ends.find(|&end| self.branches.defect(&mut self.expander, &self.step, end) <= bound);
         let end = found.ok_or(Cause::StepUnderflow)?;

@@ -5,9 +5,10 @@
 /// How exact an integration shall be, and when it shall give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// The error of each number of the state made in one step, as a part of that number's size about the step.
+    /// The error that one step makes in each coordinate, as a part of how far the coordinate moves by the first terms of
+    /// its series: so it depends neither on units nor on where zero is.
     pub relative: f64,
-    /// The error of each number of the state, in its own units, below which it need not come; zero if there is none.
+    /// The error of each coordinate, in its own units, below which no step need come; zero if there is none.
     pub absolute: f64,
     /// The largest number of steps.
     pub most_steps: usize,
@@ -35,12 +36,12 @@ impl Effort {
         (LOWEST..64).find(|&order| f64::from(order) >= best).unwrap_or(LOWEST)
     }
 
-    /// The length of a step, positive; infinite where the series end.
+    /// The length of a step with these series, positive; infinite where the series end.
     ///
     /// At e^−2 of the radius of convergence the terms fall by e² each, and by the order below the tolerance.
-    pub(super) fn step_length(&self, series: &[Vec<f64>]) -> f64 {
+    pub(super) fn step_length(&self, coordinates: &[Vec<f64>]) -> f64 {
         let floor = self.absolute / self.relative;
-        let radius = series.iter().map(|one| log_radius(one, floor)).fold(f64::INFINITY, f64::min);
+        let radius = coordinates.iter().map(|one| log_radius(one, floor)).fold(f64::INFINITY, f64::min);
         libm::exp(radius - 2.0 - 0.7 / (f64::from(self.order()) - 1.0))
     }
 }
@@ -51,17 +52,15 @@ const LAST: usize = 4;
 const FIRST: usize = 3;
 
 /// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last.
+/// In the place of c₀, where the coordinate is, stands the size below which it does not matter.
 fn log_radius(series: &[f64], floor: f64) -> f64 {
-    let logarithm = |c: f64| libm::log(c.abs());
-    let sizes = series.iter().map(|c| c.abs()).enumerate();
-    let sizes = sizes.map(|(n, size)| (n, if n == 0 { size.max(floor) } else { size }));
-    let first = sizes.filter(|(_, size)| *size > 0.0).take(FIRST).map(|(n, size)| (n, logarithm(size)));
-    let first: [Option<(usize, f64)>; FIRST] = collected(first);
+    let sizes = [floor].into_iter().chain(series.iter().skip(1).map(|c| c.abs()));
+    let known = sizes.enumerate().filter(|(_, size)| *size > 0.0).take(FIRST);
+    let first: [Option<(usize, f64)>; FIRST] = collected(known.map(|(n, size)| (n, libm::log(size))));
     let by = |k: usize| {
-        let last = logarithm(series[k]);
-        let known = first.iter().flatten().filter(|(n, _)| *n < k);
-        let radii = known.map(|(n, size)| (size - last) / count(k - n));
-        radii.fold(None, |largest: Option<f64>, radius| Some(largest.map_or(radius, |it| it.max(radius))))
+        let last = libm::log(series[k].abs());
+        let before = first.iter().flatten().filter(|(n, _)| *n < k);
+        before.map(|(n, size)| (size - last) / count(k - n)).reduce(f64::max)
     };
     (series.len().saturating_sub(LAST)..series.len()).filter_map(by).fold(f64::INFINITY, f64::min)
 }

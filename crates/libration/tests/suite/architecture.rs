@@ -15,6 +15,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
     ("perturbation", &["oscillator", "expression", "pendulum", "series", "algebra"]),
+    ("taylor", &["expression", "algebra"]),
     (
         "derivation",
         &[

@@ -24,4 +24,5 @@ mod period_formulas;
 mod quantity;
 mod series;
 mod series_evaluation;
+mod taylor;
 mod truncated_system;
