@@ -60,6 +60,11 @@ impl Chosen {
 }
 
 impl OscillatorOptions {
+    /// The oscillator of this name or equation.
+    pub(crate) fn new(oscillator: &str, set: &[String], about: Option<&str>) -> Self {
+        Self { oscillator: oscillator.to_owned(), set: set.to_vec(), about: about.map(str::to_owned) }
+    }
+
     pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
         let given = self.values()?;

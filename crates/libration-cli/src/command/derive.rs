@@ -1,10 +1,11 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use crate::arguments::{self, PendulumOptions};
+use crate::arguments::{self, OscillatorOptions, PendulumOptions};
 use crate::failure::Failure;
 use crate::output::file;
-use libration::derivation::{self, Derivation, DerivationError, Swing};
+use libration::derivation::{self, Derivation, DerivationError, HIGHEST_ORDER, Released, Swing};
 use libration::pendulum::Amplitude;
+use libration::perturbation::Gauge;
 use libration::quantity::Angle;
 use std::io::Write;
 use std::path::PathBuf;
@@ -17,12 +18,17 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   libration derive --road elliptic > period.md
   libration derive --road elliptic --amplitude 40deg --length 1m --format html --output period.html
-  libration derive --road formulas --format latex --output formulas.tex")]
+  libration derive --road formulas --format latex --output formulas.tex
+  libration derive --road perturbation --order 7 --amplitude 60deg --format html --output series.html
+  libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
+  libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
     /// Which way to the period
     #[arg(long, value_enum)]
     road: Road,
-    /// Show the numbers of a pendulum of this amplitude, such as 40deg
+    #[command(flatten)]
+    perturbation: PerturbationOptions,
+    /// Show the numbers at this amplitude, such as 40deg; of other oscillators a plain number
     #[arg(long, value_parser = arguments::angle)]
     amplitude: Option<Angle>,
     #[command(flatten)]
@@ -35,12 +41,34 @@ pub(crate) struct Derive {
     output: Option<PathBuf>,
 }
 
+/// What only the perturbation road has a choice of.
+#[derive(Debug, clap::Args)]
+struct PerturbationOptions {
+    /// Perturbation: a key of the catalogue, such as duffing, or an equation [default: pendulum]
+    #[arg(value_name = "OSCILLATOR|EQUATION")]
+    oscillator: Option<String>,
+    /// Perturbation: the highest power of the expansion parameter, 2 to 9 [default: 5]
+    #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
+    order: Option<usize>,
+    /// Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental]
+    #[arg(long)]
+    gauge: Option<Gauge>,
+    /// Perturbation: the value of a parameter; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Perturbation: the equilibrium, where there are several
+    #[arg(long, value_name = "X")]
+    about: Option<String>,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Road {
     /// The exact period: energy, elliptic integral, series, mean
     Elliptic,
     /// Where the published formulas for the period come from
     Formulas,
+    /// Motion and period of any conservative oscillator, order by order
+    Perturbation,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -63,31 +91,72 @@ impl Derive {
     }
 
     fn derivation(&self) -> Result<Derivation, Failure> {
-        let swing = self.swing()?;
+        if self.amplitude.is_none() && !self.pendulum.is_default() {
+            let reason = "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg";
+            return Err(Failure::Usage(reason.to_owned()));
+        }
         let derivation = match self.road {
-            Road::Elliptic => derivation::elliptic(swing.as_ref()),
-            Road::Formulas => derivation::formulas(swing.as_ref()),
+            Road::Perturbation => return self.perturbation(),
+            Road::Elliptic => derivation::elliptic,
+            Road::Formulas => derivation::formulas,
         };
-        derivation.map_err(|error| match error {
-            DerivationError::Amplitude { .. } => Failure::no_answer("--amplitude", error),
-            error => Failure::no_answer("derivation", error),
-        })
+        self.perturbation.refuse()?;
+        derivation(self.swing()?.as_ref()).map_err(failure)
     }
 
     /// The reader's swing, if there is one.
     fn swing(&self) -> Result<Option<Swing>, Failure> {
-        let Some(angle) = self.amplitude else {
-            return if self.pendulum.is_default() { Ok(None) } else { Err(amplitude_missing()) };
-        };
+        let Some(angle) = self.amplitude else { return Ok(None) };
         let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitude", error))?;
         Ok(Some(Swing { pendulum: self.pendulum.pendulum()?, amplitude }))
     }
+
+    fn perturbation(&self) -> Result<Derivation, Failure> {
+        let options = &self.perturbation;
+        let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
+        let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
+        let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
+        if !is_pendulum && !self.pendulum.is_default() {
+            let reason = "--length and --gravity belong to the pendulum: leave them out";
+            return Err(Failure::Usage(reason.to_owned()));
+        }
+        let frequency = if is_pendulum { Some(self.pendulum.pendulum()?.angular_frequency()) } else { None };
+        let released =
+            self.amplitude.map(|angle| Released { amplitude: angle.radians(), angular_frequency: frequency });
+        let gauge = options.gauge.clone().unwrap_or_default();
+        let order = options.order.unwrap_or(DEFAULT_ORDER);
+        derivation::perturbation(&chosen.oscillator, order, &gauge, released.as_ref()).map_err(failure)
+    }
 }
 
-fn amplitude_missing() -> Failure {
-    Failure::Usage(
-        "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg".to_owned(),
-    )
+const PENDULUM: &str = "pendulum";
+const DEFAULT_ORDER: usize = 5;
+
+fn failure(error: DerivationError) -> Failure {
+    match error {
+        DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
+            Failure::no_answer("--amplitude", error)
+        }
+        DerivationError::Order { .. } => Failure::usage("--order", error),
+        error => Failure::no_answer("derivation", error),
+    }
+}
+
+impl PerturbationOptions {
+    /// The other roads have nothing to choose.
+    fn refuse(&self) -> Result<(), Failure> {
+        let given = [
+            ("OSCILLATOR", self.oscillator.is_some()),
+            ("--order", self.order.is_some()),
+            ("--gauge", self.gauge.is_some()),
+            ("--set", !self.set.is_empty()),
+            ("--about", self.about.is_some()),
+        ];
+        match given.iter().find(|(_, given)| *given) {
+            Some((name, _)) => Err(Failure::usage(name, "is for --road perturbation only: leave it out")),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Format {

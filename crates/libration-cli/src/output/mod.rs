@@ -4,6 +4,7 @@ pub(crate) mod csv;
 pub(crate) mod file;
 pub(crate) mod json;
 pub(crate) mod number;
+pub(crate) mod progress;
 pub(crate) mod series;
 pub(crate) mod table;
 

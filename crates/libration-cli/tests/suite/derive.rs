@@ -3,9 +3,11 @@
 use crate::command::{directory, libration, message, text};
 use std::fs;
 
+const ROADS: [&str; 3] = ["elliptic", "formulas", "perturbation"];
+
 #[test]
 fn every_road_is_written_in_every_format() {
-    for road in ["elliptic", "formulas"] {
+    for road in ROADS {
         let markdown = text(&format!("derive --road {road}"));
         assert!(markdown.starts_with("# ") && markdown.contains("```math"), "{road}");
         let latex = text(&format!("derive --road {road} --format latex"));
@@ -18,7 +20,7 @@ fn every_road_is_written_in_every_format() {
 
 #[test]
 fn braces_of_latex_and_tags_of_html_are_closed() {
-    for road in ["elliptic", "formulas"] {
+    for road in ROADS {
         let latex = text(&format!("derive --road {road} --amplitude 40deg --format latex"));
         let count = |mark: &str| latex.matches(mark).count();
         assert_eq!(count("{"), count("}"), "{road}");
@@ -61,6 +63,16 @@ fn questions_without_sense_are_refused() {
         ("derive --road elliptic --length 1m", 2, "--amplitude"),
         ("derive --road elliptic --amplitude 200deg", 1, "--amplitude"),
         ("derive --road formulas --amplitude 179.99deg", 1, "179.9"),
+        ("derive --road elliptic --gauge x_max", 2, "--gauge"),
+        ("derive --road formulas duffing", 2, "OSCILLATOR"),
+        ("derive --road perturbation --order 1", 2, "2 to 9"),
+        ("derive --road perturbation --order 10", 2, "--order"),
+        ("derive --road perturbation --gauge best", 2, "fundamental"),
+        ("derive --road perturbation nonsense", 2, "nonsense"),
+        ("derive --road perturbation van_der_pol", 1, "velocity"),
+        ("derive --road perturbation duffing --amplitude 0.5 --length 1m", 2, "--length"),
+        ("derive --road perturbation duffing --gauge nome", 1, "nome"),
+        ("derive --road perturbation duffing --amplitude 0", 1, "--amplitude"),
         ("derive --road elliptic --output /nonexistent/a/b.md", 1, "/nonexistent/a/b.md"),
     ];
     for (arguments, status, part) in cases {
@@ -68,5 +80,39 @@ fn questions_without_sense_are_refused() {
         assert_eq!(output.status.code(), Some(status), "{arguments}");
         assert!(message(&output).contains(part), "{arguments}: {}", message(&output));
         assert!(output.stdout.is_empty(), "{arguments}");
+    }
+}
+
+#[test]
+fn perturbation_has_the_published_coefficients_in_both_published_gauges() {
+    let derivation = text("derive --road perturbation --order 5");
+    // B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), equations (38), (45), (46), (48)-(51), with the correct (46).
+    for coefficient in [
+        r"-\frac{1}{4096}",
+        r"\frac{1}{20480}",
+        r"\frac{17}{61440}\theta _{0}^{5}",
+        r"\frac{63}{4096}",
+        r"\frac{129}{1024}",
+        r"\frac{1}{3072}\theta _{0}^{4}",
+        r"d_{4}=-\frac{1}{8}A_{1}A_{3}+\frac{1}{1024}A_{1}^{4}",
+    ] {
+        assert!(derivation.contains(coefficient), "{coefficient}");
+    }
+    assert!(derivation.contains("enough to decide for all"));
+}
+
+#[test]
+fn other_oscillators_and_gauges_are_derived() {
+    for arguments in [
+        "quadratic --order 4",
+        "duffing --order 7 --gauge x_max",
+        "morse --order 3 --amplitude 0.1",
+        "double_well --order 4 --gauge half_swing",
+        "sinh --gauge energy",
+        "rotating_hoop --set gamma=1/3",
+        "pendulum --order 9 --gauge nome --amplitude 60deg --length 57cm",
+    ] {
+        let derivation = text(&format!("derive --road perturbation {arguments}"));
+        assert!(derivation.contains("enough to decide for all"), "{arguments}");
     }
 }

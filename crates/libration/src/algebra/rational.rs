@@ -4,11 +4,11 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;
 
-use dashu::base::{BitTest, Gcd, Sign};
+use dashu::base::{BitTest, Sign};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 
-use super::{Function, Ring, product};
+use super::{Rationals, Ring};
 
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
 ///
@@ -20,7 +20,7 @@ use super::{Function, Ring, product};
 /// # Ok::<(), libration::algebra::NotARational>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Rational(RBig);
+pub struct Rational(pub(super) RBig);
 
 impl Rational {
     /// `numerator / denominator` in lowest terms; `None` when the denominator is zero.
@@ -63,45 +63,6 @@ impl Rational {
         self.0.to_f64().value()
     }
 
-    /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; in plain digits from 0.0001
-    /// up to the digits asked for.
-    #[must_use]
-    pub fn to_decimal(&self, digits: usize) -> String {
-        let digits = digits.max(1);
-        if self.is_zero() {
-            return "0".to_owned();
-        }
-        let (mut figures, mut exponent) = self.figures(digits, self.decimal_exponent());
-        if figures.len() > digits {
-            // Rounding or a low estimate has made one digit too many.
-            exponent += 1;
-            (figures, _) = self.figures(digits, exponent);
-        }
-        let sign = if self.is_negative() { "-" } else { "" };
-        format!("{sign}{}", placed(figures.trim_end_matches('0'), exponent))
-    }
-
-    /// The power of ten of the first digit, or one less.
-    fn decimal_exponent(&self) -> isize {
-        let (numerator, denominator) = self.parts();
-        let length = |text: String| isize::try_from(text.trim_start_matches('-').len()).unwrap_or(isize::MAX);
-        length(numerator.to_string()) - length(denominator.to_string()) - 1
-    }
-
-    /// The integer nearest to |a|·10^(digits − 1 − exponent), in digits.
-    fn figures(&self, digits: usize, exponent: isize) -> (String, isize) {
-        let (numerator, denominator) = self.parts();
-        let (_, magnitude) = numerator.clone().into_parts();
-        let shift = isize::try_from(digits).unwrap_or(isize::MAX) - 1 - exponent;
-        let ten = |power: isize| UBig::from(10_u8).pow(power.unsigned_abs());
-        let (upper, lower) = if shift >= 0 {
-            (magnitude * ten(shift), denominator.clone())
-        } else {
-            (magnitude, denominator * ten(shift))
-        };
-        (((upper * 2_u8 + &lower) / (lower * 2_u8)).to_string(), exponent)
-    }
-
     /// `numerator / denominator`, the latter not zero.
     pub(crate) fn from_parts(numerator: IBig, denominator: UBig) -> Self {
         Self(RBig::from_parts(numerator, denominator))
@@ -142,7 +103,7 @@ impl Rational {
     }
 
     /// The n-th root, when it is a fraction; not negative for even n.
-    fn root(&self, n: usize) -> Option<Self> {
+    pub(super) fn root(&self, n: usize) -> Option<Self> {
         let exact = |whole: &UBig| Some(whole.nth_root(n)).filter(|root| root.pow(n) == *whole);
         let (numerator, denominator) = self.parts();
         let (sign, magnitude) = numerator.clone().into_parts();
@@ -255,122 +216,6 @@ impl FromStr for Rational {
     }
 }
 
-/// Significant digits, the first at 10^exponent, as a decimal.
-fn placed(figures: &str, exponent: isize) -> String {
-    let (first, rest) = figures.split_at(1);
-    let whole = usize::try_from(exponent).unwrap_or(0) + 1;
-    match exponent {
-        0.. if figures.len() > whole => format!("{}.{}", &figures[..whole], &figures[whole..]),
-        0..=20 => format!("{figures:0<whole$}"),
-        -4..0 => format!("0.{}{figures}", "0".repeat(exponent.unsigned_abs() - 1)),
-        _ if rest.is_empty() => format!("{first}e{exponent}"),
-        _ => format!("{first}.{rest}e{exponent}"),
-    }
-}
-
-/// The field of all fractions.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rationals;
-
-impl Ring for Rationals {
-    type Element = Rational;
-
-    fn zero(&self) -> Rational {
-        Rational(RBig::ZERO)
-    }
-
-    fn is_zero(&self, a: &Rational) -> bool {
-        a.is_zero()
-    }
-
-    fn rational(&self, value: &Rational) -> Option<Rational> {
-        Some(value.clone())
-    }
-
-    fn add(&self, a: &Rational, b: &Rational) -> Rational {
-        Rational(&a.0 + &b.0)
-    }
-
-    fn subtract(&self, a: &Rational, b: &Rational) -> Rational {
-        Rational(&a.0 - &b.0)
-    }
-
-    fn negate(&self, a: &Rational) -> Rational {
-        Rational(-&a.0)
-    }
-
-    fn multiply(&self, a: &Rational, b: &Rational) -> Rational {
-        Rational(&a.0 * &b.0)
-    }
-
-    fn times_integer(&self, a: &Rational, factor: i64) -> Rational {
-        Rational(&a.0 * IBig::from(factor))
-    }
-
-    fn divide(&self, a: &Rational, divisor: &Rational) -> Option<Rational> {
-        a.checked_div(divisor)
-    }
-
-    fn over_integer(&self, a: &Rational, divisor: u64) -> Option<Rational> {
-        (divisor != 0).then(|| Rational(&a.0 / IBig::from(divisor)))
-    }
-
-    /// The rational values at rational places: those at zero, ln 1, and the roots of squares.
-    fn value(&self, function: Function, at: &Rational) -> Option<Rational> {
-        let one = Rational::from(1);
-        match function {
-            Function::Sqrt => at.square_root(),
-            Function::Abs => Some(at.magnitude()),
-            Function::Cos | Function::Cosh | Function::Exp => at.is_zero().then_some(one),
-            Function::Ln | Function::Acos => (*at == one).then(|| self.zero()),
-            Function::Sin
-            | Function::Tan
-            | Function::Asin
-            | Function::Atan
-            | Function::Sinh
-            | Function::Tanh => at.is_zero().then(|| self.zero()),
-        }
-    }
-
-    fn power(&self, a: &Rational, exponent: &Rational) -> Option<Rational> {
-        let (numerator, denominator) = exponent.parts();
-        let root = a.root(usize::try_from(denominator).ok()?)?;
-        root.integer_power(isize::try_from(numerator).ok()?)
-    }
-
-    fn pi(&self) -> Option<Rational> {
-        None
-    }
-
-    /// Over common denominators, so that one greatest common divisor is taken for each coefficient.
-    fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
-        let ((a, under_a), (b, under_b)) = (over_common(a, length), over_common(b, length));
-        let denominator = under_a * under_b;
-        let mut products = product(&a, &b);
-        products.resize(length, IBig::ZERO);
-        products.into_iter().map(|sum| Rational::from_parts(sum, denominator.clone())).collect()
-    }
-}
-
-/// The first numerators over the least common denominator, and the latter.
-fn over_common(series: &[Rational], length: usize) -> (Vec<IBig>, UBig) {
-    let series = &series[..series.len().min(length)];
-    let common = series.iter().fold(UBig::ONE, |common, fraction| {
-        let denominator = fraction.parts().1;
-        if (&common % denominator).is_zero() {
-            common
-        } else {
-            let gcd = (&common).gcd(denominator);
-            common / gcd * denominator
-        }
-    });
-    let numerator = |fraction: &Rational| {
-        let (numerator, denominator) = fraction.parts();
-        numerator * IBig::from(&common / denominator)
-    };
-    (series.iter().map(numerator).collect(), common)
-}
-
 /// A text that is not a fraction of two decimal integers.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` is not a fraction: give an integer such as 7, or two such as -23/737280")]
@@ -413,24 +258,6 @@ mod tests {
         assert_eq!((a.clone() - b.clone()) + b.clone(), a);
         assert_eq!(a.checked_div(&b).unwrap() * b, a);
         assert_eq!(a.clone() + -a, Rational::from(0));
-    }
-
-    #[test]
-    fn decimals_have_the_digits_asked_for() {
-        for (text, digits, decimal) in [
-            ("1/3", 5, "0.33333"),
-            ("-2/3", 3, "-0.667"),
-            ("999999/1000", 3, "1000"),
-            ("1/80000", 4, "1.25e-5"),
-            ("123456789", 3, "123000000"),
-            ("355/113", 10, "3.14159292"),
-            ("0", 7, "0"),
-            ("1/1024", 20, "0.0009765625"),
-        ] {
-            assert_eq!(rational(text).to_decimal(digits), decimal);
-        }
-        let power = rational("7").integer_power(100).unwrap();
-        assert_eq!(power.to_decimal(6), "3.23448e84");
     }
 
     #[test]

@@ -208,7 +208,7 @@ fn lcm(a: &UBig, b: &UBig) -> UBig {
 #[cfg(test)]
 mod tests {
     use super::super::Ring;
-    use super::super::prime_field::primes_with_roots;
+    use super::super::primes_with_roots;
     use super::*;
 
     struct Known(Vec<Rational>, usize);

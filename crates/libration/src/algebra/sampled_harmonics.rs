@@ -217,9 +217,9 @@ impl PhaseRing for SampledHarmonics {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Rationals;
     use super::super::harmonics::HarmonicSums;
-    use super::super::prime_field::primes_with_roots;
-    use super::super::rational::Rationals;
+    use super::super::primes_with_roots;
     use super::*;
 
     /// Coefficients that obey the symmetry, different for each seed.

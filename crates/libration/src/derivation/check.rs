@@ -5,9 +5,10 @@ use std::ops::RangeInclusive;
 use super::document::Prose;
 use super::evaluate::{Analysis, NoValue, Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Statement, Unit, rounded};
-use super::numbers::PowerSeries;
+use super::numbers::{Coefficients, PowerSeries};
 use crate::algebra::Ring;
 use crate::pendulum::PendulumError;
+use crate::perturbation::{ExpansionError, OpenGaugeError};
 
 /// A statement that has passed a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +25,8 @@ pub enum Check {
     Definition,
     /// Nothing to check: where the derivation starts.
     Premise,
+    /// A part of the motion that is put into the equation of motion as a whole, below.
+    Below,
     /// Nothing to check: a number of the reader's.
     Given,
     /// All sides are the same power series, computed with exact fractions.
@@ -49,6 +52,21 @@ pub enum Check {
     Catalogued {
         /// The key.
         key: String,
+    },
+    /// A motion was put into the equation of motion, with exact fractions, at so many phases, which decides.
+    Phases {
+        /// The expansion parameter.
+        variable: Name,
+        /// The highest power that was compared.
+        order: usize,
+        /// How many phases.
+        phases: usize,
+    },
+    /// Coefficients with open letters were put into the equation of motion with so many choices of fractions for the
+    /// letters, each at as many phases as decide.
+    Substituted {
+        /// How many choices.
+        choices: usize,
     },
     /// The digits printed are those of the exact value.
     RoundedDigits,
@@ -125,6 +143,31 @@ pub enum DerivationError {
         /// The amplitude in degrees.
         degrees: f64,
     },
+    /// An order that is not derived step by step.
+    #[error("order {order} is not derived step by step: give 2 to 9; `libration expand` goes on")]
+    Order {
+        /// What was asked for.
+        order: usize,
+    },
+    /// An acceleration that depends on the velocity.
+    #[error(
+        "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
+    )]
+    Velocity,
+    /// Numbers that are no fractions.
+    #[error(
+        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"
+    )]
+    NoFractions,
+    /// No expansion.
+    #[error(transparent)]
+    Expansion(#[from] ExpansionError),
+    /// No equations with the gauge left open.
+    #[error(transparent)]
+    OpenGauge(#[from] OpenGaugeError),
+    /// An amplitude that is none.
+    #[error("an amplitude of {0} is not positive and finite")]
+    NotAnAmplitude(f64),
     /// A pendulum that cannot be.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
@@ -182,21 +225,7 @@ pub(super) fn same_series_where(
     given: &[Given],
     statement: Statement,
 ) -> Result<Equation, DerivationError> {
-    // Quotients of series that begin with a power of the variable lose coefficients.
-    let ring = PowerSeries { length: coefficients + 6 };
-    let mut values = Values::default();
-    values.set(variable, ring.variable());
-    for given in given {
-        match given {
-            Given::Value(name, formula) => {
-                let value = side(&statement, formula, &ring, &values)?;
-                values.set(name, value);
-            }
-            Given::Function(name, parameter, body) => {
-                values.define(&Name::new(name), &[parameter], body.clone());
-            }
-        }
-    }
+    let (ring, values) = series_values(variable, coefficients, given, &statement)?;
     let first = side(&statement, &statement.first, &ring, &values)?;
     let mut compared = first.len();
     for (_, formula) in &statement.rest {
@@ -212,6 +241,43 @@ pub(super) fn same_series_where(
         return Err(failed(&statement, format!("only {compared} coefficients can be compared")));
     }
     Ok(Equation::new(statement, Check::Series { variable: variable.clone(), coefficients: compared }))
+}
+
+/// The series of a formula.
+pub(super) fn series_value(
+    variable: &Name,
+    coefficients: usize,
+    given: &[Given],
+    formula: &Formula,
+) -> Result<Coefficients, DerivationError> {
+    let statement = Statement::from(formula.clone());
+    let (ring, values) = series_values(variable, coefficients, given, &statement)?;
+    side(&statement, formula, &ring, &values)
+}
+
+/// The ring of series in a variable, and what the letters stand for.
+fn series_values(
+    variable: &Name,
+    coefficients: usize,
+    given: &[Given],
+    statement: &Statement,
+) -> Result<(PowerSeries, Values<Coefficients>), DerivationError> {
+    // Quotients of series that begin with a power of the variable lose coefficients.
+    let ring = PowerSeries { length: coefficients + 6 };
+    let mut values = Values::default();
+    values.set(variable, ring.variable());
+    for given in given {
+        match given {
+            Given::Value(name, formula) => {
+                let value = side(statement, formula, &ring, &values)?;
+                values.set(name, value);
+            }
+            Given::Function(name, parameter, body) => {
+                values.define(&Name::new(name), &[parameter], body.clone());
+            }
+        }
+    }
+    Ok((ring, values))
 }
 
 /// Checks that all formulas of the statement are the same fraction.
@@ -267,6 +333,7 @@ impl Check {
         match self {
             Self::Definition => Prose::text("definition"),
             Self::Premise => Prose::text("the starting point"),
+            Self::Below => Prose::text("checked with the equation of motion, below"),
             Self::Given => Prose::text("as given"),
             Self::Series { variable, coefficients } => Prose::new(
                 "checked: the same power series in {}, exactly, through {}",
@@ -280,6 +347,15 @@ impl Check {
             Self::Fraction => Prose::text("checked: the same fraction, exactly"),
             Self::Catalogued { key } => Prose::text(format!(
                 "definition; checked: it has the values of the formula {key} in the catalogue"
+            )),
+            Self::Phases { variable, order, phases } => Prose::new(
+                &format!(
+                    "checked: put into the equation of motion with exact fractions, through {{}}, at {phases} phases, which are enough to decide for all"
+                ),
+                [last_power(variable, order + 1)],
+            ),
+            Self::Substituted { choices } => Prose::text(format!(
+                "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
             )),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
             Self::Digits { place, value, difference, against } => {

@@ -21,6 +21,7 @@ mod trials;
 mod words;
 
 mod elliptic;
+mod lindstedt;
 mod published;
 
 mod print;
@@ -35,6 +36,7 @@ pub use document::{Block, Derivation, Prose, Span, Step, Table};
 pub use elliptic::elliptic;
 pub use evaluate::NoValue;
 pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
+pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
 pub use print::{formula_latex, statement_latex, to_html, to_latex, to_markdown};
 pub use published::formulas;
 pub use trials::Swing;

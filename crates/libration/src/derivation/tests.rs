@@ -6,7 +6,9 @@ use super::trials::Trials;
 use super::words::theta_0;
 use super::*;
 use crate::algebra::{Function, Rational};
+use crate::oscillator::NamedOscillator;
 use crate::pendulum::{Amplitude, Pendulum};
+use crate::perturbation::Gauge;
 
 fn swing(degrees: f64) -> Swing {
     let angle = crate::quantity::Angle::from_degrees(degrees).unwrap();
@@ -130,4 +132,43 @@ fn text_is_harmless_in_every_form() {
     assert!(!to_html(&derivation).contains("<b>"));
     assert!(!to_latex(&derivation).contains("\\frac"));
     assert!(to_markdown(&derivation).contains(r"&lt;b>&amp;\\frac{\$\#\_%^~\|\*\[x\](y)\`"));
+}
+
+fn derived(key: &str, order: usize, gauge: &str) -> Result<Derivation, DerivationError> {
+    let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+    let gauge: Gauge = gauge.parse().unwrap();
+    perturbation(&oscillator, order, &gauge, Some(&Released { amplitude: 0.2, angular_frequency: None }))
+}
+
+#[test]
+fn perturbation_is_derived_for_symmetric_and_asymmetric_wells_in_every_gauge() {
+    for (key, order) in [
+        ("pendulum", 9),
+        ("duffing", 7),
+        ("x_over_sqrt", 5),
+        ("quadratic", 4),
+        ("double_well", 5),
+        ("morse", 4),
+    ] {
+        for gauge in ["fundamental", "x_max", "half_swing", "energy", "A1=2,A2=1/3,A3=-1"] {
+            let derivation = derived(key, order, gauge).unwrap();
+            let put_back = |equation: &&&Equation| matches!(equation.check(), Check::Phases { .. });
+            assert_eq!(equations(&derivation).iter().filter(put_back).count(), 2, "{key} {gauge}");
+        }
+    }
+}
+
+#[test]
+fn perturbation_is_refused_where_it_is_not_exact() {
+    assert!(matches!(derived("relativistic", 5, "fundamental"), Err(DerivationError::Velocity)));
+    assert!(matches!(derived("pendulum", 10, "fundamental"), Err(DerivationError::Order { order: 10 })));
+    assert!(matches!(derived("duffing", 5, "nome"), Err(DerivationError::Expansion(_))));
+}
+
+#[test]
+fn long_sums_are_broken_before_a_sign() {
+    let term = |n: i64| fraction(123_456_789 + n, 1_000_003) * letter("x").pow(n);
+    let long = sum((2..12).map(term).collect());
+    let latex = statement_latex(&Statement::equal(letter("y"), long));
+    assert!(latex.starts_with("\\begin{aligned}\ny&=") && latex.contains("\\\\\n&\\quad +"), "{latex}");
 }

@@ -40,6 +40,11 @@ const GREEK: &[(char, &str)] = &[
     ('Ω', "Omega"),
 ];
 
+/// The Greek letter of this name.
+pub(crate) fn greek_letter(name: &str) -> Option<char> {
+    GREEK.iter().find(|(_, greek)| *greek == name).map(|(letter, _)| *letter)
+}
+
 /// The name of a Greek letter.
 pub(super) fn greek_name(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)

@@ -27,6 +27,7 @@ pub use crate::algebra::Function;
 pub use equation::{Equation, EquationError};
 pub use error::{Fault, ParseError};
 pub(crate) use jet::Jet;
+pub(crate) use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use tape::Tape;

@@ -15,7 +15,19 @@ const MAP: &[(&str, &[&str])] = &[
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
     ("perturbation", &["oscillator", "expression", "pendulum", "series", "algebra"]),
-    ("derivation", &["elliptic", "pendulum", "period_formulas", "algebra", "series", "expression"]),
+    (
+        "derivation",
+        &[
+            "elliptic",
+            "pendulum",
+            "period_formulas",
+            "algebra",
+            "series",
+            "expression",
+            "oscillator",
+            "perturbation",
+        ],
+    ),
     ("measurement", &[]),
     ("fit", &["pendulum"]),
 ];

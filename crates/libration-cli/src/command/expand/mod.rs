@@ -6,10 +6,12 @@ mod listing;
 
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
+use crate::output::progress::Progress;
 use crate::output::{Form, FormOptions};
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, Quantity, expand};
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, Quantity, expand_watched};
 use std::io::Write;
+use std::ops::ControlFlow;
 
 /// Exact series of an oscillator's frequency, harmonics and period, to any order
 ///
@@ -76,8 +78,14 @@ impl Expand {
         let amplitude =
             self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
         let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
-        let expansion = expand(&chosen.oscillator, order, &self.gauge)
+        let mut progress = Progress::new();
+        let mut watch = |primes| {
+            progress.show(|| format!("order {order}: {primes} primes done"));
+            ControlFlow::Continue(())
+        };
+        let expansion = expand_watched(&chosen.oscillator, order, &self.gauge, &mut watch)
             .map_err(|error| Failure::no_answer("expansion", error))?;
+        drop(progress);
         let answer = Answer::new(chosen, expansion);
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), &answer, self.quantity, amplitude);

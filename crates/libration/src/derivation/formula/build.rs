@@ -123,6 +123,27 @@ impl Formula {
         Self::Power(Box::new(self), Box::new(exponent.into()))
     }
 
+    /// Minus this, the sign taken into its summands.
+    pub(in crate::derivation) fn negated(self) -> Self {
+        match self {
+            Self::Negate(inner) => *inner,
+            Self::Sum(terms) => Self::Sum(terms.into_iter().map(Self::negated).collect()),
+            Self::Product(mut factors)
+                if matches!(factors.first(), Some(Self::Number(_) | Self::Negate(_))) =>
+            {
+                let first = factors.remove(0).negated();
+                let rest = factors.into_iter().reduce(|product, factor| product * factor);
+                match (first, rest) {
+                    (Self::Number(one), Some(rest)) => scaled(&one, rest),
+                    (first, Some(rest)) => first * rest,
+                    (first, None) => first,
+                }
+            }
+            Self::Fraction(over, under) => Self::Fraction(Box::new(over.negated()), under),
+            formula => -formula,
+        }
+    }
+
     pub(in crate::derivation) fn squared(self) -> Self {
         self.pow(2)
     }
@@ -147,7 +168,10 @@ impl<T: Into<Self>> Add<T> for Formula {
             Self::Sum(terms) => terms,
             term => vec![term],
         };
-        terms.push(other.into());
+        match other.into() {
+            Self::Sum(more) => terms.extend(more),
+            term => terms.push(term),
+        }
         Self::Sum(terms)
     }
 }

@@ -1,6 +1,7 @@
 //! Formulas as they stand in a book: one tree that is printed, and evaluated to check what is printed.
 
 mod build;
+mod convert;
 mod decimal;
 mod name;
 mod statement;

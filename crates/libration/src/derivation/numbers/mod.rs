@@ -5,4 +5,4 @@ mod power_series;
 mod quadrature;
 
 pub(super) use digits::{DIGITS, PRECISION};
-pub(super) use power_series::PowerSeries;
+pub(super) use power_series::{Coefficients, PowerSeries};

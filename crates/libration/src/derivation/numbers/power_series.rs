@@ -1,6 +1,6 @@
 //! Power series in one variable with rational coefficients, each with as many coefficients as are certain.
 
-use crate::algebra::{Function, Rational, Ring};
+use crate::algebra::{Function, Rational, Rationals, Ring};
 use crate::derivation::evaluate::{Analysis, NoValue};
 
 /// Series of this many coefficients.
@@ -120,6 +120,9 @@ impl Ring for PowerSeries {
             Function::Sin => self.compose(at, |n| over(n, if odd(n) { alternating(n) } else { 0 })),
             Function::Cos => self.compose(at, |n| over(n, if odd(n) { 0 } else { alternating(n) })),
             Function::Exp => self.compose(at, |n| over(n, 1)),
+            Function::Sinh => self.compose(at, |n| over(n, i64::from(odd(n)))),
+            Function::Cosh => self.compose(at, |n| over(n, i64::from(!odd(n)))),
+            Function::Tanh => self.divide(&self.value(Function::Sinh, at)?, &self.value(Function::Cosh, at)?),
             Function::Tan => self.divide(&self.value(Function::Sin, at)?, &self.value(Function::Cos, at)?),
             Function::Ln => {
                 let one = Rational::from(1);
@@ -131,10 +134,14 @@ impl Ring for PowerSeries {
         }
     }
 
-    /// Of series that begin with 1.
+    /// Of series whose first coefficient has a power that is a fraction.
     fn power(&self, a: &Coefficients, exponent: &Rational) -> Option<Coefficients> {
-        let excess = self.subtract(a, &constant(Rational::from(1), a.len()));
-        self.compose(&excess, |n| binomial(exponent, n))
+        let first = a.first()?;
+        let scale = Rationals.power(first, exponent)?;
+        let unit: Option<Coefficients> = a.iter().map(|c| c.checked_div(first)).collect();
+        let excess = self.subtract(&unit?, &constant(Rational::from(1), a.len()));
+        let power = self.compose(&excess, |n| binomial(exponent, n))?;
+        Some(power.into_iter().map(|c| c * scale.clone()).collect())
     }
 
     fn pi(&self) -> Option<Coefficients> {

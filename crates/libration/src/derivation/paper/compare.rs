@@ -1,9 +1,8 @@
 //! Printed formulas compared with computed ones, exactly or at points.
 
-use crate::algebra::{Polynomial, Polynomials, Rational, Ring, Variable};
+use crate::algebra::{Doubles, Polynomial, Polynomials, Rational, Ring, Variable};
 use crate::expression::Expression;
 
-use super::decimals::Decimals;
 use super::evaluate::value;
 use super::finding::Finding;
 use super::power_series::PowerSeries;
@@ -14,7 +13,7 @@ pub(super) const ROUNDING: f64 = 1e-13;
 /// The formula as a number, its symbols having these values; `None` when that is no number.
 pub(super) fn decimal(formula: &Expression, values: &[(&str, f64)]) -> Option<f64> {
     let number =
-        value(&Decimals, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
+        value(&Doubles, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
     number.filter(|number| !number.is_nan())
 }
 

@@ -25,7 +25,6 @@ mod cote;
 
 // How printed formulas are read and compared.
 mod compare;
-mod decimals;
 mod evaluate;
 mod power_series;
 mod printed;

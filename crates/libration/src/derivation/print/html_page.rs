@@ -3,7 +3,7 @@
 use super::super::check::Equation;
 use super::super::document::{Block, Derivation, Prose, Span, Table};
 use super::escape::html;
-use super::layout::{self, Layout, Style};
+use super::layout::{self, Layout, Lines, Style};
 use super::mathml::mathml;
 
 const STYLE: &str = "
@@ -69,26 +69,25 @@ fn prose(prose: &Prose) -> String {
 }
 
 fn equation(equation: &Equation) -> String {
-    let (first, rest) = layout::statement(equation.statement());
-    let inside = if rest.len() > 1 { aligned(&first, &rest) } else { in_a_row(&first, &rest) };
+    let Lines { left, right } = layout::statement(equation.statement());
+    let inside = match right.as_slice() {
+        [] => mathml(&left),
+        [line] => format!("<mrow>{}{}</mrow>", mathml(&left), mathml(line)),
+        lines => aligned(&left, lines),
+    };
     format!(
         "<div class=\"formula\"><math display=\"block\">{inside}</math></div>\n<p class=\"check\">{}</p>",
         prose(&equation.check().to_prose())
     )
 }
 
-fn in_a_row(first: &Layout, rest: &[(Layout, Layout)]) -> String {
-    let links: String = rest.iter().map(|(relation, formula)| mathml(relation) + &mathml(formula)).collect();
-    format!("<mrow>{}{links}</mrow>", mathml(first))
-}
-
-fn aligned(first: &Layout, rest: &[(Layout, Layout)]) -> String {
-    let row = |left: &str, (relation, formula): &(Layout, Layout)| {
-        format!("<mtr><mtd>{left}</mtd><mtd><mrow>{}{}</mrow></mtd></mtr>", mathml(relation), mathml(formula))
+fn aligned(left: &Layout, lines: &[Layout]) -> String {
+    let mut left = mathml(left);
+    let row = |line: &Layout| {
+        let left = std::mem::take(&mut left);
+        format!("<mtr><mtd>{left}</mtd><mtd>{}</mtd></mtr>", mathml(line))
     };
-    let mut left = mathml(first);
-    let rows: String = rest.iter().map(|link| row(&std::mem::take(&mut left), link)).collect();
-    format!("<mtable displaystyle=\"true\">{rows}</mtable>")
+    format!("<mtable displaystyle=\"true\">{}</mtable>", lines.iter().map(row).collect::<String>())
 }
 
 fn table(table: &Table) -> String {

@@ -14,6 +14,7 @@ pub(super) fn latex(layout: &Layout) -> String {
         Layout::Suffix(text) => suffix_latex(text).to_owned(),
         Layout::Comma => ",\\,".to_owned(),
         Layout::ThinSpace => "\\,".to_owned(),
+        Layout::Indent => "\\quad ".to_owned(),
         Layout::Application => " ".to_owned(),
         Layout::Fraction(over, under) => format!("\\frac{{{}}}{{{}}}", latex(over), latex(under)),
         Layout::Root(under) => format!("\\sqrt{{{}}}", latex(under)),

@@ -16,6 +16,7 @@ pub(super) fn mathml(layout: &Layout) -> String {
             format!("<mo form=\"postfix\" lspace=\"0em\" rspace=\"0em\">{}</mo>", html(text))
         }
         Layout::Comma => "<mo>,</mo>".to_owned(),
+        Layout::Indent => "<mspace width=\"1.5em\"/>".to_owned(),
         Layout::Application => "<mo>&#x2061;</mo><mspace width=\"0.17em\"/>".to_owned(),
         Layout::ThinSpace => "<mspace width=\"0.17em\"/>".to_owned(),
         Layout::Fraction(over, under) => format!("<mfrac>{}{}</mfrac>", mathml(over), mathml(under)),
@@ -66,7 +67,17 @@ fn is_tall(layout: &Layout) -> bool {
         Layout::Row(parts) => parts.iter().any(is_tall),
         Layout::Scripts { base, .. } => is_tall(base),
         Layout::Brackets(inner) | Layout::Bars(inner) => is_tall(inner),
-        _ => false,
+        Layout::Primed(..)
+        | Layout::Letter(_)
+        | Layout::Word(_)
+        | Layout::Digits(_)
+        | Layout::Sign(_)
+        | Layout::Prefix(_)
+        | Layout::Suffix(_)
+        | Layout::Comma
+        | Layout::ThinSpace
+        | Layout::Indent
+        | Layout::Application => false,
     }
 }
 

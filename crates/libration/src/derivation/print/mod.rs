@@ -16,7 +16,7 @@ pub use latex_document::to_latex;
 pub use markdown_text::to_markdown;
 
 use super::formula::{Formula, Statement};
-use layout::Style;
+use layout::{Lines, Style};
 
 /// The formula in LaTeX, for mathematics mode.
 #[must_use]
@@ -24,20 +24,17 @@ pub fn formula_latex(formula: &Formula) -> String {
     latex::latex(&Style::Display.formula(formula)).trim_end().to_owned()
 }
 
-/// The statement in LaTeX, for a display; chains of more than two formulas stand below each other.
+/// The statement in LaTeX, for a display; what needs several lines is aligned.
 #[must_use]
 pub fn statement_latex(statement: &Statement) -> String {
-    let (first, rest) = layout::statement(statement);
-    let align = if rest.len() > 1 { "&" } else { "" };
-    let links: Vec<String> = rest
-        .iter()
-        .map(|(relation, formula)| format!("{align}{}{}", latex::latex(relation), latex::latex(formula)))
-        .collect();
-    let chain = format!("{}{}", latex::latex(&first), links.join("\\\\\n"));
-    if rest.len() > 1 {
-        format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", chain.trim_end())
-    } else {
-        chain.trim_end().to_owned()
+    let Lines { left, right } = layout::statement(statement);
+    let lines: Vec<String> = right.iter().map(latex::latex).collect();
+    match lines.as_slice() {
+        [] | [_] => format!("{}{}", latex::latex(&left), lines.concat()).trim_end().to_owned(),
+        _ => {
+            let lines = lines.join("\\\\\n&");
+            format!("\\begin{{aligned}}\n{}&{}\n\\end{{aligned}}", latex::latex(&left), lines.trim_end())
+        }
     }
 }
 

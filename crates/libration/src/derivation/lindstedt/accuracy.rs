@@ -1,0 +1,163 @@
+//! How good the series are at an amplitude.
+
+use super::super::check::DerivationError;
+use super::super::document::{Prose, Step, Table};
+use super::super::formula::{Decimal, Formula, Name, Unit, letter, number, rounded};
+use super::Released;
+use super::amplitude::of_amplitude;
+use super::ansatz::harmonic_name;
+use super::question::Question;
+use crate::algebra::Rational;
+use crate::pendulum::{Harmonics, Pendulum, period_ratio};
+use crate::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
+use crate::quantity::Angle;
+
+/// The order to which what is missing is estimated.
+const LONGER: usize = 31;
+/// The amplitude when none is given.
+const EXAMPLE: f64 = 1.0;
+
+pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<Step, DerivationError> {
+    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude);
+    if !(amplitude > 0.0 && amplitude.is_finite()) {
+        return Err(DerivationError::NotAnAmplitude(amplitude));
+    }
+    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let step = Step::new("How good it is")
+        .say(
+            "At an amplitude of {} the terms of the period are",
+            [Formula::Decimal(Decimal::short(amplitude, unit))],
+        )
+        .table(terms(question, amplitude)?);
+    let Some(released) = released else { return Ok(step) };
+    Ok(step
+        .say("and with all of them the motion is", [])
+        .table(motion(question, released)?)
+        .say(
+            "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
+             the command libration expand tells where it stops converging.",
+            [],
+        ))
+}
+
+fn is_angle(question: &Question) -> bool {
+    question.variable.letter == "θ"
+}
+
+/// Whether the exact period is known: the pendulum below the upright position.
+fn is_pendulum(question: &Question, amplitude: f64) -> bool {
+    let sine: Vec<Rational> = (1..=question.force.len()).map(sine_coefficient).collect();
+    is_angle(question) && question.force == sine && amplitude < std::f64::consts::PI
+}
+
+fn sine_coefficient(n: usize) -> Rational {
+    if n.is_multiple_of(2) {
+        return Rational::from(0);
+    }
+    let factorial =
+        (2..=n).fold(1_i64, |product, i| product.saturating_mul(i64::try_from(i).unwrap_or(i64::MAX)));
+    Rational::new(if n % 4 == 1 { 1 } else { -1 }, factorial).unwrap_or_else(|| Rational::from(0))
+}
+
+/// The partial sums of T/T0.
+fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> {
+    let pendulum = is_pendulum(question, amplitude);
+    let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
+    let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
+    let evaluation = Evaluation::new(&series, amplitude);
+    let evaluation = if pendulum {
+        evaluation.with_bound(|n| pendulum_period_remainder(amplitude, n / 2))
+    } else {
+        evaluation
+    };
+    let exact = pendulum.then(|| period_ratio(amplitude));
+    let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
+        let mut row = vec![
+            Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
+            Prose::formula(rounded(step.term, 6, Unit::One)),
+            Prose::formula(rounded(step.sum, 10, Unit::One)),
+            rest(step.remainder),
+        ];
+        row.extend(exact.map(|exact| Prose::formula(rounded(step.sum / exact - 1.0, 2, Unit::One))));
+        row
+    });
+    let rows = rows.collect();
+    let mut head = ["power", "term", "sum", "rest"].map(Prose::text).to_vec();
+    head.extend(exact.map(|_| Prose::text("error")));
+    let note = match exact {
+        Some(exact) => Prose::new(
+            "the rest is proved to be below the bound given; errors are relative to the exact {}",
+            [rounded(exact, 11, Unit::One)],
+        ),
+        None => Prose::text(format!("the rest is estimated from the terms to the power {LONGER}")),
+    };
+    Ok(Table { head, rows, note })
+}
+
+fn rest(remainder: Remainder) -> Prose {
+    if !remainder.size.is_finite() {
+        return Prose::text("no end in sight");
+    }
+    let word = if remainder.certainty == Certainty::Proven { "below " } else { "about " };
+    Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, Unit::One)))
+}
+
+/// ε, the frequency, the period and the harmonics at the amplitude, beside the exact ones of the pendulum.
+fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
+    let of = of_amplitude(question, &question.solution)?;
+    let value = |series: &[Rational], powers: usize| {
+        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * released.amplitude + c.to_f64())
+    };
+    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let exact = Exact::new(question, released);
+    let ratio = value(&of.period_ratio, question.order);
+    let exact_ratio = exact.as_ref().map(|exact| exact.ratio);
+    let mut rows = vec![
+        (letter("ε"), value(&of.epsilon, question.order + 1), None, Unit::One),
+        (letter("Δ"), value(&of.frequency_ratio, question.order), exact_ratio.map(f64::recip), Unit::One),
+        (letter("T") / Formula::from(Name::new("T").index(0)), ratio, exact_ratio, Unit::One),
+    ];
+    if let Some(frequency) = released.angular_frequency {
+        let small = 2.0 * std::f64::consts::PI / frequency;
+        rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), Unit::Second));
+    }
+    for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
+        let exact = exact.as_ref().and_then(|exact| exact.harmonic(*k));
+        rows.push((harmonic_name(*k).into(), value(series, question.order + 1), exact, unit));
+    }
+    let cell = |value: f64, unit| Prose::formula(rounded(value, 8, unit));
+    let row = |(name, value, exact, unit): (Formula, f64, Option<f64>, Unit)| {
+        let exact = exact.map_or_else(|| Prose::text(""), |exact| cell(exact, unit));
+        vec![Prose::formula(name), cell(value, unit), exact]
+    };
+    let head = ["quantity", "series", "exact"].map(Prose::text).into();
+    let note = Prose::text(
+        "the series in the amplitude, to the order derived; exact where the library has the closed solution",
+    );
+    Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
+}
+
+/// The exact motion of a pendulum.
+struct Exact {
+    ratio: f64,
+    harmonics: Harmonics,
+}
+
+impl Exact {
+    fn new(question: &Question, released: &Released) -> Option<Self> {
+        if !is_pendulum(question, released.amplitude) {
+            return None;
+        }
+        let angle = Angle::from_radians(released.amplitude).ok()?;
+        let motion = Pendulum::from_angular_frequency(1.0).ok()?.released_from(angle).ok()?;
+        Some(Self {
+            ratio: period_ratio(released.amplitude),
+            harmonics: motion.harmonics(0.0, question.order),
+        })
+    }
+
+    fn harmonic(&self, k: usize) -> Option<f64> {
+        let term = self.harmonics.terms.iter().find(|term| term.n == k);
+        term.map(|term| term.angle)
+    }
+}
