@@ -6,10 +6,9 @@ use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
 use crate::output::series::{subscript, superscript};
+use libration::comparison::{ExactValue, Quantity, Radius, Relation};
 use libration::oscillator::NoPeriodicMotion;
-use libration::perturbation::{
-    Evaluation, ExactValue, Expansion, Gauge, MAX_ORDER, Quantity, Radius, Relation, expand,
-};
+use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
 
 /// Error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]

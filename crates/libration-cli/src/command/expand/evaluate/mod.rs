@@ -6,8 +6,9 @@ mod table;
 use super::Answer;
 use crate::failure::Failure;
 use crate::output::Form;
+use libration::comparison::{ExactValue, Quantity, Radius, Relation};
 use libration::oscillator::NoPeriodicMotion;
-use libration::perturbation::{Certainty, Evaluation, ExactValue, Quantity, Radius, Relation};
+use libration::perturbation::{Certainty, Evaluation};
 use std::io::Write;
 
 /// The relative errors for which the terms are counted.

@@ -6,7 +6,8 @@ use crate::output::number::{rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet};
 use libration::algebra::Rational;
-use libration::perturbation::{Certainty, Evaluation, ExactValue, Precision, Quantity, Radius, Road, Step};
+use libration::comparison::{ExactValue, Quantity, Radius, Road};
+use libration::perturbation::{Certainty, Evaluation, Precision, Step};
 use std::io::{self, Write};
 
 /// Longer coefficients are written as decimals.
