@@ -49,7 +49,7 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
             }))
         }
         "period" => {
-            Some(Box::new(move || Ok(period_in_amplitude(order / 2 + 1).pop().into_iter().collect())))
+            Some(Box::new(move || Ok(period_in_amplitude(order / 2).pop().into_iter().collect())))
         }
         _ => None,
     })
