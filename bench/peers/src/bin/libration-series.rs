@@ -48,9 +48,7 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
                 Ok(vec![cycle.frequency_ratio[order].clone(), amplitude.cos[order - 2].clone()])
             }))
         }
-        "period" => {
-            Some(Box::new(move || Ok(period_in_amplitude(order / 2).pop().into_iter().collect())))
-        }
+        "period" => Some(Box::new(move || Ok(period_in_amplitude(order / 2).pop().into_iter().collect()))),
         _ => None,
     })
 }
