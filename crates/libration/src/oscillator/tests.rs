@@ -135,6 +135,7 @@ fn symmetries_are_proved_not_sampled() {
     assert!(oscillator("x'' = -(x - 2) - (x - 2)^3").is_odd());
     assert!(!oscillator("x'' = -x - 1e-30*x^2").is_odd());
     assert_eq!(*oscillator("x'' = -x*(1 + x'^2)/(1 + (-x')^4)").kind(), Kind::Reversible);
+    assert_eq!(*oscillator("x'' = -x*(1 + x^2)^300").kind(), Kind::Conservative);
     let conservative = oscillator("x'' = -x + x' - (1 + x)*x' + x*x'");
     assert_eq!(*conservative.kind(), Kind::Conservative);
     assert_eq!(conservative.acceleration().to_string(), "-x");

@@ -13,6 +13,7 @@ mod cosines;
 mod evaluation;
 mod expand;
 mod expansion;
+mod extremes;
 mod first_integral;
 mod gauge;
 mod limit_cycle;
