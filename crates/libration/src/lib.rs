@@ -52,6 +52,7 @@
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
+//! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
@@ -82,6 +83,8 @@ pub mod expression;
 pub mod oscillator;
 
 pub mod perturbation;
+
+pub mod comparison;
 
 pub mod taylor;
 

@@ -136,6 +136,13 @@ fn latex_is_balanced() {
 }
 
 #[test]
+fn latex_writes_the_strength_as_the_equation_does() {
+    let output = run(&["expand", "x'' + x = lambda_1*(1 - x^2)*x'", "--order", "2", "--latex"]);
+    let latex = String::from_utf8(output.stdout).unwrap();
+    assert!(latex.contains(r"\frac{\Omega}{\omega_0} &= 1 - \frac{1}{16} \lambda_{1}^{2}"), "{latex}");
+}
+
+#[test]
 fn csv_has_a_row_for_each_coefficient() {
     let rows = text("expand pendulum --order 5 --csv");
     assert!(rows.starts_with("quantity,variable,power,coefficient\nfrequency_ratio,epsilon,0,1\n"));
@@ -205,7 +212,8 @@ fn it_is_seen_where_a_series_stops_helping() {
     assert!(!inside.contains("← smallest term") && inside.contains("this is inside"), "{inside}");
     let over_the_top = text("expand pendulum --evaluate 200deg");
     assert!(
-        over_the_top.contains("exact value   none: ") && over_the_top.contains("(proven); this is BEYOND")
+        over_the_top.contains("none: at the displacement")
+            && over_the_top.contains("(proven); this is BEYOND")
     );
 }
 

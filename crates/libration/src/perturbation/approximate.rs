@@ -24,13 +24,18 @@ pub(crate) fn approximate_series(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
 ) -> Option<(SeriesSet<Rational>, Rational, Rational)> {
     let mut precision = bits(DIGITS) + 64;
-    let mut coarse = series_at(prepare, precision)?.0;
+    let mut coarse = series_at(prepare, precision)?.0.numbers();
     for _ in 0..6 {
+        let before = precision;
         precision += precision / 2;
-        let (fine, omega0_squared, equilibrium) = series_at(prepare, precision)?;
-        if agree(&coarse, &fine) {
-            let numbers = fine.numbers();
-            let set = fine.with_numbers(numbers.iter().map(|x| cleaned(x).to_rational()))?;
+        let (set, omega0_squared, equilibrium) = series_at(prepare, precision)?;
+        let fine = set.numbers();
+        let pairs = coarse.iter().zip(&fine);
+        let numbers = pairs.map(|(coarse, fine)| {
+            settled(Rounded { number: coarse, precision: before }, Rounded { number: fine, precision })
+        });
+        if let Some(numbers) = numbers.collect::<Option<Vec<_>>>() {
+            let set = set.with_numbers(numbers.into_iter())?;
             return Some((set, omega0_squared.to_rational(), cleaned(&equilibrium).to_rational()));
         }
         coarse = fine;
@@ -60,11 +65,26 @@ fn cleaned(x: &BigFloat) -> BigFloat {
     if noise { kept.clone() - kept } else { kept }
 }
 
-fn agree(coarse: &SeriesSet<BigFloat>, fine: &SeriesSet<BigFloat>) -> bool {
-    coarse.numbers().iter().zip(&fine.numbers()).all(|(a, b)| {
-        let size = b.exponent().unwrap_or(0).max(0);
-        (a.clone() - b.clone()).exponent().is_none_or(|gap| gap < size - digits_as_bits())
-    })
+/// A number and its precision in bits.
+#[derive(Clone, Copy)]
+struct Rounded<'a> {
+    number: &'a BigFloat,
+    precision: usize,
+}
+
+/// The number that two precisions give: where they agree to [`DIGITS`], that of the finer one; zero where it shrinks
+/// with the error of rounding, and so is what a cancellation leaves; `None` else.
+fn settled(coarse: Rounded<'_>, fine: Rounded<'_>) -> Option<Rational> {
+    let gap = (fine.number.clone() - coarse.number.clone()).exponent();
+    let size = fine.number.exponent();
+    let agree = gap.is_none_or(|gap| size.is_some_and(|size| gap < size - digits_as_bits()));
+    if agree {
+        return Some(fine.number.rounded_to(bits(DIGITS)).to_rational());
+    }
+    let gained = isize::try_from(fine.precision - coarse.precision).ok()?;
+    // A zero may be as large as the first bit that is lost.
+    let size_before = coarse.number.exponent().unwrap_or(-isize::try_from(coarse.precision).ok()?);
+    size.is_none_or(|size| size < size_before - gained / 2).then(|| Rational::from(0))
 }
 
 /// The centre at the equilibrium next to a number, by Newton's method.

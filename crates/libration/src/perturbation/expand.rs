@@ -10,7 +10,7 @@ use super::expansion::{Certificate, Expansion, Heading, Precision, Variable};
 use super::gauge::Gauge;
 use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
-use super::selection::{Condition, Others};
+use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
 use crate::algebra::{Rational, Rationals};
 use crate::expression::{Expression, Symbol, Tape, WithoutValue};
@@ -154,20 +154,15 @@ impl<'a> Question<'a> {
     /// The attracting limit cycle of smallest amplitude; `None` when only digits tell its amplitude.
     fn selected_cycle(&self, omega0: &Rational) -> Result<Option<Motion<Rational>>, ExpansionError> {
         let Some(condition) = self.condition(omega0)? else { return Ok(None) };
-        let (squares, others) = condition.squared_amplitudes();
-        let attracting = |square: &&Rational| {
-            let slope = condition.selected(square).slope;
-            !slope.is_negative() && !slope.is_zero()
-        };
-        match (squares.iter().find(attracting), others) {
-            (Some(square), _) => {
-                let selected = condition.selected(square);
+        match condition.attracting() {
+            Attracting::At(square) => {
+                let selected = condition.selected(&square);
                 // Harmonics in units of a root are rational only for odd accelerations.
                 let exact = selected.symmetric || selected.unit_squared == Rational::from(1);
                 Ok(exact.then_some(Motion::LimitCycle(selected)))
             }
-            (None, Others::Irrational) => Ok(None),
-            (None, Others::None) => Err(ExpansionError::NoLimitCycle { repelling: squares.len() }),
+            Attracting::Irrational => Ok(None),
+            Attracting::None { repelling } => Err(ExpansionError::NoLimitCycle { repelling }),
         }
     }
 
@@ -214,22 +209,26 @@ impl<'a> Question<'a> {
 
     fn solve_in_digits(&self) -> Result<Expansion, ExpansionError> {
         let near = self.oscillator.equilibrium().to_f64();
-        let solved = match self.oscillator.kind() {
+        let (solved, refusal) = match self.oscillator.kind() {
             Kind::LimitCycle { .. } => {
                 let degree = self.degree()?;
                 let symmetric = self.oscillator.is_odd();
                 let omega0_squared = self.oscillator.omega0_squared().exact().cloned();
                 let omega0_squared = omega0_squared.ok_or(ExpansionError::NoDigits)?;
-                approximate_series(&|floats| {
+                let solved = approximate_series(&|floats| {
                     limit_cycle(floats, &self.tape, &omega0_squared, degree, symmetric, self.order)
-                })
+                });
+                (solved, ExpansionError::NoCycleInDigits)
             }
-            kind => approximate_series(&|floats| {
-                let uses_velocity = *kind != Kind::Conservative;
-                centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order)
-            }),
+            kind => {
+                let solved = approximate_series(&|floats| {
+                    let uses_velocity = *kind != Kind::Conservative;
+                    centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order)
+                });
+                (solved, ExpansionError::NoDigits)
+            }
         };
-        let (set, omega0_squared, equilibrium) = solved.ok_or(ExpansionError::NoDigits)?;
+        let (set, omega0_squared, equilibrium) = solved.ok_or(refusal)?;
         let heading = self.heading(Precision::Digits(super::approximate::DIGITS), Rational::from(1));
         let heading = Heading { omega0_squared, equilibrium, ..heading };
         Ok(Expansion::new(heading, set, Certificate::TwoPrecisions))
@@ -277,7 +276,7 @@ fn check_gauge(gauge: &Gauge, kind: &Kind, oscillator: &Oscillator) -> Result<()
 }
 
 /// Whether the acceleration is −c·sin x, with x counted from an equilibrium at zero.
-pub(super) fn is_pendulum(oscillator: &Oscillator) -> bool {
+pub(crate) fn is_pendulum(oscillator: &Oscillator) -> bool {
     let x = Expression::Symbol(Symbol { name: oscillator.variable().to_owned(), primes: 0 });
     let sine = Expression::Call(crate::expression::Function::Sin, Box::new(x));
     let Some(factor) = oscillator.omega0_squared().exact() else { return false };
@@ -335,6 +334,11 @@ pub enum ExpansionError {
     /// No agreement between precisions, or no series at all.
     #[error("the acceleration has no power series about the equilibrium, not in digits either")]
     NoDigits,
+    /// No limit cycle where the condition on its amplitude is known in digits only.
+    #[error(
+        "no limit cycle that attracts at small strength was found, though amplitudes from 10^-6 to 10^6 were tried"
+    )]
+    NoCycleInDigits,
     /// Two independent computations disagree.
     #[error(
         "two independent computations of this expansion disagree, which must not happen: please report the equation"

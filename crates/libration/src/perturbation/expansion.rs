@@ -26,9 +26,9 @@ pub struct Expansion {
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
     pub unit_squared: Rational,
-    /// The displacement at Ωt = 0.
+    /// The largest displacement; about a centre it is that at Ωt = 0.
     pub x_max: Vec<Rational>,
-    /// The displacement at Ωt = π.
+    /// The smallest displacement; about a centre it is that at Ωt = π.
     pub x_min: Vec<Rational>,
     /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
     pub of_amplitude: Option<AmplitudeSeries>,
@@ -58,12 +58,20 @@ impl Variable {
     }
 }
 
+impl Variable {
+    /// Whether it is the strength of a self-excitation.
+    #[must_use]
+    pub const fn is_strength(&self) -> bool {
+        matches!(self, Self::Parameter(_))
+    }
+}
+
 /// Whether coefficients are exact fractions or stand for numbers that are none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// Every coefficient is the number itself.
     Exact,
-    /// Some coefficients are not rational: each list is right to this many digits of its largest entries.
+    /// Some coefficients are not rational: each is right to this many digits.
     Digits(usize),
 }
 
@@ -97,11 +105,11 @@ pub struct AmplitudeSeries {
 pub enum Certificate {
     /// All coefficients were computed again in plain rational arithmetic: they are proven.
     PlainRationals,
-    /// Frequency and turning points agree exactly with the reversion of the potential, which proves them; the single
-    /// harmonics rest on the fresh primes.
+    /// Frequency and turning points obey the relation that the reversion of the potential gives, which proves how
+    /// one depends on the other; the single series rest on the fresh primes.
     Potential,
-    /// The period agrees exactly with the integral of the first integral, which proves it; the rest rests on the
-    /// fresh primes.
+    /// The period by powers of the amplitude agrees exactly with the integral of the first integral, which proves it;
+    /// the rest rests on the fresh primes.
     FirstIntegral,
     /// All coefficients rest on the fresh primes.
     FreshPrimes,
@@ -110,7 +118,7 @@ pub enum Certificate {
 }
 
 impl Certificate {
-    /// Whether the frequency is proven by an exact check.
+    /// Whether an exact check proves at least how the frequency depends on the amplitude.
     #[must_use]
     pub fn is_proof(self) -> bool {
         matches!(self, Self::PlainRationals | Self::Potential | Self::FirstIntegral)

@@ -4,7 +4,7 @@ use super::conservative;
 use super::gauge::Gauge;
 use super::limit_cycle::{Excitation, highest_harmonic, limit_cycle};
 use super::lindstedt::{Centre, Family, family};
-use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, substituted, turning_points};
+use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, half_turns, substituted};
 use crate::algebra::{Number, PhaseRing, Rational, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::{powers, powers_of_inverse};
@@ -101,11 +101,11 @@ impl<N> Model<N> {
         let family = family(ring, centre, &self.fundamental(numbers, gauge)?)?;
         match gauge {
             Gauge::Fundamental | Gauge::Coefficients(_) => Some(family),
-            Gauge::XMax => by_inverse(numbers, &family, &turning_points(numbers, &family).0),
+            Gauge::XMax => by_inverse(numbers, &family, &half_turns(numbers, &family).0),
             Gauge::HalfSwing => by_inverse(numbers, &family, &half_swing(numbers, &family)?),
             Gauge::Energy => {
                 let x = self.displacement(numbers, given.values.clone(), &given.omega0_squared)?;
-                let inverse = powers_of_inverse(numbers, &turning_points(numbers, &family).0)?.first();
+                let inverse = powers_of_inverse(numbers, &half_turns(numbers, &family).0)?.first();
                 let first_harmonic = powers(numbers, &x)?.composed(numbers, &inverse);
                 substituted(numbers, &family, &first_harmonic)
             }

@@ -44,18 +44,22 @@ impl Condition {
         })
     }
 
-    /// The squares of all positive amplitudes, ascending, as far as they are fractions of moderate size, and
-    /// whether there are others.
-    pub(crate) fn squared_amplitudes(&self) -> (Vec<Rational>, Others) {
-        let mut found: Vec<Rational> = vec![];
-        let mut others = Others::None;
-        for (low, high) in self.sign_changes() {
-            match self.rational_root(&low, &high) {
-                Some(root) => found.push(root),
-                None => others = Others::Irrational,
+    /// The attracting limit cycle of smallest amplitude.
+    pub(crate) fn attracting(&self) -> Attracting {
+        let changes = self.sign_changes();
+        for (low, high) in &changes {
+            match self.rational_root(low, high) {
+                Some(root) => {
+                    let slope = self.slope(&root);
+                    if !slope.is_negative() && !slope.is_zero() {
+                        return Attracting::At(root);
+                    }
+                }
+                None if self.at(low).is_negative() => return Attracting::Irrational,
+                None => {}
             }
         }
-        (found, others)
+        Attracting::None { repelling: changes.len() }
     }
 
     /// The limit cycle with this squared amplitude.
@@ -121,11 +125,15 @@ impl Condition {
     }
 }
 
-/// Whether there are amplitudes whose squares are no fractions of moderate size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Others {
-    None,
+/// What limit cycle attracts for a weak self-excitation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Attracting {
+    /// The one whose amplitude has this square.
+    At(Rational),
+    /// One whose amplitude has a square that is no fraction of moderate size.
     Irrational,
+    /// None, though there may be some that repel.
+    None { repelling: usize },
 }
 
 /// The coefficients of the polynomial through the points, by Newton's divided differences.

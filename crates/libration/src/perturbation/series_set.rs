@@ -1,6 +1,7 @@
 //! All series of one family of motions, over any ring: harmonics, turning points, and everything as functions of
 //! the amplitude.
 
+use super::extremes::extremes;
 use super::lindstedt::Family;
 use crate::algebra::{Harmonic, Ring};
 use crate::series::truncated::{Powers, powers, powers_of_inverse, reciprocal};
@@ -43,7 +44,10 @@ impl<E: Clone> SeriesSet<E> {
         family: Family<E>,
         amplitudes: Amplitudes,
     ) -> Option<Self> {
-        let (x_max, x_min) = turning_points(ring, &family);
+        let (x_max, x_min) = match amplitudes {
+            Amplitudes::None => extremes(ring, &family)?,
+            _ => half_turns(ring, &family),
+        };
         let of = |amplitude: &[E]| OfAmplitude::new(ring, &family, amplitude);
         let of_amplitude = if amplitudes == Amplitudes::None { None } else { Some(of(&x_max)?) };
         let of_half_swing =
@@ -143,8 +147,8 @@ fn composed<R: Ring>(
     }
 }
 
-/// The displacements at τ = 0 and τ = π.
-pub(crate) fn turning_points<R: Ring>(
+/// The displacements at τ = 0 and τ = π: about a centre, the turning points.
+pub(crate) fn half_turns<R: Ring>(
     ring: &R,
     family: &Family<R::Element>,
 ) -> (Vec<R::Element>, Vec<R::Element>) {
@@ -160,6 +164,6 @@ pub(crate) fn turning_points<R: Ring>(
 
 /// Half the distance between the turning points.
 pub(crate) fn half_swing<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<R::Element>> {
-    let (x_max, x_min) = turning_points(ring, family);
+    let (x_max, x_min) = half_turns(ring, family);
     x_max.iter().zip(&x_min).map(|(max, min)| ring.over_integer(&ring.subtract(max, min), 2)).collect()
 }

@@ -146,7 +146,7 @@ impl<'a> Integration<'a> {
 
     /// Where the step ends: always at an `f64`, so that times are exact.
     fn end_towards(&mut self, last: f64) -> Result<f64, Cause> {
-        let (start, length) = (self.step.start, self.effort.step_length(self.step.coordinates()));
+        let (start, length) = (self.step.start, self.effort.step_length(&self.step.series));
         if length == f64::INFINITY {
             return self.end_of_polynomials(last);
         }

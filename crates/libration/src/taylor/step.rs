@@ -53,10 +53,6 @@ impl Step {
         (0..self.series.len()).map(move |component| self.component_at(component, time))
     }
 
-    pub(super) fn coordinates(&self) -> &[Vec<f64>] {
-        &self.series[..self.series.len() / 2]
-    }
-
     /// Whether a time that is not before its start is not behind its end.
     pub(super) fn reaches(&self, time: f64) -> bool {
         if self.end < self.start { time >= self.end } else { time <= self.end }

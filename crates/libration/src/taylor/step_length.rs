@@ -5,10 +5,10 @@
 /// How exact an integration shall be, and when it shall give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// The error that one step makes in each coordinate, as a part of how far the coordinate moves by the first terms of
-    /// its series: so it depends neither on units nor on where zero is.
+    /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
+    /// a part of how far it moves. So it depends neither on units nor on where zero is.
     pub relative: f64,
-    /// The error of each coordinate, in its own units, below which no step need come; zero if there is none.
+    /// The error of each number of the state, in its own units, below which no step need come; zero if there is none.
     pub absolute: f64,
     /// The largest number of steps.
     pub most_steps: usize,
@@ -39,10 +39,12 @@ impl Effort {
     /// The length of a step with these series, positive; infinite where the series end.
     ///
     /// At e^−2 of the radius of convergence the terms fall by e² each, and by the order below the tolerance.
-    pub(super) fn step_length(&self, coordinates: &[Vec<f64>]) -> f64 {
+    pub(super) fn step_length(&self, series: &[Vec<f64>]) -> f64 {
         let floor = self.absolute / self.relative;
-        let radius = coordinates.iter().map(|one| log_radius(one, floor)).fold(f64::INFINITY, f64::min);
-        libm::exp(radius - 2.0 - 0.7 / (f64::from(self.order()) - 1.0))
+        let (coordinates, velocities) = series.split_at(series.len() / 2);
+        let moving = coordinates.iter().map(|one| log_radius(one, floor));
+        let all = moving.chain(velocities.iter().map(|one| log_radius(one, one[0].abs().max(floor))));
+        libm::exp(all.fold(f64::INFINITY, f64::min) - 2.0 - 0.7 / (f64::from(self.order()) - 1.0))
     }
 }
 
@@ -52,9 +54,9 @@ const LAST: usize = 4;
 const FIRST: usize = 3;
 
 /// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last.
-/// In the place of c₀, where the coordinate is, stands the size below which it does not matter.
-fn log_radius(series: &[f64], floor: f64) -> f64 {
-    let sizes = [floor].into_iter().chain(series.iter().skip(1).map(|c| c.abs()));
+/// In the place of |c₀|, which of a coordinate only says where it is, stands a size that is given.
+fn log_radius(series: &[f64], size: f64) -> f64 {
+    let sizes = [size].into_iter().chain(series.iter().skip(1).map(|c| c.abs()));
     let known = sizes.enumerate().filter(|(_, size)| *size > 0.0).take(FIRST);
     let first: [Option<(usize, f64)>; FIRST] = collected(known.map(|(n, size)| (n, libm::log(size))));
     let by = |k: usize| {

@@ -339,3 +339,47 @@ fn questions_without_an_answer_are_refused() {
     assert!(ask("x'' = -x + mu*x'*cos(x)", Gauge::Fundamental).contains("polynomial"));
     assert!(expand(&pendulum(), 0, &Gauge::Fundamental).is_err());
 }
+
+/// The largest displacement of Van der Pol's oscillator is 2 + μ²/96 − …, not that at Ωt = 0. At μ = 0.1 numerical
+/// integration (SciPy, tolerance 1e-12) gives 2.000103979861, and, with an even term, for which the two turning points
+/// differ, 2.000141936865 and −2.007250105633.
+#[test]
+fn a_limit_cycle_turns_where_its_velocity_vanishes() {
+    let cycle = |equation: &str, order| expand(&oscillator(equation), order, &Gauge::Fundamental).unwrap();
+    let van_der_pol = cycle("x'' = -x + mu*(1-x^2)*x'", 4);
+    assert_eq!(van_der_pol.x_max[..4], ["2", "0", "1/96", "0"].map(|text| text.parse().unwrap()));
+    assert!(van_der_pol.x_max.iter().zip(&van_der_pol.x_min).all(|(max, min)| *max == -min.clone()));
+    let uneven = cycle("x'' = -x + mu*(1-x^2-x)*x'", 10);
+    let at = |series: &Series| series.iter().rev().fold(0.0, |sum, c| sum * 0.1 + c.to_f64());
+    assert!((at(&van_der_pol.x_max) - 2.000_103_979_861).abs() < 1e-8, "{}", at(&van_der_pol.x_max));
+    assert!((at(&uneven.x_max) - 2.000_141_936_865).abs() < 1e-9, "{}", at(&uneven.x_max));
+    assert!((at(&uneven.x_min) + 2.007_250_105_633).abs() < 1e-9, "{}", at(&uneven.x_min));
+}
+
+/// The first-order condition is 18 − 38s + 13s² − s³ = −(s − 9)·(s² − 4s + 2): the squares 2 − √2 and 9 attract.
+#[test]
+fn the_smallest_attracting_limit_cycle_is_taken_rational_or_not() {
+    let equation = "x'' = -x + mu*(18 - 152*x^2 + 104*x^4 - 64/5*x^6)*x'";
+    let expansion = expand(&oscillator(equation), 1, &Gauge::Fundamental).unwrap();
+    assert_eq!(expansion.precision, Precision::Digits(40));
+    let square = expansion.x_max[0].to_f64().powi(2);
+    assert!((square - 0.585_786_437_626_905).abs() < 1e-14, "{square}");
+    let repelling = expand(&oscillator("x'' = -x + mu*(x^2-sqrt(2))*x'"), 2, &Gauge::Fundamental);
+    assert!(repelling.unwrap_err().to_string().contains("no limit cycle"));
+}
+
+/// With an irrational ω0² nothing is exact, but the series are the pendulum's, down to its highest harmonics.
+#[test]
+fn digits_hold_for_small_coefficients_too() {
+    let order = 61;
+    let exact = expand(&pendulum(), order, &Gauge::Fundamental).unwrap();
+    let digits = expand(&oscillator("x'' = -sqrt(2)*sin(x)"), order, &Gauge::Fundamental).unwrap();
+    assert_eq!(digits.precision, Precision::Digits(40));
+    for (exact, digits) in exact.harmonics.iter().zip(&digits.harmonics) {
+        assert_eq!(exact.k, digits.k);
+        for (exact, digits) in exact.cos.iter().zip(&digits.cos) {
+            assert_eq!(exact.to_decimal(40), digits.to_decimal(40));
+        }
+    }
+    assert_eq!(exact.harmonics.len(), digits.harmonics.len());
+}

@@ -3,6 +3,7 @@
 use super::Answer;
 use crate::output::series::{Notation, Style, subscript, superscript, wrapped};
 use libration::algebra::Rational;
+use libration::expression::Expression;
 use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
 use std::io::{self, Write};
 
@@ -51,17 +52,19 @@ pub(super) fn write_head(out: &mut dyn Write, answer: &Answer) -> io::Result<()>
 /// The symbols that stand for the variable.
 pub(super) struct Symbols<'a> {
     pub(super) variable: &'a str,
-    latex: &'a str,
+    latex: String,
 }
 
 impl<'a> Symbols<'a> {
     pub(super) fn new(variable: &'a Variable) -> Self {
-        match variable {
-            Variable::Epsilon(_) => Self { variable: "ε", latex: r"\epsilon" },
-            Variable::Parameter(name) if name == "mu" => Self { variable: "μ", latex: r"\mu" },
-            Variable::Parameter(name) if name == "epsilon" => Self { variable: "ε", latex: r"\epsilon" },
-            Variable::Parameter(name) => Self { variable: name, latex: name },
-        }
+        let name = variable.name();
+        let text = match name {
+            "epsilon" => "ε",
+            "mu" => "μ",
+            other => other,
+        };
+        let latex = name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_latex());
+        Self { variable: text, latex }
     }
 }
 
@@ -179,17 +182,18 @@ fn checked(expansion: &Expansion) -> String {
     let precision = match expansion.precision {
         Precision::Exact => "all coefficients are exact".to_owned(),
         Precision::Digits(digits) => {
-            format!("the coefficients are not rational; they are given to {digits} digits")
+            format!("not all numbers are rational, so the coefficients are given to {digits} digits")
         }
     };
     let how = match expansion.certificate {
         Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
         Certificate::Potential => {
-            "frequency and turning points are proven by the reversion of the potential, \
-             the harmonics are confirmed by two spare primes of 62 bits"
+            "how the frequency depends on the turning points is proven by the reversion of the potential, \
+             the rest is confirmed by two spare primes of 62 bits"
         }
         Certificate::FirstIntegral => {
-            "the period is proven by the first integral, the rest is confirmed by two spare primes of 62 bits"
+            "how the period depends on the amplitude is proven by the first integral, \
+             the rest is confirmed by two spare primes of 62 bits"
         }
         Certificate::FreshPrimes => "confirmed by two spare primes of 62 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
@@ -206,13 +210,13 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()
         one if *one == Rational::from(1) => String::new(),
         squared => format!(r"\sqrt{{{squared}}}\,"),
     };
-    let scaled = |series: &[Rational]| bracketed(&unit, notation.series(series, symbols.latex));
+    let scaled = |series: &[Rational]| bracketed(&unit, notation.series(series, &symbols.latex));
     writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
     writeln!(
         out,
         "  \\frac{{\\Omega}}{{\\omega_0}} &= {} \\\\",
-        notation.series(&expansion.frequency_ratio, symbols.latex)
+        notation.series(&expansion.frequency_ratio, &symbols.latex)
     )?;
     for harmonic in &expansion.harmonics {
         for (letter, series) in [("a", &harmonic.cos), ("b", &harmonic.sin)] {
@@ -230,7 +234,7 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()
         let series = [
             (r"\frac{\Omega}{\omega_0}".to_owned(), &of.frequency_ratio),
             (r"\frac{T}{T_0}".to_owned(), &of.period_ratio),
-            (symbols.latex.to_owned(), &of.epsilon),
+            (symbols.latex.clone(), &of.epsilon),
         ];
         let harmonics = of.harmonics.iter().map(|(k, series)| (format!("a_{{{k}}}"), series));
         let lines: Vec<String> = series

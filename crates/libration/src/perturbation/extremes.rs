@@ -1,0 +1,72 @@
+//! The turning points of a limit cycle, which are not at τ = 0 and τ = π because its harmonics have sines.
+//!
+//! About either of these phases x = Σ cⱼ(μ)·σʲ, and the root σ(μ) of dx/dσ next to it has no constant term, so that
+//! each of its coefficients follows from those before it.
+
+use super::lindstedt::Family;
+use super::series_set::half_turns;
+use crate::algebra::{Harmonic, Rational, Ring};
+use crate::series::truncated::product;
+
+/// The largest and the smallest displacement of a motion that has them at τ = 0 and τ = π when the variable is zero.
+/// `None` when a number is not in the ring.
+pub(crate) fn extremes<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+) -> Option<(Vec<R::Element>, Vec<R::Element>)> {
+    let (at_zero, at_pi): (Vec<_>, Vec<_>) = taylor(ring, family)?.into_iter().unzip();
+    Some((extreme(ring, &at_zero)?, extreme(ring, &at_pi)?))
+}
+
+/// The displacement and its first derivatives dʲx/dτʲ/j! at τ = 0 and τ = π: one more than the series has powers.
+fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<(Vec<R::Element>, Vec<R::Element>)>> {
+    let mut derivative = family.clone();
+    let mut taylor = vec![half_turns(ring, family)];
+    for j in 1..=family.frequency.len() {
+        for (k, harmonic) in derivative.harmonics.iter_mut().enumerate() {
+            let k = i64::try_from(k).ok()?;
+            for coefficient in harmonic {
+                let cosine = ring.times_integer(&coefficient.sine, k);
+                let sine = ring.times_integer(&coefficient.cosine, -k);
+                let j = u64::try_from(j).ok()?;
+                *coefficient =
+                    Harmonic { cosine: ring.over_integer(&cosine, j)?, sine: ring.over_integer(&sine, j)? };
+            }
+        }
+        taylor.push(half_turns(ring, &derivative));
+    }
+    Some(taylor)
+}
+
+/// Σ cⱼσʲ where its derivative vanishes.
+fn extreme<R: Ring>(ring: &R, taylor: &[Vec<R::Element>]) -> Option<Vec<R::Element>> {
+    let powers = powers_of_root(ring, taylor)?;
+    let length = taylor.first()?.len();
+    let terms = taylor.iter().zip(&powers).map(|(c, power)| product(ring, c, power, length));
+    Some(terms.fold(vec![ring.zero(); length], |sum, term| {
+        sum.iter().zip(&term).map(|(sum, term)| ring.add(sum, term)).collect()
+    }))
+}
+
+/// The powers 1, σ, σ², … of the root of Σ j·cⱼσʲ⁻¹.
+fn powers_of_root<R: Ring>(ring: &R, taylor: &[Vec<R::Element>]) -> Option<Vec<Vec<R::Element>>> {
+    let curvature = ring.times_integer(taylor.get(2)?.first()?, 2);
+    let mut powers = vec![vec![ring.zero()]; taylor.len()];
+    powers[0] = vec![ring.rational(&Rational::from(1))?];
+    for n in 1..taylor[0].len() {
+        // σ has no constant term, so that no higher power needs σₙ, which counts as zero until it is known.
+        powers[0].push(ring.zero());
+        powers[1].push(ring.zero());
+        for j in 2..powers.len() {
+            let next = ring.convolution(&powers[1][1..n], &powers[j - 1][1..n]);
+            powers[j].push(next);
+        }
+        let mut slope = ring.zero();
+        for (j, (c, power)) in (1..).zip(taylor[1..].iter().zip(&powers)) {
+            let term = ring.convolution(&c[..=n], &power[..=n]);
+            slope = ring.add(&slope, &ring.times_integer(&term, j));
+        }
+        powers[1][n] = ring.negate(&ring.divide(&slope, &curvature)?);
+    }
+    Some(powers)
+}
