@@ -92,3 +92,18 @@ impl Ring for Doubles {
         (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn convolutions_of_every_length_are_those_of_whole_numbers() {
+        let numbers = |factor: u32, length: u32| (0..length).map(move |n| f64::from(n * n * factor % 17));
+        for length in 0..20 {
+            let (a, b): (Vec<f64>, Vec<f64>) = (numbers(3, length).collect(), numbers(5, length).collect());
+            let plain: f64 = a.iter().zip(b.iter().rev()).map(|(a, b)| a * b).sum();
+            assert_eq!(Doubles.convolution(&a, &b).to_bits(), (plain + 0.0).to_bits(), "{length}");
+        }
+    }
+}
