@@ -63,23 +63,30 @@ pub fn integrate(
     check(system, start, times, effort)?;
     let mut motion = Integration::new(system, start, *effort);
     let mut samples = Vec::with_capacity(times.len());
-    let mut answer = || -> Result<(), Cause> {
-        while let Some(&last) = times.last().filter(|_| samples.len() < times.len()) {
-            let step = motion.advance(last)?;
-            let inside = times[samples.len()..].iter().take_while(|&&time| step.reaches(time));
-            samples.extend(inside.map(|&time| Moment { time, state: step.state_at(time) }));
-            if watch(step).is_break() && samples.len() < times.len() {
-                return Err(Cause::Interrupted);
-            }
-        }
-        Ok(())
-    };
-    let outcome = answer();
+    let outcome = fill(&mut samples, times, &mut motion, &mut watch);
     let solution = Solution { samples, end: motion.moment(), steps: motion.steps };
-    outcome.map(|()| solution.clone()).map_err(|cause| {
-        let solution = Box::new(solution);
-        IntegrationError::Stopped { cause, solution }
-    })
+    match outcome {
+        Ok(()) => Ok(solution),
+        Err(cause) => Err(IntegrationError::Stopped { cause, solution: Box::new(solution) }),
+    }
+}
+
+/// The states at all times, step by step.
+fn fill(
+    samples: &mut Vec<Moment>,
+    times: &[f64],
+    motion: &mut Integration,
+    watch: &mut impl FnMut(&Step) -> ControlFlow<()>,
+) -> Result<(), Cause> {
+    while let Some(&last) = times.last().filter(|_| samples.len() < times.len()) {
+        let step = motion.advance(last)?;
+        let inside = times[samples.len()..].iter().take_while(|&&time| step.reaches(time));
+        samples.extend(inside.map(|&time| Moment { time, state: step.state_at(time) }));
+        if watch(step).is_break() && samples.len() < times.len() {
+            return Err(Cause::Interrupted);
+        }
+    }
+    Ok(())
 }
 
 fn check(system: &System, start: &Moment, times: &[f64], effort: &Effort) -> Result<(), IntegrationError> {
