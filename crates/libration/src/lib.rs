@@ -52,6 +52,7 @@
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
+//! | [`comparison`] | those series beside exact values |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
@@ -81,6 +82,8 @@ pub mod expression;
 pub mod oscillator;
 
 pub mod perturbation;
+
+pub mod comparison;
 
 pub mod derivation;
 

@@ -48,9 +48,7 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
                 Ok(vec![cycle.frequency_ratio[order].clone(), amplitude.cos[order - 2].clone()])
             }))
         }
-        "period" => {
-            Some(Box::new(move || Ok(period_in_amplitude(order / 2 + 1).pop().into_iter().collect())))
-        }
+        "period" => Some(Box::new(move || Ok(period_in_amplitude(order / 2).pop().into_iter().collect()))),
         _ => None,
     })
 }
@@ -67,8 +65,11 @@ fn of_amplitude(key: &str, order: usize) -> Result<Task, Box<dyn Error>> {
     }))
 }
 
+/// The seconds of the passes and the last coefficients.
+type Timed = (Option<Vec<f64>>, Vec<Rational>);
+
 /// Processor seconds of the passes, each a mean over runs, after one pass for warming up; of a slow task that pass.
-fn passes(task: &Task) -> Result<(Option<Vec<f64>>, Vec<Rational>), Box<dyn Error>> {
+fn passes(task: &Task) -> Result<Timed, Box<dyn Error>> {
     let start = processor_seconds()?;
     let check = task()?;
     let once = processor_seconds()? - start;

@@ -327,6 +327,12 @@ pub(super) fn failed(statement: &Statement, reason: String) -> DerivationError {
 }
 
 impl Check {
+    /// Whether there was something to check, and it was computed.
+    #[must_use]
+    pub fn is_computed(&self) -> bool {
+        !matches!(self, Self::Definition | Self::Premise | Self::Given)
+    }
+
     /// The check in words.
     #[must_use]
     pub fn to_prose(&self) -> Prose {

@@ -12,7 +12,6 @@ mod error;
 mod model;
 
 mod periodic_motion;
-mod taylor_step;
 
 pub use constant::{Approximation, Constant};
 pub use error::{OscillatorError, Refusal, Unfit};

@@ -280,7 +280,7 @@ fn check_gauge(gauge: &Gauge, kind: &Kind, oscillator: &Oscillator) -> Result<()
 }
 
 /// Whether the acceleration is −c·sin x, with x counted from an equilibrium at zero.
-pub(super) fn is_pendulum(oscillator: &Oscillator) -> bool {
+pub(crate) fn is_pendulum(oscillator: &Oscillator) -> bool {
     let x = Expression::Symbol(Symbol { name: oscillator.variable().to_owned(), primes: 0 });
     let sine = Expression::Call(crate::expression::Function::Sin, Box::new(x));
     let Some(factor) = oscillator.omega0_squared().exact() else { return false };

@@ -58,6 +58,14 @@ impl Variable {
     }
 }
 
+impl Variable {
+    /// Whether it is the strength of a self-excitation.
+    #[must_use]
+    pub const fn is_strength(&self) -> bool {
+        matches!(self, Self::Parameter(_))
+    }
+}
+
 /// Whether coefficients are exact fractions or stand for numbers that are none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {

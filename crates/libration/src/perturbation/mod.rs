@@ -21,7 +21,6 @@ mod lindstedt;
 mod model;
 mod modular;
 mod open_gauge;
-mod relation;
 mod restoring_force;
 mod selection;
 mod series_set;
@@ -30,10 +29,10 @@ mod truncated_system;
 pub use evaluation::{
     Certainty, Convergence, Evaluation, Pade, Pole, Remainder, Singularity, Step, pendulum_period_remainder,
 };
+pub(crate) use expand::is_pendulum;
 pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
-pub use relation::{Approximant, ExactValue, NotAQuantity, Quantity, Radius, Relation, Road};
 pub use restoring_force::restoring_force;
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};

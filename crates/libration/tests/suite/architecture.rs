@@ -14,7 +14,8 @@ const MAP: &[(&str, &[&str])] = &[
     ("series", &["algebra"]),
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
-    ("perturbation", &["oscillator", "expression", "pendulum", "series", "algebra"]),
+    ("perturbation", &["oscillator", "expression", "series", "algebra"]),
+    ("comparison", &["perturbation", "oscillator", "pendulum", "series", "algebra"]),
     (
         "derivation",
         &[

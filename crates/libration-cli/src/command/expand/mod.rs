@@ -8,8 +8,9 @@ use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::progress::Progress;
 use crate::output::{Form, FormOptions};
+use libration::comparison::Quantity;
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, Quantity, expand_watched};
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, expand_watched};
 use std::io::Write;
 use std::ops::ControlFlow;
 

@@ -5,11 +5,10 @@ use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
-use crate::output::series::superscript;
+use crate::output::series::{subscript, superscript};
+use libration::comparison::{ExactValue, Quantity, Radius, Relation};
 use libration::oscillator::NoPeriodicMotion;
-use libration::perturbation::{
-    Evaluation, ExactValue, Expansion, Gauge, MAX_ORDER, Quantity, Radius, Relation, expand,
-};
+use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
 
 /// Error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
@@ -87,29 +86,7 @@ impl Series {
             let reason = "there is no motion at these amplitudes: give a smaller --to";
             return Err(Failure::no_answer("figure series", reason));
         }
-        let errors = |value: &dyn Fn(&Sample) -> f64| {
-            let points = sampled.iter().map(|sample| (sample.amplitude, value(sample)));
-            let resolved = points
-                .zip(&sampled)
-                .filter_map(|((x, value), sample)| Some((x, resolved_error(value, &sample.exact)?)));
-            resolved.collect()
-        };
-        let mut lines: Vec<Line> = powers
-            .iter()
-            .map(|&power| Line {
-                label: format!("to {}{}", setting.abscissa.symbol, superscript(power)),
-                errors: errors(&|sample| sum_to(&sample.evaluation, power)),
-            })
-            .collect();
-        let degrees = (1..=4).rev().map(|n| 2 * n);
-        if let Some((degree, approximant)) =
-            degrees.filter_map(|degree| Some((degree, relation.approximant(degree)?))).next()
-        {
-            lines.push(Line {
-                label: format!("Padé [{degree}/{degree}]"),
-                errors: errors(&|sample| approximant.value_at(sample.amplitude)),
-            });
-        }
+        let lines = lines(relation, &sampled, powers, &setting);
         let radius = radius.map(|radius| (radius.value(), radius_label(&radius)));
         let last = sampled.last().map_or(0.0, |sample| sample.amplitude);
         let to = to.min(END * f64::max(last, radius.map_or(0.0, |(radius, _)| radius)));
@@ -144,6 +121,29 @@ impl Series {
     }
 }
 
+/// The errors of the partial sums, and of a Padé approximant for comparison.
+fn lines(relation: &Relation<'_>, sampled: &[Sample], powers: &[usize], setting: &Setting) -> Vec<Line> {
+    /// Of the approximant, where the order allows it.
+    const DEGREES: [usize; 4] = [8, 6, 4, 2];
+    let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
+        let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
+        Line { label, errors: sampled.iter().filter_map(error).collect() }
+    };
+    let symbol = &setting.abscissa.symbol;
+    let mut lines: Vec<Line> = powers
+        .iter()
+        .map(|&power| {
+            line(format!("to {symbol}{}", superscript(power)), &|sample| sum_to(&sample.evaluation, power))
+        })
+        .collect();
+    let found = DEGREES.into_iter().find_map(|degree| Some((degree, relation.approximant(degree)?)));
+    if let Some((degree, approximant)) = found {
+        let label = format!("Padé [{degree}/{degree}]");
+        lines.push(line(label, &|sample| approximant.value_at(sample.amplitude)));
+    }
+    lines
+}
+
 fn no_exact(text: &str, reason: &NoPeriodicMotion) -> Failure {
     Failure::no_answer("--amplitudes", format!("{}: {reason}", text.trim()))
 }
@@ -168,7 +168,7 @@ fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f
     let quantity = match quantity {
         Quantity::Period => "T/T₀".to_owned(),
         Quantity::Frequency => "Ω/ω₀".to_owned(),
-        Quantity::Cosine(_) => quantity.to_string(),
+        Quantity::Cosine(k) => format!("a{}", subscript(k)),
     };
     let title = match chosen.key {
         Some(_) => chosen.title.clone(),
@@ -177,15 +177,15 @@ fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f
     Setting { title, quantity, abscissa, lowest, highest: HIGHEST }
 }
 
-/// The last powers of the partial sums: 2, 4, 8, … and the last one, where each adds something to the one before.
+/// The last powers of the partial sums: 2, 4, 8, … and the last one, if each adds much to the one before.
 fn powers(relation: &Relation<'_>) -> Vec<usize> {
     let present: Vec<usize> =
         (1..relation.series().len()).filter(|n| !relation.series()[*n].is_zero()).collect();
     let doubled = std::iter::successors(Some(2), |power: &usize| power.checked_mul(2));
     let end = present.last().copied().unwrap_or(0);
     let mut powers: Vec<usize> = doubled
-        .take_while(|power| *power < end)
-        .filter_map(|power| present.iter().copied().filter(|n| *n <= power).next_back())
+        .take_while(|power| 3 * *power <= 2 * end)
+        .filter_map(|power| present.iter().copied().rfind(|n| *n <= power))
         .chain(present.last().copied())
         .collect();
     powers.dedup();

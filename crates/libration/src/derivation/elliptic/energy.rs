@@ -88,9 +88,9 @@ pub(super) fn quarter_period(trials: &Trials) -> Result<Step, DerivationError> {
     let quarter = integral("θ", 0, theta_0(), number(1) / (omega_0() * speed()));
     Ok(Step::new("Separating the variables")
         .say(
-            "A small step d{} takes the time d{}/{}. The angle and the time now stand apart, and adding up the \
+            "A small step {} takes the time {}. The angle and the time now stand apart, and adding up the \
              steps from the bottom to the turning point gives a quarter of the period {}:",
-            [theta(), theta(), velocity(), period()],
+            [letter("d") * theta(), letter("d") * theta() / velocity(), period()],
         )
         .show(trials.compare_with_library(Statement::equal(period() / 4, quarter))?)
         .remark(

@@ -8,9 +8,9 @@ use super::amplitude::of_amplitude;
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use crate::algebra::Rational;
-use crate::pendulum::{Harmonics, Pendulum, period_ratio};
+use crate::oscillator::PeriodicMotion;
+use crate::pendulum::period_ratio;
 use crate::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
-use crate::quantity::Angle;
 
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
@@ -70,7 +70,7 @@ fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> 
     } else {
         evaluation
     };
-    let exact = pendulum.then(|| period_ratio(amplitude));
+    let exact = Exact::new(question, amplitude).map(|exact| exact.ratio);
     let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
         let mut row = vec![
             Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
@@ -84,12 +84,15 @@ fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> 
     let rows = rows.collect();
     let mut head = ["power", "term", "sum", "rest"].map(Prose::text).to_vec();
     head.extend(exact.map(|_| Prose::text("error")));
+    let basis = if pendulum {
+        "the rest is proved to be below the bound given".to_owned()
+    } else {
+        format!("the rest is estimated from the terms to the power {LONGER}")
+    };
     let note = match exact {
-        Some(exact) => Prose::new(
-            "the rest is proved to be below the bound given; errors are relative to the exact {}",
-            [rounded(exact, 11, Unit::One)],
-        ),
-        None => Prose::text(format!("the rest is estimated from the terms to the power {LONGER}")),
+        Some(exact) => Prose::text(format!("{basis}; errors are relative to the exact "))
+            .and(Prose::formula(rounded(exact, 11, Unit::One))),
+        None => Prose::text(format!("{basis}; there is no oscillation about this place at this amplitude")),
     };
     Ok(Table { head, rows, note })
 }
@@ -102,14 +105,14 @@ fn rest(remainder: Remainder) -> Prose {
     Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, Unit::One)))
 }
 
-/// ε, the frequency, the period and the harmonics at the amplitude, beside the exact ones of the pendulum.
-fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
+/// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
+pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
     let value = |series: &[Rational], powers: usize| {
         series.iter().take(powers).rev().fold(0.0, |sum, c| sum * released.amplitude + c.to_f64())
     };
     let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
-    let exact = Exact::new(question, released);
+    let exact = Exact::new(question, released.amplitude);
     let ratio = value(&of.period_ratio, question.order);
     let exact_ratio = exact.as_ref().map(|exact| exact.ratio);
     let mut rows = vec![
@@ -122,7 +125,7 @@ fn motion(question: &Question, released: &Released) -> Result<Table, DerivationE
         rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), Unit::Second));
     }
     for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
-        let exact = exact.as_ref().and_then(|exact| exact.harmonic(*k));
+        let exact = exact.as_ref().map(|exact| exact.motion.cosine(*k));
         rows.push((harmonic_name(*k).into(), value(series, question.order + 1), exact, unit));
     }
     let cell = |value: f64, unit| Prose::formula(rounded(value, 8, unit));
@@ -131,33 +134,23 @@ fn motion(question: &Question, released: &Released) -> Result<Table, DerivationE
         vec![Prose::formula(name), cell(value, unit), exact]
     };
     let head = ["quantity", "series", "exact"].map(Prose::text).into();
-    let note = Prose::text(
-        "the series in the amplitude, to the order derived; exact where the library has the closed solution",
-    );
+    let note = Prose::text("series to the order derived; exact: the equation of motion integrated in time");
     Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
 }
 
-/// The exact motion of a pendulum.
+/// The motion in numbers: in closed form the pendulum's period, integrated in time all else.
 struct Exact {
     ratio: f64,
-    harmonics: Harmonics,
+    motion: PeriodicMotion,
 }
 
 impl Exact {
-    fn new(question: &Question, released: &Released) -> Option<Self> {
-        if !is_pendulum(question, released.amplitude) {
-            return None;
-        }
-        let angle = Angle::from_radians(released.amplitude).ok()?;
-        let motion = Pendulum::from_angular_frequency(1.0).ok()?.released_from(angle).ok()?;
-        Some(Self {
-            ratio: period_ratio(released.amplitude),
-            harmonics: motion.harmonics(0.0, question.order),
-        })
-    }
-
-    fn harmonic(&self, k: usize) -> Option<f64> {
-        let term = self.harmonics.terms.iter().find(|term| term.n == k);
-        term.map(|term| term.angle)
+    /// None where the oscillator does not swing at this amplitude.
+    fn new(question: &Question, amplitude: f64) -> Option<Self> {
+        let motion = PeriodicMotion::from_turning_point(&question.oscillator, amplitude).ok()?;
+        let small = 2.0 * std::f64::consts::PI / question.omega0_squared.to_f64().sqrt();
+        let pendulum = is_pendulum(question, amplitude);
+        let ratio = if pendulum { period_ratio(amplitude) } else { motion.period() / small };
+        Some(Self { ratio, motion })
     }
 }

@@ -1,9 +1,12 @@
 //! A motion that is no solution is not taken for one.
 
+use super::Released;
+use super::accuracy::motion as motion_in_numbers;
 use super::motion::motion;
 use super::question::Question;
 use super::substitution::{has_harmonics, solves};
 use crate::algebra::Rational;
+use crate::derivation::{Formula, Prose, Span};
 use crate::oscillator::NamedOscillator;
 use crate::perturbation::Gauge;
 
@@ -39,4 +42,24 @@ fn wrong_harmonics_of_the_residual_are_noticed() {
     let right = motion(&question, &question.solution);
     assert!(has_harmonics(&question, &right, 3, &[]).is_ok());
     assert!(has_harmonics(&question, &right, 3, &[(3, Rational::from(1))]).is_err());
+}
+
+#[test]
+fn the_exact_motion_beside_the_series_is_the_same_motion() {
+    // At x_max = 0.01 terms of the fifth order, left out, are of the size of 1e-10.
+    for (key, harmonics) in [("pendulum", 2), ("quadratic", 5), ("double_well", 5)] {
+        let question = question(key, 4);
+        let released = Released { amplitude: 0.01, angular_frequency: Some(1.0) };
+        let table = motion_in_numbers(&question, &released).unwrap();
+        let number = |prose: &Prose| match prose.0.as_slice() {
+            [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
+            other => panic!("{other:?} is no number"),
+        };
+        let rows: Vec<_> = table.rows.iter().skip(1).collect();
+        assert_eq!(rows.len(), 3 + harmonics, "{key}");
+        for row in rows {
+            let (series, exact) = (number(&row[1]), number(&row[2]));
+            assert!((series - exact).abs() < 1e-7 * exact.abs().max(0.01), "{key}: {series} is not {exact}");
+        }
+    }
 }

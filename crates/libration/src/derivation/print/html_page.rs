@@ -21,7 +21,7 @@ math { font-size: 1.06em }
 .formula mtd:first-child { text-align: right }
 .formula mtd + mtd { text-align: left }
 .check { color: var(--soft); font-size: .82rem; line-height: 1.4; text-align: center; margin: 0 1rem 1rem }
-.check::before { content: '✓ '; color: var(--tick); font-weight: bold }
+.computed::before { content: '✓ '; color: var(--tick); font-weight: bold }
 .remark { border-left: 3px solid var(--line); margin-left: 0; padding-left: 1rem; color: var(--soft) }
 .wide { overflow-x: auto }
 table { border-collapse: collapse; margin: 1rem auto .4rem; font-size: .92rem; font-variant-numeric: tabular-nums }
@@ -75,8 +75,9 @@ fn equation(equation: &Equation) -> String {
         [line] => format!("<mrow>{}{}</mrow>", mathml(&left), mathml(line)),
         lines => aligned(&left, lines),
     };
+    let class = if equation.check().is_computed() { "check computed" } else { "check" };
     format!(
-        "<div class=\"formula\"><math display=\"block\">{inside}</math></div>\n<p class=\"check\">{}</p>",
+        "<div class=\"formula\"><math display=\"block\">{inside}</math></div>\n<p class=\"{class}\">{}</p>",
         prose(&equation.check().to_prose())
     )
 }

@@ -1,5 +1,6 @@
 //! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
 
+use super::super::check::Equation;
 use super::super::document::{Block, Derivation, Prose, Span, Table};
 use super::escape::markdown;
 use super::{inline_latex, statement_latex};
@@ -22,15 +23,18 @@ fn write_blocks(text: &mut String, blocks: &[Block]) {
         text.push_str(&match block {
             Block::Paragraph(it) => prose(it),
             Block::Remark(it) => format!("> {}", prose(it)),
-            Block::Equation(equation) => format!(
-                "```math\n{}\n```\n✓ {}",
-                statement_latex(equation.statement()),
-                prose(&equation.check().to_prose())
-            ),
+            Block::Equation(it) => equation(it),
             Block::Table(it) => table(it),
         });
         text.push('\n');
     }
+}
+
+fn equation(equation: &Equation) -> String {
+    let check = equation.check();
+    let tick = if check.is_computed() { "✓ " } else { "" };
+    let statement = statement_latex(equation.statement());
+    format!("```math\n{statement}\n```\n{tick}{}", prose(&check.to_prose()))
 }
 
 fn prose(prose: &Prose) -> String {

@@ -4,7 +4,8 @@ use super::{Numbers, Quotient, certainty};
 use crate::output::json::{self, Record};
 use crate::output::series::coefficient;
 use crate::output::{csv, number};
-use libration::perturbation::{Radius, Road, Step};
+use libration::comparison::{Radius, Road};
+use libration::perturbation::Step;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 

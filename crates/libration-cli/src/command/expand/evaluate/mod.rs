@@ -6,8 +6,9 @@ mod table;
 use super::Answer;
 use crate::failure::Failure;
 use crate::output::Form;
+use libration::comparison::{ExactValue, Quantity, Radius, Relation};
 use libration::oscillator::NoPeriodicMotion;
-use libration::perturbation::{Certainty, Evaluation, ExactValue, Quantity, Radius, Relation};
+use libration::perturbation::{Certainty, Evaluation};
 use std::io::Write;
 
 /// The relative errors for which the terms are counted.
@@ -69,16 +70,11 @@ impl<'a> Numbers<'a> {
         if let Err(refusal @ NoPeriodicMotion::Amplitude(_)) = &exact {
             return Err(Failure::no_answer("--evaluate", refusal));
         }
-        let pade = (1..=HIGHEST_DEGREE).filter_map(|degree| quotient(relation, degree, amplitude)).collect();
-        Ok(Self {
-            answer,
-            relation,
-            amplitude,
-            evaluation: relation.evaluation_at(amplitude),
-            exact,
-            radius: relation.radius(),
-            pade,
-        })
+        let evaluation = relation.evaluation_at(amplitude);
+        // A constant is its own approximant.
+        let highest = if evaluation.steps().len() > 1 { HIGHEST_DEGREE } else { 0 };
+        let pade = (1..=highest).filter_map(|degree| quotient(relation, degree, amplitude)).collect();
+        Ok(Self { answer, relation, amplitude, evaluation, exact, radius: relation.radius(), pade })
     }
 
     /// How far a value is from the exact one; `None` when there is none.

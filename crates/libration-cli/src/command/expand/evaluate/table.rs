@@ -6,7 +6,8 @@ use crate::output::number::{rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet};
 use libration::algebra::Rational;
-use libration::perturbation::{Certainty, Evaluation, ExactValue, Precision, Quantity, Radius, Road, Step};
+use libration::comparison::{ExactValue, Quantity, Radius, Road};
+use libration::perturbation::{Certainty, Evaluation, Precision, Step};
 use std::io::{self, Write};
 
 /// Longer coefficients are written as decimals.
@@ -177,11 +178,15 @@ fn after(numbers: &Numbers<'_>, smallest: &Step) -> String {
 
 fn needed(evaluation: &Evaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
     let known = evaluation.steps().len().saturating_sub(1);
-    let counted = counts.map(|(tolerance, count)| match count {
-        Some(count) => format!("{count} for {tolerance:.0e}"),
-        None => format!("more than {known} for {tolerance:.0e}"),
-    });
-    format!("after the first: {}", counted.collect::<Vec<_>>().join(", "))
+    let mut counted = vec![];
+    for (tolerance, count) in counts {
+        let Some(count) = count else {
+            counted.push(format!("more than these {known} for {tolerance:.0e}"));
+            break;
+        };
+        counted.push(format!("{count} for {tolerance:.0e}"));
+    }
+    format!("after the first: {}", counted.join(", "))
 }
 
 fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {

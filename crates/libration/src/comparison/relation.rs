@@ -2,69 +2,22 @@
 //! series goes.
 
 use std::f64::consts::PI;
-use std::fmt;
-use std::str::FromStr;
 
-use super::evaluation::{Convergence, Evaluation, Pade, pendulum_period_remainder};
-use super::expand::is_pendulum;
-use super::expansion::{Expansion, Variable};
+use super::{Approximant, Quantity};
 use crate::algebra::{Rational, Rationals};
 use crate::oscillator::{Kind, NoPeriodicMotion, Oscillator, PeriodicMotion};
 use crate::pendulum::{Pendulum, period_ratio};
+use crate::perturbation::{Convergence, Evaluation, Expansion, Pade, is_pendulum, pendulum_period_remainder};
 use crate::quantity::Angle;
 use crate::series::truncated::reciprocal;
-
-/// What is asked of a periodic motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Quantity {
-    /// T/T0.
-    #[default]
-    Period,
-    /// Ω/ω0.
-    Frequency,
-    /// The coefficient of cos kΩt.
-    Cosine(usize),
-}
-
-/// A text that names no quantity.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no quantity: give period, frequency, or a harmonic such as a3")]
-pub struct NotAQuantity(String);
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Period => formatter.write_str("period"),
-            Self::Frequency => formatter.write_str("frequency"),
-            Self::Cosine(k) => write!(formatter, "a{k}"),
-        }
-    }
-}
-
-impl FromStr for Quantity {
-    type Err = NotAQuantity;
-
-    fn from_str(text: &str) -> Result<Self, NotAQuantity> {
-        /// Beyond all orders of expansions.
-        const HIGHEST: usize = 10_000;
-        let text = text.trim();
-        match text {
-            "period" => Ok(Self::Period),
-            "frequency" => Ok(Self::Frequency),
-            _ => {
-                let harmonic = text.strip_prefix('a').and_then(|k| k.parse().ok()).filter(|k| *k <= HIGHEST);
-                harmonic.map(Self::Cosine).ok_or_else(|| NotAQuantity(text.chars().take(60).collect()))
-            }
-        }
-    }
-}
 
 /// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
 ///
 /// # Examples
 /// ```
 /// use libration::oscillator::NamedOscillator;
-/// use libration::perturbation::{Gauge, Quantity, Relation, expand};
+/// use libration::comparison::{Quantity, Relation};
+/// use libration::perturbation::{Gauge, expand};
 /// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
 /// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
 /// let period = Relation::new(&pendulum, &expansion, Quantity::Period);
@@ -267,44 +220,6 @@ fn nothing(order: usize) -> Vec<Rational> {
     vec![Rational::from(0); order + 1]
 }
 
-/// A Padé approximant in a power of the amplitude, times another power.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Approximant {
-    pade: Pade,
-    first: f64,
-    stride: f64,
-}
-
-impl Approximant {
-    /// Its value; infinite or NaN at a pole.
-    #[must_use]
-    pub fn value_at(&self, amplitude: f64) -> f64 {
-        libm::pow(amplitude, self.first) * self.pade.value_at(libm::pow(amplitude, self.stride))
-    }
-
-    /// The quotient itself.
-    #[must_use]
-    pub const fn pade(&self) -> &Pade {
-        &self.pade
-    }
-
-    /// The least amplitude at which it has a pole.
-    #[must_use]
-    pub fn first_pole(&self) -> Option<f64> {
-        let positive = |pole: &super::Pole| pole.position.re > 0.0 && pole.position.im == 0.0;
-        let first = self.pade.poles().into_iter().find(positive)?;
-        Some(libm::pow(first.position.re, 1.0 / self.stride))
-    }
-}
-
-impl Variable {
-    /// Whether it is the strength of a self-excitation.
-    #[must_use]
-    pub const fn is_strength(&self) -> bool {
-        matches!(self, Self::Parameter(_))
-    }
-}
-
 fn greatest_common_divisor(a: usize, b: usize) -> usize {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
@@ -351,16 +266,6 @@ mod tests {
                 let missing = differs_by(key, quantity, amplitude);
                 assert!(missing < 1e-13, "{key}, {quantity}: {missing:e}");
             }
-        }
-    }
-
-    #[test]
-    fn quantities_are_read_and_written_back() {
-        for text in ["period", "frequency", "a0", "a3"] {
-            assert_eq!(text.parse::<Quantity>().unwrap().to_string(), text);
-        }
-        for text in ["", "b3", "a", "a-1", "a99999", "energy"] {
-            assert!(text.parse::<Quantity>().is_err(), "{text}");
         }
     }
 

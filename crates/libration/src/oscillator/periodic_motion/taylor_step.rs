@@ -1,6 +1,6 @@
 //! One step of an equation of motion by its Taylor series.
 
-use super::model::{Kind, Oscillator};
+use super::super::model::{Kind, Oscillator};
 use crate::algebra::Doubles;
 use crate::expression::{Jet, Symbol, Tape};
 
@@ -94,7 +94,9 @@ impl TaylorStep {
     pub(super) fn time_of_rest(&self, direction: f64) -> f64 {
         // A step that begins at rest is in motion soon after.
         const SOON: f64 = 1e-3;
-        let (mut moving, mut returning) = (SOON * self.length, self.length);
+        let begins_at_rest = self.coefficients[1] == 0.0;
+        let mut moving = if begins_at_rest { SOON * self.length } else { 0.0 };
+        let mut returning = self.length;
         loop {
             let middle = 0.5 * (moving + returning);
             if middle <= moving || middle >= returning {

@@ -1,0 +1,10 @@
+//! Perturbation series beside exact values that know nothing of them: elliptic functions for the pendulum, the
+//! integrated equation of motion for other oscillators.
+
+mod approximant;
+mod quantity;
+mod relation;
+
+pub use approximant::Approximant;
+pub use quantity::{NotAQuantity, Quantity};
+pub use relation::{ExactValue, Radius, Relation, Road};

@@ -1,0 +1,64 @@
+//! The quantities of a periodic motion that depend on its amplitude.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// What is asked of a periodic motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantity {
+    /// T/T0.
+    #[default]
+    Period,
+    /// Ω/ω0.
+    Frequency,
+    /// The coefficient of cos kΩt.
+    Cosine(usize),
+}
+
+/// A text that names no quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no quantity: give period, frequency, or a harmonic such as a3")]
+pub struct NotAQuantity(String);
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Period => formatter.write_str("period"),
+            Self::Frequency => formatter.write_str("frequency"),
+            Self::Cosine(k) => write!(formatter, "a{k}"),
+        }
+    }
+}
+
+impl FromStr for Quantity {
+    type Err = NotAQuantity;
+
+    fn from_str(text: &str) -> Result<Self, NotAQuantity> {
+        /// Beyond all orders of expansions.
+        const HIGHEST: usize = 10_000;
+        let text = text.trim();
+        match text {
+            "period" => Ok(Self::Period),
+            "frequency" => Ok(Self::Frequency),
+            _ => {
+                let harmonic = text.strip_prefix('a').and_then(|k| k.parse().ok()).filter(|k| *k <= HIGHEST);
+                harmonic.map(Self::Cosine).ok_or_else(|| NotAQuantity(text.chars().take(60).collect()))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantities_are_read_and_written_back() {
+        for text in ["period", "frequency", "a0", "a3"] {
+            assert_eq!(text.parse::<Quantity>().unwrap().to_string(), text);
+        }
+        for text in ["", "b3", "a", "a-1", "a99999", "energy"] {
+            assert!(text.parse::<Quantity>().is_err(), "{text}");
+        }
+    }
+}
