@@ -146,7 +146,9 @@ mod tests {
     fn what_would_take_too_long_is_refused() {
         let floats = Floats { precision: 200 };
         let at = |exponent| floats.rational(&Rational::from(10).integer_power(exponent).unwrap()).unwrap();
-        assert!(floats.value(Function::Exp, &at(5)).is_some() && floats.value(Function::Ln, &at(60)).is_some());
+        assert!(
+            floats.value(Function::Exp, &at(5)).is_some() && floats.value(Function::Ln, &at(60)).is_some()
+        );
         for function in [Function::Exp, Function::Sinh, Function::Tanh] {
             assert_eq!(floats.value(function, &at(9)), None, "{function:?}");
         }

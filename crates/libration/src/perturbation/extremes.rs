@@ -4,22 +4,19 @@
 //! each of its coefficients follows from those before it.
 
 use super::lindstedt::Family;
-use super::series_set::half_turns;
+use super::series_set::{BothTurns, half_turns};
 use crate::algebra::{Harmonic, Rational, Ring};
 use crate::series::truncated::product;
 
 /// The largest and the smallest displacement of a motion that has them at τ = 0 and τ = π when the variable is zero.
 /// `None` when a number is not in the ring.
-pub(crate) fn extremes<R: Ring>(
-    ring: &R,
-    family: &Family<R::Element>,
-) -> Option<(Vec<R::Element>, Vec<R::Element>)> {
+pub(crate) fn extremes<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<BothTurns<R::Element>> {
     let (at_zero, at_pi): (Vec<_>, Vec<_>) = taylor(ring, family)?.into_iter().unzip();
     Some((extreme(ring, &at_zero)?, extreme(ring, &at_pi)?))
 }
 
 /// The displacement and its first derivatives dʲx/dτʲ/j! at τ = 0 and τ = π: one more than the series has powers.
-fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<(Vec<R::Element>, Vec<R::Element>)>> {
+fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<BothTurns<R::Element>>> {
     let mut derivative = family.clone();
     let mut inverse_factorial = ring.rational(&Rational::from(1))?;
     let mut taylor = vec![half_turns(ring, family)];
