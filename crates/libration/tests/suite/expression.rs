@@ -1,6 +1,5 @@
 //! Formulas as text: what is understood, what is refused and with which hint, what is written back, and derivatives.
 
-
 use libration::algebra::Rational;
 use libration::expression::{DEEPEST_TREE, Expression, Function, LONGEST_TEXT, Symbol};
 
