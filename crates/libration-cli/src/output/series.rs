@@ -49,7 +49,6 @@ impl Notation {
         match (power.is_empty(), *value == Rational::from(1)) {
             (true, _) => factor,
             (false, true) => power,
-            (false, false) if self.style == Style::Latex => format!("{factor} {power}"),
             (false, false) => format!("{factor} {power}"),
         }
     }

@@ -77,8 +77,7 @@ impl Ring for Floats {
         let (zero, one) = (self.zero(), self.integer(1));
         let positive = *at > zero;
         let magnitude = if positive { at.clone() } else { -at.clone() };
-        // Beyond this an exponential would not end.
-        if at.exponent().is_some_and(|exponent| exponent > 40) && function != Function::Abs {
+        if at.exponent().is_some_and(|exponent| exponent > largest_exponent(function)) {
             return None;
         }
         match function {
@@ -108,6 +107,15 @@ impl Ring for Floats {
     }
 }
 
+/// Arguments beyond this power of two take too long: exponentials of a million take a second, of a billion minutes.
+const fn largest_exponent(function: Function) -> isize {
+    match function {
+        Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => 20,
+        Function::Abs | Function::Sqrt | Function::Ln => isize::MAX,
+        _ => 40,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,5 +140,18 @@ mod tests {
         assert!(close(&(c.clone() * c - s.clone() * s), &floats.integer(1)));
         let root = floats.power(&at, &Rational::new(1, 3).unwrap()).unwrap();
         assert!(close(&(root.clone() * root.clone() * root), &at));
+    }
+
+    #[test]
+    fn what_would_take_too_long_is_refused() {
+        let floats = Floats { precision: 200 };
+        let at = |exponent| floats.rational(&Rational::from(10).integer_power(exponent).unwrap()).unwrap();
+        assert!(
+            floats.value(Function::Exp, &at(5)).is_some() && floats.value(Function::Ln, &at(60)).is_some()
+        );
+        for function in [Function::Exp, Function::Sinh, Function::Tanh] {
+            assert_eq!(floats.value(function, &at(9)), None, "{function:?}");
+        }
+        assert_eq!(floats.power(&at(1), &Rational::from(1_000_000_000)), None);
     }
 }

@@ -18,11 +18,11 @@ fn bits(digits: usize) -> usize {
 /// A model in floats, and its equilibrium.
 pub(crate) type Prepared = (Model<BigFloat>, BigFloat);
 
-/// The series with ω0² and the equilibrium, once two precisions agree to [`DIGITS`]; `None` when none do, or there
-/// are no series.
-pub(crate) fn approximate_series(
-    prepare: &dyn Fn(Floats) -> Option<Prepared>,
-) -> Option<(SeriesSet<Rational>, Rational, Rational)> {
+/// The series with ω0² and the equilibrium.
+pub(crate) type Approximated = (SeriesSet<Rational>, Rational, Rational);
+
+/// The series once two precisions agree to [`DIGITS`]; `None` when none do, or there are no series.
+pub(crate) fn approximate_series(prepare: &dyn Fn(Floats) -> Option<Prepared>) -> Option<Approximated> {
     let mut precision = bits(DIGITS) + 64;
     let mut coarse = series_at(prepare, precision)?.0.numbers();
     for _ in 0..6 {

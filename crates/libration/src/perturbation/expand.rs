@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::approximate::{approximate_series, centre, limit_cycle};
+use super::approximate::{Approximated, approximate_series, centre, limit_cycle};
 use super::certificate::{
     agrees_with_plain_rationals, agrees_with_the_first_integral, agrees_with_the_potential,
 };
@@ -208,30 +208,34 @@ impl<'a> Question<'a> {
     }
 
     fn solve_in_digits(&self) -> Result<Expansion, ExpansionError> {
-        let near = self.oscillator.equilibrium().to_f64();
-        let (solved, refusal) = match self.oscillator.kind() {
-            Kind::LimitCycle { .. } => {
-                let degree = self.degree()?;
-                let symmetric = self.oscillator.is_odd();
-                let omega0_squared = self.oscillator.omega0_squared().exact().cloned();
-                let omega0_squared = omega0_squared.ok_or(ExpansionError::NoDigits)?;
-                let solved = approximate_series(&|floats| {
-                    limit_cycle(floats, &self.tape, &omega0_squared, degree, symmetric, self.order)
-                });
-                (solved, ExpansionError::NoCycleInDigits)
-            }
-            kind => {
-                let solved = approximate_series(&|floats| {
-                    let uses_velocity = *kind != Kind::Conservative;
-                    centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order)
-                });
-                (solved, ExpansionError::NoDigits)
-            }
+        let (set, omega0_squared, equilibrium) = match self.oscillator.kind() {
+            Kind::LimitCycle { .. } => self.limit_cycle_in_digits()?,
+            kind => self.centre_in_digits(*kind != Kind::Conservative).ok_or(ExpansionError::NoDigits)?,
         };
-        let (set, omega0_squared, equilibrium) = solved.ok_or(refusal)?;
         let heading = self.heading(Precision::Digits(super::approximate::DIGITS), Rational::from(1));
-        let heading = Heading { omega0_squared, equilibrium, ..heading };
+        let own = self.oscillator;
+        let heading = Heading {
+            omega0_squared: own.omega0_squared().exact().cloned().unwrap_or(omega0_squared),
+            equilibrium: own.equilibrium().exact().cloned().unwrap_or(equilibrium),
+            ..heading
+        };
         Ok(Expansion::new(heading, set, Certificate::TwoPrecisions))
+    }
+
+    fn centre_in_digits(&self, uses_velocity: bool) -> Option<Approximated> {
+        let near = self.oscillator.equilibrium().to_f64();
+        approximate_series(&|floats| {
+            centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order)
+        })
+    }
+
+    fn limit_cycle_in_digits(&self) -> Result<Approximated, ExpansionError> {
+        let (degree, symmetric) = (self.degree()?, self.oscillator.is_odd());
+        let omega0_squared = self.oscillator.omega0_squared().exact().ok_or(ExpansionError::NoDigits)?;
+        let solved = approximate_series(&|floats| {
+            limit_cycle(floats, &self.tape, omega0_squared, degree, symmetric, self.order)
+        });
+        solved.ok_or(ExpansionError::NoCycleInDigits)
     }
 
     fn heading(&self, precision: Precision, unit_squared: Rational) -> Heading {
@@ -315,8 +319,8 @@ pub enum ExpansionError {
     /// No amplitude at which the self-excitation does no work.
     #[error(
         "no limit cycle attracts at small strength: there is no amplitude at which the self-excitation gives and takes \
-         the same energy, apart from {repelling} that repel{}",
-        if *.repelling == 1 { "s" } else { "" }
+         the same energy{}",
+        apart_from(*.repelling)
     )]
     NoLimitCycle {
         /// How many limit cycles repel.
@@ -344,4 +348,12 @@ pub enum ExpansionError {
         "two independent computations of this expansion disagree, which must not happen: please report the equation"
     )]
     Contradiction,
+}
+
+fn apart_from(repelling: usize) -> String {
+    match repelling {
+        0 => String::new(),
+        1 => ", apart from one that repels".to_owned(),
+        several => format!(", apart from {several} that repel"),
+    }
 }

@@ -26,9 +26,9 @@ pub struct Expansion {
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
     pub unit_squared: Rational,
-    /// The largest displacement; about a centre it is that at Ωt = 0.
+    /// The largest displacement; about a centre it is that at Ωt = 0, for ε of the sign that A₁ has.
     pub x_max: Vec<Rational>,
-    /// The smallest displacement; about a centre it is that at Ωt = π.
+    /// The smallest displacement; about a centre it is that at Ωt = π, for ε of the sign that A₁ has.
     pub x_min: Vec<Rational>,
     /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
     pub of_amplitude: Option<AmplitudeSeries>,

@@ -4,38 +4,46 @@
 //! each of its coefficients follows from those before it.
 
 use super::lindstedt::Family;
-use super::series_set::half_turns;
+use super::series_set::{BothTurns, half_turns};
 use crate::algebra::{Harmonic, Rational, Ring};
 use crate::series::truncated::product;
 
 /// The largest and the smallest displacement of a motion that has them at τ = 0 and τ = π when the variable is zero.
 /// `None` when a number is not in the ring.
-pub(crate) fn extremes<R: Ring>(
-    ring: &R,
-    family: &Family<R::Element>,
-) -> Option<(Vec<R::Element>, Vec<R::Element>)> {
+pub(crate) fn extremes<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<BothTurns<R::Element>> {
     let (at_zero, at_pi): (Vec<_>, Vec<_>) = taylor(ring, family)?.into_iter().unzip();
     Some((extreme(ring, &at_zero)?, extreme(ring, &at_pi)?))
 }
 
 /// The displacement and its first derivatives dʲx/dτʲ/j! at τ = 0 and τ = π: one more than the series has powers.
-fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<(Vec<R::Element>, Vec<R::Element>)>> {
+fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<BothTurns<R::Element>>> {
     let mut derivative = family.clone();
+    let mut inverse_factorial = ring.rational(&Rational::from(1))?;
     let mut taylor = vec![half_turns(ring, family)];
     for j in 1..=family.frequency.len() {
-        for (k, harmonic) in derivative.harmonics.iter_mut().enumerate() {
-            let k = i64::try_from(k).ok()?;
-            for coefficient in harmonic {
-                let cosine = ring.times_integer(&coefficient.sine, k);
-                let sine = ring.times_integer(&coefficient.cosine, -k);
-                let j = u64::try_from(j).ok()?;
-                *coefficient =
-                    Harmonic { cosine: ring.over_integer(&cosine, j)?, sine: ring.over_integer(&sine, j)? };
-            }
-        }
-        taylor.push(half_turns(ring, &derivative));
+        differentiate(ring, &mut derivative)?;
+        inverse_factorial = ring.over_integer(&inverse_factorial, u64::try_from(j).ok()?)?;
+        let scaled = |series: Vec<R::Element>| -> Vec<R::Element> {
+            series.iter().map(|c| ring.multiply(c, &inverse_factorial)).collect()
+        };
+        let (at_zero, at_pi) = half_turns(ring, &derivative);
+        taylor.push((scaled(at_zero), scaled(at_pi)));
     }
     Some(taylor)
+}
+
+/// dx/dτ in the place of x.
+fn differentiate<R: Ring>(ring: &R, family: &mut Family<R::Element>) -> Option<()> {
+    let absent = |h: &Harmonic<R::Element>| ring.is_zero(&h.cosine) && ring.is_zero(&h.sine);
+    for (k, harmonic) in family.harmonics.iter_mut().enumerate() {
+        let k = i64::try_from(k).ok()?;
+        for coefficient in harmonic.iter_mut().filter(|coefficient| !absent(coefficient)) {
+            let cosine = ring.times_integer(&coefficient.sine, k);
+            let sine = ring.times_integer(&coefficient.cosine, -k);
+            *coefficient = Harmonic { cosine, sine };
+        }
+    }
+    Some(())
 }
 
 /// Σ cⱼσʲ where its derivative vanishes.

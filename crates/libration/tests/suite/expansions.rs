@@ -362,7 +362,9 @@ fn the_smallest_attracting_limit_cycle_is_taken_rational_or_not() {
     let equation = "x'' = -x + mu*(18 - 152*x^2 + 104*x^4 - 64/5*x^6)*x'";
     let expansion = expand(&oscillator(equation), 1, &Gauge::Fundamental).unwrap();
     assert_eq!(expansion.precision, Precision::Digits(40));
-    let square = expansion.x_max[0].to_f64().powi(2);
+    let beside = expand(&oscillator("x'' = -(x - 1/2) + mu*(1-x^2)*x'"), 1, &Gauge::Fundamental).unwrap();
+    assert_eq!((beside.precision, beside.equilibrium), (Precision::Digits(40), rational(1, 2)));
+    let square = expansion.x_max[0].to_f64() * expansion.x_max[0].to_f64();
     assert!((square - 0.585_786_437_626_905).abs() < 1e-14, "{square}");
     let repelling = expand(&oscillator("x'' = -x + mu*(x^2-sqrt(2))*x'"), 2, &Gauge::Fundamental);
     assert!(repelling.unwrap_err().to_string().contains("no limit cycle"));
