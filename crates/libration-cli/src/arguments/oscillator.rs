@@ -9,7 +9,7 @@ use libration::quantity::Angle;
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct OscillatorOptions {
     /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0"
-    #[arg(value_name = "OSCILLATOR|EQUATION")]
+    #[arg(value_name = "OSCILLATOR|EQUATION", default_value = "pendulum")]
     oscillator: String,
     /// The value of a parameter, a number or a formula of numbers; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
