@@ -54,13 +54,14 @@ pub fn rows() -> Vec<Row> {
 /// The statements chosen by document and label; only these are checked.
 #[must_use]
 pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
-    let asked = statements().into_iter().filter(|statement| chosen(statement.document, statement.label));
-    asked.map(|statement| statement.row()).collect()
+    let asked = statements().into_iter().filter(|(document, statement)| chosen(*document, statement.label));
+    asked.map(|(document, statement)| statement.row(document)).collect()
 }
 
-fn statements() -> Vec<Statement> {
-    let documents = [black_vel::STATEMENTS, cote::STATEMENTS];
-    documents.into_iter().flat_map(in_order).copied().collect()
+fn statements() -> Vec<(Document, Statement)> {
+    let documents = [(Document::BlackVel, black_vel::STATEMENTS), (Document::Cote, cote::STATEMENTS)];
+    let of = |(document, groups)| in_order(groups).into_iter().map(move |statement| (document, *statement));
+    documents.into_iter().flat_map(of).collect()
 }
 
 #[cfg(test)]

@@ -58,7 +58,6 @@ pub(super) type Check = fn(&Printed) -> Option<Finding>;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement {
-    pub(super) document: Document,
     /// The label itself, or that of the equation or figure which a text follows.
     pub(super) after: &'static str,
     pub(super) label: &'static str,
@@ -71,9 +70,9 @@ pub(super) struct Statement {
 pub(super) const NOT_EVALUATED: &str = "the printed formula has no value where it is needed";
 
 impl Statement {
-    pub(super) fn row(&self) -> Row {
+    pub(super) fn row(&self, document: Document) -> Row {
         Row {
-            document: self.document,
+            document,
             label: self.label.to_owned(),
             claim: self.claim.to_owned(),
             printed: self.printed.iter().map(|&text| text.to_owned()).collect(),
@@ -86,6 +85,26 @@ impl Statement {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
         finding.unwrap_or_else(|| Finding::wrong("", NOT_EVALUATED))
     }
+}
+
+pub(super) const fn statement(
+    label: &'static str,
+    claim: &'static str,
+    printed: &'static [&'static str],
+    check: Check,
+) -> Statement {
+    text_after(label, label, claim, printed, check)
+}
+
+/// Text that stands after an equation.
+pub(super) const fn text_after(
+    after: &'static str,
+    label: &'static str,
+    claim: &'static str,
+    printed: &'static [&'static str],
+    check: Check,
+) -> Statement {
+    Statement { after, label, claim, printed, check }
 }
 
 /// The statements of a document's groups in the order of the document.

@@ -1,10 +1,11 @@
 //! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
 
 use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Prose, Span, Table};
+use super::super::document::{Block, Derivation, Prose, Table};
 use super::escape::html;
 use super::layout::{self, Layout, Lines, Style};
 use super::mathml::mathml;
+use super::{sentence, write_blocks};
 
 const STYLE: &str = "
 :root { color-scheme: light dark; --ink: #1c1c1c; --paper: #fdfcf9; --soft: #6b6b6b; --line: #d9d5cb; --tick: #2c7a3f }
@@ -39,33 +40,26 @@ pub fn to_html(derivation: &Derivation) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
     );
-    write_blocks(&mut page, &derivation.introduction);
+    write_blocks(&mut page, "", &derivation.introduction, block);
     for (n, step) in derivation.steps.iter().enumerate() {
         page.push_str(&format!("<h2>{}. {}</h2>\n", n + 1, html(&step.heading)));
-        write_blocks(&mut page, &step.blocks);
+        write_blocks(&mut page, "", &step.blocks, block);
     }
     page.push_str("</body>\n</html>\n");
     page
 }
 
-fn write_blocks(page: &mut String, blocks: &[Block]) {
-    for block in blocks {
-        page.push_str(&match block {
-            Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
-            Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
-            Block::Equation(it) => equation(it),
-            Block::Table(it) => table(it),
-        });
-        page.push('\n');
+fn block(block: &Block) -> String {
+    match block {
+        Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
+        Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
+        Block::Equation(it) => equation(it),
+        Block::Table(it) => table(it),
     }
 }
 
 fn prose(prose: &Prose) -> String {
-    let span = |span: &Span| match span {
-        Span::Text(text) => html(text),
-        Span::Formula(formula) => format!("<math>{}</math>", mathml(&Style::Inline.formula(formula))),
-    };
-    prose.0.iter().map(span).collect()
+    sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
 }
 
 fn equation(equation: &Equation) -> String {

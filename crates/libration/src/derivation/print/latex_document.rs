@@ -1,8 +1,8 @@
 //! Derivations as a LaTeX document that needs amsmath alone.
 
-use super::super::document::{Block, Derivation, Prose, Span, Table};
+use super::super::document::{Block, Derivation, Prose, Table};
 use super::escape::latex_text;
-use super::{inline_latex, statement_latex};
+use super::{inline_latex, sentence, statement_latex, write_blocks};
 
 const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
 \\usepackage{amsmath}
@@ -23,38 +23,30 @@ pub fn to_latex(derivation: &Derivation) -> String {
     let mut text = HEAD.to_owned();
     text.push_str(&format!("\\title{{{}}}\n\\author{{}}\n\\date{{}}\n", latex_text(&derivation.title)));
     text.push_str("\\begin{document}\n\\maketitle\n");
-    write_blocks(&mut text, &derivation.introduction);
+    write_blocks(&mut text, "\n", &derivation.introduction, block);
     for step in &derivation.steps {
         text.push_str(&format!("\n\\section{{{}}}\n", latex_text(&step.heading)));
-        write_blocks(&mut text, &step.blocks);
+        write_blocks(&mut text, "\n", &step.blocks, block);
     }
     text.push_str("\n\\end{document}\n");
     text
 }
 
-fn write_blocks(text: &mut String, blocks: &[Block]) {
-    for block in blocks {
-        text.push('\n');
-        text.push_str(&match block {
-            Block::Paragraph(it) => prose(it),
-            Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
-            Block::Equation(equation) => format!(
-                "\\[\n{}\n\\]\n\\checked{{{}}}",
-                statement_latex(equation.statement()),
-                prose(&equation.check().to_prose())
-            ),
-            Block::Table(it) => table(it),
-        });
-        text.push('\n');
+fn block(block: &Block) -> String {
+    match block {
+        Block::Paragraph(it) => prose(it),
+        Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
+        Block::Equation(equation) => format!(
+            "\\[\n{}\n\\]\n\\checked{{{}}}",
+            statement_latex(equation.statement()),
+            prose(&equation.check().to_prose())
+        ),
+        Block::Table(it) => table(it),
     }
 }
 
 fn prose(prose: &Prose) -> String {
-    let span = |span: &Span| match span {
-        Span::Text(text) => latex_text(text),
-        Span::Formula(formula) => format!("${}$", inline_latex(formula)),
-    };
-    prose.0.iter().map(span).collect()
+    sentence(prose, latex_text, |it| format!("${}$", inline_latex(it)))
 }
 
 fn table(table: &Table) -> String {

@@ -1,32 +1,28 @@
 //! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
 
 use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Prose, Span, Table};
+use super::super::document::{Block, Derivation, Prose, Table};
 use super::escape::markdown;
-use super::{inline_latex, statement_latex};
+use super::{inline_latex, sentence, statement_latex, write_blocks};
 
 /// The derivation in Markdown: displayed formulas in `math` fences, others between dollars.
 #[must_use]
 pub fn to_markdown(derivation: &Derivation) -> String {
     let mut text = format!("# {}\n", markdown(&derivation.title));
-    write_blocks(&mut text, &derivation.introduction);
+    write_blocks(&mut text, "\n", &derivation.introduction, block);
     for (n, step) in derivation.steps.iter().enumerate() {
         text.push_str(&format!("\n## {}. {}\n", n + 1, markdown(&step.heading)));
-        write_blocks(&mut text, &step.blocks);
+        write_blocks(&mut text, "\n", &step.blocks, block);
     }
     text
 }
 
-fn write_blocks(text: &mut String, blocks: &[Block]) {
-    for block in blocks {
-        text.push('\n');
-        text.push_str(&match block {
-            Block::Paragraph(it) => prose(it),
-            Block::Remark(it) => format!("> {}", prose(it)),
-            Block::Equation(it) => equation(it),
-            Block::Table(it) => table(it),
-        });
-        text.push('\n');
+fn block(block: &Block) -> String {
+    match block {
+        Block::Paragraph(it) => prose(it),
+        Block::Remark(it) => format!("> {}", prose(it)),
+        Block::Equation(it) => equation(it),
+        Block::Table(it) => table(it),
     }
 }
 
@@ -38,11 +34,7 @@ fn equation(equation: &Equation) -> String {
 }
 
 fn prose(prose: &Prose) -> String {
-    let span = |span: &Span| match span {
-        Span::Text(text) => markdown(text),
-        Span::Formula(formula) => format!("${}$", inline_latex(formula)),
-    };
-    prose.0.iter().map(span).collect()
+    sentence(prose, markdown, |it| format!("${}$", inline_latex(it)))
 }
 
 fn table(table: &Table) -> String {

@@ -15,6 +15,7 @@ pub use html_page::to_html;
 pub use latex_document::to_latex;
 pub use markdown_text::to_markdown;
 
+use super::document::{Block, Prose, Span};
 use super::formula::{Formula, Statement};
 use layout::{Lines, Style};
 
@@ -41,4 +42,22 @@ pub fn statement_latex(statement: &Statement) -> String {
 /// A formula within a sentence, in LaTeX.
 fn inline_latex(formula: &Formula) -> String {
     latex::latex(&Style::Inline.formula(formula)).trim_end().to_owned()
+}
+
+/// A sentence, its texts and its formulas written each in their way.
+fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> String) -> String {
+    let span = |span: &Span| match span {
+        Span::Text(it) => text(it),
+        Span::Formula(it) => formula(it),
+    };
+    prose.0.iter().map(span).collect()
+}
+
+/// Each block on lines of its own, behind this separator.
+fn write_blocks(page: &mut String, separator: &str, blocks: &[Block], written: fn(&Block) -> String) {
+    for block in blocks {
+        page.push_str(separator);
+        page.push_str(&written(block));
+        page.push('\n');
+    }
 }

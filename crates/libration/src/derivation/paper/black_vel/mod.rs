@@ -1,6 +1,6 @@
 //! Black and Vel: equations (1) to (54), the appendices, Fig. 1, and the claims of the text.
 
-use super::statement::{Check, Document, Statement};
+use super::statement::{Statement, statement, text_after};
 
 mod approximations;
 mod equation_of_motion;
@@ -46,23 +46,3 @@ pub(super) const STATEMENTS: &[&[Statement]] = &[
     appendix_b::STATEMENTS,
     appendix_c::STATEMENTS,
 ];
-
-const fn statement(
-    label: &'static str,
-    claim: &'static str,
-    printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
-    Statement { document: Document::BlackVel, after: label, label, claim, printed, check }
-}
-
-/// Text that stands after an equation.
-const fn text_after(
-    after: &'static str,
-    label: &'static str,
-    claim: &'static str,
-    printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
-    Statement { document: Document::BlackVel, after, label, claim, printed, check }
-}

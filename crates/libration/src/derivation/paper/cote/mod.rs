@@ -8,7 +8,7 @@ mod period;
 mod recursion;
 mod terms;
 
-use super::statement::{Check, Document, Statement};
+use super::statement::{Statement, statement, text_after};
 
 pub(super) const STATEMENTS: &[&[Statement]] = &[
     energy::STATEMENTS,
@@ -17,23 +17,3 @@ pub(super) const STATEMENTS: &[&[Statement]] = &[
     recursion::STATEMENTS,
     period::STATEMENTS,
 ];
-
-const fn statement(
-    label: &'static str,
-    claim: &'static str,
-    printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
-    Statement { document: Document::Cote, after: label, label, claim, printed, check }
-}
-
-/// Text that stands after an equation.
-const fn text_after(
-    after: &'static str,
-    label: &'static str,
-    claim: &'static str,
-    printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
-    Statement { document: Document::Cote, after, label, claim, printed, check }
-}
