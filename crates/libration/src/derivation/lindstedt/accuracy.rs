@@ -15,7 +15,7 @@ use crate::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendu
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
 /// The amplitude when none is given.
-const EXAMPLE: f64 = 1.0;
+pub(super) const EXAMPLE: f64 = 1.0;
 
 pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<Step, DerivationError> {
     let amplitude = released.map_or(EXAMPLE, |released| released.amplitude);
@@ -40,7 +40,7 @@ pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<S
         ))
 }
 
-fn is_angle(question: &Question) -> bool {
+pub(super) fn is_angle(question: &Question) -> bool {
     question.variable.letter == "θ"
 }
 

@@ -3,6 +3,7 @@
 mod accuracy;
 mod amplitude;
 mod ansatz;
+mod few_harmonics;
 mod motion;
 mod orders;
 mod question;
@@ -59,7 +60,9 @@ pub fn perturbation(
     steps.push(amplitude::iteration(&question)?);
     steps.push(amplitude::physical_relations(&question)?);
     steps.push(second_gauge::comparison(&question)?);
-    steps.push(accuracy::step(&question, released)?);
+    let accuracy = accuracy::step(&question, released)?;
+    steps.extend(few_harmonics::step(&question, released)?);
+    steps.push(accuracy);
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     Ok(Derivation { title, introduction: introduction(), steps })
 }

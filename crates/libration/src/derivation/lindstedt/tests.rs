@@ -2,11 +2,12 @@
 
 use super::Released;
 use super::accuracy::motion as motion_in_numbers;
+use super::few_harmonics;
 use super::motion::motion;
 use super::question::Question;
 use super::substitution::{has_harmonics, solves};
 use crate::algebra::Rational;
-use crate::derivation::{Formula, Prose, Span};
+use crate::derivation::{Block, Formula, Prose, Span};
 use crate::oscillator::NamedOscillator;
 use crate::perturbation::Gauge;
 
@@ -62,4 +63,31 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
             assert!((series - exact).abs() < 1e-7 * exact.abs().max(0.01), "{key}: {series} is not {exact}");
         }
     }
+}
+
+/// With the cubic sine two harmonics have four solutions; the one sought is gone at 170°.
+#[test]
+fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
+    let verdicts = |key: &str, order: usize, amplitude: f64| {
+        let released = Released { amplitude, angular_frequency: None };
+        let step = few_harmonics::step(&question(key, order), Some(&released)).unwrap()?;
+        let tables = step.blocks.into_iter().filter_map(|block| match block {
+            Block::Table(table) => Some(table),
+            _ => None,
+        });
+        let rows = tables.flat_map(|table| table.rows);
+        let last = |row: Vec<Prose>| match row.last()?.0.as_slice() {
+            [Span::Text(verdict)] => Some(verdict.clone()),
+            _ => None,
+        };
+        rows.map(last).collect::<Option<Vec<String>>>()
+    };
+    let words = |words: [&str; 4]| Some(words.map(str::to_owned).to_vec());
+    let far = ["accepted", "no first harmonic", "not a small swing", "nothing oscillates"];
+    assert_eq!(verdicts("pendulum", 5, 1.5), words(far));
+    assert_eq!(verdicts("duffing", 3, 0.8), words(["accepted", "no first harmonic", "complex", "complex"]));
+    let lost = ["nothing oscillates", "nothing oscillates", "complex", "complex"];
+    assert_eq!(verdicts("pendulum", 5, 2.967), words(lost));
+    assert_eq!(verdicts("pendulum", 2, 0.7), None);
+    assert_eq!(verdicts("quadratic", 4, 0.1), None);
 }
