@@ -23,4 +23,4 @@ pub(crate) use oscillator::{Chosen, OscillatorOptions};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use system::SystemOptions;
 pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, positive};
-pub(crate) use times::TimeOptions;
+pub(crate) use times::{TimeOptions, Times, times};
