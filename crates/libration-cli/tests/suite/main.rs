@@ -12,3 +12,5 @@ mod formulas;
 mod motion;
 mod paper;
 mod period;
+mod simulate;
+mod systems;

@@ -39,7 +39,7 @@ pub(crate) struct Simulate {
     #[arg(long, value_parser = arguments::times)]
     times: Times,
     /// The error that each step may make, as a part of what changes
-    #[arg(long, default_value = "1e-12", value_parser = arguments::positive)]
+    #[arg(long, default_value = "1e-12", value_parser = tolerance)]
     tolerance: f64,
     /// Draw the coordinates against the time to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
@@ -76,4 +76,10 @@ impl Simulate {
         };
         ending.into_result(self.output.as_deref())
     }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let [least, greatest] = Effort::TOLERANCES;
+    let number = text.trim().parse().ok().filter(|number| (least..=greatest).contains(number));
+    number.ok_or_else(|| format!("give a number from {least:e} to {greatest}, such as 1e-12"))
 }

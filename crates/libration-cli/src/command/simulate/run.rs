@@ -75,6 +75,7 @@ impl<'a> Motion<'a> {
         for moment in self.earlier_samples() {
             watch.earlier(moment)?;
         }
+        watch.start(&self.start())?;
         let last = self.times_left().last();
         let outcome =
             integrate(&self.system, &self.start(), last.as_slice(), &self.effort, |step| watch.follow(step));
@@ -132,7 +133,6 @@ fn ended(outcome: Result<Solution, IntegrationError>) -> Result<(Ending, usize),
             let reason = format!("{cause} at t = {:?} s: the motion is known until there", solution.end.time);
             Ok((Ending::Stopped(reason), solution.steps))
         }
-        Err(error @ IntegrationError::Tolerance { .. }) => Err(Failure::usage("--tolerance", error)),
         Err(error) => Err(Failure::usage("--initial", error)),
     }
 }

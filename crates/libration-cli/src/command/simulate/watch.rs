@@ -45,6 +45,14 @@ impl<'a> Watch<'a> {
         self.report.sample(moment, self.out)
     }
 
+    /// Writes the samples that the start itself is.
+    pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
+        while let Some(time) = self.times.next_if(|time| *time == start.time) {
+            self.report.sample(&Moment { time, state: start.state.clone() }, self.out)?;
+        }
+        Ok(())
+    }
+
     /// Takes a step, and says whether there should be another.
     pub(super) fn follow(&mut self, step: &Step) -> ControlFlow<()> {
         self.account(&Moment { time: step.end(), state: step.state_at(step.end()) });
