@@ -26,6 +26,11 @@ pub(crate) fn markers(number: usize) -> Look {
     Look { colour: COLOURS[number % COLOURS.len()], width: 5.5, mark: Mark::Markers(number) }
 }
 
+/// The look of marks on the curve with this number.
+pub(crate) fn marks(number: usize) -> Look {
+    Look { width: 3.6, ..markers(number) }
+}
+
 /// The look of measurements: smaller where there are many.
 pub(crate) fn measurements(count: usize) -> Look {
     Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(0) }

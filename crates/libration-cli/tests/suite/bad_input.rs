@@ -3,7 +3,7 @@
 use crate::command::{libration, message};
 
 /// Arguments, exit status, parts of the message.
-const CASES: [(&str, i32, &[&str]); 49] = [
+const CASES: [(&str, i32, &[&str]); 51] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
     ("period -inf", 2, &["AMPLITUDE", "-inf", "60deg"]),
@@ -51,6 +51,16 @@ const CASES: [(&str, i32, &[&str]); 49] = [
     ("simulate x''=-k*x --initial x=1 --times 0,1", 2, &["--set", "k=0.1"]),
     ("simulate pendulum --initial theta=1 --times 0,1 --resume /nonexistent/file", 1, &["/nonexistent/file"]),
     ("simulate pendulum --initial theta=1 --times 0,1 --output /nonexistent/file", 1, &["/nonexistent/file"]),
+    (
+        "simulate pendulum --initial theta=1 --times 0,1 --events y-1",
+        2,
+        &["--events", "`y`", "theta, theta'"],
+    ),
+    (
+        "simulate pendulum --initial theta=1 --times 0,1 --events turn(1)",
+        2,
+        &["--events", "turning, crossing"],
+    ),
     ("systems nothing", 2, &["KEY", "nothing"]),
     ("fit periods /nonexistent/file", 1, &["/nonexistent/file"]),
 ];

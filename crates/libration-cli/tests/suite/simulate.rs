@@ -138,6 +138,62 @@ fn an_answer_is_gone_on_from_where_it_ended() {
     assert!(message(&output).contains("its states are of theta, theta'"), "{}", message(&output));
 }
 
+/// Times and kinds of the events of an answer.
+fn events(answer: &Value) -> Vec<(f64, String)> {
+    let event = |event: &Value| (event["time"].as_f64().unwrap(), event["kind"].as_str().unwrap().to_owned());
+    answer["events"].as_array().unwrap().iter().map(event).collect()
+}
+
+#[test]
+fn turning_points_passages_and_levels_are_found() {
+    let question = "simulate damped_pendulum --set c=0.1 --initial theta=1 --times 0:10:5 --tolerance 1e-15";
+    let turnings = events(&json(&format!("{question} --events turning")));
+    // damped.csv of the library.
+    let expected = [3.323972347874400124, 6.594035276141596549, 9.827704016085721970];
+    assert_eq!(turnings[0], (0.0, "turning, at the start".to_owned()));
+    assert_eq!(turnings.len(), 1 + expected.len());
+    for ((time, kind), expected) in turnings[1..].iter().zip(expected) {
+        assert!(kind == "turning" && (time - expected).abs() < 1e-14, "{time} {kind}");
+    }
+    let passages = events(&json(&format!("{question} --events crossing")));
+    assert_eq!(passages.len(), 3);
+    let levels = events(&json(&format!("{question} --events theta-0.5,c-0.2")));
+    assert_eq!(levels.iter().map(|(_, kind)| kind.as_str()).collect::<Vec<_>>(), ["theta - 0.5"; 3]);
+    let table = text(&format!("{question} --events turning --csv"));
+    assert!(table.starts_with("time,theta,theta',event\n0.0,1.0,0.0,\n"), "{table}");
+    assert_eq!(table.lines().filter(|line| line.ends_with(",turning")).count(), 3);
+    let coupled = "simulate double_pendulum --initial theta1=1 --times 0,3 --events turning";
+    assert!(events(&json(coupled)).iter().any(|(_, kind)| kind == "turning of theta2"));
+    let sheet = text(&format!("{question} --events turning"));
+    assert!(sheet.contains("3.32397234787") && sheet.contains("event"), "{sheet}");
+}
+
+#[test]
+fn rotations_pass_the_lowest_point_in_every_turn() {
+    let answer = json("simulate pendulum --initial theta'=3 --times 0,20 --events crossing,turning");
+    let end = sample(&answer, 1)[0];
+    let passages = events(&answer).len();
+    assert_eq!(passages, 1 + (end / std::f64::consts::TAU).floor() as usize, "{end}");
+}
+
+#[test]
+fn events_are_kept_when_an_answer_is_gone_on_from() {
+    let directory = directory("resumed_events");
+    let question = "simulate pendulum --events turning,crossing --tolerance 1e-15";
+    let whole = events(&json(&format!("{question} --initial theta=2 --times 0:20:1")));
+    for ending in ["json", "csv"] {
+        let file = directory.join(format!("part.{ending}"));
+        let file = file.display();
+        text(&format!("{question} --initial theta=2 --times 0:10:1 --output {file}"));
+        let answer = json(&format!("{question} --times 0:20:1 --resume {file}"));
+        let found = events(&answer);
+        assert_eq!(found.len(), whole.len(), "{ending}: {found:?}");
+        for (found, whole) in found.iter().zip(&whole) {
+            assert!(found.1 == whole.1 && (found.0 - whole.0).abs() < 1e-13, "{ending}: {found:?} {whole:?}");
+        }
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_leaves_a_complete_file_to_go_on_from() {
@@ -185,7 +241,7 @@ fn wait_for_samples(file: &Path) {
 fn pictures_have_an_axis_for_each_unit() {
     let picture = directory("simulation").join("spring.svg");
     text(&format!(
-        "simulate spring_pendulum --initial theta=0.5,r=1 --times 0:20:1 --figure {}",
+        "simulate spring_pendulum --initial theta=0.5,r=1 --times 0:20:1 --events turning --figure {}",
         picture.display()
     ));
     let drawn = fs::read_to_string(&picture).unwrap();

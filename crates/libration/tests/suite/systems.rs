@@ -4,7 +4,7 @@ use crate::golden::{Row, Table};
 use crate::ulp::Truth;
 use libration::expression::Expression;
 use libration::systems::Model;
-use libration::taylor::{Cause, Effort, IntegrationError, Moment, integrate};
+use libration::taylor::{Contact, Effort, Event, Moment, integrate};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -51,12 +51,7 @@ fn end(row: Row) -> (Vec<f64>, Option<f64>) {
         }
         ControlFlow::Continue(())
     });
-    let solution = match solution {
-        // Held fast by dry friction.
-        Err(IntegrationError::Stopped { cause: Cause::NoWayOn, solution }) => *solution,
-        other => other.unwrap(),
-    };
-    (solution.end.state, balance.map(|balance| balance.drift()))
+    (solution.unwrap().end.state, balance.map(|balance| balance.drift()))
 }
 
 /// Roundings have the size of the numbers, grow as the motion's sensitivity says, and go into the motion all the time:
@@ -83,6 +78,51 @@ fn every_motion_is_met_as_well_as_its_condition_allows() {
         assert!(error <= allowed, "{case} at {}: {state:?} is wrong by {error:e}", row.text("time"));
         assert!(drift.is_none_or(|drift| drift < 1e-14), "{case} at {}: energy {drift:?}", row.text("time"));
     }
+}
+
+/// The rows of one case and one kind.
+fn rows<'a>(table: &'a Table, case: Row<'_>, kind: &str) -> Vec<Row<'a>> {
+    let same = |row: &Row<'a>| name(*row) == name(case) && row.text("kind") == kind;
+    table.rows().filter(same).collect()
+}
+
+/// The first turning point is found with all that follow, each as exactly as the motion and its acceleration allow, and
+/// none where there is none.
+#[test]
+fn turning_points_are_those_of_the_table() {
+    let table = Table::read("damped.csv");
+    let firsts = table.rows().filter(|row| row.text("kind") == "sample" && row.text("time") == "0.5");
+    let mut found = 0;
+    for case in firsts {
+        let turnings = rows(&table, case, "turning");
+        let samples = rows(&table, case, "sample");
+        let sensitivity = samples.iter().map(|row| row.input("sensitivity")).fold(1.0, f64::max);
+        let system = model(case).system().unwrap();
+        let system = system.with_events(&[Event::zero_of("theta'".parse().unwrap())]).unwrap();
+        let end = samples.last().unwrap().input("time");
+        let effort = Effort::to_tolerance(1e-15);
+        let solution =
+            integrate(&system, &start(case), &[end], &effort, |_| ControlFlow::Continue(())).unwrap();
+        let events: Vec<_> = solution.events.iter().filter(|event| event.contact != Contact::Start).collect();
+        assert_eq!(events.len(), turnings.len(), "{}: {:?}", name(case), solution.events);
+        for (event, row) in events.iter().zip(&turnings) {
+            let truths = truths(*row);
+            let allowed = f64::EPSILON * (1.0 + size(&truths)) * (1.0 + sensitivity);
+            let acceleration = libm::sin(truths[0].hi).abs();
+            let late = error(&[event.time], &[row.truth("time")]);
+            let off = error(&event.state, &truths);
+            eprintln!("{} turns at {}: time off by {late:.1e}, state by {off:.1e}", name(case), event.time);
+            // The time itself is rounded to an f64.
+            assert!(
+                late <= allowed / acceleration + f64::EPSILON * event.time,
+                "{}: {event:?} {late:e}",
+                name(case)
+            );
+            assert!(off <= allowed + f64::EPSILON * event.time, "{}: {event:?} {off:e}", name(case));
+            found += 1;
+        }
+    }
+    assert!(found > 40, "{found}");
 }
 
 #[test]
