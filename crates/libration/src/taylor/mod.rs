@@ -18,9 +18,9 @@ mod step;
 mod step_length;
 
 mod branches;
-mod sticking;
 mod contacts;
 mod flight;
+mod sticking;
 
 mod fleet;
 mod record;
