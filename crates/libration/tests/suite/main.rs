@@ -11,6 +11,7 @@ mod accuracy;
 mod architecture;
 mod elliptic;
 mod equation;
+mod events;
 mod expansions;
 mod expression;
 mod fit;
