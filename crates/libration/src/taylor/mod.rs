@@ -5,6 +5,7 @@
 
 mod error;
 mod system;
+mod tangent;
 
 mod moduli;
 mod sign_change;
@@ -25,3 +26,4 @@ pub use integrate::{Moment, Solution, integrate};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
+pub use tangent::with_tangents;
