@@ -76,6 +76,7 @@ pub mod pendulum;
 pub mod period_formulas;
 
 pub mod algebra;
+mod linear;
 mod series;
 
 pub mod expression;
@@ -87,6 +88,8 @@ pub mod perturbation;
 pub mod comparison;
 
 pub mod taylor;
+
+pub mod orbit;
 
 pub mod derivation;
 

@@ -19,6 +19,7 @@ mod ledger;
 mod measurement;
 mod motion;
 mod open_gauge;
+mod orbit;
 mod period;
 mod period_formulas;
 mod quantity;
