@@ -54,6 +54,8 @@
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
+//! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
+//! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
@@ -90,6 +92,8 @@ pub mod comparison;
 pub mod taylor;
 
 pub mod orbit;
+
+pub mod normal_modes;
 
 pub mod derivation;
 

@@ -43,10 +43,8 @@ mod tests {
         let number = |n: i64| Rational::new(n, 3).unwrap();
         let coefficients = [7, -2, 0, 5].map(number);
         let row = |i: usize| {
-            (0..4).map(|j| match j {
-                3 => -coefficients[i].clone(),
-                _ => Rational::from(i64::from(i == j + 1)),
-            })
+            let last = -coefficients[i].clone();
+            (0..3).map(move |j| Rational::from(i64::from(i == j + 1))).chain([last])
         };
         let companion: Vec<Vec<Rational>> = (0..4).map(|i| row(i).collect()).collect();
         let found = characteristic_polynomial(&Rationals, &companion).unwrap();

@@ -44,10 +44,11 @@ fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
         if a[m][m - 1] == 0.0 {
             continue;
         }
+        let pivot_row = a[m].clone();
         for i in m + 1..n {
-            let factor = a[i][m - 1] / a[m][m - 1];
-            for j in m - 1..n {
-                a[i][j] -= factor * a[m][j];
+            let factor = a[i][m - 1] / pivot_row[m - 1];
+            for (entry, of_pivot) in a[i].iter_mut().zip(&pivot_row).skip(m - 1) {
+                *entry -= factor * of_pivot;
             }
             for row in &mut a {
                 row[m] += factor * row[i];
@@ -95,8 +96,9 @@ fn qr_step(h: &mut [Vec<Complex>], first: usize, shift: Complex) {
     let mut rotations = vec![];
     for k in first..n - 1 {
         let rotation = Rotation::clearing(h[k][k], h[k + 1][k]);
-        for column in k..n {
-            (h[k][column], h[k + 1][column]) = rotation.apply(h[k][column], h[k + 1][column]);
+        let (above, below) = h.split_at_mut(k + 1);
+        for (x, y) in above[k].iter_mut().zip(&mut below[0]).skip(k) {
+            (*x, *y) = rotation.apply(*x, *y);
         }
         rotations.push(rotation);
     }

@@ -74,7 +74,7 @@ fn settled(system: &System, start: &[f64]) -> Result<Near, NoOrbit> {
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
     let end = maxima.found.last().map_or(0.0, |moment| moment.time);
     match error {
-        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
+        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) if !maxima.vanish() => {
             NoOrbit::NoCycle(Lost::Irregular(end))
         }
         Some(IntegrationError::Stopped {

@@ -18,6 +18,7 @@ mod fourier;
 mod ledger;
 mod measurement;
 mod motion;
+mod normal_modes;
 mod open_gauge;
 mod orbit;
 mod period;
