@@ -54,6 +54,7 @@
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
+//! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
 //! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
 //! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
@@ -90,6 +91,8 @@ pub mod perturbation;
 pub mod comparison;
 
 pub mod taylor;
+
+pub mod systems;
 
 pub mod orbit;
 

@@ -11,6 +11,8 @@ pub(crate) mod motion;
 mod oscillators;
 mod paper;
 mod period;
+mod simulate;
+mod systems;
 
 use crate::failure::Failure;
 use std::io::Write;
@@ -35,7 +37,7 @@ Examples:
   libration fit periods measured.csv --length 0.57m±0.004m
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
-Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood.";
+Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood, 130 interrupted.";
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {
@@ -45,6 +47,8 @@ enum Question {
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Simulate(simulate::Simulate),
+    Systems(systems::Systems),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -68,6 +72,8 @@ impl Libration {
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Simulate(question) => question.answer(out),
+            Question::Systems(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

@@ -5,6 +5,7 @@ pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;
 pub(crate) mod series;
+pub(crate) mod simulation;
 pub(crate) mod spectrum;
 
 pub(crate) mod chart;

@@ -18,6 +18,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("perturbation", &["oscillator", "expression", "series", "algebra"]),
     ("comparison", &["perturbation", "oscillator", "pendulum", "series", "algebra"]),
     ("taylor", &["expression", "algebra"]),
+    ("systems", &["taylor", "oscillator", "expression", "algebra"]),
     ("orbit", &["taylor", "expression", "linear", "algebra"]),
     ("normal_modes", &["expression", "linear", "algebra"]),
     (
