@@ -16,7 +16,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
     ("perturbation", &["oscillator", "expression", "series", "algebra"]),
-    ("comparison", &["perturbation", "oscillator", "pendulum", "series", "algebra"]),
+    ("comparison", &["perturbation", "oscillator", "pendulum", "orbit", "expression", "series", "algebra"]),
     ("taylor", &["expression", "algebra"]),
     ("systems", &["taylor", "oscillator", "expression", "algebra"]),
     ("orbit", &["taylor", "expression", "linear", "algebra"]),
