@@ -32,7 +32,8 @@ pub enum NoModes {
     },
     /// Accelerations without derivatives.
     #[error(
-        "at the equilibrium {at:?} the accelerations have no derivatives, so that small motions are not linear"
+        "at the equilibrium {at:?} the accelerations or their derivatives have no value, or jump, so that small motions are \
+         not linear there: choose another equilibrium, or other coordinates"
     )]
     NotSmooth {
         /// The equilibrium.

@@ -2,6 +2,7 @@
 
 use super::equilibrium::{Equilibrium, substituted};
 use super::error::NoModes;
+use super::kinks::Side;
 use crate::algebra::{Doubles, Rational};
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
 
@@ -27,17 +28,42 @@ pub(super) fn symbols(equation: &Equation) -> Vec<Symbol> {
 
 pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<Linear, NoModes> {
     let symbols = symbols(equation);
-    let slopes: Vec<Vec<Expression>> = equation
-        .accelerations()
-        .iter()
-        .map(|formula| symbols.iter().map(|symbol| formula.derivative(symbol)).collect())
-        .collect();
-    let numbers = in_numbers(&slopes, &symbols, &rest.at)?;
+    let state: Vec<f64> = rest.at.iter().copied().chain(rest.at.iter().map(|_| 0.0)).collect();
+    let on_side = |sign: i64| -> Vec<Expression> {
+        let side = Side { symbols: &symbols, state: &state, sign };
+        equation.accelerations().iter().map(|formula| side.seen(formula)).collect()
+    };
+    let (above, below) = (on_side(1), on_side(-1));
+    let slopes = slopes(&above, &symbols);
+    let numbers = in_numbers(&slopes, &symbols, &state)?;
+    if above != below && !is_smooth([&above, &below], &symbols, &state)? {
+        return Err(NoModes::NotSmooth { at: rest.at.clone() });
+    }
     let exact = rest.exact.as_ref().and_then(|place| in_fractions(&slopes, &symbols, place));
     Ok(Linear {
         numbers: split(&numbers, |x| -x),
         exact: exact.map(|it| split(&it, |x: &Rational| -x.clone())),
     })
+}
+
+/// A row of derivatives for each formula.
+fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
+    formulas.iter().map(|formula| symbols.iter().map(|symbol| formula.derivative(symbol)).collect()).collect()
+}
+
+/// Whether formulas and their slopes are the same on both sides of a state.
+fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, NoModes> {
+    const ROUNDING: f64 = 1e-9;
+    let values = |formulas: &[Expression]| {
+        let mut rows = slopes(formulas, symbols);
+        for (row, formula) in rows.iter_mut().zip(formulas) {
+            row.push(formula.clone());
+        }
+        in_numbers(&rows, symbols, state)
+    };
+    let (above, below) = (values(sides[0])?.concat(), values(sides[1])?.concat());
+    let size = above.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    Ok(above.iter().zip(&below).all(|(a, b)| (a - b).abs() <= ROUNDING * size))
 }
 
 /// The derivatives by coordinates with the other sign, and those by velocities.
@@ -47,15 +73,14 @@ fn split<N: Clone>(slopes: &[Vec<N>], negative: impl Fn(&N) -> N) -> Linearisati
     Linearisation { stiffness, velocity: slopes.iter().map(|row| row[n..].to_vec()).collect() }
 }
 
-fn in_numbers(slopes: &[Vec<Expression>], symbols: &[Symbol], at: &[f64]) -> Result<Vec<Vec<f64>>, NoModes> {
-    let all: Vec<&Expression> = slopes.iter().flatten().collect();
+fn in_numbers(rows: &[Vec<Expression>], symbols: &[Symbol], state: &[f64]) -> Result<Vec<Vec<f64>>, NoModes> {
+    let all: Vec<&Expression> = rows.iter().flatten().collect();
     let tape = Tape::new(&all, symbols)?;
-    let state: Vec<f64> = at.iter().copied().chain(at.iter().map(|_| 0.0)).collect();
-    let refusal = || NoModes::NotSmooth { at: at.to_vec() };
-    let jet = Jet::new(&Doubles, &tape, &state).map_err(|_| refusal())?;
+    let refusal = || NoModes::NotSmooth { at: state[..rows.len()].to_vec() };
+    let jet = Jet::new(&Doubles, &tape, state).map_err(|_| refusal())?;
     let values: Vec<f64> = (0..all.len()).map(|i| jet.result(i)[0]).collect();
     if values.iter().all(|x| x.is_finite()) {
-        Ok(values.chunks(symbols.len()).map(<[f64]>::to_vec).collect())
+        Ok(values.chunks(rows[0].len()).map(<[f64]>::to_vec).collect())
     } else {
         Err(refusal())
     }

@@ -8,6 +8,7 @@ mod error;
 mod mode;
 
 mod equilibrium;
+mod kinks;
 mod linearisation;
 
 mod polynomial;

@@ -122,7 +122,7 @@ impl Round {
 
     /// Between the largest and the least value of each number at the ends of the steps.
     fn ranges(&self, numbers: usize) -> Vec<f64> {
-        let states: Vec<Vec<f64>> = self.path.steps().iter().map(|step| step.state_at(step.end())).collect();
+        let states: Vec<Vec<f64>> = self.path.states().collect();
         let range = |number: usize| {
             let values = states.iter().map(|state| state[number]);
             let (low, high) =

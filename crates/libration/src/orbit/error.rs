@@ -56,6 +56,19 @@ pub enum NoOrbit {
         /// Where the next maximum or minimum on the same side is.
         end: f64,
     },
+    /// A motion that nearly stops on the way.
+    #[error(
+        "released at {start} the motion comes so near an unstable equilibrium that rounding errors decide its period, \
+         {period:.3} or infinite: the release is on the separatrix to all digits"
+    )]
+    Unsure {
+        /// The place of the release.
+        start: f64,
+        /// The period that was found.
+        period: f64,
+        /// How wrong it may be.
+        uncertainty: f64,
+    },
     /// A motion that does not settle.
     #[error("the motion settles to no cycle: {0}")]
     NoCycle(Lost),

@@ -1,13 +1,12 @@
 //! A motion as the steps of its integration.
 
-use crate::taylor::{Effort, Moment, Step, System};
-use crate::taylor::{IntegrationError, Solution, integrate};
+use crate::taylor::{Effort, IntegrationError, KeptStep, Moment, Solution, Step, System, integrate};
 use std::ops::ControlFlow;
 
 /// Steps one behind the other, from a state to a state.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
-    steps: Vec<Step>,
+    steps: Vec<KeptStep>,
     end: f64,
 }
 
@@ -21,29 +20,30 @@ impl Path {
     ) -> Result<Self, IntegrationError> {
         let mut steps = vec![];
         integrate(system, start, &[end], effort, |step| {
-            steps.push(step.clone());
+            steps.push(step.kept());
             ControlFlow::Continue(())
         })?;
         Ok(Self { steps, end })
     }
 
     pub(super) fn start_time(&self) -> f64 {
-        self.steps.first().map_or(self.end, Step::start)
+        self.steps.first().map_or(self.end, |kept| kept.step().start())
     }
 
     pub(super) fn end_time(&self) -> f64 {
         self.end
     }
 
-    pub(super) fn steps(&self) -> &[Step] {
-        &self.steps
+    /// The states at the ends of all steps.
+    pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
+        self.steps.iter().map(|kept| kept.step().state_at(kept.step().end().min(self.end)))
     }
 
     /// Coordinates, then velocities.
     pub(super) fn state_at(&self, time: f64) -> Vec<f64> {
-        let place = self.steps.partition_point(|step| step.end() < time);
-        let step = self.steps.get(place).or(self.steps.last());
-        step.map_or_else(Vec::new, |step| step.state_at(time))
+        let place = self.steps.partition_point(|kept| kept.step().end() < time);
+        let kept = self.steps.get(place).or(self.steps.last());
+        kept.map_or_else(Vec::new, |kept| kept.step().state_at(time))
     }
 
     /// The end of this one is the start of the other.
@@ -63,7 +63,7 @@ pub(super) fn until(
 ) -> Result<Option<Path>, IntegrationError> {
     let (mut steps, mut found) = (vec![], None);
     let outcome = integrate(system, start, &[horizon], effort, |step| {
-        steps.push(step.clone());
+        steps.push(step.kept());
         found = happens(step);
         if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });

@@ -8,6 +8,8 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 
 /// Steps of one half of an oscillation; more are taken only by motions without end.
 const MOST_STEPS: usize = 20_000;
+/// A period that may be wrong by more than this part of it is none.
+const UNCERTAIN: f64 = 1e-4;
 /// Further off than this part of the swing an oscillation does not end where it began.
 const CLOSED: f64 = 1e-6;
 
@@ -48,6 +50,9 @@ impl Orbit {
         let (period, half) = (path.full.end_time(), path.half);
         let spread = (period - again.full.end_time()).abs().max((period - 2.0 * half).abs());
         let uncertainty = 4.0 * (spread + f64::EPSILON * period);
+        if uncertainty > UNCERTAIN * period {
+            return Err(NoOrbit::Unsure { start: place, period, uncertainty });
+        }
         Ok(Self::new(equation, path.full, uncertainty, None))
     }
 }

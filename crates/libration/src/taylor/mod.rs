@@ -11,6 +11,7 @@ mod moduli;
 mod sign_change;
 
 mod expander;
+mod kept;
 mod step;
 mod step_length;
 
@@ -23,6 +24,7 @@ mod tests;
 
 pub use error::{Cause, IntegrationError};
 pub use integrate::{Moment, Solution, integrate};
+pub use kept::KeptStep;
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;

@@ -248,4 +248,14 @@ fn what_has_no_modes_is_refused_for_a_reason() {
     assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), NoModes::Guess { wanted: 1, .. }));
     assert!(matches!(refusal("x'' = -x^2 - 1", &[0.3]), NoModes::NoEquilibrium { .. }));
     assert!(matches!(refusal("x'' = -sqrt(x)", &[0.0]), NoModes::NotSmooth { .. }));
+    // Kinks and dry friction are no linear forces, though both vanish at rest.
+    assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), NoModes::NotSmooth { .. }));
+    assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), NoModes::NotSmooth { .. }));
+}
+
+#[test]
+fn quadratic_drag_does_not_change_small_oscillations() {
+    let mode = &modes("x'' = -4*x - x'*abs(x')")[0];
+    assert_eq!((mode.frequency(), mode.behaviour), (2.0, Behaviour::Oscillating));
+    assert_eq!(mode.shift, Err(NoShift::NotSmooth));
 }

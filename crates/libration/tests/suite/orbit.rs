@@ -169,6 +169,22 @@ fn repelling_cycles_are_found_from_a_guess() {
     assert_eq!(orbit.floquet().unwrap().stability, Stability::Unstable);
 }
 
+#[test]
+fn absolute_values_have_their_deviations() {
+    let orbit =
+        Orbit::near(&equation("x'' = -2*x*abs(x)"), &Near { state: vec![1.0, 0.0], period: 5.0 }, &[0, 1])
+            .unwrap();
+    let released = released("x'' = -2*x*abs(x)", 1.0);
+    assert_within(orbit.period(), released.period(), 1e-13, "by two roads");
+    // x′² = (4/3)(1 − |x|³): T = 4·√(3/4)·∫₀¹ dx/√(1 − x³) = 4·√(3/4)·(1/3)·B(1/3, 1/2).
+    assert_within(
+        orbit.period(),
+        4.0 * 0.75_f64.sqrt() * 4.206_546_315_976_36 / 3.0,
+        1e-13,
+        "by an integral",
+    );
+}
+
 /// x = Re(e^{iνt}/(1 − ν² + iγν)), and deviations decay by e^{−γT/2}.
 #[test]
 fn a_driven_linear_oscillator_answers_as_it_must() {
@@ -207,6 +223,8 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
     assert!(matches!(refusal("x'' = -1", 2.0), NoOrbit::NoReturn { why: Lost::OneWay(_), .. }));
     assert!(matches!(refusal("x'' = x", 2.0), NoOrbit::NoReturn { .. }));
+    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
+    assert!(matches!(refusal("x'' = -x - x^2", 0.5), NoOrbit::Unsure { .. }));
     assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
     assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
     assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));

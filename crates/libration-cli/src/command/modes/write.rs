@@ -186,9 +186,7 @@ fn shift(names: &[String], mode: &Mode) -> String {
         Ok(shift) => {
             let coefficient = short(shift.coefficient, 13);
             let law = match &shift.relative {
-                Some(surd) if surd.to_rational().is_some_and(Rational::is_zero) => {
-                    "Ω = ω, without a term in a²".to_owned()
-                }
+                _ if shift.coefficient == 0.0 => "Ω = ω, without a term in a²".to_owned(),
                 Some(surd) => format!("Ω = ω(1 {} a²) = ω + κa² with κ = {coefficient}", signed(surd)),
                 None => format!("Ω = ω + κa² with κ = {coefficient}"),
             };
