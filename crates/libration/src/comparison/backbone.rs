@@ -222,8 +222,9 @@ mod tests {
             (well.centre() - 1.0).abs() < 1e-15 && (well.omega0().unwrap() - 2.0_f64.sqrt()).abs() < 1e-15
         );
         let point = well.at(0.1);
-        let difference = point.orbit.unwrap().frequency - point.series.unwrap().frequency;
-        assert!(difference.abs() < 1e-12, "{difference:e}");
+        let series = point.series.unwrap();
+        let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
+        assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
     }
 
     #[test]
