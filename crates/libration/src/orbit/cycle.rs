@@ -106,7 +106,7 @@ impl Maxima {
     }
 
     /// Takes a step into account; a guess of the cycle when one shows.
-    fn watch(&mut self, step: &Step) -> Option<Near> {
+    fn watch(&mut self, step: &Step<'_>) -> Option<Near> {
         self.widen(&step.state_at(step.end()));
         let rises = step.state_at(step.start())[self.coordinates] > 0.0;
         let time = sign_change(step, self.coordinates).filter(|_| rises)?;

@@ -59,7 +59,7 @@ pub(super) fn until(
     start: &Moment,
     horizon: f64,
     effort: &Effort,
-    mut happens: impl FnMut(&Step) -> Option<f64>,
+    mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
 ) -> Result<Option<Path>, IntegrationError> {
     let (mut steps, mut found) = (vec![], None);
     let outcome = integrate(system, start, &[horizon], effort, |step| {
@@ -76,7 +76,7 @@ pub(super) fn until(
 
 /// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.
 /// A step that begins with zero has the sign that it takes soon after.
-pub(super) fn sign_change(step: &Step, number: usize) -> Option<f64> {
+pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     const SOON: f64 = 1e-3;
     let value = |time: f64| step.state_at(time)[number];
     let (mut before, mut after) = (step.start(), step.end());

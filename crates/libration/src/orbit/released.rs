@@ -85,7 +85,7 @@ fn once_around(system: &System, place: f64, tolerance: f64) -> Result<Around, No
 fn to_rest(system: &System, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
     const FAR: f64 = 1e100;
     let mut moves = true;
-    let happens = |step: &Step| {
+    let happens = |step: &Step<'_>| {
         moves = moves && is_moving(step);
         if moves { sign_change(step, 1) } else { Some(step.end()) }
     };
@@ -101,7 +101,7 @@ fn to_rest(system: &System, start: &Moment, place: f64, effort: &Effort) -> Resu
     }
 }
 
-fn is_moving(step: &Step) -> bool {
+fn is_moving(step: &Step<'_>) -> bool {
     step.state_at(0.5 * (step.start() + step.end()))[1] != 0.0
 }
 

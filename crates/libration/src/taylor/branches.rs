@@ -1,106 +1,193 @@
-//! On which side of zero the argument of each absolute value is.
+//! On which side of zero the argument of each absolute value is, or whether it stays there.
 
-use super::expander::Expander;
+use super::Cause;
+use super::block::Block;
+use super::expander::{Expander, Surroundings};
 use super::sign_change::first_sign_change;
-use super::{Cause, Step};
 
-/// The sign of each argument during a step.
+/// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
-pub(super) struct Branches {
-    signs: Vec<f64>,
-    /// Arguments that are zero where the step begins, and of which only rounding makes something else.
-    at_zero: Vec<bool>,
+pub(super) struct Branches<const N: usize> {
+    /// Of each argument: how many leading coefficients are zero where the step begins, of which only rounding may make
+    /// something else.
+    zeros: Vec<[usize; N]>,
 }
 
-impl Branches {
+impl<const N: usize> Branches<N> {
     pub(super) fn new(moduli: usize) -> Self {
-        Self { signs: vec![1.0; moduli], at_zero: vec![false; moduli] }
+        Self { zeros: vec![[0; N]; moduli] }
     }
 
-    /// Expands a step that has only its start, with the signs that the arguments have behind it.
+    /// Begins a motion in a lane.
+    pub(super) fn launch(&mut self, lane: usize) {
+        for zeros in &mut self.zeros {
+            zeros[lane] = 0;
+        }
+    }
+
+    /// Expands steps that have only their starts, with the signs that the arguments have behind these.
     pub(super) fn settle(
         &mut self,
-        expander: &mut Expander,
-        step: &mut Step,
-        backward: bool,
-    ) -> Result<(), Cause> {
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> [Result<(), Cause>; N] {
         // Each attempt may show one more sign to be wrong.
-        for _ in 0..=2 * self.signs.len() {
-            let outcome = self.expand(expander, step);
-            if !self.correct(expander, backward) {
-                return outcome;
+        for _ in 0..2 * self.zeros.len() {
+            expander.expand(block, surroundings);
+            if !self.correct(expander, block, surroundings, backward).iter().flatten().any(|wrong| *wrong) {
+                return [Ok(()); N];
             }
         }
-        Err(Cause::NoWayOn)
+        expander.expand(block, surroundings);
+        let wrong = self.correct(expander, block, surroundings, backward);
+        self.stick(&wrong, expander, block, surroundings)
     }
 
-    /// The series of a step, with the signs as they are.
-    pub(super) fn expand(&self, expander: &mut Expander, step: &mut Step) -> Result<(), Cause> {
-        let outcome = expander.expand(step.start, &self.signs, &mut step.series);
-        let finite = step.series.iter().flatten().all(|c| c.is_finite());
-        outcome.ok().filter(|()| finite).ok_or(Cause::Singularity)
-    }
-
-    /// Gives the signs that the series of the arguments have; whether one was another.
-    fn correct(&mut self, expander: &Expander, backward: bool) -> bool {
-        let mut wrong = false;
-        for (modulus, (sign, zero)) in self.signs.iter_mut().zip(&self.at_zero).enumerate() {
-            let found = sign_behind(expander.argument(modulus), *zero, backward).unwrap_or(*sign);
-            wrong |= found * *sign < 0.0;
-            *sign = found;
+    /// Gives the signs that the series of the arguments have, and lets go what no sign from −1 to 1 keeps; of which
+    /// arguments, in which lanes, the series had another sign.
+    fn correct(
+        &self,
+        expander: &Expander<'_>,
+        block: &Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> Vec<[bool; N]> {
+        let mut wrong = vec![[false; N]; self.zeros.len()];
+        for (modulus, wrong) in wrong.iter_mut().enumerate() {
+            for lane in 0..N {
+                let sign = surroundings.signs[modulus][lane];
+                let found = if surroundings.sticks[modulus][lane] {
+                    let needed = block[expander.sign(block, modulus)][0][lane];
+                    surroundings.sticks[modulus][lane] = needed.abs() <= 1.0;
+                    wrong[lane] = needed.abs() > 1.0;
+                    if wrong[lane] { needed.signum() } else { sign }
+                } else {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let behind = series.enumerate().skip(self.zeros[modulus][lane]);
+                    let found = sign_behind(behind, backward[lane]).unwrap_or(sign);
+                    wrong[lane] = found * sign < 0.0;
+                    found
+                };
+                surroundings.signs[modulus][lane] = found;
+            }
         }
         wrong
     }
 
-    /// Ends the step where an argument first changes its sign.
-    pub(super) fn cut(&mut self, expander: &Expander, step: &mut Step) {
-        let length = step.end - step.start;
-        let change = |(modulus, zero): (usize, &bool)| {
-            first_sign_change(&scaled(expander.argument(modulus), *zero, length))
-        };
-        let changes: Vec<Option<f64>> = self.at_zero.iter().enumerate().map(change).collect();
-        let first = changes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        if first.is_finite() {
-            step.end = step.start + first * length;
+    /// Keeps at zero the velocities that can leave it to neither side.
+    fn stick(
+        &mut self,
+        wrong: &[[bool; N]],
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) -> [Result<(), Cause>; N] {
+        let mut outcomes = [Ok(()); N];
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            for lane in (0..N).filter(|&lane| wrong[lane]) {
+                match expander.system.velocity_in_modulus(modulus) {
+                    Some(number) => {
+                        block.stop(number, lane);
+                        surroundings.sticks[modulus][lane] = true;
+                    }
+                    None => outcomes[lane] = Err(Cause::NoWayOn),
+                }
+            }
         }
-        let moves = (step.end - step.start).abs() > 0.0;
-        for ((change, sign), zero) in changes.iter().zip(&mut self.signs).zip(&mut self.at_zero) {
-            let changes_now = *change == Some(first);
-            *sign = if changes_now { -*sign } else { *sign };
-            // A step without length leaves what is zero at zero.
-            *zero = changes_now || (*zero && !moves);
+        expander.expand(block, surroundings);
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            let sign = block[expander.sign(block, modulus)][0];
+            for lane in (0..N).filter(|&lane| wrong[lane] && sign[lane].abs() > 1.0) {
+                outcomes[lane] = Err(Cause::NoWayOn);
+            }
+        }
+        outcomes
+    }
+
+    /// Ends the steps where an argument first changes its sign, or what sticks is released.
+    pub(super) fn cut(
+        &mut self,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        for lane in 0..N {
+            self.cut_lane(lane, expander, block, surroundings);
         }
     }
 
-    /// How far the accelerations at a time are from those of the step's polynomials, as a part of the latter's size.
-    pub(super) fn defect(&self, expander: &mut Expander, step: &Step, time: f64) -> f64 {
-        let state: Vec<f64> = step.state_at(time);
-        let coordinates = state.len() / 2;
-        let exact = expander.accelerations(time, &self.signs, &state);
-        let parts = exact.iter().enumerate().map(|(i, exact)| {
-            let own = step.slope_at(coordinates + i, time - step.start);
-            let size = exact.abs().max(own.abs());
-            if size == 0.0 { 0.0 } else { (exact - own).abs() / size }
-        });
-        // What is not finite is no agreement.
-        parts.fold(0.0, |largest, part| if part <= largest { largest } else { part })
+    fn cut_lane(
+        &mut self,
+        lane: usize,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        let length = block.end[lane] - block.start[lane];
+        let units = length / block.unit[lane];
+        let changes: Vec<Option<f64>> = (0..self.zeros.len())
+            .map(|modulus| match surroundings.sticks[modulus][lane] {
+                true => release(block[expander.sign(block, modulus)].iter().map(|c| c[lane]), units),
+                false => {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let terms = scaled(series, units).into_iter().skip(self.zeros[modulus][lane]);
+                    first_sign_change(&terms.skip_while(|term| *term == 0.0).collect::<Vec<_>>())
+                }
+            })
+            .collect();
+        let first = changes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        if first.is_finite() {
+            block.end[lane] = block.start[lane] + first * length;
+        }
+        let moves = (block.end[lane] - block.start[lane]).abs() > 0.0;
+        for (modulus, change) in changes.iter().enumerate() {
+            let changes_now = *change == Some(first);
+            let zeros = &mut self.zeros[modulus][lane];
+            let sign = &mut surroundings.signs[modulus][lane];
+            if changes_now && surroundings.sticks[modulus][lane] {
+                surroundings.sticks[modulus][lane] = false;
+                let series = block[expander.sign(block, modulus)].iter().map(|c| c[lane]);
+                *sign = scaled(series, first * units).iter().sum::<f64>().signum();
+                // Velocity and acceleration.
+                *zeros = 2;
+            } else if changes_now {
+                *sign = -*sign;
+                *zeros = 1;
+            } else if moves {
+                // A step without length leaves what is zero at zero.
+                *zeros = 0;
+            }
+        }
     }
 }
 
 /// The sign of a series next to its centre; `None` when it vanishes.
-fn sign_behind(series: &[f64], zero: bool, backward: bool) -> Option<f64> {
-    let mut terms = series.iter().enumerate().skip(usize::from(zero));
-    let (n, c) = terms.find(|(_, c)| **c != 0.0)?;
+fn sign_behind(mut terms: impl Iterator<Item = (usize, f64)>, backward: bool) -> Option<f64> {
+    let (n, c) = terms.find(|(_, c)| *c != 0.0)?;
     Some(if backward && n % 2 == 1 { -c.signum() } else { c.signum() })
 }
 
-/// The coefficients of the part of the step as variable, divided by it as long as the polynomial is zero at zero.
-fn scaled(series: &[f64], zero: bool, length: f64) -> Vec<f64> {
+/// The part of the step after which a sign leaves the range from −1 to 1.
+fn release(sign: impl Iterator<Item = f64>, length: f64) -> Option<f64> {
+    let sign = scaled(sign, length);
+    let from = |limit: f64| {
+        let mut distance: Vec<f64> = sign.iter().map(|c| -limit * c).collect();
+        *distance.first_mut()? += 1.0;
+        first_sign_change(&distance)
+    };
+    let (above, below) = (from(1.0), from(-1.0));
+    above.into_iter().chain(below).reduce(f64::min)
+}
+
+/// The coefficients with the part of the step as variable.
+fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     let mut power = 1.0;
-    let terms = series.iter().map(|c| {
+    let terms = series.map(|c| {
         let term = c * power;
         power *= length;
         term
     });
-    terms.skip(usize::from(zero)).skip_while(|term| *term == 0.0).collect()
+    terms.collect()
 }

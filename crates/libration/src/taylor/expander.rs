@@ -1,88 +1,154 @@
-//! The Taylor series of a system about a state.
+//! The Taylor series of a system about a state, in several lanes.
 
 use super::System;
-use crate::algebra::Doubles;
-use crate::expression::{Jet, NoSeries};
+use super::block::{Block, Row};
+use super::program::{Program, over_integer};
+use crate::algebra::lanes;
+use crate::dispatch::{Kernel, dispatch};
+
+/// What the tape is given beside the state.
+#[derive(Clone, Debug)]
+pub(super) struct Surroundings<const N: usize> {
+    /// The values of the parameters that were left open.
+    pub(super) parameters: Vec<[f64; N]>,
+    /// The sign of what stands in each |…|.
+    pub(super) signs: Vec<[f64; N]>,
+    /// Whether that is a velocity that friction keeps at zero.
+    pub(super) sticks: Vec<[bool; N]>,
+}
 
 /// Makes series about one state after the other, always in the same memory.
 #[derive(Debug)]
 pub(super) struct Expander<'a> {
-    system: &'a System,
-    order: u32,
-    jet: Option<Jet<'a, Doubles>>,
-    /// One coefficient of each input.
-    inputs: Vec<f64>,
+    pub(super) system: &'a System,
+    pub(super) program: Program,
+    pub(super) order: usize,
 }
 
 impl<'a> Expander<'a> {
-    pub(super) fn new(system: &'a System, order: u32) -> Self {
-        Self { system, order, jet: None, inputs: vec![] }
+    pub(super) fn new(system: &'a System, order: usize) -> Self {
+        const ENDLESS: usize = usize::MAX;
+        let state = std::iter::repeat_n(ENDLESS, 2 * system.coordinates());
+        let parameters = std::iter::repeat_n(0, system.parameters().len());
+        let signs = (0..system.moduli()).map(|modulus| match system.velocity_in_modulus(modulus) {
+            Some(_) => ENDLESS,
+            None => 0,
+        });
+        let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
+        Self { system, program: Program::new(system.tape(), &degrees, order + 1), order }
+    }
+
+    /// The memory that the series need.
+    pub(super) fn block<const N: usize>(&self) -> Block<N> {
+        let mut block = Block::new(self.program.rows, 2 * self.system.coordinates(), self.order);
+        for &(row, value) in &self.program.constants {
+            block[row][0] = [value; N];
+        }
+        block
     }
 
     /// Fills in the coefficients up to the order, of the coordinates and then of the velocities, whose first are given.
-    ///
-    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
-    pub(super) fn expand(
-        &mut self,
+    pub(super) fn expand<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
+            return self.expand_sticking(block, surroundings);
+        }
+        dispatch(Expansion { expander: self, block, surroundings });
+    }
+
+    /// The sign of what stands in a |…|.
+    pub(super) fn sign<const N: usize>(&self, block: &Block<N>, modulus: usize) -> Row {
+        block.row(block.numbers() + 1 + self.system.parameters().len() + modulus)
+    }
+
+    /// What stands between the bars of an absolute value.
+    pub(super) fn argument(&self, modulus: usize) -> Row {
+        self.program.results[self.system.coordinates() + modulus]
+    }
+
+    /// The formula of an event.
+    pub(super) fn event(&self, event: usize) -> Row {
+        self.program.results[self.system.coordinates() + self.system.moduli() + event]
+    }
+
+    /// The accelerations in a state.
+    pub(super) fn accelerations<const N: usize>(
+        &self,
         time: f64,
-        signs: &[f64],
-        series: &mut [Vec<f64>],
-    ) -> Result<(), NoSeries> {
+        state: &[f64],
+        surroundings: &Surroundings<N>,
+    ) -> Vec<[f64; N]> {
+        let mut block = self.block::<N>();
+        for (number, value) in state.iter().enumerate() {
+            let row = block.row(number);
+            block[row][0] = [*value; N];
+        }
+        block.start = [time; N];
+        self.begin(&mut block, surroundings);
+        (0..self.system.coordinates()).map(|i| block[self.acceleration(i)][0]).collect()
+    }
+
+    /// The zeroth coefficients.
+    #[inline(always)]
+    pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        let time = block.row(block.numbers());
+        block[time][0] = block.start;
+        block[time][1] = block.unit;
+        let rest = surroundings.parameters.iter().chain(&surroundings.signs);
+        for (number, values) in (block.numbers() + 1..).zip(rest) {
+            let row = block.row(number);
+            block[row][0] = *values;
+        }
+        self.program.begin(block);
+    }
+}
+
+/// The expansion, compiled for each instruction set.
+struct Expansion<'e, 'a, const N: usize> {
+    expander: &'e Expander<'a>,
+    block: &'e mut Block<N>,
+    surroundings: &'e Surroundings<N>,
+}
+
+impl<const N: usize> Kernel for Expansion<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { expander, block, surroundings } = self;
+        expander.begin(block, surroundings);
+        for n in 1..=expander.order {
+            expander.extend_state(block, n);
+            if n <= expander.last() {
+                expander.program.extend(block, n);
+            }
+        }
+    }
+}
+
+impl Expander<'_> {
+    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
+    #[inline(always)]
+    pub(super) fn extend_state<const N: usize>(&self, block: &mut Block<N>, n: usize) {
         let coordinates = self.system.coordinates();
-        self.begin(time, signs, series)?;
-        for (n, divisor) in (1..).zip(1..=self.order) {
-            for i in 0..coordinates {
-                let (speed, acceleration) = (series[coordinates + i][n - 1], self.formula(i)[n - 1]);
-                series[i].push(speed / f64::from(divisor));
-                series[coordinates + i].push(acceleration / f64::from(divisor));
-            }
-            if divisor < self.order {
-                self.extend(n, series)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// What stands between the bars of an absolute value, as a series of one term less than the order.
-    pub(super) fn argument(&self, modulus: usize) -> &[f64] {
-        self.formula(self.system.coordinates() + modulus)
-    }
-
-    /// The accelerations in a state, in the place of the series.
-    pub(super) fn accelerations(&mut self, time: f64, signs: &[f64], state: &[f64]) -> Vec<f64> {
-        let mut series: Vec<Vec<f64>> = state.iter().map(|&value| vec![value]).collect();
-        match self.begin(time, signs, &mut series) {
-            Ok(()) => (0..self.system.coordinates()).map(|i| self.formula(i)[0]).collect(),
-            Err(_) => vec![f64::NAN; self.system.coordinates()],
+        for i in 0..coordinates {
+            let (coordinate, velocity) = (block.row(i), block.row(coordinates + i));
+            let speed = &block[velocity][n - 1];
+            let rate = lanes(|lane| speed[lane] * block.unit[lane]);
+            block[coordinate][n] = over_integer(&rate, n);
+            let acceleration = &block[self.acceleration(i)][n - 1];
+            let rate = lanes(|lane| acceleration[lane] * block.unit[lane]);
+            block[velocity][n] = over_integer(&rate, n);
         }
     }
 
-    fn formula(&self, number: usize) -> &[f64] {
-        self.jet.as_ref().map_or(&[], |jet| jet.result(number))
+    /// The last order that is asked for of formulas: events want as many as the state has.
+    #[inline(always)]
+    pub(super) fn last(&self) -> usize {
+        self.order - usize::from(self.system.events().is_empty())
     }
 
-    fn begin(&mut self, time: f64, signs: &[f64], series: &mut [Vec<f64>]) -> Result<(), NoSeries> {
-        self.inputs.clear();
-        for one in series {
-            one.truncate(1);
-            self.inputs.extend_from_slice(one);
-        }
-        self.inputs.push(time);
-        self.inputs.extend_from_slice(signs);
-        if let Some(jet) = &mut self.jet {
-            return jet.restart(&self.inputs);
-        }
-        self.jet = Some(Jet::new(&Doubles, self.system.tape(), &self.inputs)?);
-        Ok(())
-    }
-
-    fn extend(&mut self, n: usize, series: &[Vec<f64>]) -> Result<(), NoSeries> {
-        for (input, one) in self.inputs.iter_mut().zip(series) {
-            *input = one[n];
-        }
-        let others = &mut self.inputs[series.len()..];
-        others.fill(0.0);
-        others[0] = if n == 1 { 1.0 } else { 0.0 };
-        self.jet.as_mut().map_or(Ok(()), |jet| jet.extend(&self.inputs))
+    #[inline(always)]
+    pub(super) fn acceleration(&self, coordinate: usize) -> Row {
+        self.program.results[coordinate]
     }
 }

@@ -4,18 +4,28 @@
 //! step is a polynomial that gives the state at every time inside it.
 
 mod error;
+mod event;
 mod system;
 mod tangent;
 
 mod moduli;
 mod sign_change;
 
+mod block;
+mod program;
+
 mod expander;
-mod kept;
 mod step;
+mod kept;
 mod step_length;
 
 mod branches;
+mod sticking;
+mod contacts;
+mod flight;
+
+mod fleet;
+mod record;
 
 mod integrate;
 
@@ -23,7 +33,8 @@ mod integrate;
 mod tests;
 
 pub use error::{Cause, IntegrationError};
-pub use integrate::{Moment, Solution, integrate};
+pub use event::{Contact, Direction, Event, Occurrence};
+pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
 pub use kept::KeptStep;
 pub use step::Step;
 pub use step_length::Effort;
