@@ -55,6 +55,8 @@
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
 //! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
+//! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
+//! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
@@ -77,6 +79,7 @@ pub mod pendulum;
 pub mod period_formulas;
 
 pub mod algebra;
+mod linear;
 mod series;
 
 pub mod expression;
@@ -90,6 +93,10 @@ pub mod comparison;
 pub mod taylor;
 
 pub mod systems;
+
+pub mod orbit;
+
+pub mod normal_modes;
 
 pub mod derivation;
 

@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod angle_list;
+mod displacements;
 mod formulas;
 mod initial;
 mod lines;
@@ -15,11 +16,12 @@ mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use displacements::displacements;
 pub(crate) use formulas::FormulaChoice;
 pub(crate) use initial::{Initial, InitialOptions};
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
-pub(crate) use oscillator::{Chosen, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions, is_angle};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use system::SystemOptions;
 pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, positive};

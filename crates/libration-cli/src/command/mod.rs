@@ -1,5 +1,6 @@
 //! The questions that can be asked, one file each.
 
+mod backbone;
 mod completions;
 mod derive;
 mod expand;
@@ -7,6 +8,7 @@ mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+mod modes;
 pub(crate) mod motion;
 mod oscillators;
 mod paper;
@@ -47,8 +49,10 @@ enum Question {
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Backbone(backbone::Backbone),
     Simulate(simulate::Simulate),
     Systems(systems::Systems),
+    Modes(modes::Modes),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -72,8 +76,10 @@ impl Libration {
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Backbone(question) => question.answer(out),
             Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
+            Question::Modes(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

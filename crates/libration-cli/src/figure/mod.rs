@@ -1,6 +1,8 @@
 //! The pictures: what each one shows, and how it is drawn.
 
+pub(crate) mod backbone;
 pub(crate) mod errors;
+pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;

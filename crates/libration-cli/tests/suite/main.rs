@@ -9,6 +9,7 @@ mod figures;
 mod files;
 mod fit;
 mod formulas;
+mod modes;
 mod motion;
 mod paper;
 mod period;
