@@ -1,5 +1,6 @@
 //! The pictures: what each one shows, and how it is drawn.
 
+pub(crate) mod decay;
 pub(crate) mod errors;
 pub(crate) mod motion;
 pub(crate) mod periods;

@@ -1,0 +1,195 @@
+//! A decay as table, JSON and CSV.
+
+use super::report::{Cycle, Report, Turn};
+use crate::arguments::PendulumOptions;
+use crate::failure::Failure;
+use crate::output::json::{self, Record};
+use crate::output::number::{rounded, seconds, short};
+use crate::output::table::{Column, Table, sheet};
+use crate::output::{Form, csv};
+use libration::decay::{DampingTerm, Decay, Ending};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// A decay with what was asked.
+pub(super) struct Answer<'a> {
+    /// Length and gravity, if the pendulum was given by them.
+    pub(super) given: Option<PendulumOptions>,
+    pub(super) decay: &'a Decay,
+    pub(super) report: &'a Report,
+}
+
+impl Answer<'_> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+        match form {
+            Form::Json => json::document_with_list(out, self.head(), "turning_points", self.records())?,
+            Form::Csv => self.write_csv(out)?,
+            Form::Table => self.write_table(out)?,
+        }
+        Ok(())
+    }
+
+    fn head(&self) -> Record {
+        let terms: Vec<Value> =
+            self.decay.damping().terms().iter().map(|term| term_record(term).into()).collect();
+        let ending = self.report.ending.map(|ending| match ending {
+            Ending::Sticks => "sticks",
+            _ => "creeps",
+        });
+        self.given
+            .map_or_else(Record::new, PendulumOptions::record)
+            .number("omega0_rad_per_s", self.decay.pendulum().angular_frequency())
+            .with("damping", terms)
+            .number("sticking_amplitude_rad", self.decay.sticking_amplitude())
+            .with("ending", ending)
+            .number("largest_error_averaged_rad", self.report.largest_error(|turn| turn.averaged).0)
+            .number("largest_error_small_amplitude_rad", self.report.largest_error(|turn| turn.small).0)
+    }
+
+    /// Turning points, at whole cycles with the time of the cycle.
+    fn records(&self) -> impl Iterator<Item = Record> {
+        let mut cycles = self.report.cycles(self.decay);
+        self.report.turns.iter().enumerate().map(move |(number, turn)| {
+            let record = Record::new()
+                .with("cycle", half(number))
+                .number("time_s", turn.point.time)
+                .number("amplitude_rad", turn.point.amplitude.radians())
+                .number("averaged_rad", turn.averaged)
+                .number("small_amplitude_rad", turn.small)
+                .number("loss_in_a_cycle", self.decay.loss_in_a_cycle(&turn.point.amplitude));
+            match (number > 0 && number.is_multiple_of(2)).then(|| cycles.next()).flatten() {
+                Some(cycle) => {
+                    record.number("period_s", cycle.period).number("exact_period_s", cycle.exact_period)
+                }
+                None => record,
+            }
+        })
+    }
+
+    fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        csv::line(
+            out,
+            &[
+                "cycle",
+                "time_s",
+                "amplitude_rad",
+                "averaged_rad",
+                "small_amplitude_rad",
+                "loss_in_a_cycle",
+                "period_s",
+                "exact_period_s",
+            ],
+        )?;
+        for record in self.records() {
+            let Value::Object(fields) = record.into() else { continue };
+            let mut cells: Vec<String> = fields.values().map(ToString::to_string).collect();
+            cells.resize(8, String::new());
+            csv::line(out, &cells)?;
+        }
+        Ok(())
+    }
+
+    fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
+        sheet(out, &self.lines())?;
+        writeln!(out)?;
+        let titles = [
+            "cycle",
+            "t / s",
+            "amplitude / °",
+            "averaged / °",
+            "small amplitudes / °",
+            "time of the cycle / s",
+            "exact T / s",
+        ];
+        let mut table = Table::new(titles.map(Column::numbers).to_vec());
+        let cycles: Vec<Cycle<'_>> = self.report.cycles(self.decay).collect();
+        if let Some(start) = self.report.turns.first() {
+            table.row(out, [amplitudes(0, start), vec![String::new(); 2]].concat())?;
+        }
+        for (number, cycle) in cycles.iter().enumerate() {
+            let periods = [cycle.period, cycle.exact_period].map(|period| rounded(period, 8));
+            table.row(out, [amplitudes(2 * number + 2, cycle.end), periods.to_vec()].concat())?;
+        }
+        if let (Some(last), true) = (self.report.turns.last(), self.report.turns.len().is_multiple_of(2)) {
+            table
+                .row(out, [amplitudes(self.report.turns.len() - 1, last), vec![String::new(); 2]].concat())?;
+        }
+        table.finish(out)
+    }
+
+    fn lines(&self) -> Vec<(&'static str, String)> {
+        let mut lines = self.given.map_or_else(Vec::new, |given| given.lines().to_vec());
+        let pendulum = self.decay.pendulum();
+        lines.push(("ω0", format!("{} rad/s", rounded(pendulum.angular_frequency(), 13))));
+        lines.push(("equation", self.equation()));
+        lines.push(("energy lost", self.losses()));
+        let errors = [
+            ("averaging", self.report.largest_error(|turn| turn.averaged)),
+            ("small amplitudes", self.report.largest_error(|turn| turn.small)),
+        ];
+        lines.extend(errors.map(|(law, error)| (law, self.error(error))));
+        lines.push(("end", self.ending()));
+        lines
+    }
+
+    fn equation(&self) -> String {
+        let terms = self.decay.damping().terms().iter().map(|term| {
+            let c = short(term.coefficient, 12);
+            match term.exponent {
+                0.0 => format!(" + {c}·sign θ′"),
+                1.0 => format!(" + {c} θ′"),
+                2.0 => format!(" + {c} θ′|θ′|"),
+                3.0 => format!(" + {c} θ′³"),
+                n => format!(" + {c} θ′|θ′|^{}", short(n - 1.0, 12)),
+            }
+        });
+        format!("θ″{} + ω0² sin θ = 0", terms.collect::<String>())
+    }
+
+    fn losses(&self) -> String {
+        let loss = |turn: &Turn| {
+            format!("{} %", short(100.0 * self.decay.loss_in_a_cycle(&turn.point.amplitude), 3))
+        };
+        let [first, last] = [self.report.turns.first(), self.report.turns.last()]
+            .map(|turn| turn.map_or_else(String::new, loss));
+        format!(
+            "{first} in a cycle at the first amplitude, {last} at the last; averaging is for small losses"
+        )
+    }
+
+    fn error(&self, (error, number): (f64, usize)) -> String {
+        let amplitude = self.report.turns[number].point.amplitude.radians();
+        let part = short(100.0 * error / amplitude, 2);
+        let degrees = short(error.to_degrees(), 2);
+        format!("errs by at most {degrees}°, {part} % of the amplitude then, at cycle {}", half(number))
+    }
+
+    fn ending(&self) -> String {
+        let time = seconds(self.report.turns.last().map_or(f64::NAN, |turn| turn.point.time), 8);
+        let sticking = short(self.decay.sticking_amplitude().to_degrees(), 6);
+        match self.report.ending {
+            None => "not reached".to_owned(),
+            Some(Ending::Sticks) => {
+                format!("held by dry friction from {time} on, as at every amplitude up to {sticking}°")
+            }
+            Some(_) => format!(
+                "after {time} the damping is too strong for a swing: the pendulum creeps to the bottom"
+            ),
+        }
+    }
+}
+
+fn term_record(term: &DampingTerm) -> Record {
+    Record::new().number("exponent", term.exponent).number("coefficient", term.coefficient)
+}
+
+/// The number of a turning point in cycles: 0, 0.5, 1, ….
+fn half(number: usize) -> f64 {
+    0.5 * u32::try_from(number).map_or(f64::INFINITY, f64::from)
+}
+
+fn amplitudes(number: usize, turn: &Turn) -> Vec<String> {
+    let angles = [turn.point.amplitude.radians(), turn.averaged, turn.small];
+    let angles = angles.map(|angle| rounded(angle.to_degrees(), 8));
+    [vec![short(half(number), 12), rounded(turn.point.time, 9)], angles.to_vec()].concat()
+}
