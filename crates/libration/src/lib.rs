@@ -54,6 +54,7 @@
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
+//! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
@@ -88,6 +89,8 @@ pub mod perturbation;
 pub mod comparison;
 
 pub mod taylor;
+
+pub mod systems;
 
 pub mod decay;
 
