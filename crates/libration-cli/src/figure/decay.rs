@@ -12,8 +12,7 @@ const SAMPLES: u32 = 400;
 
 /// The turning points between both laws; below, the times of the cycles beside the exact period of the averaged amplitude.
 pub(crate) fn of(decay: &Decay, report: &Report) -> Picture {
-    let last = report.turns.last().map_or(0.0, |turn| turn.point.time);
-    let to = if last > 0.0 { last } else { decay.pendulum().small_angle_period() };
+    let (_, to) = around(report.turns.iter().map(|turn| turn.point.time));
     let times: Vec<f64> = (0..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES)).collect();
     let x = Axis::linear("time t / s", 0.0, to);
     let unlabelled = Axis { label: String::new(), ..x.clone() };
@@ -34,7 +33,7 @@ fn amplitudes(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
     let turn = |turn: &Turn| Point::new(turn.point.time, turn.point.amplitude.radians().to_degrees());
     vec![
         curve("averaged", style::curve(0), decay.envelope(Law::Averaged)),
-        curve("small amplitudes", style::curve(1), decay.envelope(Law::SmallAmplitude)),
+        curve("law of small amplitudes", style::curve(1), decay.envelope(Law::SmallAmplitude)),
         markers("turning points", report.turns.iter().map(turn).collect()),
     ]
 }
@@ -49,7 +48,7 @@ fn periods(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
     let ends = [times.first(), times.last()]
         .map(|time| (time.copied().unwrap_or(0.0), pendulum.small_angle_period()));
     vec![
-        Series::line("exact T of that amplitude", style::curve(2), exact),
+        Series::line("exact T of the averaged amplitude", style::curve(2), exact),
         Series::line("T₀", style::reference(), ends),
         markers(
             "times of cycles",

@@ -2,6 +2,7 @@
 
 use super::options::Extent;
 use crate::failure::Failure;
+use crate::output::number::short;
 use libration::decay::{Decay, Ending, Law, TurningPoint};
 
 /// The turning points, the first of which is the release, and why there are no more.
@@ -44,7 +45,11 @@ impl Report {
             let [averaged, small] = [averaged, small].map(|envelope| envelope.amplitude_at(point.time));
             turns.push(Turn { point, averaged, small });
         }
-        Ok(Self { turns, ending: swings.ending() })
+        let report = Self { turns, ending: swings.ending() };
+        report
+            .ending
+            .filter(|_| report.turns.len() == 1)
+            .map_or(Ok(report), |ending| Err(no_swing(decay, ending)))
     }
 
     /// The whole cycles.
@@ -62,4 +67,18 @@ impl Report {
         let errors = self.turns.iter().map(|turn| (law(turn) - turn.point.amplitude.radians()).abs());
         errors.zip(0..).fold((0.0, 0), |largest, error| if error.0 > largest.0 { error } else { largest })
     }
+}
+
+/// Why a pendulum that was released does not swing.
+fn no_swing(decay: &Decay, ending: Ending) -> Failure {
+    let reason = if ending == Ending::Sticks {
+        let held = short(decay.sticking_amplitude().to_degrees(), 6);
+        format!(
+            "dry friction holds the pendulum where it is released, as up to {held}° from the bottom and from the top: give another amplitude"
+        )
+    } else {
+        "the damping is too strong for a swing, the pendulum creeps to the bottom: give smaller coefficients"
+            .to_owned()
+    };
+    Failure::no_answer("decay", reason)
 }

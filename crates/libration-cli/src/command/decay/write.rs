@@ -148,12 +148,13 @@ impl Answer<'_> {
 
     fn losses(&self) -> String {
         let loss = |turn: &Turn| {
-            format!("{} %", short(100.0 * self.decay.loss_in_a_cycle(&turn.point.amplitude), 3))
+            let part = self.decay.loss_in_a_cycle(&turn.point.amplitude);
+            if part < 1.0 { format!("{} %", short(100.0 * part, 3)) } else { "all of it".to_owned() }
         };
-        let [first, last] = [self.report.turns.first(), self.report.turns.last()]
-            .map(|turn| turn.map_or_else(String::new, loss));
+        let ends = [self.report.turns.first(), self.report.turns.last()];
+        let [first, last] = ends.map(|turn| turn.map_or_else(String::new, loss));
         format!(
-            "{first} in a cycle at the first amplitude, {last} at the last; averaging is for small losses"
+            "in a cycle {first} at the first amplitude, {last} at the last; averaging is for small losses"
         )
     }
 
@@ -168,7 +169,7 @@ impl Answer<'_> {
         let time = seconds(self.report.turns.last().map_or(f64::NAN, |turn| turn.point.time), 8);
         let sticking = short(self.decay.sticking_amplitude().to_degrees(), 6);
         match self.report.ending {
-            None => "not reached".to_owned(),
+            None => "none yet: the pendulum swings on".to_owned(),
             Some(Ending::Sticks) => {
                 format!("held by dry friction from {time} on, as at every amplitude up to {sticking}°")
             }
