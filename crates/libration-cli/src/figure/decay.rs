@@ -47,13 +47,12 @@ fn periods(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
     });
     let ends = [times.first(), times.last()]
         .map(|time| (time.copied().unwrap_or(0.0), pendulum.small_angle_period()));
+    let cycles =
+        report.rows(decay).filter_map(|row| row.whole).map(|cycle| Point::new(cycle.middle, cycle.duration));
     vec![
         Series::line("exact T of the averaged amplitude", style::curve(2), exact),
         Series::line("T₀", style::reference(), ends),
-        markers(
-            "times of cycles",
-            report.cycles(decay).map(|cycle| Point::new(cycle.middle.point.time, cycle.period)).collect(),
-        ),
+        markers("times of cycles", cycles.collect()),
     ]
 }
 

@@ -130,9 +130,11 @@ impl Cycle {
         let (k, complementary) = (self.modulus.hi, self.complementary.hi);
         let term = |step: i32| {
             let tangent = libm::exp(f64::from(step) / STEPS_PER_UNIT);
-            let sine = tangent / libm::hypot(1.0, tangent);
+            let square = tangent * tangent;
+            let sine = tangent / (1.0 + square).sqrt();
             // The sum exponent + 1 would be rounded.
-            libm::pow(2.0 * k * sine, exponent) * 2.0 * k * sine * sine / libm::hypot(complementary, tangent)
+            libm::pow(2.0 * k * sine, exponent) * 2.0 * k * sine * sine
+                / (complementary * complementary + square).sqrt()
         };
         let above = (1..).take_while(|&step| f64::from(step) < TAIL * STEPS_PER_UNIT);
         let below = (0..).take_while(|&step| f64::from(step) * (exponent + 1.0) < TAIL * STEPS_PER_UNIT);

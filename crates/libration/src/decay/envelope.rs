@@ -60,11 +60,13 @@ impl<'a> Envelope<'a> {
         if left.is_nan() { f64::NAN } else { 0.0 }
     }
 
-    /// When the amplitude has fallen to this one, in seconds; zero where it is not below the start.
+    /// When the amplitude has fallen to this one, in seconds; zero where it is not below the start. Amplitudes below 1e-100 rad count
+    /// as 1e-100.
     #[must_use]
     pub fn time_of(&self, amplitude: &Amplitude) -> f64 {
         let modulus = amplitude.modulus();
-        let whole = libm::log(self.tangent / (modulus.modulus() / modulus.complementary_modulus()));
+        let tangent = modulus.modulus() / modulus.complementary_modulus();
+        let whole = libm::log(self.tangent / tangent.max(0.5 * LEAST_AMPLITUDE));
         let (mut fall, mut time) = (0.0, 0.0);
         while fall < whole {
             let panel = PANEL.min(whole - fall);
@@ -77,13 +79,16 @@ impl<'a> Envelope<'a> {
     /// The further fall in a panel that takes so much time, by Newton's rule; `whole` is the time of the panel.
     fn part(&self, fall: f64, time: f64, whole: f64) -> f64 {
         const MOST: usize = 40;
+        if whole.is_infinite() {
+            return 0.0;
+        }
         let mut further = PANEL * (time / whole);
         for _ in 0..MOST {
             let missing = time - self.duration(fall, further);
             let step = missing / self.slowness(fall + further);
             further = (further + step).clamp(0.0, PANEL);
             // The error is squared at each step.
-            if !(step.abs() > 1e-9) {
+            if step.abs() <= 1e-9 {
                 break;
             }
         }

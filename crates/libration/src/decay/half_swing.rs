@@ -30,8 +30,8 @@ struct Frame {
 }
 
 /// A swing that takes longer than this, beside the half period without damping, is none.
-const LONGEST: f64 = 1e4;
-const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 100_000 };
+const LONGEST: f64 = 1e3;
+const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };
 
 impl HalfSwing {
     pub(super) fn new(damping: &Damping) -> Self {
@@ -44,7 +44,7 @@ impl HalfSwing {
     }
 
     /// How long the swing from this amplitude takes, and the amplitude it arrives at; `None` if it does not pass the bottom.
-    pub(super) fn from(&self, amplitude: &Amplitude) -> Result<Option<(f64, Amplitude)>, IntegrationError> {
+    pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Option<(f64, Amplitude)>, IntegrationError> {
         let high = amplitude.radians() > FRAC_PI_2;
         let (frame, start) = match high {
             true => (&self.from_top, amplitude.complement()),
@@ -92,16 +92,16 @@ impl HalfSwing {
 impl Frame {
     /// The deceleration by gravity, positive behind the bottom.
     fn gravity(&self, coordinate: f64) -> f64 {
-        libm::sin(self.from_bottom(coordinate))
+        libm::sin(self.angle(coordinate))
     }
 
-    fn from_bottom(&self, coordinate: f64) -> f64 {
+    fn angle(&self, coordinate: f64) -> f64 {
         (two_sum(coordinate, -self.bottom.hi) + DoubleDouble::from(-self.bottom.lo)).to_f64()
     }
 
     /// The amplitude of a turning point; `None` if it is not behind the bottom.
     fn amplitude(&self, coordinate: f64) -> Option<Amplitude> {
-        let angle = self.from_bottom(coordinate);
+        let angle = self.angle(coordinate);
         let amplitude = Amplitude::new(Angle::from_radians(angle).ok()?).ok()?;
         (angle > LEAST_AMPLITUDE).then_some(amplitude)
     }

@@ -2,9 +2,10 @@
 //! point to turning point, by averaging with the exact loss of energy in a cycle at any amplitude, and by the law of small
 //! amplitudes.
 //!
-//! n = 0 is dry friction, n = 1 viscous damping, n = 2 the drag of a fast flow. Averaging takes the motion of one cycle for
-//! that of the pendulum without damping, so it holds while a cycle takes a small part of the energy: the error of
-//! the amplitude it leaves is of the order of that part squared. Towards the end of every motion with n < 1 it fails.
+//! n = 0 is dry friction, n = 1 viscous damping, n = 2 the drag of a fast flow. Averaging takes each cycle for one of the
+//! pendulum without damping, so it holds while a cycle takes a small part of the energy, and of the energy that is missing
+//! to the top, where the period depends on it; its error falls with the square of the damping. Next to the top it
+//! fails however weak the damping is, and so it does at the end of every motion with n < 1.
 
 mod error;
 

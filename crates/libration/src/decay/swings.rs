@@ -21,8 +21,8 @@ pub struct TurningPoint {
 pub enum Ending {
     /// Dry friction holds the pendulum where it turned.
     Sticks,
-    /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 10 000 after
-    /// its last turn, or within 100 000 steps.
+    /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after
+    /// its last turn, or within 20 000 steps.
     Creeps,
 }
 
@@ -63,7 +63,7 @@ impl<'a> Swings<'a> {
         if gravity <= self.decay.scaled.coefficient_of(0.0) {
             return Ok(Err(Ending::Sticks));
         }
-        Ok(self.swing.from(&amplitude)?.ok_or(Ending::Creeps))
+        Ok(self.swing.after(&amplitude)?.ok_or(Ending::Creeps))
     }
 }
 

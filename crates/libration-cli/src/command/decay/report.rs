@@ -19,12 +19,23 @@ pub(crate) struct Turn {
     pub(crate) small: f64,
 }
 
-/// The turning points at the end of a cycle and in its middle, with its time and the exact period of the amplitude there.
+/// A turning point with its number in cycles.
+pub(crate) struct Row<'a> {
+    /// 0, 0.5, 1, ….
+    pub(crate) cycle: f64,
+    pub(crate) turn: &'a Turn,
+    /// What is there at the end of a whole cycle.
+    pub(crate) whole: Option<Cycle>,
+}
+
+/// A whole cycle, in seconds.
 #[derive(Clone, Copy)]
-pub(crate) struct Cycle<'a> {
-    pub(crate) middle: &'a Turn,
-    pub(crate) end: &'a Turn,
-    pub(crate) period: f64,
+pub(crate) struct Cycle {
+    /// When its middle turning point is passed.
+    pub(crate) middle: f64,
+    /// How long it takes.
+    pub(crate) duration: f64,
+    /// The exact period of the amplitude in its middle.
     pub(crate) exact_period: f64,
 }
 
@@ -52,13 +63,16 @@ impl Report {
             .map_or(Ok(report), |ending| Err(no_swing(decay, ending)))
     }
 
-    /// The whole cycles.
-    pub(crate) fn cycles<'a>(&'a self, decay: &Decay) -> impl Iterator<Item = Cycle<'a>> {
+    /// All turning points.
+    pub(crate) fn rows(&self, decay: &Decay) -> impl Iterator<Item = Row<'_>> {
         let pendulum = decay.pendulum();
-        self.turns.windows(3).step_by(2).map(move |turns| {
-            let [start, middle, end] = [&turns[0], &turns[1], &turns[2]];
-            let period = end.point.time - start.point.time;
-            Cycle { middle, end, period, exact_period: pendulum.period(&middle.point.amplitude) }
+        self.turns.iter().enumerate().map(move |(number, turn)| {
+            let whole = (number > 0 && number.is_multiple_of(2)).then(|| {
+                let [start, middle] = [&self.turns[number - 2].point, &self.turns[number - 1].point];
+                let duration = turn.point.time - start.time;
+                Cycle { middle: middle.time, duration, exact_period: pendulum.period(&middle.amplitude) }
+            });
+            Row { cycle: in_cycles(number), turn, whole }
         })
     }
 
@@ -67,6 +81,11 @@ impl Report {
         let errors = self.turns.iter().map(|turn| (law(turn) - turn.point.amplitude.radians()).abs());
         errors.zip(0..).fold((0.0, 0), |largest, error| if error.0 > largest.0 { error } else { largest })
     }
+}
+
+/// The number of a turning point, in cycles.
+pub(super) fn in_cycles(number: usize) -> f64 {
+    0.5 * u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
 /// Why a pendulum that was released does not swing.

@@ -1,10 +1,10 @@
 //! A decay as table, JSON and CSV.
 
-use super::report::{Cycle, Report, Turn};
+use super::report::{Report, Row, Turn, in_cycles};
 use crate::arguments::PendulumOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::number::{rounded, seconds, short};
+use crate::output::number::{exact, rounded, seconds, short};
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv};
 use libration::decay::{DampingTerm, Decay, Ending};
@@ -46,49 +46,39 @@ impl Answer<'_> {
             .number("largest_error_small_amplitude_rad", self.report.largest_error(|turn| turn.small).0)
     }
 
-    /// Turning points, at whole cycles with the time of the cycle.
     fn records(&self) -> impl Iterator<Item = Record> {
-        let mut cycles = self.report.cycles(self.decay);
-        self.report.turns.iter().enumerate().map(move |(number, turn)| {
+        self.report.rows(self.decay).map(|row| {
             let record = Record::new()
-                .with("cycle", half(number))
-                .number("time_s", turn.point.time)
-                .number("amplitude_rad", turn.point.amplitude.radians())
-                .number("averaged_rad", turn.averaged)
-                .number("small_amplitude_rad", turn.small)
-                .number("loss_in_a_cycle", self.decay.loss_in_a_cycle(&turn.point.amplitude));
-            match (number > 0 && number.is_multiple_of(2)).then(|| cycles.next()).flatten() {
-                Some(cycle) => {
-                    record.number("period_s", cycle.period).number("exact_period_s", cycle.exact_period)
-                }
+                .with("cycle", row.cycle)
+                .number("time_s", row.turn.point.time)
+                .number("amplitude_rad", row.turn.point.amplitude.radians())
+                .number("averaged_rad", row.turn.averaged)
+                .number("small_amplitude_rad", row.turn.small)
+                .number("loss_in_a_cycle", self.decay.loss_in_a_cycle(&row.turn.point.amplitude));
+            match row.whole {
+                Some(cycle) => record
+                    .number("duration_of_the_cycle_s", cycle.duration)
+                    .number("exact_period_s", cycle.exact_period),
                 None => record,
             }
         })
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        csv::line(
-            out,
-            &[
-                "cycle",
-                "time_s",
-                "amplitude_rad",
-                "averaged_rad",
-                "small_amplitude_rad",
-                "loss_in_a_cycle",
-                "period_s",
-                "exact_period_s",
-            ],
-        )?;
-        for record in self.records() {
-            let Value::Object(fields) = record.into() else { continue };
-            let mut cells: Vec<String> = fields.values().map(ToString::to_string).collect();
-            cells.resize(8, String::new());
-            csv::line(out, &cells)?;
+        let names =
+            ["cycle", "time_s", "amplitude_rad", "averaged_rad", "small_amplitude_rad", "loss_in_a_cycle"];
+        csv::line(out, &[&names[..], &["duration_of_the_cycle_s", "exact_period_s"]].concat())?;
+        for row in self.report.rows(self.decay) {
+            let Turn { point, averaged, small } = row.turn;
+            let loss = self.decay.loss_in_a_cycle(&point.amplitude);
+            let numbers = [row.cycle, point.time, point.amplitude.radians(), *averaged, *small, loss];
+            let whole = row.whole.map(|cycle| [cycle.duration, cycle.exact_period].map(exact));
+            csv::line(out, &[numbers.map(exact).to_vec(), whole.unwrap_or_default().to_vec()].concat())?;
         }
         Ok(())
     }
 
+    /// Whole cycles, and what is left of one at the end.
     fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
         sheet(out, &self.lines())?;
         writeln!(out)?;
@@ -102,17 +92,11 @@ impl Answer<'_> {
             "exact T / s",
         ];
         let mut table = Table::new(titles.map(Column::numbers).to_vec());
-        let cycles: Vec<Cycle<'_>> = self.report.cycles(self.decay).collect();
-        if let Some(start) = self.report.turns.first() {
-            table.row(out, [amplitudes(0, start), vec![String::new(); 2]].concat())?;
-        }
-        for (number, cycle) in cycles.iter().enumerate() {
-            let periods = [cycle.period, cycle.exact_period].map(|period| rounded(period, 8));
-            table.row(out, [amplitudes(2 * number + 2, cycle.end), periods.to_vec()].concat())?;
-        }
-        if let (Some(last), true) = (self.report.turns.last(), self.report.turns.len().is_multiple_of(2)) {
-            table
-                .row(out, [amplitudes(self.report.turns.len() - 1, last), vec![String::new(); 2]].concat())?;
+        let last = self.report.turns.len() - 1;
+        for (number, row) in self.report.rows(self.decay).enumerate() {
+            if number.is_multiple_of(2) || number == last {
+                table.row(out, cells(&row))?;
+            }
         }
         table.finish(out)
     }
@@ -154,7 +138,7 @@ impl Answer<'_> {
         let ends = [self.report.turns.first(), self.report.turns.last()];
         let [first, last] = ends.map(|turn| turn.map_or_else(String::new, loss));
         format!(
-            "in a cycle {first} at the first amplitude, {last} at the last; averaging is for small losses"
+            "in a cycle {first} at the first amplitude, {last} at the last; averaging is for small losses, not next to the top"
         )
     }
 
@@ -162,7 +146,7 @@ impl Answer<'_> {
         let amplitude = self.report.turns[number].point.amplitude.radians();
         let part = short(100.0 * error / amplitude, 2);
         let degrees = short(error.to_degrees(), 2);
-        format!("errs by at most {degrees}°, {part} % of the amplitude then, at cycle {}", half(number))
+        format!("errs by at most {degrees}°, {part} % of the amplitude then, at cycle {}", in_cycles(number))
     }
 
     fn ending(&self) -> String {
@@ -184,13 +168,10 @@ fn term_record(term: &DampingTerm) -> Record {
     Record::new().number("exponent", term.exponent).number("coefficient", term.coefficient)
 }
 
-/// The number of a turning point in cycles: 0, 0.5, 1, ….
-fn half(number: usize) -> f64 {
-    0.5 * u32::try_from(number).map_or(f64::INFINITY, f64::from)
-}
-
-fn amplitudes(number: usize, turn: &Turn) -> Vec<String> {
-    let angles = [turn.point.amplitude.radians(), turn.averaged, turn.small];
-    let angles = angles.map(|angle| rounded(angle.to_degrees(), 8));
-    [vec![short(half(number), 12), rounded(turn.point.time, 9)], angles.to_vec()].concat()
+fn cells(row: &Row<'_>) -> Vec<String> {
+    let Turn { point, averaged, small } = row.turn;
+    let angles = [point.amplitude.radians(), *averaged, *small].map(|angle| rounded(angle.to_degrees(), 8));
+    let whole = row.whole.map(|cycle| [cycle.duration, cycle.exact_period].map(|time| rounded(time, 8)));
+    let time = [short(row.cycle, 12), rounded(point.time, 9)];
+    [time.to_vec(), angles.to_vec(), whole.unwrap_or_default().to_vec()].concat()
 }
