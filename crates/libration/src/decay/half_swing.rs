@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use super::turning::{self, arrival, departure};
-use super::{Damping, LEAST_AMPLITUDE};
+use super::{Damping, Ending, LEAST_AMPLITUDE};
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::pendulum::Amplitude;
 use crate::quantity::Angle;
@@ -29,6 +29,9 @@ struct Frame {
     bottom: DoubleDouble,
 }
 
+/// The duration of a swing and the amplitude at its end, or why it has none.
+pub(super) type Turn = Result<(f64, Amplitude), Ending>;
+
 /// A swing that takes longer than this, beside the half period without damping, is none.
 const LONGEST: f64 = 1e3;
 const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };
@@ -43,25 +46,42 @@ impl HalfSwing {
         }
     }
 
-    /// How long the swing from this amplitude takes, and the amplitude it arrives at; `None` if it does not pass the bottom.
-    pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Option<(f64, Amplitude)>, IntegrationError> {
+    /// How long the swing from this amplitude takes, and the amplitude it arrives at.
+    pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Turn, IntegrationError> {
+        if amplitude.sine() <= self.damping.coefficient_of(0.0) {
+            return Ok(Err(Ending::Sticks));
+        }
         let high = amplitude.radians() > FRAC_PI_2;
         let (frame, start) = match high {
             true => (&self.from_top, amplitude.complement()),
             false => (&self.from_bottom, -amplitude.radians()),
         };
         let start = self.release(start, amplitude.sine());
-        let end = start.time + 2.0 * amplitude.modulus().first() + LONGEST;
+        let longest = 2.0 * amplitude.modulus().first() + LONGEST;
+        let Some((time, coordinate)) = self.turn(frame, &start, longest)? else {
+            return Ok(Err(Ending::Creeps));
+        };
+        Ok(frame.amplitude(coordinate).map(|amplitude| (time, amplitude)))
+    }
+
+    /// When and where the pendulum comes to rest, if it does so in time.
+    fn turn(
+        &self,
+        frame: &Frame,
+        start: &Moment,
+        longest: f64,
+    ) -> Result<Option<(f64, f64)>, IntegrationError> {
         let mut turn = None;
-        let outcome = integrate(&frame.system, &start, &[end], &EFFORT, |step| {
+        let outcome = integrate(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
             turn = self.turn_in(step, frame);
             if turn.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         match outcome {
-            Err(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) | Ok(_) => {}
-            Err(error) => return Err(error),
+            Err(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) | Ok(_) => {
+                Ok(turn)
+            }
+            Err(error) => Err(error),
         }
-        Ok(turn.and_then(|(time, coordinate)| Some((time, frame.amplitude(coordinate)?))))
     }
 
     /// A state with which the integration can begin: at rest, or a little later where rest has no Taylor series.
@@ -99,11 +119,14 @@ impl Frame {
         (two_sum(coordinate, -self.bottom.hi) + DoubleDouble::from(-self.bottom.lo)).to_f64()
     }
 
-    /// The amplitude of a turning point; `None` if it is not behind the bottom.
-    fn amplitude(&self, coordinate: f64) -> Option<Amplitude> {
+    /// The amplitude of a turning point, which is behind the bottom.
+    fn amplitude(&self, coordinate: f64) -> Result<Amplitude, Ending> {
         let angle = self.angle(coordinate);
-        let amplitude = Amplitude::new(Angle::from_radians(angle).ok()?).ok()?;
-        (angle > LEAST_AMPLITUDE).then_some(amplitude)
+        if angle <= LEAST_AMPLITUDE {
+            return Err(if angle > 0.0 { Ending::Vanishes } else { Ending::Creeps });
+        }
+        let amplitude = Angle::from_radians(angle).ok().and_then(|angle| Amplitude::new(angle).ok());
+        amplitude.ok_or(Ending::Creeps)
     }
 }
 

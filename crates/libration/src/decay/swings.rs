@@ -1,6 +1,6 @@
 //! From turning point to turning point by integration.
 
-use super::half_swing::HalfSwing;
+use super::half_swing::{HalfSwing, Turn};
 use super::{Decay, DecayError};
 use crate::double_double::DoubleDouble;
 use crate::pendulum::Amplitude;
@@ -24,6 +24,8 @@ pub enum Ending {
     /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after
     /// its last turn, or within 20 000 steps.
     Creeps,
+    /// The amplitude is below 1e-100 rad.
+    Vanishes,
 }
 
 /// The turning points of a damped pendulum, in the order of time; see [`Decay::swings`]. After an error there are no more.
@@ -55,15 +57,8 @@ impl<'a> Swings<'a> {
     }
 
     /// The turning point after the last one, or why there is none.
-    fn following(&self) -> Result<Result<(f64, Amplitude), Ending>, IntegrationError> {
-        let Some(amplitude) = self.amplitude else {
-            return Ok(Ok((0.0, self.decay.start)));
-        };
-        let gravity = amplitude.sine();
-        if gravity <= self.decay.scaled.coefficient_of(0.0) {
-            return Ok(Err(Ending::Sticks));
-        }
-        Ok(self.swing.after(&amplitude)?.ok_or(Ending::Creeps))
+    fn following(&self) -> Result<Turn, IntegrationError> {
+        self.amplitude.map_or(Ok(Ok((0.0, self.decay.start))), |amplitude| self.swing.after(&amplitude))
     }
 }
 

@@ -232,6 +232,15 @@ fn strong_damping_lets_it_creep() {
 }
 
 #[test]
+fn an_amplitude_below_all_others_has_vanished() {
+    // Half a cycle leaves e^(−1.8π/√(4 − 1.8²)) = e^−6.49 of the amplitude, 35 of them 3e-99.
+    let decay = decay(&[(1.0, 1.8)], 0.5);
+    let mut swings = decay.swings();
+    assert_eq!(swings.by_ref().map(Result::unwrap).count(), 36);
+    assert_eq!(swings.ending(), Some(Ending::Vanishes));
+}
+
+#[test]
 fn the_top_is_not_lost() {
     let start = Angle::from_complement(1e-100).unwrap();
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();

@@ -34,6 +34,7 @@ impl Answer<'_> {
             self.decay.damping().terms().iter().map(|term| term_record(term).into()).collect();
         let ending = self.report.ending.map(|ending| match ending {
             Ending::Sticks => "sticks",
+            Ending::Vanishes => "vanishes",
             _ => "creeps",
         });
         self.given
@@ -157,6 +158,7 @@ impl Answer<'_> {
             Some(Ending::Sticks) => {
                 format!("held by dry friction from {time} on, as at every amplitude up to {sticking}°")
             }
+            Some(Ending::Vanishes) => format!("after {time} the amplitude is below 1e-100 rad"),
             Some(_) => format!(
                 "after {time} the damping is too strong for a swing: the pendulum creeps to the bottom"
             ),
