@@ -36,6 +36,11 @@ pub(crate) fn measurements(count: usize) -> Look {
     Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(0) }
 }
 
+/// The look of what happens at single times of a motion, beside curves of the first colours.
+pub(crate) fn turning_points(count: usize) -> Look {
+    Look { colour: COLOURS[4], ..measurements(count) }
+}
+
 /// The thin line that joins the markers with this number.
 pub(crate) fn thin(number: usize) -> Look {
     Look { width: 1.2, ..curve(number) }

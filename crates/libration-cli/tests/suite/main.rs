@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod command;
+mod decay;
 mod derive;
 mod expand;
 mod figures;

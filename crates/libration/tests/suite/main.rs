@@ -9,6 +9,7 @@ mod ulp;
 
 mod accuracy;
 mod architecture;
+mod decay;
 mod elliptic;
 mod equation;
 mod events;
