@@ -67,6 +67,8 @@ impl Ring for Doubles {
             Function::Exp => libm::exp(at),
             Function::Ln => libm::log(at),
             Function::Abs => at.abs(),
+            Function::Sign if at == 0.0 => 0.0,
+            Function::Sign => at.signum(),
         })
     }
 

@@ -94,6 +94,8 @@ impl Ring for Floats {
             Function::Exp => Some(at.exp()),
             Function::Ln => positive.then(|| at.ln()),
             Function::Abs => Some(magnitude),
+            Function::Sign if at.is_zero() => Some(zero),
+            Function::Sign => Some(if positive { one } else { -one }),
         }
     }
 
@@ -111,7 +113,7 @@ impl Ring for Floats {
 const fn largest_exponent(function: Function) -> isize {
     match function {
         Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => 20,
-        Function::Abs | Function::Sqrt | Function::Ln => isize::MAX,
+        Function::Abs | Function::Sign | Function::Sqrt | Function::Ln => isize::MAX,
         _ => 40,
     }
 }

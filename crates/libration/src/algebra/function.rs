@@ -29,11 +29,13 @@ pub enum Function {
     Ln,
     /// |x|.
     Abs,
+    /// −1 below zero, 0 at it, 1 above it.
+    Sign,
 }
 
 impl Function {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Sqrt,
         Self::Sin,
         Self::Cos,
@@ -47,6 +49,7 @@ impl Function {
         Self::Exp,
         Self::Ln,
         Self::Abs,
+        Self::Sign,
     ];
 
     /// The name it has in text: `sqrt`, `sin`, ….
@@ -66,6 +69,7 @@ impl Function {
             Self::Exp => "exp",
             Self::Ln => "ln",
             Self::Abs => "abs",
+            Self::Sign => "sign",
         }
     }
 

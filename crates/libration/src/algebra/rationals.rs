@@ -58,6 +58,8 @@ impl Ring for Rationals {
         match function {
             Function::Sqrt => at.square_root(),
             Function::Abs => Some(at.magnitude()),
+            Function::Sign if at.is_zero() => Some(self.zero()),
+            Function::Sign => Some(if at.is_negative() { -one } else { one }),
             Function::Cos | Function::Cosh | Function::Exp => at.is_zero().then_some(one),
             Function::Ln | Function::Acos => (*at == one).then(|| self.zero()),
             Function::Sin

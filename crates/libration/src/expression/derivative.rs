@@ -5,7 +5,7 @@ use super::{Expression, Function, Symbol};
 
 impl Expression {
     /// The partial derivative with respect to a symbol, in the form of [`simplified`](Self::simplified). A symbol and
-    /// its time derivatives are independent of each other. |u| has the derivative u·u′/|u|, undefined at zero.
+    /// its time derivatives are independent of each other. |u| has the derivative u·u′/|u|, undefined at zero, and sign(u) has 0, where it jumps too.
     #[must_use]
     pub fn derivative(&self, by: &Symbol) -> Self {
         self.simplified().derivative_of_simplified(by)
@@ -70,6 +70,7 @@ fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression 
         Function::Ln => quotient(inner, u.clone()),
         Function::Sqrt => quotient(inner, product(Expression::from(2), of(Function::Sqrt))),
         Function::Abs => quotient(product(u.clone(), inner), of(Function::Abs)),
+        Function::Sign => Expression::from(0),
         Function::Asin => quotient(inner, call(Function::Sqrt, one_minus_square())),
         Function::Acos => negative(quotient(inner, call(Function::Sqrt, one_minus_square()))),
         Function::Atan => quotient(inner, sum(Expression::from(1), square(u.clone()))),
@@ -97,6 +98,7 @@ mod tests {
             ("2^x", "2^x*ln(2)"),
             ("x^a", "a*x^(a - 1)"),
             ("abs(x)", "x/abs(x)"),
+            ("x*sign(x)", "sign(x)"),
             ("tanh(-x)", "-1/cosh(x)^2"),
         ] {
             let found = formula(text).derivative(&Symbol::plain("x"));

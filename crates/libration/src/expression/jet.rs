@@ -148,6 +148,7 @@ impl<'a, R: Ring> Jet<'a, R> {
             Operation::Power(a, ref exponent) => ring.power(self.zeroth(a), exponent),
             Operation::Exp(a) => ring.value(Function::Exp, self.zeroth(a)),
             Operation::Abs(a) => ring.value(Function::Abs, self.zeroth(a)),
+            Operation::Sign(a) => ring.value(Function::Sign, self.zeroth(a)),
             Operation::Paired { function, of, .. }
             | Operation::Tangent { function, of }
             | Operation::Inverse { function, of, .. } => ring.value(function, self.zeroth(of)),
@@ -197,6 +198,8 @@ impl<'a, R: Ring> Jet<'a, R> {
                 let sign = ring.divide(self.zeroth(place), self.zeroth(a))?;
                 Some(ring.multiply(&sign, &at(a).plain[n]))
             }
+            // Constant on either side of zero, where it has no series.
+            Operation::Sign(a) => (!ring.is_zero(self.zeroth(a))).then(|| ring.zero()),
         }
     }
 
@@ -240,7 +243,7 @@ mod tests {
 
     #[test]
     fn elementary_functions_have_their_taylor_series() {
-        let known: [(Function, i64, [&str; 6]); 12] = [
+        let known: [(Function, i64, [&str; 6]); 13] = [
             (Function::Sin, 0, ["0", "1", "0", "-1/6", "0", "1/120"]),
             (Function::Cos, 0, ["1", "0", "-1/2", "0", "1/24", "0"]),
             (Function::Tan, 0, ["0", "1", "0", "1/3", "0", "2/15"]),
@@ -253,6 +256,7 @@ mod tests {
             (Function::Ln, 1, ["0", "1", "-1/2", "1/3", "-1/4", "1/5"]),
             (Function::Sqrt, 4, ["2", "1/4", "-1/64", "1/512", "-5/16384", "7/131072"]),
             (Function::Abs, -3, ["3", "-1", "0", "0", "0", "0"]),
+            (Function::Sign, -3, ["-1", "0", "0", "0", "0", "0"]),
         ];
         for (function, at, coefficients) in known {
             assert_eq!(taylor(&call(function, x()), at, 6), coefficients, "{function:?}");

@@ -139,6 +139,7 @@ fn call(function: Function, a: &Expression, text: &mut String) {
         Function::Cosh => ("\\cosh\\left(", "\\right)"),
         Function::Tanh => ("\\tanh\\left(", "\\right)"),
         Function::Ln => ("\\ln\\left(", "\\right)"),
+        Function::Sign => ("\\operatorname{sgn}\\left(", "\\right)"),
     };
     text.push_str(open);
     a.write_latex(text);

@@ -195,7 +195,9 @@ impl Function {
     fn parity(self) -> Option<Parity> {
         match self {
             Self::Cos | Self::Cosh | Self::Abs => Some(Parity::Even),
-            Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh => Some(Parity::Odd),
+            Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh | Self::Sign => {
+                Some(Parity::Odd)
+            }
             Self::Sqrt | Self::Acos | Self::Exp | Self::Ln => None,
         }
     }

@@ -322,6 +322,7 @@ fn function(name: &str) -> Option<Function> {
         "arcsin" => Some(Function::Asin),
         "arccos" => Some(Function::Acos),
         "arctan" => Some(Function::Atan),
+        "sgn" => Some(Function::Sign),
         _ => Function::by_name(name),
     }
 }

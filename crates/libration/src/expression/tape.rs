@@ -39,6 +39,7 @@ pub(crate) enum Operation {
         divisor: usize,
     },
     Abs(usize),
+    Sign(usize),
 }
 
 /// The sign in the derivative of sin, cos, sinh and cosh.
@@ -106,6 +107,7 @@ fn operands(operation: &Operation) -> Vec<usize> {
         | Operation::Power(a, _)
         | Operation::Exp(a)
         | Operation::Abs(a)
+        | Operation::Sign(a)
         | Operation::Tangent { of: a, .. }
         | Operation::Paired { of: a, .. } => vec![a],
         Operation::Add(a, b)
@@ -253,6 +255,7 @@ impl Writer<'_> {
             }
             Function::Exp => self.place(Operation::Exp(of)),
             Function::Abs => self.place(Operation::Abs(of)),
+            Function::Sign => self.place(Operation::Sign(of)),
             Function::Sin => self.pair(function, Function::Cos, Slope::Minus, of).0,
             Function::Cos => self.pair(Function::Sin, function, Slope::Minus, of).1,
             Function::Sinh => self.pair(function, Function::Cosh, Slope::Plus, of).0,

@@ -1,15 +1,15 @@
-//! Absolute values as products with a sign, which stays what it is during a step.
+//! Absolute values as products with a sign, which stays what it is during a step; and signs.
 
 use crate::expression::{Expression, Function, Symbol};
 
-/// The arguments of the absolute values met so far, each once.
+/// The arguments of the absolute values and signs met so far, each once.
 #[derive(Debug, Default)]
 pub(super) struct Moduli {
     arguments: Vec<Expression>,
 }
 
 impl Moduli {
-    /// The formula with s·u in the place of each |u|.
+    /// The formula with s·u in the place of each |u|, and s in the place of sign(u).
     pub(super) fn taken_out(&mut self, formula: &Expression) -> Expression {
         let mut part = |a: &Expression| Box::new(self.taken_out(a));
         match formula {
@@ -23,6 +23,10 @@ impl Moduli {
             Expression::Call(Function::Abs, a) => {
                 let argument = part(a);
                 Expression::Multiply(Box::new(self.sign_of(&argument)), argument)
+            }
+            Expression::Call(Function::Sign, a) => {
+                let argument = part(a);
+                self.sign_of(&argument)
             }
             Expression::Call(function, a) => Expression::Call(*function, part(a)),
         }

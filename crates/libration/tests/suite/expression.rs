@@ -67,6 +67,7 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     ("x′ + x″ + x''", "(x' + x'')+x''"),
     ("x\"", "x''"),
     ("arcsin(x)+arctan(y)", "asin(x)+atan(y)"),
+    ("x'' + sgn(x')", "x'' + sign(x')"),
     ("√(2)", "sqrt(2)"),
     ("sin (x)", "sin(x)"),
     ("xy", "xy"),
@@ -276,6 +277,7 @@ fn latex_is_that_of_a_textbook() {
         ("2*3*(x-1)", r"2 \cdot 3 \left(x - 1\right)"),
         ("-exp(-x)^2", r"-\left(\mathrm{e}^{-x}\right)^{2}"),
         ("abs(mass)", r"\left|\mathrm{mass}\right|"),
+        ("sign(x)", r"\operatorname{sgn}\left(x\right)"),
         ("1e-30*pi", r"10^{-30} \pi"),
         ("(a/b)^2", r"\left(\frac{a}{b}\right)^{2}"),
     ] {
@@ -291,6 +293,7 @@ fn constants_are_worked_out_exactly() {
         ("sqrt(4/9)*8^(2/3)", "8/3"),
         ("cos(0) + exp(0) - ln(1) + sin(x-x)", "2"),
         ("abs(-0.5)", "1/2"),
+        ("sign(-0.5) + sign(0)", "-1"),
         ("0*x + 7", "7"),
     ] {
         assert_eq!(formula(text).to_rational(), Some(value.parse().unwrap()), "{text}");

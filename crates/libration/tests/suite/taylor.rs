@@ -189,6 +189,8 @@ fn absolute_values_go_on_with_their_other_branch() {
     // to half of 2⁻⁴³, which is what an f64 says of times about 500.
     let got = state_at("x'' = -abs(x)/x", &[1.0, 0.0], 400.0 * 2_f64.sqrt(), 1e-15);
     assert_close(&got, &[1.0, 0.0], 1e-11, "x'' = -|x|/x");
+    let got = state_at("x'' = -sign(x)", &[1.0, 0.0], 400.0 * 2_f64.sqrt(), 1e-15);
+    assert_close(&got, &[1.0, 0.0], 1e-11, "x'' = -sign(x)");
     // x'' = −x for x > 0, −4x for x < 0: half a turn each.
     let got = state_at("x'' = -2.5 x + 1.5 abs(x)", &[1.0, 0.0], 150.0 * PI, 1e-15);
     assert_close(&got, &[1.0, 0.0], 1e-12, "two springs");

@@ -16,6 +16,7 @@ fn what_vanishes_is_proved_to() {
         "(1 - (-v)^2)^(3/2) - (1 - v^2)^(3/2)",
         "x^2000000 * x^-2000000 - 1",
         "abs(-x*y) - abs(x*y)",
+        "sign(-x*y) + sgn(x*y)",
     ] {
         assert!(formula(text).vanishes(), "{text}");
     }
