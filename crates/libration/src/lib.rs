@@ -54,6 +54,7 @@
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
+//! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
@@ -87,6 +88,8 @@ pub mod perturbation;
 pub mod comparison;
 
 pub mod taylor;
+
+pub mod chaos;
 
 pub mod derivation;
 

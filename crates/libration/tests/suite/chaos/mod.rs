@@ -1,0 +1,4 @@
+//! Regular and chaotic motions.
+
+mod integrable;
+mod lyapunov;
