@@ -54,6 +54,7 @@
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
+//! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
@@ -89,6 +90,7 @@ pub mod comparison;
 
 pub mod taylor;
 
+pub mod systems;
 pub mod chaos;
 
 pub mod derivation;

@@ -3,19 +3,24 @@
 mod amplitudes;
 mod angle_list;
 mod formulas;
+mod initial;
 mod lines;
 mod negative;
 mod oscillator;
 mod pendulum;
+mod system;
 mod text;
 mod times;
+mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
 pub(crate) use formulas::FormulaChoice;
+pub(crate) use initial::{Initial, InitialOptions};
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
 pub(crate) use oscillator::{Chosen, OscillatorOptions};
 pub(crate) use pendulum::{PendulumOptions, motion};
+pub(crate) use system::SystemOptions;
 pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, positive};
 pub(crate) use times::TimeOptions;

@@ -1,5 +1,6 @@
 //! Which oscillator is meant: a key of the catalogue or an equation, with values for its parameters.
 
+use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::Failure;
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, Oscillator};
@@ -67,7 +68,7 @@ impl OscillatorOptions {
 
     pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
-        let given = self.values()?;
+        let given = values(&self.set)?;
         let (equation, key, title) = match &named {
             Ok(named) => (of_catalogue(named, &given)?, Some(named.key), named.title.to_owned()),
             Err(unknown) if is_like_a_key(&self.oscillator) => {
@@ -92,16 +93,6 @@ impl OscillatorOptions {
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
         equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
     }
-
-    fn values(&self) -> Result<Vec<(String, Expression)>, Failure> {
-        let items = self.set.iter().flat_map(|items| items.split(','));
-        items.map(value).collect()
-    }
-}
-
-/// Whether it is one word, and so no equation.
-fn is_like_a_key(text: &str) -> bool {
-    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
 }
 
 fn of_catalogue(named: &NamedOscillator, values: &[(String, Expression)]) -> Result<Equation, Failure> {
@@ -118,23 +109,4 @@ fn values_used(named: Option<&NamedOscillator>, given: &[(String, Expression)]) 
         .map(|parameter| (parameter.name.to_owned(), parameter.default.to_owned()));
     let given = given.iter().map(|(name, value)| (name.clone(), value.to_string()));
     given.chain(defaults).collect()
-}
-
-fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
-    values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect()
-}
-
-/// The name as equations have it: ω0 is omega0.
-fn plain_name(name: &str) -> String {
-    let name = name.trim();
-    name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
-}
-
-fn value(item: &str) -> Result<(String, Expression), Failure> {
-    let (name, value) = item.split_once('=').ok_or_else(|| {
-        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, as mu=0.1"))
-    })?;
-    let value =
-        value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
-    Ok((plain_name(name), value))
 }

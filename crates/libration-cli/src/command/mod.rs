@@ -11,6 +11,7 @@ pub(crate) mod motion;
 mod oscillators;
 mod paper;
 mod period;
+mod systems;
 
 use crate::failure::Failure;
 use std::io::Write;
@@ -45,6 +46,7 @@ enum Question {
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Systems(systems::Systems),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -68,6 +70,7 @@ impl Libration {
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Systems(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

@@ -95,6 +95,25 @@ pub(crate) fn sheet(out: &mut dyn Write, lines: &[(&str, String)]) -> io::Result
     Ok(())
 }
 
+/// Text broken at blanks before this column, further lines indented as far as the first word.
+pub(crate) fn paragraph(first: &str, text: &str, column: usize) -> String {
+    let indent = first.chars().count();
+    let (mut written, mut width) = (first.to_owned(), indent);
+    for (place, word) in text.split_whitespace().enumerate() {
+        let letters = word.chars().count();
+        if place > 0 && width + 1 + letters > column {
+            written.push_str(&format!("\n{:indent$}", ""));
+            width = indent;
+        } else if place > 0 {
+            written.push(' ');
+            width += 1;
+        }
+        written.push_str(word);
+        width += letters;
+    }
+    written
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,6 +131,12 @@ mod tests {
     #[test]
     fn columns_are_aligned_by_letters_and_not_by_bytes() {
         assert_eq!(written(2), "name  x / m\nθ         0\nθ         1\n");
+    }
+
+    #[test]
+    fn paragraphs_are_broken_before_the_column() {
+        assert_eq!(paragraph("θ: ", "one two three", 10), "θ: one two\n   three");
+        assert_eq!(paragraph("θ: ", "a-very-long-word", 10), "θ: a-very-long-word");
     }
 
     #[test]

@@ -20,6 +20,7 @@ mod equation;
 
 mod jet;
 mod tape;
+mod value;
 
 use crate::algebra::Rational;
 

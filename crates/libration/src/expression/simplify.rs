@@ -131,14 +131,36 @@ pub(super) fn product(a: Expression, b: Expression) -> Expression {
     }
 }
 
-/// Numbers that multiply each other across two products are joined.
+/// Numbers that multiply each other across two products are joined, and so are |u|ⁿ and sign(u).
 fn product_of_unsigned(a: Expression, b: Expression) -> Expression {
+    if let Some(power) = signed_power(&a, &b) {
+        return power;
+    }
     if let (Expression::Number(n), Expression::Multiply(m, rest)) = (&a, &b)
         && let Expression::Number(m) = &**m
     {
         return product(Expression::Number(Rationals.multiply(n, m)), (**rest).clone());
     }
     Expression::Multiply(Box::new(a), Box::new(b))
+}
+
+/// |u|ⁿ·sign(u) for a whole n above zero: uⁿ when n is odd, and uⁿ⁻¹·|u| when it is even.
+fn signed_power(modulus: &Expression, sign: &Expression) -> Option<Expression> {
+    let Expression::Call(Function::Sign, u) = sign else { return None };
+    let (base, exponent) = match modulus {
+        Expression::Power(base, exponent) => (&**base, exponent.number()?.clone()),
+        base => (base, Rational::from(1)),
+    };
+    let whole = exponent.is_integer() && !exponent.is_negative() && !exponent.is_zero();
+    if !whole || *base != Expression::Call(Function::Abs, u.clone()) {
+        return None;
+    }
+    let half = Rationals.over_integer(&exponent, 2)?;
+    if !half.is_integer() {
+        return Some(power((**u).clone(), Expression::Number(exponent)));
+    }
+    let lower = Expression::Number(Rationals.subtract(&exponent, &Rational::from(1)));
+    Some(product(power((**u).clone(), lower), base.clone()))
 }
 
 pub(super) fn quotient(a: Expression, b: Expression) -> Expression {

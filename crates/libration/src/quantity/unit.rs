@@ -18,6 +18,8 @@ pub enum Dimension {
     Acceleration,
     /// In radians per second.
     AngularVelocity,
+    /// In metres per second.
+    Velocity,
 }
 
 impl Dimension {
@@ -29,6 +31,7 @@ impl Dimension {
             Self::Time => "2s, 500ms, 2.007(2) s or 2.007 ± 0.002 s (a bare number is in seconds)",
             Self::Acceleration => "9.81m/s^2, 981 cm/s^2 or 9.81 ± 0.02 m/s^2 (a bare number is in m/s^2)",
             Self::AngularVelocity => "0.3rad/s, 30deg/s or 33 rpm (a bare number is in rad/s)",
+            Self::Velocity => "0.3m/s, 20 cm/s or 5 km/h (a bare number is in m/s)",
         }
     }
 }
@@ -40,6 +43,7 @@ impl fmt::Display for Dimension {
             Self::Time => "a time",
             Self::Acceleration => "an acceleration",
             Self::AngularVelocity => "an angular velocity",
+            Self::Velocity => "a velocity",
         })
     }
 }
@@ -95,7 +99,7 @@ const fn half_turns_per_second(names: &'static [&'static str], numerator: i64, d
 
 /// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
 /// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901).
-static UNITS: [Unit; 21] = [
+static UNITS: [Unit; 26] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),
     unit(Dimension::Length, &["dm"], 1, 10),
@@ -117,4 +121,9 @@ static UNITS: [Unit; 21] = [
     half_turns_per_second(&["deg/s", "°/s", "deg s^-1"], 1, 180),
     half_turns_per_second(&["rev/s", "turn/s", "turns/s"], 2, 1),
     half_turns_per_second(&["rpm", "rev/min"], 1, 30),
+    unit(Dimension::Velocity, &["m/s", "m s^-1", "m s⁻¹", "m·s⁻¹"], 1, 1),
+    unit(Dimension::Velocity, &["km/h"], 10, 36),
+    unit(Dimension::Velocity, &["cm/s"], 1, 100),
+    unit(Dimension::Velocity, &["mm/s"], 1, 1000),
+    unit(Dimension::Velocity, &["ft/s"], 3048, 10_000),
 ];

@@ -17,6 +17,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("perturbation", &["oscillator", "expression", "series", "algebra"]),
     ("comparison", &["perturbation", "oscillator", "pendulum", "series", "algebra"]),
     ("taylor", &["expression", "algebra"]),
+    ("systems", &["taylor", "oscillator", "expression", "algebra"]),
     ("chaos", &["taylor", "expression", "algebra"]),
     (
         "derivation",

@@ -314,6 +314,10 @@ fn simplified_formulas_are_short() {
         ("(-x)/(-y)", "x/y"),
         ("x^1*y^0", "x"),
         ("0 - x", "-x"),
+        ("c*(abs(v)^3*sign(v))", "c*v^3"),
+        ("abs(v)^2*sign(v) + abs(v)*sign(v)", "v*abs(v) + v"),
+        ("abs(v)^0*sign(v) + abs(v)^0.5*sign(v)", "sign(v) + abs(v)^0.5*sign(v)"),
+        ("abs(v)^2*sign(w)", "abs(v)^2*sign(w)"),
     ] {
         assert_eq!(formula(text).simplified().to_string(), short, "{text}");
     }

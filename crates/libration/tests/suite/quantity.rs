@@ -18,6 +18,8 @@ fn units_are_exact_factors() {
         ("0.3rad/s", Dimension::AngularVelocity, 0.3),
         ("-180deg/s", Dimension::AngularVelocity, -std::f64::consts::PI),
         ("30 rpm", Dimension::AngularVelocity, std::f64::consts::PI),
+        ("36 km/h", Dimension::Velocity, 10.0),
+        ("-5cm/s", Dimension::Velocity, -0.05),
         ("2s", Dimension::Time, 2.0),
         ("500ms", Dimension::Time, 0.5),
         ("−0.7", Dimension::Time, -0.7),

@@ -1,0 +1,94 @@
+//! The state a motion begins in, by names: `theta=60deg,theta'=0`.
+
+use super::values::plain_name;
+use crate::failure::Failure;
+use libration::expression::Expression;
+use libration::quantity::{Angle, Dimension, parse};
+use libration::systems::Model;
+
+/// The option that says where a motion begins.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct InitialOptions {
+    /// Coordinates and velocities at the start, as theta=60deg,theta'=0; those left out are at rest
+    #[arg(long, value_name = "NAME=VALUE,…")]
+    initial: Option<String>,
+}
+
+/// The state at the start.
+#[derive(Clone, Debug)]
+pub(crate) struct Initial {
+    /// Coordinates, then velocities.
+    pub(crate) state: Vec<f64>,
+    /// Names and values of the numbers that were not given and are those of rest.
+    pub(crate) assumed: Vec<(String, f64)>,
+}
+
+impl InitialOptions {
+    /// Whether it was given at all.
+    pub(crate) fn is_given(&self) -> bool {
+        self.initial.is_some()
+    }
+
+    /// The state of the model that is meant.
+    pub(crate) fn read(&self, model: &Model) -> Result<Initial, Failure> {
+        let (names, units) = (model.state_names(), model.state_units());
+        let Some(text) = &self.initial else { return Err(missing(model)) };
+        let mut given: Vec<Option<f64>> = vec![None; names.len()];
+        for item in text.split(',').filter(|item| !item.trim().is_empty()) {
+            let (name, value) = item.split_once('=').ok_or_else(|| {
+                usage(format!("`{}` has no value: give NAME=VALUE, as {}=0.5", item.trim(), names[0]))
+            })?;
+            let place = place_of(name, &names)?;
+            if given[place].is_some() {
+                return Err(usage(format!("{} is given twice: give it one value", names[place])));
+            }
+            given[place] = Some(number(&names[place], value, &units[place])?);
+        }
+        let rest = model.state_of_rest();
+        let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
+        let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
+        let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();
+        Ok(Initial { state, assumed })
+    }
+}
+
+fn usage(reason: impl std::fmt::Display) -> Failure {
+    Failure::usage("--initial", reason)
+}
+
+fn missing(model: &Model) -> Failure {
+    let example = |coordinate: &libration::systems::Coordinate| match coordinate.is_angle() {
+        true => format!("{}=60deg", coordinate.name),
+        false => format!("{}=0.5", coordinate.name),
+    };
+    let examples: Vec<String> = model.coordinates().iter().map(example).collect();
+    usage(format!(
+        "the motion has no beginning: say where it begins, as --initial \"{}\"; its numbers are {}",
+        examples.join(","),
+        model.state_names().join(", ")
+    ))
+}
+
+fn place_of(name: &str, names: &[String]) -> Result<usize, Failure> {
+    let plain = plain_name(name);
+    names.iter().position(|known| *known == plain).ok_or_else(|| {
+        usage(format!("the system has no `{}`: its numbers are {}", name.trim(), names.join(", ")))
+    })
+}
+
+/// A quantity in the unit of its number, or a formula of numbers.
+fn number(name: &str, text: &str, unit: &str) -> Result<f64, Failure> {
+    let text = text.trim();
+    let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
+    let quantity = |dimension| Ok(parse(text, dimension).map_err(|error| error.to_string())?.value);
+    let value = match unit {
+        "rad" => text.parse::<Angle>().map(|angle| angle.radians()).map_err(|error| error.to_string()),
+        "rad/s" => quantity(Dimension::AngularVelocity),
+        "m" => quantity(Dimension::Length),
+        "m/s" => quantity(Dimension::Velocity),
+        _ => Err(format!(
+            "cannot read `{text}` as a number: write 0.5, 1e-3 or sqrt(2)/2; units are for angles and lengths"
+        )),
+    };
+    value.or_else(|reason| formula().ok_or(reason)).map_err(|reason| usage(format!("{name}: {reason}")))
+}

@@ -1,0 +1,55 @@
+//! Which system is meant: a key of a catalogue or equations of motion, with values for their parameters.
+
+use super::values::{borrowed, is_like_a_key, values};
+use crate::failure::Failure;
+use libration::expression::EquationError;
+use libration::systems::{Model, ModelError};
+
+/// The system asked about.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct SystemOptions {
+    /// A key of `libration systems` or `libration oscillators`, or equations of motion such as "x'' = y - x; y'' = x - y"
+    #[arg(value_name = "SYSTEM|EQUATION")]
+    system: String,
+    /// The value of a parameter, a number or a formula of numbers; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+}
+
+impl SystemOptions {
+    /// The model with a value for each parameter.
+    pub(crate) fn model(&self) -> Result<Model, Failure> {
+        self.model_with_open(&[])
+    }
+
+    /// The model with these parameters left open.
+    pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
+        let values = values(&self.set)?;
+        let (name, values) = (self.system.trim(), borrowed(&values));
+        let model = match is_like_a_key(name) {
+            true => Model::by_key(name, &values, open),
+            false => Model::typed(name, &values, open),
+        };
+        let model = model.map_err(failure)?;
+        match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
+            Some(name) => Err(Failure::usage(
+                "--set",
+                format!("`{name}` has no value: give it one, as --set {name}=0.1"),
+            )),
+            None => Ok(model),
+        }
+    }
+}
+
+fn failure(error: ModelError) -> Failure {
+    let argument = match &error {
+        ModelError::Equation(
+            EquationError::UnknownParameter { .. }
+            | EquationError::SetTwice(_)
+            | EquationError::NotConstant { .. }
+            | EquationError::DropsOut(_),
+        ) => "--set",
+        _ => "SYSTEM|EQUATION",
+    };
+    Failure::usage(argument, error)
+}

@@ -1,0 +1,34 @@
+//! Values of parameters, `--set c=0.1`, and whether a text is a key or an equation.
+
+use crate::failure::Failure;
+use libration::expression::Expression;
+
+/// Reads `NAME=VALUE` items, several of them in one text with commas between.
+pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, Failure> {
+    items.iter().flat_map(|items| items.split(',')).map(value).collect()
+}
+
+/// The same as the library takes them.
+pub(super) fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
+    values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect()
+}
+
+/// Whether it is one word, and so no equation.
+pub(super) fn is_like_a_key(text: &str) -> bool {
+    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
+}
+
+/// The name as equations have it: ω0 is omega0, θ̇ is theta'.
+pub(super) fn plain_name(name: &str) -> String {
+    let name = name.trim();
+    name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
+}
+
+fn value(item: &str) -> Result<(String, Expression), Failure> {
+    let (name, value) = item.split_once('=').ok_or_else(|| {
+        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, as mu=0.1"))
+    })?;
+    let value =
+        value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
+    Ok((plain_name(name), value))
+}

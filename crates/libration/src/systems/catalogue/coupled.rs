@@ -1,0 +1,114 @@
+//! Pendulums of more than one coordinate.
+
+use super::{GRAVITY, OMEGA0, angle, parameter};
+use crate::systems::{NamedCoordinate, NamedSystem};
+
+const fn length(name: &'static str, rest: &'static str) -> NamedCoordinate {
+    NamedCoordinate { name, unit: "m", rest }
+}
+
+pub(super) const SYSTEMS: &[NamedSystem] = &[
+    NamedSystem {
+        key: "spring_pendulum",
+        also: &["elastic_pendulum", "swinging_spring"],
+        title: "spring pendulum",
+        equations: "r'' = r*theta'^2 + g*cos(theta) - kappa*(r - l); theta'' = -(2*r'*theta' + g*sin(theta))/r",
+        coordinates: &[length("r", "l + g/kappa"), angle("theta")],
+        parameters: &[
+            parameter("kappa", "10", "1/s^2", "stiffness over mass, k/m"),
+            parameter("l", "1", "m", "natural length of the spring"),
+            GRAVITY,
+        ],
+        energy: "(r'^2 + r^2*theta'^2)/2 + kappa*(r - l)^2/2 - g*r*cos(theta)",
+        energy_unit: "m^2/s^2, energy over m",
+        power: "0",
+        drive_frequency: None,
+        description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
+        domain: "r above zero",
+        source: "derived from its Lagrangian; attributed to A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
+    },
+    NamedSystem {
+        key: "double_pendulum",
+        also: &[],
+        title: "double pendulum",
+        equations: "theta1'' = -(m2*sin(theta1 - theta2)*(l1*theta1'^2*cos(theta1 - theta2) + l2*theta2'^2) \
+                    + g*((m1 + m2)*sin(theta1) - m2*sin(theta2)*cos(theta1 - theta2)))\
+                    /(l1*(m1 + m2*sin(theta1 - theta2)^2)); \
+                    theta2'' = (sin(theta1 - theta2)*((m1 + m2)*l1*theta1'^2 + m2*l2*theta2'^2*cos(theta1 - theta2)) \
+                    + g*(m1 + m2)*(sin(theta1)*cos(theta1 - theta2) - sin(theta2)))\
+                    /(l2*(m1 + m2*sin(theta1 - theta2)^2))",
+        coordinates: &[angle("theta1"), angle("theta2")],
+        parameters: &[
+            parameter("m1", "1", "kg", "mass of the upper bob"),
+            parameter("m2", "1", "kg", "mass of the lower bob"),
+            parameter("l1", "1", "m", "length of the upper rod"),
+            parameter("l2", "1", "m", "length of the lower rod"),
+            GRAVITY,
+        ],
+        energy: "(m1 + m2)*l1^2*theta1'^2/2 + m2*l2^2*theta2'^2/2 + m2*l1*l2*theta1'*theta2'*cos(theta1 - theta2) \
+                 + 2*g*((m1 + m2)*l1*sin(theta1/2)^2 + m2*l2*sin(theta2/2)^2)",
+        energy_unit: "J",
+        power: "0",
+        drive_frequency: None,
+        description: "a pendulum that hangs from the bob of another, both rods massless; both angles from the downward vertical",
+        domain: "all motions",
+        source: "derived from its Lagrangian, solved for the accelerations; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 5",
+    },
+    NamedSystem {
+        key: "spherical_pendulum",
+        also: &["conical_pendulum"],
+        title: "spherical pendulum, by its two angles",
+        equations: "theta'' = sin(theta)*(phi'^2*cos(theta) - omega0^2); phi'' = -2*theta'*phi'*cos(theta)/sin(theta)",
+        coordinates: &[angle("theta"), angle("phi")],
+        parameters: &[OMEGA0],
+        energy: "(theta'^2 + sin(theta)^2*phi'^2)/2 + 2*omega0^2*sin(theta/2)^2",
+        energy_unit: "1/s^2, energy over m*l^2",
+        power: "0",
+        drive_frequency: None,
+        description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
+        domain: "motions that do not pass the lowest or the highest point, where phi has no meaning and the integration stops: there take spherical_pendulum_xy",
+        source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
+    },
+    NamedSystem {
+        key: "spherical_pendulum_xy",
+        also: &[],
+        title: "spherical pendulum, seen from above",
+        equations: "x'' = -x*(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2) + g*sqrt(l^2 - x^2 - y^2))/l^2; \
+                    y'' = -y*(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2) + g*sqrt(l^2 - x^2 - y^2))/l^2",
+        coordinates: &[length("x", "0"), length("y", "0")],
+        parameters: &[parameter("l", "1", "m", "length of the rod"), GRAVITY],
+        energy: "(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2))/2 + g*(x^2 + y^2)/(l + sqrt(l^2 - x^2 - y^2))",
+        energy_unit: "m^2/s^2, energy over m",
+        power: "0",
+        drive_frequency: None,
+        description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
+        domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
+        source: "derived from the force of the rod that keeps its length; attributed to J. L. Lagrange, Mecanique analytique (1788)",
+    },
+    NamedSystem {
+        key: "coupled_pendulums",
+        also: &["coupled_pendulum", "sympathetic_pendulums"],
+        title: "two pendulums coupled by a spring",
+        equations: "theta1'' + omega1^2*sin(theta1) + kappa*(theta1 - theta2) = 0; \
+                    theta2'' + omega2^2*sin(theta2) + kappa*(theta2 - theta1) = 0",
+        coordinates: &[angle("theta1"), angle("theta2")],
+        parameters: &[
+            parameter("omega1", "1", "rad/s", "angular frequency of the first alone"),
+            parameter("omega2", "1", "rad/s", "angular frequency of the second alone"),
+            parameter(
+                "kappa",
+                "1/10",
+                "1/s^2",
+                "coupling: torque of the spring per angle over the moment of inertia",
+            ),
+        ],
+        energy: "(theta1'^2 + theta2'^2)/2 + 2*omega1^2*sin(theta1/2)^2 + 2*omega2^2*sin(theta2/2)^2 \
+                 + kappa*(theta1 - theta2)^2/2",
+        energy_unit: "1/s^2, energy over the moment of inertia",
+        power: "0",
+        drive_frequency: None,
+        description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
+        domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",
+        source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20",
+    },
+];

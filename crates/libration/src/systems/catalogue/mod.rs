@@ -1,0 +1,35 @@
+//! The named systems: what each is, and where it comes from. Attributions from memory say so.
+
+mod coupled;
+mod driven;
+mod free;
+
+use super::named::{NamedCoordinate, NamedSystem, Parameter};
+
+/// Every named system.
+pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> {
+    free::SYSTEMS.iter().chain(driven::SYSTEMS).chain(coupled::SYSTEMS)
+}
+
+const fn parameter(
+    name: &'static str,
+    default: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+) -> Parameter {
+    Parameter { name, default, unit, meaning }
+}
+
+const OMEGA0: Parameter = parameter("omega0", "1", "rad/s", "angular frequency of small swings, sqrt(g/l)");
+const GRAVITY: Parameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
+
+/// The angle of one pendulum.
+const THETA: &[NamedCoordinate] = &[angle("theta")];
+
+/// An angle from the downward vertical.
+const fn angle(name: &'static str) -> NamedCoordinate {
+    NamedCoordinate { name, unit: "rad", rest: "0" }
+}
+
+/// The energy of one pendulum over its moment of inertia, zero at rest at the bottom.
+const SWING_ENERGY: &str = "theta'^2/2 + 2*omega0^2*sin(theta/2)^2";

@@ -1,0 +1,182 @@
+//! Conserved energies, and how well a motion keeps them.
+
+use super::NoEnergy;
+use super::line_integral::integral;
+use crate::algebra::Doubles;
+use crate::double_double::DoubleDouble;
+use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
+use crate::taylor::Moment;
+
+/// The conserved energy of a system.
+///
+/// # Examples
+/// ```
+/// use libration::systems::Model;
+/// use libration::taylor::Moment;
+/// let model = Model::typed("x'' = -x^3", &[], &[])?;
+/// let energy = model.energy()?;
+/// let mut balance = energy.balance(&Moment { time: 0.0, state: vec![1.0, 0.0] });
+/// // x'²/2 + x⁴/4 stays 1/4, so that x' = 1/√2 at x = 0.
+/// balance.record(&Moment { time: 1.0, state: vec![0.0, 0.5_f64.sqrt()] });
+/// assert!(balance.drift() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Energy {
+    coordinates: usize,
+    tape: Tape,
+    holds: Holds,
+}
+
+/// What the tape of an energy holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    /// The energy.
+    Energy,
+    /// The accelerations, which are minus the slope of the potential.
+    Forces,
+}
+
+impl Energy {
+    /// An energy that is a formula of coordinates and velocities.
+    pub(super) fn of_formula(equation: &Equation, energy: &Expression) -> Result<Self, NoEnergy> {
+        Self::on_tape(equation, &[energy], Holds::Energy)
+    }
+
+    /// The energy Σ x′²/2 + V of forces −∂V/∂x that depend on the coordinates only. That they have a potential is proved
+    /// by ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
+    pub(super) fn of_forces(equation: &Equation) -> Result<Self, NoEnergy> {
+        let forces: Vec<&Expression> = equation.accelerations().iter().collect();
+        let names = equation.variables();
+        for (name, force) in names.iter().zip(&forces) {
+            let foreign = |symbol: &Symbol| symbol.primes > 0 || symbol.name == "t";
+            if let Some(on) = force.symbols().into_iter().find(foreign) {
+                return Err(NoEnergy::NotOfPlace { coordinate: name.clone(), on });
+            }
+        }
+        for (place, first) in names.iter().enumerate() {
+            for (other, second) in names.iter().enumerate().take(place) {
+                let slope = |force: usize, by: &str| Box::new(forces[force].derivative(&Symbol::plain(by)));
+                if !Expression::Subtract(slope(place, second), slope(other, first)).vanishes() {
+                    return Err(NoEnergy::Curl { first: second.clone(), second: first.clone() });
+                }
+            }
+        }
+        Self::on_tape(equation, &forces, Holds::Forces)
+    }
+
+    fn on_tape(equation: &Equation, formulas: &[&Expression], holds: Holds) -> Result<Self, NoEnergy> {
+        let places = equation.variables().iter().map(|name| Symbol::plain(name));
+        let inputs: Vec<Symbol> = places.clone().chain(places.map(|symbol| symbol.with_primes(1))).collect();
+        let tape = Tape::new(formulas, &inputs)?;
+        Ok(Self { coordinates: equation.variables().len(), tape, holds })
+    }
+
+    /// An account of the energy of a motion that begins here.
+    #[must_use]
+    pub fn balance(&self, start: &Moment) -> EnergyBalance<'_> {
+        let mut balance = EnergyBalance {
+            energy: self,
+            jet: None,
+            start: start.state.clone(),
+            last: start.state.clone(),
+            potential: DoubleDouble::from(0.0),
+            largest_change: 0.0,
+            largest_kinetic: 0.0,
+        };
+        balance.record(start);
+        balance
+    }
+
+    /// The energy of a motion that begins in one state and has come to another, as [`EnergyBalance::drift`] has it.
+    ///
+    /// # Accuracy
+    /// Without a formula the potential is integrated along the straight line between them, which must not meet a
+    /// singularity: record the states on the way in a [`balance`](Self::balance).
+    #[must_use]
+    pub fn drift(&self, start: &Moment, end: &Moment) -> f64 {
+        let mut balance = self.balance(start);
+        balance.record(end);
+        balance.drift()
+    }
+}
+
+/// The account of the energy of one motion.
+#[derive(Debug)]
+pub struct EnergyBalance<'a> {
+    energy: &'a Energy,
+    jet: Option<Jet<'a, Doubles>>,
+    start: Vec<f64>,
+    last: Vec<f64>,
+    /// The potential energy gained until the last state, where it has no formula.
+    potential: DoubleDouble,
+    largest_change: f64,
+    largest_kinetic: f64,
+}
+
+impl EnergyBalance<'_> {
+    /// Takes down the energy of a state. Where it has no formula, the potential is integrated along the straight line
+    /// from the state before: give the states in their order, not too far apart.
+    pub fn record(&mut self, moment: &Moment) {
+        let (change, kinetic) = match self.energy.holds {
+            Holds::Energy => self.by_formula(&moment.state),
+            Holds::Forces => self.by_work(&moment.state),
+        };
+        self.last.clone_from(&moment.state);
+        self.largest_change = larger(self.largest_change, change.abs());
+        self.largest_kinetic = larger(self.largest_kinetic, kinetic);
+    }
+
+    /// The largest change of the energy since the start over the largest kinetic energy, which no choice of the
+    /// potential's zero changes. Zero for a motion that rests, NaN where the energy has no value.
+    ///
+    /// # Accuracy
+    /// A few roundings of the larger ones of kinetic and potential energy, from 1e-16 on.
+    #[must_use]
+    pub fn drift(&self) -> f64 {
+        if self.largest_change == 0.0 { 0.0 } else { self.largest_change / self.largest_kinetic }
+    }
+
+    /// The change of the energy since the start, and the kinetic energy.
+    fn by_formula(&mut self, state: &[f64]) -> (f64, f64) {
+        let coordinates = self.energy.coordinates;
+        let mut resting = state.to_vec();
+        resting[coordinates..].fill(0.0);
+        let [start, now, potential] =
+            [&self.start.clone(), state, &resting].map(|state| self.values(state)[0]);
+        (now - start, now - potential)
+    }
+
+    /// The same by the work that the forces do since the last state.
+    fn by_work(&mut self, state: &[f64]) -> (f64, f64) {
+        let coordinates = self.energy.coordinates;
+        let from = self.last.clone();
+        let work = integral(&mut |s| {
+            let place: Vec<f64> = from.iter().zip(state).map(|(a, b)| a + s * (b - a)).collect();
+            let forces = self.values(&place);
+            (0..coordinates).map(|i| forces[i] * (state[i] - from[i])).sum()
+        });
+        self.potential = self.potential + DoubleDouble::from(-work);
+        let kinetic = |state: &[f64]| state[coordinates..].iter().map(|v| 0.5 * v * v).sum::<f64>();
+        let gained = kinetic(state) - kinetic(&self.start);
+        (self.potential.to_f64() + gained, kinetic(state))
+    }
+
+    /// The values of the formulas on the tape.
+    fn values(&mut self, state: &[f64]) -> Vec<f64> {
+        let outcome = match &mut self.jet {
+            Some(jet) => jet.restart(state),
+            none => Jet::new(&Doubles, &self.energy.tape, state).map(|jet| *none = Some(jet)),
+        };
+        let formulas = self.energy.tape.results().len();
+        match (outcome, &self.jet) {
+            (Ok(()), Some(jet)) => (0..formulas).map(|formula| jet.result(formula)[0]).collect(),
+            _ => vec![f64::NAN; formulas],
+        }
+    }
+}
+
+/// The larger number; NaN if one is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
+}

@@ -1,0 +1,73 @@
+//! Why there is no such model, or no energy of it.
+
+use crate::expression::{EquationError, Symbol, WithoutValue};
+use crate::oscillator::UnknownOscillator;
+
+/// A key that no system has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "no system has the key `{key}`; the nearest are {}; the keys are {}; or write its equations, as x'' = y - x; y'' = x - y",
+    near.join(", "),
+    known.join(", ")
+)]
+pub struct UnknownSystem {
+    /// What was asked for, shortened.
+    pub key: String,
+    /// The nearest keys there are.
+    pub near: Vec<String>,
+    /// All keys.
+    pub known: Vec<&'static str>,
+}
+
+/// Why there is no such model.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A key that neither a system nor an oscillator has.
+    #[error("{system}; the oscillators {} can be given too", oscillator.known.join(", "))]
+    Unknown {
+        /// The systems there are.
+        system: UnknownSystem,
+        /// The oscillators there are.
+        oscillator: UnknownOscillator,
+    },
+    /// Equations or values that are not understood.
+    #[error(transparent)]
+    Equation(#[from] EquationError),
+}
+
+/// Why a model has no energy that is conserved.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoEnergy {
+    /// Damping or driving.
+    #[error("energy is not conserved: it changes by {power} per time")]
+    NotConserved {
+        /// What it gains per time.
+        power: String,
+    },
+    /// A force that depends on velocities or the time.
+    #[error(
+        "the force on {coordinate} depends on {on}: an energy is found for forces of the coordinates only"
+    )]
+    NotOfPlace {
+        /// The coordinate.
+        coordinate: String,
+        /// The velocity, or the time.
+        on: Symbol,
+    },
+    /// Forces with a curl.
+    #[error(
+        "the forces have no potential that could be proved: that on {first} changes with {second} otherwise than that on {second} \
+         with {first}"
+    )]
+    Curl {
+        /// One coordinate.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A parameter without a value.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+}

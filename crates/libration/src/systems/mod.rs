@@ -1,0 +1,22 @@
+//! Systems to be simulated: named ones with their energies, units and sources, oscillators of the other catalogue, and
+//! equations as they are typed.
+
+mod catalogue;
+mod named;
+
+mod coordinate;
+mod error;
+mod model;
+
+mod energy;
+mod line_integral;
+
+pub use catalogue::catalogue;
+pub use coordinate::Coordinate;
+pub use energy::{Energy, EnergyBalance};
+pub use error::{ModelError, NoEnergy, UnknownSystem};
+pub use model::Model;
+pub use named::{NamedCoordinate, NamedSystem, Parameter};
+
+#[cfg(test)]
+mod tests;

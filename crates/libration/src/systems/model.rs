@@ -1,0 +1,260 @@
+//! Equations of motion with their values, and the words for them.
+
+use super::{Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
+use crate::expression::{Equation, EquationError, Expression, Symbol, WithoutValue};
+use crate::oscillator::{NamedOscillator, Oscillator};
+use crate::taylor::System;
+
+/// Equations of motion with values for their parameters, ready to be integrated.
+///
+/// # Examples
+/// ```
+/// use libration::systems::Model;
+/// let model = Model::by_key("double_pendulum", &[("m2", "1/2".parse()?)], &[])?;
+/// assert_eq!(model.state_names(), ["theta1", "theta2", "theta1'", "theta2'"]);
+/// assert!(model.energy().is_ok());
+/// let kepler = Model::typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)", &[], &[])?;
+/// assert!(kepler.energy().is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    key: Option<&'static str>,
+    title: &'static str,
+    equation: Equation,
+    coordinates: Vec<Coordinate>,
+    values: Vec<(String, Expression)>,
+    known: Option<Known>,
+}
+
+/// What only named systems tell, the values put in.
+#[derive(Clone, Debug)]
+struct Known {
+    energy: Expression,
+    energy_unit: &'static str,
+    power: Expression,
+    drive_frequency: Option<Expression>,
+}
+
+/// Values for parameters, which may be written as in a formula.
+type Values<'a> = &'a [(&'a str, Expression)];
+
+impl Model {
+    /// A named system, or else an oscillator of the other catalogue, with values for some of its parameters, the default
+    /// values for the others, and some left open.
+    ///
+    /// # Errors
+    /// A key that is not known; a value for what is no parameter, or one that is not constant.
+    pub fn by_key(key: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
+            (Ok(named), _) => Self::named(named, values, open),
+            (Err(_), Ok(oscillator)) => Self::oscillator(oscillator, values, open),
+            (Err(system), Err(oscillator)) => Err(ModelError::Unknown { system, oscillator }),
+        }
+    }
+
+    /// A named system.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let defaults = named.parameters.iter().map(|it| (it.name, it.default));
+        let (equation, values) = filled(named.equations, values, defaults, open)?;
+        let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
+        let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
+        let coordinates = named.coordinates.iter().map(|it| {
+            let rest = with_values(put_in(it.rest)?, &all_defaults(&defaults)?);
+            let rest = rest.to_f64().unwrap_or(0.0);
+            Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), rest })
+        });
+        let coordinates = coordinates.collect::<Result<_, ModelError>>()?;
+        let known = Known {
+            energy: put_in(named.energy)?,
+            energy_unit: named.energy_unit,
+            power: put_in(named.power)?,
+            drive_frequency: named.drive_frequency.map(put_in).transpose()?,
+        };
+        let (key, title) = (Some(named.key), named.title);
+        Ok(Self { key, title, equation, coordinates, values, known: Some(known) })
+    }
+
+    /// An oscillator of the other catalogue, at rest in its equilibrium.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn oscillator(named: &NamedOscillator, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let defaults = named.parameters.iter().map(|it| (it.name, it.default));
+        let (equation, values) = filled(named.equation, values, defaults, open)?;
+        let mut coordinates = by_names(&equation);
+        if let Ok(oscillator) = Oscillator::new(&equation) {
+            coordinates[0].rest = oscillator.equilibrium().to_f64();
+        }
+        Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, known: None })
+    }
+
+    /// Equations of motion as text, several with `;` between them. Times count in seconds, and a coordinate is an angle
+    /// when its name is that of one, such as theta.
+    ///
+    /// # Errors
+    /// Text that is no equation of motion; a value for what is no parameter, or one that is not constant.
+    pub fn typed(equations: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let (equation, values) = filled(equations, values, [].into_iter(), open)?;
+        let coordinates = by_names(&equation);
+        Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, known: None })
+    }
+
+    /// Its key in one of the catalogues.
+    #[must_use]
+    pub fn key(&self) -> Option<&'static str> {
+        self.key
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub fn title(&self) -> &'static str {
+        self.title
+    }
+
+    /// The equations of motion with their values.
+    #[must_use]
+    pub fn equation(&self) -> &Equation {
+        &self.equation
+    }
+
+    /// The coordinates in the order of the equations.
+    #[must_use]
+    pub fn coordinates(&self) -> &[Coordinate] {
+        &self.coordinates
+    }
+
+    /// The parameters that have a value, and it.
+    #[must_use]
+    pub fn values(&self) -> &[(String, Expression)] {
+        &self.values
+    }
+
+    /// The value of a parameter as a number; `None` where it has none.
+    #[must_use]
+    pub fn value_of(&self, parameter: &str) -> Option<f64> {
+        self.values.iter().find(|(name, _)| name == parameter).and_then(|(_, value)| value.to_f64())
+    }
+
+    /// The names of the parameters that have no value.
+    #[must_use]
+    pub fn open_parameters(&self) -> Vec<String> {
+        self.equation.parameters().into_iter().collect()
+    }
+
+    /// The names of the numbers of a state: coordinates, then velocities.
+    #[must_use]
+    pub fn state_names(&self) -> Vec<String> {
+        let names = self.coordinates.iter().map(|coordinate| coordinate.name.clone());
+        names.clone().chain(names.map(|name| name + "'")).collect()
+    }
+
+    /// The units of the numbers of a state, empty where they are not known.
+    #[must_use]
+    pub fn state_units(&self) -> Vec<String> {
+        let own = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
+        own.chain(self.coordinates.iter().map(Coordinate::velocity_unit)).collect()
+    }
+
+    /// The state of rest: every coordinate where it is at rest, without velocity.
+    #[must_use]
+    pub fn state_of_rest(&self) -> Vec<f64> {
+        let places = self.coordinates.iter().map(|coordinate| coordinate.rest);
+        places.chain(self.coordinates.iter().map(|_| 0.0)).collect()
+    }
+
+    /// The system to be integrated.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn system(&self) -> Result<System, WithoutValue> {
+        System::new(&self.equation)
+    }
+
+    /// The angular frequency of the drive, where the system is known to have one.
+    #[must_use]
+    pub fn drive_frequency(&self) -> Option<f64> {
+        self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
+    }
+
+    /// The energy as a formula of the state, whether it is conserved or not, where one is known, and its unit.
+    #[must_use]
+    pub fn energy_formula(&self) -> Option<(&Expression, &'static str)> {
+        self.known.as_ref().map(|known| (&known.energy, known.energy_unit))
+    }
+
+    /// What that energy gains per time, a formula of the state and the time t.
+    #[must_use]
+    pub fn power(&self) -> Option<&Expression> {
+        self.known.as_ref().map(|known| &known.power)
+    }
+
+    /// The conserved energy: the known one of a named system whose damping and driving are zero, and for other equations
+    /// that of forces which depend on the coordinates only and have a potential.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn energy(&self) -> Result<Energy, NoEnergy> {
+        match &self.known {
+            Some(Known { energy, power, .. }) if power.vanishes() => {
+                Energy::of_formula(&self.equation, energy)
+            }
+            Some(Known { power, .. }) => Err(NoEnergy::NotConserved { power: power.to_string() }),
+            None => Energy::of_forces(&self.equation),
+        }
+    }
+}
+
+/// The equation with the given values, and default ones for all others that are not left open.
+fn filled<'a>(
+    text: &str,
+    given: Values,
+    defaults: impl Iterator<Item = (&'a str, &'a str)>,
+    open: &[&str],
+) -> Result<(Equation, Vec<(String, Expression)>), EquationError> {
+    let equation: Equation = text.parse()?;
+    let mut values: Vec<(String, Expression)> = vec![];
+    for (name, value) in given {
+        values.push((plain(name), value.clone()));
+    }
+    for name in open {
+        // Refuses what is no parameter, or has a value already.
+        equation.with(&[given, &[(*name, Expression::from(1))]].concat())?;
+    }
+    let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
+    for (name, default) in defaults {
+        if values.iter().all(|(known, _)| known != name) && !open.iter().any(|it| it == name) {
+            values.push((name.to_owned(), formula(default)?));
+        }
+    }
+    let borrowed: Vec<(&str, Expression)> =
+        values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    Ok((equation.with(&borrowed)?, values))
+}
+
+/// The name as equations have it: ω0 is omega0.
+fn plain(name: &str) -> String {
+    name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
+}
+
+fn formula(text: &str) -> Result<Expression, EquationError> {
+    Ok(text.parse::<Expression>()?)
+}
+
+fn all_defaults(defaults: &[(&str, &str)]) -> Result<Vec<(String, Expression)>, EquationError> {
+    defaults.iter().map(|(name, default)| Ok(((*name).to_owned(), formula(default)?))).collect()
+}
+
+fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expression {
+    let put_in = |formula: Expression, (name, value): &(String, Expression)| {
+        formula.substitute(&Symbol::plain(name), value)
+    };
+    values.iter().fold(formula, put_in).simplified()
+}
+
+fn by_names(equation: &Equation) -> Vec<Coordinate> {
+    equation.variables().iter().map(|name| Coordinate::by_name(name)).collect()
+}
