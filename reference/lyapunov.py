@@ -13,7 +13,7 @@ HEADER = """\
 # motions). Licence: MIT OR Apache-2.0. equation; start: coordinates, then velocities, at t = 0, of the motion whose neighbours
 # make the ensemble; exponent in 1/time, error: its standard error.
 equation,start,exponent,error"""
-MOTIONS, SETTLE, MEASURE = 2000, 100, 200  # motions, periods before and periods measured
+SETTLE = 100  # periods before anything is measured
 
 
 def driven(damping, force, slope, drive, frequency):
@@ -43,13 +43,14 @@ def sine(x):
 
 
 PENDULUM = (sine, lambda x: -cos(x))
-CASES = [  # equation, rates, start, period, steps in it
-    ("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", driven(0.5, *PENDULUM, 1.5, 2 / 3), [0.2, 0.0], 3 * pi, 300),
-    ("theta'' + theta'/20 + sin(theta) = 0.6 cos(0.7t)", driven(0.05, *PENDULUM, 0.6, 0.7), [0.2, 0.0], 2 * pi / 0.7, 300),
-    ("x'' + 0.05 x' + x^3 = 7.5 cos(t)", driven(0.05, lambda x: -(x**3), lambda x: -3 * x * x, 7.5, 1), [3.0, 4.0], 2 * pi, 400),
-    ("x'' + 0.25 x' - x + x^3 = 0.4 cos(t)", driven(0.25, lambda x: x - x**3, lambda x: 1 - 3 * x * x, 0.4, 1), [1.0, 0.0], 2 * pi, 300),
-    ("x'' = -x - 2 x y; y'' = -y - x^2 + y^2", henon_heiles, line(-0.25, 1 / 8), 2 * pi, 200),
-    ("x'' = -x - 2 x y; y'' = -y - x^2 + y^2", henon_heiles, line(-0.15, 1 / 6 - 1e-9), 2 * pi, 200),
+MANY, LONG = (2000, 200), (300, 3000)  # motions and periods; long where some motions stay regular for long
+CASES = [  # equation, rates, start, period, steps in it, motions and periods
+    ("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", driven(0.5, *PENDULUM, 1.5, 2 / 3), [0.2, 0.0], 3 * pi, 300, MANY),
+    ("theta'' + theta'/20 + sin(theta) = 0.6 cos(0.7t)", driven(0.05, *PENDULUM, 0.6, 0.7), [0.2, 0.0], 2 * pi / 0.7, 300, MANY),
+    ("x'' + 0.05 x' + x^3 = 7.5 cos(t)", driven(0.05, lambda x: -(x**3), lambda x: -3 * x * x, 7.5, 1), [3.0, 4.0], 2 * pi, 400, MANY),
+    ("x'' + 0.25 x' - x + x^3 = 0.4 cos(t)", driven(0.25, lambda x: x - x**3, lambda x: 1 - 3 * x * x, 0.4, 1), [1.0, 0.0], 2 * pi, 300, MANY),
+    ("x'' = -x - 2 x y; y'' = -y - x^2 + y^2", henon_heiles, line(-0.25, 1 / 8), 2 * pi, 200, LONG),
+    ("x'' = -x - 2 x y; y'' = -y - x^2 + y^2", henon_heiles, line(-0.15, 1 / 6 - 1e-9), 2 * pi, 200, LONG),
 ]  # fmt: skip
 
 
@@ -65,25 +66,25 @@ def period_passed(rates, y, period, steps):
     return y
 
 
-def exponent(rates, start, period, steps):
+def exponent(rates, start, period, steps, motions, periods):
     """Mean and standard error over the motions."""
     generator = np.random.default_rng(1)
     half = len(start)
-    y = np.zeros((2 * half, MOTIONS))
+    y = np.zeros((2 * half, motions))
     # Displaced by less than the fourth-order errors matter, but enough to be elsewhere after the transient.
-    y[:half] = np.array(start)[:, None] + 1e-8 * generator.standard_normal((half, MOTIONS))
-    y[half:] = generator.standard_normal((half, MOTIONS))
-    growth = np.zeros(MOTIONS)
-    for n in range(SETTLE + MEASURE):
+    y[:half] = np.array(start)[:, None] + 1e-8 * generator.standard_normal((half, motions))
+    y[half:] = generator.standard_normal((half, motions))
+    growth = np.zeros(motions)
+    for n in range(SETTLE + periods):
         y = period_passed(rates, y, period, steps)
         size = np.sqrt((y[half:] ** 2).sum(axis=0))
         y[half:] /= size
         growth += np.log(size) * (n >= SETTLE)
-    means = growth / (MEASURE * period)
-    return means.mean(), means.std() / sqrt(MOTIONS)
+    means = growth / (periods * period)
+    return means.mean(), means.std() / sqrt(motions)
 
 
 print(HEADER)
-for equation, rates, start, period, steps in CASES:
-    mean, error = exponent(rates, start, period, steps)
+for equation, rates, start, period, steps, count in CASES:
+    mean, error = exponent(rates, start, period, steps, *count)
     print(f"{equation},{' '.join(map(repr, start))},{mean:.5f},{max(error, 1e-5):.5f}", flush=True)

@@ -90,8 +90,8 @@ pub mod comparison;
 
 pub mod taylor;
 
-pub mod systems;
 pub mod chaos;
+pub mod systems;
 
 pub mod derivation;
 

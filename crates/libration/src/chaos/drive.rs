@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::structure::TIME;
-use crate::algebra::{Doubles, Rational, Rationals, Ring};
-use crate::expression::{Equation, Expression, Function, Jet, Symbol, Tape};
+use crate::algebra::{Rational, Rationals, Ring};
+use crate::expression::{Equation, Expression, Function, Symbol};
 
 /// The drive with the longest common period is this many times the first one's at most.
 const LONGEST: i64 = 1000;
@@ -32,7 +32,7 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
     let first = frequencies.first()?;
     let ratios: Option<Vec<Rational>> = frequencies.iter().map(|one| ratio(one, first)).collect();
     let times = common_period(&ratios?)?;
-    let frequency = value(first)?.abs();
+    let frequency = first.to_f64()?.abs();
     Some(f64::from(times) * TAU / frequency).filter(|period| period.is_finite())
 }
 
@@ -66,11 +66,4 @@ fn common_period(ratios: &[Rational]) -> Option<i32> {
         ratios.iter().all(|ratio| Rationals.multiply(ratio, &times).is_integer())
     };
     (1..=LONGEST).find(|&times| whole(times)).and_then(|times| i32::try_from(times).ok())
-}
-
-/// The value of a formula without symbols.
-fn value(constant: &Expression) -> Option<f64> {
-    let tape = Tape::new(&[constant], &[]).ok()?;
-    let jet = Jet::new(&Doubles, &tape, &[]).ok()?;
-    jet.result(0).first().copied()
 }

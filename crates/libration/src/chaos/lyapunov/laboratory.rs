@@ -5,7 +5,6 @@ use std::ops::ControlFlow;
 use super::super::extent::Extent;
 use super::super::structure::{angles, cyclic, theorem};
 use super::deviation::{Deviation, unequal_part};
-use super::record::Record;
 use super::verdict::Evidence;
 use super::{Doubt, LyapunovError, Progress, Regularity, Schedule, Verdict};
 use crate::expression::Equation;
@@ -62,40 +61,22 @@ impl<'a> Laboratory<'a> {
         settled: Moment,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Evidence, LyapunovError> {
-        let numbers = settled.state.len();
+        let mut evidence = Evidence::new(self.schedule.interval, settled.state.len());
         let mut deviation = Deviation::new(&self.extended, settled, &self.units, *self.effort);
-        let mut record = Record::new(self.schedule.interval);
-        let (mut half, mut whole) = (Extent::new(numbers), Extent::new(numbers));
-        let mut stopped = None;
-        while record.intervals() < self.schedule.intervals {
+        let going = |evidence: &Evidence| evidence.record.intervals() < self.schedule.intervals;
+        while going(&evidence) && evidence.stopped.is_none() {
             match deviation.go_on(self.schedule.interval) {
-                Ok(growth) => record.push(growth),
-                Err(cause) => {
-                    stopped = Some(cause);
-                    break;
-                }
+                Ok(growth) => evidence.add(growth, &deviation.moment().state, self.schedule.intervals),
+                Err(cause) => evidence.stopped = Some(cause),
             }
-            whole.include(&deviation.moment().state);
-            if 2 * record.intervals() <= self.schedule.intervals {
-                half.include(&deviation.moment().state);
-            }
-            if watch(record.intervals()).is_break() && record.intervals() < self.schedule.intervals {
-                stopped = Some(Cause::Interrupted);
-                break;
+            if watch(evidence.record.intervals()).is_break() && going(&evidence) {
+                evidence.stopped = evidence.stopped.or(Some(Cause::Interrupted));
             }
         }
-        match stopped.filter(|_| record.intervals() == 0) {
+        match evidence.stopped.filter(|_| evidence.record.intervals() == 0) {
             Some(cause) => Err(LyapunovError::Nothing(cause)),
-            None => Ok(Evidence { record, widening: self.widening(&half, &whole), stopped }),
+            None => Ok(evidence),
         }
-    }
-
-    /// By which factor a motion goes farther than its first half, in the number of the state where it is largest.
-    fn widening(&self, half: &Extent, whole: &Extent) -> f64 {
-        let (half, whole) = (half.widths(), whole.widths());
-        let free = self.unconfined.iter().copied().chain(std::iter::repeat(false));
-        let widths = half.iter().zip(&whole).zip(free).filter(|(_, free)| !free);
-        widths.map(|((half, whole), _)| if whole > half { whole / half } else { 1.0 }).fold(1.0, f64::max)
     }
 
     /// What is known, or what a motion and, if it looks chaotic, its neighbours show.
@@ -108,7 +89,7 @@ impl<'a> Laboratory<'a> {
         if let Some(regularity) = self.known {
             return Verdict::Regular(regularity);
         }
-        let verdict = evidence.verdict(self.effort);
+        let verdict = evidence.verdict(self.effort, &self.unconfined);
         if verdict != Verdict::Chaotic {
             return verdict;
         }
@@ -132,7 +113,8 @@ impl<'a> Laboratory<'a> {
             Err(error) => Some(Doubt::Stopped(cause_of(error))),
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
             Ok(other) => {
-                let same = other.verdict(self.effort) == Verdict::Chaotic && evidence.agrees_with(&other);
+                let same = other.verdict(self.effort, &self.unconfined) == Verdict::Chaotic
+                    && evidence.agrees_with(&other);
                 (!same).then(|| Doubt::Neighbours { exponent: other.record.exponent() })
             }
         }

@@ -66,7 +66,7 @@ pub struct Progress {
 /// # The verdict
 /// `Chaotic` is said only if the equations leave it open, and of the motion and of two that begin a millionth of its
 /// extent beside it: the deviation grows by e¹⁰⁰ or more and in each of sixteen blocks of the time; the
-/// exponents agree; the motion stays bounded, angles and coordinates that no force depends on apart; and the deviation never
+/// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the deviation never
 /// shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
 /// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations
 /// shrink, or when in the second half of the time, and in the second quarter, they grow by e^1.5 at most, more than what is

@@ -77,10 +77,17 @@ impl Record {
         self.last() - self.logarithms[self.beginning()]
     }
 
-    /// The farthest that the logarithm has fallen below where it was before.
-    pub(super) fn largest_fall(&self) -> f64 {
-        let fall = |(highest, fall): (f64, f64), now: &f64| (highest.max(*now), fall.max(highest - now));
-        self.logarithms.iter().fold((f64::NEG_INFINITY, 0.0), fall).1
+    /// The deepest valley of the logarithm: how far it lies below what was before and what comes after.
+    pub(super) fn deepest_valley(&self) -> f64 {
+        let running = |highest: &mut f64, now: &f64| {
+            *highest = highest.max(*now);
+            Some(*highest)
+        };
+        let before = self.logarithms.iter().scan(f64::NEG_INFINITY, running);
+        let mut after: Vec<f64> = self.logarithms.iter().rev().scan(f64::NEG_INFINITY, running).collect();
+        after.reverse();
+        let rims = before.zip(after).map(|(before, after)| before.min(after));
+        rims.zip(&self.logarithms).map(|(rim, now)| rim - now).fold(0.0, f64::max)
     }
 
     /// How much higher the logarithm rises in the second half than in the first, and in the second quarter than in the

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::extent::Extent;
 use super::super::structure::Theorem;
 use super::record::Record;
 use crate::taylor::{Cause, Effort};
@@ -49,10 +50,10 @@ pub enum Doubt {
     Unsteady,
     /// The motion goes farther and farther.
     Unbounded,
-    /// The deviation becomes so small again, as it does next to a separatrix, that its digits are lost.
+    /// The deviation becomes so small in between, as it does next to a separatrix, that its digits are lost.
     DigitsLost {
-        /// The logarithm of the factor by which it has fallen.
-        fall: f64,
+        /// The logarithm of the factor by which it shrinks before it grows again.
+        valley: f64,
     },
     /// A start next to this one does not show the same, as it is on an unstable motion.
     Neighbours {
@@ -77,15 +78,36 @@ const WIDER: f64 = 1.5;
 pub(super) struct Evidence {
     /// The growth of its deviation.
     pub(super) record: Record,
-    /// By which factor its whole extent is wider than that of its first half.
-    pub(super) widening: f64,
+    /// How far it goes in the first half of the time, and at all.
+    extents: [Extent; 2],
     /// Why it ended early.
     pub(super) stopped: Option<Cause>,
 }
 
 impl Evidence {
-    /// What a single motion shows, integrated with this effort.
-    pub(super) fn verdict(&self, effort: &Effort) -> Verdict {
+    /// Of a motion before its first interval.
+    pub(super) fn new(interval: f64, numbers: usize) -> Self {
+        let nothing = Extent::new(numbers);
+        Self { record: Record::new(interval), extents: [nothing.clone(), nothing], stopped: None }
+    }
+
+    /// Adds the growth in one interval of so many, and the state at its end.
+    pub(super) fn add(&mut self, growth: f64, state: &[f64], of: usize) {
+        self.record.push(growth);
+        let first_half = 2 * self.record.intervals() <= of;
+        self.extents.iter_mut().skip(usize::from(!first_half)).for_each(|extent| extent.include(state));
+    }
+
+    /// By which factor the motion goes farther than its first half, where it is largest.
+    fn widening(&self, unconfined: &[bool]) -> f64 {
+        let [half, whole] = self.extents.each_ref().map(Extent::widths);
+        let free = unconfined.iter().copied().chain(std::iter::repeat(false));
+        let confined = half.iter().zip(&whole).zip(free).filter(|(_, free)| !free);
+        confined.map(|((half, whole), _)| if whole > half { whole / half } else { 1.0 }).fold(1.0, f64::max)
+    }
+
+    /// What a single motion shows, integrated with this effort. Unconfined coordinates may grow without end.
+    pub(super) fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> Verdict {
         let record = &self.record;
         if let Some(cause) = self.stopped {
             return Verdict::Undecided(Doubt::Stopped(cause));
@@ -96,14 +118,14 @@ impl Evidence {
         if self.converges() {
             return Verdict::Regular(Regularity::Converging);
         }
-        let fall = record.largest_fall();
-        if fall > largest_harmless_fall(effort) {
-            return Verdict::Undecided(Doubt::DigitsLost { fall });
+        let valley = record.deepest_valley();
+        if valley > deepest_harmless_valley(effort) {
+            return Verdict::Undecided(Doubt::DigitsLost { valley });
         }
         if record.rises().iter().all(|rise| *rise <= SLOW_RISE) {
             return Verdict::Regular(Regularity::Slow { below: 2.0 * SLOW_RISE / record.duration() });
         }
-        self.doubt().map_or(Verdict::Chaotic, Verdict::Undecided)
+        self.doubt(unconfined).map_or(Verdict::Chaotic, Verdict::Undecided)
     }
 
     fn converges(&self) -> bool {
@@ -113,10 +135,10 @@ impl Evidence {
     }
 
     /// What speaks against chaos in a motion whose deviation grows fast.
-    fn doubt(&self) -> Option<Doubt> {
+    fn doubt(&self, unconfined: &[bool]) -> Option<Doubt> {
         let record = &self.record;
         let growth = record.growth();
-        if self.widening > WIDER {
+        if self.widening(unconfined) > WIDER {
             return Some(Doubt::Unbounded);
         }
         if growth < EXPONENTIAL_GROWTH {
@@ -127,19 +149,19 @@ impl Evidence {
         (!steady).then_some(Doubt::Unsteady)
     }
 
-    /// Whether two motions have the same exponent.
+    /// Whether the exponents of two motions are of the same size, within their errors.
     pub(super) fn agrees_with(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
-        (own.0 - others.0).abs() <= 0.1 * own.0.abs() + CERTAIN * libm::hypot(own.1, others.1)
+        (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)
     }
 }
 
-/// The largest fall of the logarithm with which digits remain.
+/// The deepest valley of the logarithm in which digits remain.
 ///
 /// Next to a separatrix a deviation grows as the time lag that it makes, by 1/δ at each return, where δ is the distance
 /// in energy, and shrinks by √δ on the way. What a step errs in, ε of the deviation, is a distance too and comes back as
-/// ε/δ of it. So by the square of its fall exceeds the growth what the equations say: by a thousandth at most.
-fn largest_harmless_fall(effort: &Effort) -> f64 {
+/// ε/δ of it. With the valley's depth ln 1/√δ that is ε·e^(2·depth), to which a thousandth is left.
+fn deepest_harmless_valley(effort: &Effort) -> f64 {
     const THOUSANDTH: f64 = 1e-3;
     0.5 * libm::log(THOUSANDTH / effort.relative.max(f64::EPSILON))
 }
@@ -162,7 +184,7 @@ impl Verdict {
             Self::Regular(regularity) => regularity.to_string(),
             Self::Chaotic => {
                 "deviations grow exponentially all along the motion, which stays bounded, and on two \
-                              motions that begin next to it, with the same exponent"
+                              motions that begin next to it"
                     .to_owned()
             }
             Self::Undecided(doubt) => doubt.to_string(),
@@ -202,9 +224,9 @@ impl fmt::Display for Doubt {
             ),
             Self::Unsteady => formatter.write_str("the growth is not steady: measure longer"),
             Self::Unbounded => formatter.write_str("the motion goes farther and farther"),
-            Self::DigitsLost { fall } => write!(
+            Self::DigitsLost { valley } => write!(
                 formatter,
-                "the deviation shrinks by the factor e^-{fall:.1} on the way, as next to a separatrix, and loses its \
+                "the deviation shrinks by the factor e^-{valley:.1} in between, as next to a separatrix, and loses its \
                  digits: give a smaller tolerance or another start"
             ),
             Self::Neighbours { exponent } => write!(

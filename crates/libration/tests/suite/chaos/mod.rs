@@ -2,3 +2,4 @@
 
 mod integrable;
 mod lyapunov;
+mod section;
