@@ -119,7 +119,7 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
         lines.push(("coordinate", text));
     }
     for parameter in named.parameters {
-        let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
+        let unit = if parameter.unit == "1" { String::new() } else { format!(", in {}", parameter.unit) };
         lines.push((
             "parameter",
             format!("{} = {}{unit}: {}", parameter.name, parameter.default, parameter.meaning),

@@ -53,6 +53,16 @@ impl Equation {
         &self.accelerations
     }
 
+    /// What multiplies each second derivative as the equations are written: the masses, in `m x'' + k x = 0`.
+    #[must_use]
+    pub fn inertias(&self) -> Vec<Expression> {
+        let factor = |((left, right), name): (&(Expression, Expression), &String)| {
+            let own = Symbol::plain(name).with_primes(2);
+            difference(left.derivative(&own), right.derivative(&own))
+        };
+        self.written.iter().zip(&self.variables).map(factor).collect()
+    }
+
     /// The names that are neither variables nor the time.
     #[must_use]
     pub fn parameters(&self) -> BTreeSet<String> {

@@ -26,6 +26,8 @@ pub struct Energy {
     coordinates: usize,
     tape: Tape,
     holds: Holds,
+    /// Of each coordinate, where the tape holds forces.
+    masses: Vec<f64>,
 }
 
 /// What the tape of an energy holds.
@@ -33,7 +35,7 @@ pub struct Energy {
 enum Holds {
     /// The energy.
     Energy,
-    /// The accelerations, which are minus the slope of the potential.
+    /// The forces, which are minus the slope of the potential.
     Forces,
 }
 
@@ -43,10 +45,16 @@ impl Energy {
         Self::on_tape(equation, &[energy], Holds::Energy)
     }
 
-    /// The energy Σ x′²/2 + V of forces −∂V/∂x that depend on the coordinates only. That they have a potential is proved
-    /// by ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
+    /// The energy Σ m x′²/2 + V of forces −∂V/∂x that depend on the coordinates only, m being what multiplies x″ in the
+    /// equations if that is a positive constant, and else one. That the forces have a potential is proved by
+    /// ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
     pub(super) fn of_forces(equation: &Equation) -> Result<Self, NoEnergy> {
-        let forces: Vec<&Expression> = equation.accelerations().iter().collect();
+        let masses =
+            masses(equation).unwrap_or_else(|| vec![Expression::from(1); equation.variables().len()]);
+        let force = |(mass, acceleration): (&Expression, &Expression)| {
+            Expression::Multiply(Box::new(mass.clone()), Box::new(acceleration.clone())).simplified()
+        };
+        let forces: Vec<Expression> = masses.iter().zip(equation.accelerations()).map(force).collect();
         let names = equation.variables();
         for (name, force) in names.iter().zip(&forces) {
             let foreign = |symbol: &Symbol| symbol.primes > 0 || symbol.name == "t";
@@ -62,14 +70,15 @@ impl Energy {
                 }
             }
         }
-        Self::on_tape(equation, &forces, Holds::Forces)
+        let energy = Self::on_tape(equation, &forces.iter().collect::<Vec<_>>(), Holds::Forces)?;
+        Ok(Self { masses: masses.iter().filter_map(Expression::to_f64).collect(), ..energy })
     }
 
     fn on_tape(equation: &Equation, formulas: &[&Expression], holds: Holds) -> Result<Self, NoEnergy> {
         let places = equation.variables().iter().map(|name| Symbol::plain(name));
         let inputs: Vec<Symbol> = places.clone().chain(places.map(|symbol| symbol.with_primes(1))).collect();
         let tape = Tape::new(formulas, &inputs)?;
-        Ok(Self { coordinates: equation.variables().len(), tape, holds })
+        Ok(Self { coordinates: equation.variables().len(), tape, holds, masses: vec![] })
     }
 
     /// An account of the energy of a motion that begins here.
@@ -157,7 +166,10 @@ impl EnergyBalance<'_> {
             (0..coordinates).map(|i| forces[i] * (state[i] - from[i])).sum()
         });
         self.potential = self.potential + DoubleDouble::from(-work);
-        let kinetic = |state: &[f64]| state[coordinates..].iter().map(|v| 0.5 * v * v).sum::<f64>();
+        let kinetic = |state: &[f64]| {
+            let speeds = state[coordinates..].iter();
+            self.energy.masses.iter().zip(speeds).map(|(m, v)| 0.5 * m * v * v).sum::<f64>()
+        };
         let gained = kinetic(state) - kinetic(&self.start);
         (self.potential.to_f64() + gained, kinetic(state))
     }
@@ -174,6 +186,13 @@ impl EnergyBalance<'_> {
             _ => vec![f64::NAN; formulas],
         }
     }
+}
+
+/// The masses, if they are positive constants.
+fn masses(equation: &Equation) -> Option<Vec<Expression>> {
+    let inertias = equation.inertias();
+    let positive = |mass: &Expression| mass.to_f64().is_some_and(|mass| mass > 0.0 && mass.is_finite());
+    inertias.iter().all(positive).then_some(inertias)
 }
 
 /// The larger number; NaN if one is.

@@ -66,7 +66,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
-        domain: "motions that do not pass the lowest or the highest point, where phi has no meaning and the integration stops: there take spherical_pendulum_xy",
+        domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
         source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
     },
     NamedSystem {
