@@ -1,5 +1,6 @@
 //! The questions that can be asked, one file each.
 
+pub(crate) mod bifurcation;
 mod completions;
 mod derive;
 mod expand;
@@ -7,10 +8,12 @@ mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+pub(crate) mod lyapunov;
 pub(crate) mod motion;
 mod oscillators;
 mod paper;
 mod period;
+pub(crate) mod section;
 mod systems;
 
 use crate::failure::Failure;
@@ -47,6 +50,9 @@ enum Question {
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
     Systems(systems::Systems),
+    Section(section::PoincareQuestion),
+    Bifurcation(bifurcation::Bifurcation),
+    Lyapunov(lyapunov::Lyapunov),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -71,6 +77,9 @@ impl Libration {
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
+            Question::Section(question) => question.answer(out),
+            Question::Bifurcation(question) => question.answer(out),
+            Question::Lyapunov(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

@@ -1,9 +1,11 @@
 //! The pictures: what each one shows, and how it is drawn.
 
 pub(crate) mod errors;
+pub(crate) mod lyapunov;
 pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod spectrum;
 
