@@ -4,6 +4,7 @@
 //! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
 //! printed by `reference/kernel_coefficients.py`.
 
+pub(crate) mod rough;
 pub(crate) mod two_word;
 
 mod arctangent;

@@ -7,6 +7,7 @@
 use crate::algebra::Ring;
 
 /// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ; `None` when b₀ has no inverse.
+#[inline(always)]
 pub(crate) fn quotient<R: Ring>(
     ring: &R,
     a_n: &R::Element,
@@ -18,6 +19,7 @@ pub(crate) fn quotient<R: Ring>(
 }
 
 /// n·cₙ of the c with c′ = a′·b, from the weighted a₁ … aₙ and b₀ … bₙ₋₁.
+#[inline(always)]
 pub(crate) fn weighted_integral<R: Ring>(
     ring: &R,
     weighted_a: &[R::Element],
@@ -27,6 +29,7 @@ pub(crate) fn weighted_integral<R: Ring>(
 }
 
 /// n·cₙ of the c with c′ = a′/r, from the weighted aₙ, the weighted c₁ … cₙ₋₁ and r₀ … rₙ₋₁.
+#[inline(always)]
 pub(crate) fn weighted_integral_of_quotient<R: Ring>(
     ring: &R,
     weighted_a_n: &R::Element,
@@ -44,6 +47,7 @@ pub(crate) struct Both<'a, E> {
 }
 
 /// n·a₀·cₙ of c = aᵖ, from a₀ … aₙ and c₀ … cₙ₋₁: a·c′ = p·a′·c.
+#[inline(always)]
 pub(crate) fn weighted_power<R: Ring>(
     ring: &R,
     exponent: &R::Element,

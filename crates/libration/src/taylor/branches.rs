@@ -1,103 +1,118 @@
 //! On which side of zero the argument of each absolute value is.
 
-use super::expander::Expander;
+use super::Cause;
+use super::block::Block;
+use super::expander::{Expander, Surroundings};
 use super::sign_change::first_sign_change;
-use super::{Cause, Step};
 
-/// The sign of each argument during a step.
+/// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
-pub(super) struct Branches {
-    signs: Vec<f64>,
-    /// Arguments that are zero where the step begins, and of which only rounding makes something else.
-    at_zero: Vec<bool>,
+pub(super) struct Branches<const N: usize> {
+    /// Of each argument: arguments that are zero where the step begins, and of which only rounding makes something else.
+    at_zero: Vec<[bool; N]>,
 }
 
-impl Branches {
+impl<const N: usize> Branches<N> {
     pub(super) fn new(moduli: usize) -> Self {
-        Self { signs: vec![1.0; moduli], at_zero: vec![false; moduli] }
+        Self { at_zero: vec![[false; N]; moduli] }
     }
 
-    /// Expands a step that has only its start, with the signs that the arguments have behind it.
+    /// Begins a motion in a lane.
+    pub(super) fn launch(&mut self, lane: usize) {
+        for at_zero in &mut self.at_zero {
+            at_zero[lane] = false;
+        }
+    }
+
+    /// Expands steps that have only their starts, with the signs that the arguments have behind these.
     pub(super) fn settle(
         &mut self,
-        expander: &mut Expander,
-        step: &mut Step,
-        backward: bool,
-    ) -> Result<(), Cause> {
+        expander: &mut Expander<'_, N>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> [Result<(), Cause>; N] {
         // Each attempt may show one more sign to be wrong.
-        for _ in 0..=2 * self.signs.len() {
-            let outcome = self.expand(expander, step);
-            if !self.correct(expander, backward) {
-                return outcome;
+        for _ in 0..2 * self.at_zero.len() {
+            expander.expand(block, surroundings);
+            if !self.correct(expander, surroundings, backward).contains(&true) {
+                return [Ok(()); N];
             }
         }
-        Err(Cause::NoWayOn)
+        expander.expand(block, surroundings);
+        let wrong = self.correct(expander, surroundings, backward);
+        wrong.map(|wrong| if wrong { Err(Cause::NoWayOn) } else { Ok(()) })
     }
 
-    /// The series of a step, with the signs as they are.
-    pub(super) fn expand(&self, expander: &mut Expander, step: &mut Step) -> Result<(), Cause> {
-        let outcome = expander.expand(step.start, &self.signs, &mut step.series);
-        let finite = step.series.iter().flatten().all(|c| c.is_finite());
-        outcome.ok().filter(|()| finite).ok_or(Cause::Singularity)
-    }
-
-    /// Gives the signs that the series of the arguments have; whether one was another.
-    fn correct(&mut self, expander: &Expander, backward: bool) -> bool {
-        let mut wrong = false;
-        for (modulus, (sign, zero)) in self.signs.iter_mut().zip(&self.at_zero).enumerate() {
-            let found = sign_behind(expander.argument(modulus), *zero, backward).unwrap_or(*sign);
-            wrong |= found * *sign < 0.0;
-            *sign = found;
+    /// Gives the signs that the series of the arguments have; in which lanes one was another.
+    fn correct(
+        &self,
+        expander: &Expander<'_, N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> [bool; N] {
+        let mut wrong = [false; N];
+        for (modulus, (signs, at_zero)) in surroundings.signs.iter_mut().zip(&self.at_zero).enumerate() {
+            let argument = expander.argument(modulus);
+            for lane in 0..N {
+                let series = argument.iter().map(|c| c[lane]).enumerate().skip(usize::from(at_zero[lane]));
+                let found = sign_behind(series, backward[lane]).unwrap_or(signs[lane]);
+                wrong[lane] |= found * signs[lane] < 0.0;
+                signs[lane] = found;
+            }
         }
         wrong
     }
 
-    /// Ends the step where an argument first changes its sign.
-    pub(super) fn cut(&mut self, expander: &Expander, step: &mut Step) {
-        let length = step.end - step.start;
-        let change = |(modulus, zero): (usize, &bool)| {
-            first_sign_change(&scaled(expander.argument(modulus), *zero, length))
+    /// Ends the steps where an argument first changes its sign.
+    pub(super) fn cut(
+        &mut self,
+        expander: &Expander<'_, N>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        for lane in 0..N {
+            self.cut_lane(lane, expander, block, surroundings);
+        }
+    }
+
+    fn cut_lane(
+        &mut self,
+        lane: usize,
+        expander: &Expander<'_, N>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        let length = block.end[lane] - block.start[lane];
+        let change = |(modulus, at_zero): (usize, &[bool; N])| {
+            let series = expander.argument(modulus).iter().map(|c| c[lane]);
+            first_sign_change(&scaled(series, at_zero[lane], length))
         };
         let changes: Vec<Option<f64>> = self.at_zero.iter().enumerate().map(change).collect();
         let first = changes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if first.is_finite() {
-            step.end = step.start + first * length;
+            block.end[lane] = block.start[lane] + first * length;
         }
-        let moves = (step.end - step.start).abs() > 0.0;
-        for ((change, sign), zero) in changes.iter().zip(&mut self.signs).zip(&mut self.at_zero) {
+        let moves = (block.end[lane] - block.start[lane]).abs() > 0.0;
+        for ((change, signs), zero) in changes.iter().zip(&mut surroundings.signs).zip(&mut self.at_zero) {
             let changes_now = *change == Some(first);
-            *sign = if changes_now { -*sign } else { *sign };
+            signs[lane] = if changes_now { -signs[lane] } else { signs[lane] };
             // A step without length leaves what is zero at zero.
-            *zero = changes_now || (*zero && !moves);
+            zero[lane] = changes_now || (zero[lane] && !moves);
         }
-    }
-
-    /// How far the accelerations at a time are from those of the step's polynomials, as a part of the latter's size.
-    pub(super) fn defect(&self, expander: &mut Expander, step: &Step, time: f64) -> f64 {
-        let state: Vec<f64> = step.state_at(time);
-        let coordinates = state.len() / 2;
-        let exact = expander.accelerations(time, &self.signs, &state);
-        let parts = exact.iter().enumerate().map(|(i, exact)| {
-            let own = step.slope_at(coordinates + i, time - step.start);
-            let size = exact.abs().max(own.abs());
-            if size == 0.0 { 0.0 } else { (exact - own).abs() / size }
-        });
-        // What is not finite is no agreement.
-        parts.fold(0.0, |largest, part| if part <= largest { largest } else { part })
     }
 }
 
 /// The sign of a series next to its centre; `None` when it vanishes.
-fn sign_behind(series: &[f64], zero: bool, backward: bool) -> Option<f64> {
-    let mut terms = series.iter().enumerate().skip(usize::from(zero));
-    let (n, c) = terms.find(|(_, c)| **c != 0.0)?;
+fn sign_behind(mut terms: impl Iterator<Item = (usize, f64)>, backward: bool) -> Option<f64> {
+    let (n, c) = terms.find(|(_, c)| *c != 0.0)?;
     Some(if backward && n % 2 == 1 { -c.signum() } else { c.signum() })
 }
 
 /// The coefficients of the part of the step as variable, divided by it as long as the polynomial is zero at zero.
-fn scaled(series: &[f64], zero: bool, length: f64) -> Vec<f64> {
+fn scaled(series: impl Iterator<Item = f64>, zero: bool, length: f64) -> Vec<f64> {
     let mut power = 1.0;
-    let terms = series.iter().map(|c| {
+    let terms = series.map(|c| {
         let term = c * power;
         power *= length;
         term

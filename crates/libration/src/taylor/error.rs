@@ -14,6 +14,14 @@ pub enum IntegrationError {
         /// How many there should be.
         wanted: usize,
     },
+    /// Values that do not fit the open parameters.
+    #[error("{got} values of parameters were given, but {wanted} parameters were left open")]
+    ParameterCount {
+        /// How many values there were.
+        got: usize,
+        /// How many there should be.
+        wanted: usize,
+    },
     /// A state or a time at the beginning that is infinite or no number.
     #[error("the motion cannot begin with {0}: give finite numbers")]
     StartNotFinite(f64),

@@ -1,88 +1,125 @@
-//! The Taylor series of a system about a state.
+//! The Taylor series of a system about a state, in several lanes.
 
 use super::System;
-use crate::algebra::Doubles;
-use crate::expression::{Jet, NoSeries};
+use super::block::Block;
+use crate::algebra::{Lanes, Ring};
+use crate::dispatch::{Kernel, dispatch};
+use crate::expression::Jet;
+
+/// What the tape is given beside the state.
+#[derive(Clone, Debug)]
+pub(super) struct Surroundings<const N: usize> {
+    /// The values of the parameters that were left open.
+    pub(super) parameters: Vec<[f64; N]>,
+    /// The sign of what stands in each |…|.
+    pub(super) signs: Vec<[f64; N]>,
+}
 
 /// Makes series about one state after the other, always in the same memory.
 #[derive(Debug)]
-pub(super) struct Expander<'a> {
+pub(super) struct Expander<'a, const N: usize> {
     system: &'a System,
-    order: u32,
-    jet: Option<Jet<'a, Doubles>>,
+    order: usize,
+    jet: Jet<'a, Lanes<N>>,
     /// One coefficient of each input.
-    inputs: Vec<f64>,
+    inputs: Vec<[f64; N]>,
 }
 
-impl<'a> Expander<'a> {
-    pub(super) fn new(system: &'a System, order: u32) -> Self {
-        Self { system, order, jet: None, inputs: vec![] }
+/// Why all values of formulas exist.
+const ALL_VALUES: &str = "where a float has no value it is NaN";
+
+impl<'a, const N: usize> Expander<'a, N> {
+    pub(super) fn new(system: &'a System, order: usize) -> Self {
+        let inputs = vec![[0.0; N]; system.tape().inputs()];
+        let mut jet = Jet::new(&Lanes, system.tape(), &inputs).expect(ALL_VALUES);
+        jet.reserve(order + 1);
+        Self { system, order, jet, inputs }
+    }
+
+    pub(super) fn system(&self) -> &'a System {
+        self.system
     }
 
     /// Fills in the coefficients up to the order, of the coordinates and then of the velocities, whose first are given.
-    ///
-    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
-    pub(super) fn expand(
+    pub(super) fn expand(&mut self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        dispatch(Expansion { expander: self, block, surroundings });
+    }
+
+    /// What stands between the bars of an absolute value.
+    pub(super) fn argument(&self, modulus: usize) -> &[[f64; N]] {
+        self.jet.result(self.system.coordinates() + modulus)
+    }
+
+    /// The formula of an event.
+    pub(super) fn event(&self, event: usize) -> &[[f64; N]] {
+        self.jet.result(self.system.coordinates() + self.system.moduli() + event)
+    }
+
+    /// The accelerations in a state of all lanes.
+    pub(super) fn accelerations(
         &mut self,
         time: f64,
-        signs: &[f64],
-        series: &mut [Vec<f64>],
-    ) -> Result<(), NoSeries> {
-        let coordinates = self.system.coordinates();
-        self.begin(time, signs, series)?;
-        for (n, divisor) in (1..).zip(1..=self.order) {
+        state: &[f64],
+        surroundings: &Surroundings<N>,
+    ) -> Vec<[f64; N]> {
+        for (input, value) in self.inputs.iter_mut().zip(state.iter().chain([&time])) {
+            *input = [*value; N];
+        }
+        self.begin(surroundings);
+        (0..self.system.coordinates()).map(|i| *self.jet.last(i)).collect()
+    }
+
+    /// Begins a jet with the inputs of states and time, and those that follow.
+    #[inline(always)]
+    fn begin(&mut self, surroundings: &Surroundings<N>) {
+        let rest = &mut self.inputs[2 * self.system.coordinates() + 1..];
+        let (parameters, signs) = rest.split_at_mut(surroundings.parameters.len());
+        parameters.copy_from_slice(&surroundings.parameters);
+        signs.copy_from_slice(&surroundings.signs);
+        self.jet.restart(&self.inputs).expect(ALL_VALUES);
+        self.inputs[2 * self.system.coordinates() + 1..].fill([0.0; N]);
+    }
+
+    /// The n-th coefficients of all states and of the time as inputs.
+    #[inline(always)]
+    fn feed(&mut self, block: &Block<N>, n: usize) {
+        let numbers = block.numbers();
+        for number in 0..numbers {
+            self.inputs[number] = block.series(number)[n];
+        }
+        self.inputs[numbers] = if n == 0 { block.start } else { [if n == 1 { 1.0 } else { 0.0 }; N] };
+    }
+}
+
+/// The expansion, compiled for each instruction set.
+struct Expansion<'e, 'a, const N: usize> {
+    expander: &'e mut Expander<'a, N>,
+    block: &'e mut Block<N>,
+    surroundings: &'e Surroundings<N>,
+}
+
+impl<const N: usize> Kernel for Expansion<'_, '_, N> {
+    type Output = ();
+
+    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
+    #[inline(always)]
+    fn run(self) {
+        let Self { expander, block, surroundings } = self;
+        let coordinates = expander.system.coordinates();
+        expander.feed(block, 0);
+        expander.begin(surroundings);
+        let last = expander.order - usize::from(expander.system.events().is_empty());
+        for (n, divisor) in (1..=expander.order).zip(1..) {
+            let over_n = |c: &[f64; N]| Lanes.over_integer(c, divisor).expect(ALL_VALUES);
             for i in 0..coordinates {
-                let (speed, acceleration) = (series[coordinates + i][n - 1], self.formula(i)[n - 1]);
-                series[i].push(speed / f64::from(divisor));
-                series[coordinates + i].push(acceleration / f64::from(divisor));
+                let velocity = block.series(coordinates + i)[n - 1];
+                block.series_mut(i)[n] = over_n(&velocity);
+                block.series_mut(coordinates + i)[n] = over_n(expander.jet.last(i));
             }
-            if divisor < self.order {
-                self.extend(n, series)?;
+            if n <= last {
+                expander.feed(block, n);
+                expander.jet.extend(&expander.inputs).expect(ALL_VALUES);
             }
         }
-        Ok(())
-    }
-
-    /// What stands between the bars of an absolute value, as a series of one term less than the order.
-    pub(super) fn argument(&self, modulus: usize) -> &[f64] {
-        self.formula(self.system.coordinates() + modulus)
-    }
-
-    /// The accelerations in a state, in the place of the series.
-    pub(super) fn accelerations(&mut self, time: f64, signs: &[f64], state: &[f64]) -> Vec<f64> {
-        let mut series: Vec<Vec<f64>> = state.iter().map(|&value| vec![value]).collect();
-        match self.begin(time, signs, &mut series) {
-            Ok(()) => (0..self.system.coordinates()).map(|i| self.formula(i)[0]).collect(),
-            Err(_) => vec![f64::NAN; self.system.coordinates()],
-        }
-    }
-
-    fn formula(&self, number: usize) -> &[f64] {
-        self.jet.as_ref().map_or(&[], |jet| jet.result(number))
-    }
-
-    fn begin(&mut self, time: f64, signs: &[f64], series: &mut [Vec<f64>]) -> Result<(), NoSeries> {
-        self.inputs.clear();
-        for one in series {
-            one.truncate(1);
-            self.inputs.extend_from_slice(one);
-        }
-        self.inputs.push(time);
-        self.inputs.extend_from_slice(signs);
-        if let Some(jet) = &mut self.jet {
-            return jet.restart(&self.inputs);
-        }
-        self.jet = Some(Jet::new(&Doubles, self.system.tape(), &self.inputs)?);
-        Ok(())
-    }
-
-    fn extend(&mut self, n: usize, series: &[Vec<f64>]) -> Result<(), NoSeries> {
-        for (input, one) in self.inputs.iter_mut().zip(series) {
-            *input = one[n];
-        }
-        let others = &mut self.inputs[series.len()..];
-        others.fill(0.0);
-        others[0] = if n == 1 { 1.0 } else { 0.0 };
-        self.jet.as_mut().map_or(Ok(()), |jet| jet.extend(&self.inputs))
     }
 }

@@ -4,17 +4,24 @@
 //! step is a polynomial that gives the state at every time inside it.
 
 mod error;
+mod event;
 mod system;
 mod tangent;
 
 mod moduli;
 mod sign_change;
 
+mod block;
 mod expander;
 mod step;
 mod step_length;
 
 mod branches;
+mod contacts;
+mod flight;
+
+mod fleet;
+mod record;
 
 mod integrate;
 
@@ -22,7 +29,8 @@ mod integrate;
 mod tests;
 
 pub use error::{Cause, IntegrationError};
-pub use integrate::{Moment, Solution, integrate};
+pub use event::{Contact, Direction, Event, Occurrence};
+pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;

@@ -3,31 +3,20 @@
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
 
 /// A step of an integration, which gives the state at every time inside it.
-#[derive(Clone, Debug)]
-pub struct Step {
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
     pub(super) start: f64,
     pub(super) end: f64,
-    /// Coefficients in powers of the time since the start, of the coordinates and then of the velocities.
-    pub(super) series: Vec<Vec<f64>>,
+    /// Coefficients in powers of the time since the start, of the coordinates and then of the velocities, in all lanes.
+    pub(super) coefficients: &'a [f64],
     /// What the first coefficients lack of the state.
-    pub(super) low: Vec<f64>,
+    pub(super) low: &'a [f64],
+    pub(super) terms: usize,
+    pub(super) lanes: usize,
+    pub(super) lane: usize,
 }
 
-impl Step {
-    /// A step still without length, with so many numbers in its state.
-    pub(super) fn new(numbers: usize) -> Self {
-        Self { start: 0.0, end: 0.0, series: vec![vec![0.0]; numbers], low: vec![0.0; numbers] }
-    }
-
-    /// Begins at a time in a state; the series have their first coefficients.
-    pub(super) fn begin(&mut self, time: f64, state: &[DoubleDouble]) {
-        (self.start, self.end) = (time, time);
-        for ((value, series), low) in state.iter().zip(&mut self.series).zip(&mut self.low) {
-            series.truncate(1);
-            (series[0], *low) = (value.hi, value.lo);
-        }
-    }
-
+impl Step<'_> {
     /// When it begins, in the direction of the integration.
     #[must_use]
     pub fn start(&self) -> f64 {
@@ -46,43 +35,55 @@ impl Step {
     /// As good as the state at the end of the step. Outside the step the error grows with every power up to its order.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {
-        self.two_word_state_at(time).map(DoubleDouble::to_f64).collect()
+        (0..self.numbers()).map(|number| self.component_at(number, time).to_f64()).collect()
     }
 
-    pub(super) fn two_word_state_at(&self, time: f64) -> impl Iterator<Item = DoubleDouble> {
-        (0..self.series.len()).map(move |component| self.component_at(component, time))
+    fn numbers(&self) -> usize {
+        self.low.len() / self.lanes
+    }
+
+    fn coefficient(&self, number: usize, n: usize) -> f64 {
+        self.coefficients[(number * self.terms + n) * self.lanes + self.lane]
+    }
+
+    fn low(&self, number: usize) -> f64 {
+        self.low.get(number * self.lanes + self.lane).copied().unwrap_or(0.0)
     }
 
     /// Whether a time that is not before its start is not behind its end.
-    pub(super) fn reaches(&self, time: f64) -> bool {
+    #[cfg(any())]
+    fn reaches(&self, time: f64) -> bool {
         if self.end < self.start { time >= self.end } else { time <= self.end }
     }
 
-    /// One number of the state in two words. The time since the start is exact, in two words if need be.
-    fn component_at(&self, component: usize, time: f64) -> DoubleDouble {
-        let DoubleDouble { hi: elapsed, lo: remainder } = two_sum(time, -self.start);
-        let (value, slope, higher) = self.parts(component, elapsed);
-        let first = two_prod(slope, elapsed);
-        let small = higher * elapsed + self.low_velocity(component) * elapsed;
-        let base = DoubleDouble::new(value, self.low[component]) + first + small;
-        if remainder == 0.0 { base } else { base + self.slope_at(component, elapsed) * remainder }
-    }
-
-    /// c₀, c₁ and c₂h + c₃h² + ….
-    fn parts(&self, component: usize, h: f64) -> (f64, f64, f64) {
-        let series = &self.series[component];
-        let higher = series[2..].iter().rev().fold(0.0, |sum, c| (sum + c) * h);
-        (series[0], series[1], higher)
-    }
-
-    /// What a coordinate's second coefficient lacks of the velocity.
-    fn low_velocity(&self, component: usize) -> f64 {
-        self.low.get(component + self.low.len() / 2).copied().unwrap_or(0.0)
+    /// One number of the state in two words.
+    pub(super) fn component_at(&self, number: usize, time: f64) -> DoubleDouble {
+        let (h, remainder) = elapsed(self.start, time);
+        let higher = (2..self.terms).rev().fold(0.0, |sum, n| (sum + self.coefficient(number, n)) * h);
+        let base = DoubleDouble::new(self.coefficient(number, 0), self.low(number));
+        let velocity_low = self.low(number + self.numbers() / 2);
+        let value = grown(base, self.coefficient(number, 1), velocity_low, higher, h);
+        if remainder == 0.0 { value } else { value + self.slope_at(number, h) * remainder }
     }
 
     /// The time derivative of one number of the state, so long after the start.
-    pub(super) fn slope_at(&self, component: usize, h: f64) -> f64 {
-        let horner = |(value, slope): (f64, f64), c: &f64| (value * h + c, slope * h + value);
-        self.series[component].iter().rev().fold((0.0, 0.0), horner).1
+    pub(super) fn slope_at(&self, number: usize, h: f64) -> f64 {
+        let horner = |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
+        (0..self.terms).rev().fold((0.0, 0.0), horner).1
     }
+}
+
+/// The time since the start, exactly, in two words if need be.
+#[inline(always)]
+pub(super) fn elapsed(start: f64, time: f64) -> (f64, f64) {
+    let DoubleDouble { hi, lo } = two_sum(time, -start);
+    (hi, lo)
+}
+
+/// c₀ + c₁h + (c₂h + c₃h² + …)h of which the last bracket is given: what is large is added in two words.
+///
+/// `velocity_low` is what c₁ lacks of the velocity where the number is a coordinate.
+#[inline(always)]
+pub(super) fn grown(base: DoubleDouble, slope: f64, velocity_low: f64, higher: f64, h: f64) -> DoubleDouble {
+    base + two_prod(slope, h) + (higher * h + velocity_low * h)
 }

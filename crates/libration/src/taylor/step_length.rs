@@ -2,6 +2,10 @@
 //!
 //! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
 
+use super::block::Block;
+use crate::algebra::lanes;
+use crate::elementary::rough::{exp2, log2};
+
 /// How exact an integration shall be, and when it shall give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
@@ -29,46 +33,74 @@ impl Effort {
         (least..=greatest).contains(&self.relative) && (0.0..f64::INFINITY).contains(&self.absolute)
     }
 
-    /// −ln(tolerance)/2 + 1, rounded up: the order at which a given accuracy costs least.
-    pub(super) fn order(&self) -> u32 {
-        const LOWEST: u32 = 6;
-        let best = (1.0 - 0.5 * libm::log(self.relative)).ceil();
-        (LOWEST..64).find(|&order| f64::from(order) >= best).unwrap_or(LOWEST)
+    /// The order at which a given accuracy costs least: 1 − ln(tolerance)/2 if a step cost the square of its order, as
+    /// products of series do; but half the cost is proportional to the order, so that longer steps pay.
+    pub(super) fn order(&self) -> usize {
+        const LOWEST: usize = 6;
+        const HIGHEST: usize = 63;
+        let best = 1.0 - 0.5 * kappa() * libm::log(self.relative);
+        (LOWEST..HIGHEST).find(|&order| count(order) >= best).unwrap_or(HIGHEST)
     }
 
-    /// The length of a step with these series, positive; infinite where the series end.
-    ///
-    /// At e^−2 of the radius of convergence the terms fall by e² each, and by the order below the tolerance.
-    pub(super) fn step_length(&self, series: &[Vec<f64>]) -> f64 {
-        let floor = self.absolute / self.relative;
-        let (coordinates, velocities) = series.split_at(series.len() / 2);
-        let moving = coordinates.iter().map(|one| log_radius(one, floor));
-        let all = moving.chain(velocities.iter().map(|one| log_radius(one, one[0].abs().max(floor))));
-        libm::exp(all.fold(f64::INFINITY, f64::min) - 2.0 - 0.7 / (f64::from(self.order()) - 1.0))
+    /// How much of the radius of convergence a step may be, as a power of two: there the first terms that are missing are
+    /// far below the tolerance, since a radius guessed too large by a fifth makes them ten times larger.
+    pub(super) fn log2_part_of_radius(&self) -> f64 {
+        (log2(self.relative) - 9.0) / (count(self.order()) + 1.0)
     }
+}
+
+fn kappa() -> f64 {
+    std::env::var("KAPPA").ok().and_then(|k| k.parse().ok()).unwrap_or(1.0)
 }
 
 /// How many of the last coefficients are asked: by symmetry or by chance some are small.
 const LAST: usize = 4;
-/// How many of the first coefficients that are not zero tell the size.
+/// How many of the first coefficients tell the size.
 const FIRST: usize = 3;
 
-/// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last.
-/// In the place of |c₀|, which of a coordinate only says where it is, stands a size that is given.
-fn log_radius(series: &[f64], size: f64) -> f64 {
-    let sizes = [size].into_iter().chain(series.iter().skip(1).map(|c| c.abs()));
-    let known = sizes.enumerate().filter(|(_, size)| *size > 0.0).take(FIRST);
-    let first: [Option<(usize, f64)>; FIRST] = collected(known.map(|(n, size)| (n, libm::log(size))));
-    let by = |k: usize| {
-        let last = libm::log(series[k].abs());
-        let before = first.iter().flatten().filter(|(n, _)| *n < k);
-        before.map(|(n, size)| (size - last) / count(k - n)).reduce(f64::max)
-    };
-    (series.len().saturating_sub(LAST)..series.len()).filter_map(by).fold(f64::INFINITY, f64::min)
+/// The lengths of the steps with these series, positive; infinite where the series end.
+#[inline(always)]
+pub(super) fn step_lengths<const N: usize>(block: &Block<N>, floor: f64, log2_part: f64) -> [f64; N] {
+    let mut radius = [f64::INFINITY; N];
+    for number in 0..block.numbers() {
+        let series = block.series(number);
+        // Of a coordinate the zeroth coefficient only says where it is.
+        let velocity = number >= block.numbers() / 2;
+        let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
+        let own = log2_radius(series, &size);
+        for lane in 0..N {
+            radius[lane] = if own[lane] < radius[lane] { own[lane] } else { radius[lane] };
+        }
+    }
+    lanes(|lane| if radius[lane] == f64::INFINITY { f64::INFINITY } else { exp2(radius[lane] + log2_part) })
 }
 
-fn collected<T: Copy, const N: usize>(mut items: impl Iterator<Item = T>) -> [Option<T>; N] {
-    std::array::from_fn(|_| items.next())
+/// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite
+/// where these vanish.
+#[inline(always)]
+fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N] {
+    let mut first = [[0.0; N]; FIRST];
+    for n in 0..FIRST {
+        let c = if n == 0 { size } else { &series[n] };
+        first[n] = lanes(|lane| log2(c[lane].abs()));
+    }
+    let mut radius = [f64::INFINITY; N];
+    for k in series.len() - LAST..series.len() {
+        let last: [f64; N] = lanes(|lane| log2(series[k][lane].abs()));
+        let mut by = [f64::NEG_INFINITY; N];
+        for n in 0..FIRST {
+            let part = 1.0 / count(k - n);
+            for lane in 0..N {
+                let candidate = (first[n][lane] - last[lane]) * part;
+                by[lane] = if candidate > by[lane] { candidate } else { by[lane] };
+            }
+        }
+        for lane in 0..N {
+            let smaller = by[lane] < radius[lane] && by[lane] > f64::NEG_INFINITY;
+            radius[lane] = if smaller { by[lane] } else { radius[lane] };
+        }
+    }
+    radius
 }
 
 fn count(n: usize) -> f64 {

@@ -1,5 +1,6 @@
 //! Equations of motion in first-order form.
 
+use super::Event;
 use super::moduli::Moduli;
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 
@@ -11,14 +12,20 @@ use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 /// let system = System::new(&"x'' = y - x; y'' = x - y".parse()?)?;
 /// assert_eq!(system.state_names(), ["x", "y", "x'", "y'"]);
 /// assert!(System::new(&"x'' = -k x".parse()?).is_err());
+/// assert!(System::with_parameters(&"x'' = -k x".parse()?, &["k"]).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct System {
+    equation: Equation,
     variables: Vec<Symbol>,
-    /// The accelerations, then what stands between the bars of each |…|; the inputs are coordinates, velocities, the
-    /// time, and the sign of each of the latter.
+    parameters: Vec<Symbol>,
+    events: Vec<Event>,
+    /// The accelerations, then what stands between the bars of each |…|, then the formulas of the events; the inputs are
+    /// coordinates, velocities, the time, the open parameters, and the sign of what stands in each |…|.
     tape: Tape,
+    /// Of what stands in each |…| the number in a state, if it is one of the velocities.
+    velocities_in_moduli: Vec<Option<usize>>,
 }
 
 impl System {
@@ -27,24 +34,52 @@ impl System {
     /// # Errors
     /// A parameter without a value.
     pub fn new(equation: &Equation) -> Result<Self, WithoutValue> {
+        Self::with_parameters(equation, &[])
+    }
+
+    /// The system of equations some of whose parameters keep open; each [`Launch`](super::Launch) gives them values.
+    ///
+    /// # Errors
+    /// Another parameter without a value.
+    pub fn with_parameters(equation: &Equation, parameters: &[&str]) -> Result<Self, WithoutValue> {
+        let parameters = parameters.iter().map(|name| Symbol::plain(name)).collect();
+        Self::build(equation.clone(), parameters, vec![])
+    }
+
+    /// The same system, with these events to be found.
+    ///
+    /// # Errors
+    /// A symbol in a formula that is neither coordinate nor velocity, time or open parameter.
+    pub fn with_events(self, events: &[Event]) -> Result<Self, WithoutValue> {
+        Self::build(self.equation, self.parameters, events.to_vec())
+    }
+
+    fn build(equation: Equation, parameters: Vec<Symbol>, events: Vec<Event>) -> Result<Self, WithoutValue> {
         let variables: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
+        let state = state(&variables);
         let mut moduli = Moduli::default();
-        let mut formulas: Vec<Expression> =
-            equation.accelerations().iter().map(|formula| moduli.taken_out(formula)).collect();
-        let velocities = variables.iter().map(|symbol| symbol.with_primes(1));
-        let mut inputs: Vec<Symbol> = variables.iter().cloned().chain(velocities).collect();
+        let watched = events.iter().map(|event| &event.formula);
+        let formulas = equation.accelerations().iter().chain(watched);
+        let formulas: Vec<Expression> = formulas.map(|formula| moduli.taken_out(formula)).collect();
+        let (accelerations, watched) = formulas.split_at(variables.len());
+        let mut inputs = state.clone();
         inputs.push(Symbol::plain("t"));
-        inputs.extend(moduli.signs());
-        formulas.extend(moduli.into_arguments());
-        let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { variables, tape })
+        inputs.extend(parameters.iter().cloned().chain(moduli.signs()));
+        let arguments = moduli.into_arguments();
+        let formulas: Vec<&Expression> = accelerations.iter().chain(&arguments).chain(watched).collect();
+        let tape = Tape::new(&formulas, &inputs)?;
+        let velocity = |argument: &Expression| {
+            let number = state.iter().position(|symbol| *argument == Expression::Symbol(symbol.clone()));
+            number.filter(|&number| number >= variables.len())
+        };
+        let velocities_in_moduli = arguments.iter().map(velocity).collect();
+        Ok(Self { equation, variables, parameters, events, tape, velocities_in_moduli })
     }
 
     /// The names of the numbers of a state: `theta`, `theta'`.
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
-        let velocities = self.variables.iter().map(|symbol| symbol.with_primes(1));
-        self.variables.iter().cloned().chain(velocities).map(|symbol| symbol.to_string()).collect()
+        state(&self.variables).iter().map(ToString::to_string).collect()
     }
 
     /// How many coordinates there are, and how many velocities.
@@ -53,12 +88,40 @@ impl System {
         self.variables.len()
     }
 
+    /// The names of the parameters that were left open.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<String> {
+        self.parameters.iter().map(ToString::to_string).collect()
+    }
+
+    /// The events that are looked for.
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
     /// How many different |…| there are.
     pub(super) fn moduli(&self) -> usize {
-        self.tape.results().len() - self.coordinates()
+        self.velocities_in_moduli.len()
+    }
+
+    /// The number in a state of the velocity that stands in a |…|.
+    pub(super) fn velocity_in_modulus(&self, modulus: usize) -> Option<usize> {
+        self.velocities_in_moduli[modulus]
+    }
+
+    /// The number of the input that is the sign of what stands in a |…|.
+    pub(super) fn sign_input(&self, modulus: usize) -> usize {
+        2 * self.coordinates() + 1 + self.parameters.len() + modulus
     }
 
     pub(super) fn tape(&self) -> &Tape {
         &self.tape
     }
+}
+
+/// The coordinates, then the velocities.
+fn state(variables: &[Symbol]) -> Vec<Symbol> {
+    let velocities = variables.iter().map(|symbol| symbol.with_primes(1));
+    variables.iter().cloned().chain(velocities).collect()
 }

@@ -1,0 +1,108 @@
+//! Many motions, as many at a time as there are lanes.
+
+use std::ops::ControlFlow;
+
+use super::flight::Flight;
+use super::record::Record;
+use super::{Cause, Effort, IntegrationError, Launch, Solution, Step, System};
+
+type Outcome = Result<Solution, IntegrationError>;
+
+/// The lanes, and what is known of the motions in them.
+#[derive(Debug)]
+pub(super) struct Fleet<'a, const N: usize> {
+    system: &'a System,
+    effort: Effort,
+    flight: Flight<'a, N>,
+    records: [Option<Record<'a>>; N],
+}
+
+impl<'a, const N: usize> Fleet<'a, N> {
+    pub(super) fn new(system: &'a System, effort: &Effort) -> Self {
+        let records = std::array::from_fn(|_| None);
+        Self { system, effort: *effort, flight: Flight::new(system, *effort), records }
+    }
+
+    /// All motions to their ends.
+    pub(super) fn travel(
+        &mut self,
+        launches: &'a [Launch<'_>],
+        mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+    ) -> Vec<Outcome> {
+        let mut outcomes: Vec<Option<Outcome>> = launches.iter().map(|_| None).collect();
+        let mut waiting = launches.iter().enumerate();
+        let mut interrupted = false;
+        loop {
+            for lane in 0..N {
+                while self.records[lane].is_none() && !interrupted {
+                    let Some((number, launch)) = waiting.next() else { break };
+                    outcomes[number] = self.launch(lane, number, launch).err();
+                }
+            }
+            if self.records.iter().all(Option::is_none) {
+                break;
+            }
+            let ahead = self.flight.look_ahead();
+            for lane in 0..N {
+                let Some(record) = self.records[lane].take() else { continue };
+                let number = record.number;
+                match self.advance(lane, record, ahead[lane], &mut interrupted, &mut watch) {
+                    Ok(record) => self.records[lane] = Some(record),
+                    Err(outcome) => {
+                        self.flight.rest(lane);
+                        outcomes[number] = Some(outcome);
+                    }
+                }
+            }
+            self.flight.go_on();
+        }
+        let never = |launch: &Launch<'_>| Record::new(0, launch, self.system).stopped(Cause::Interrupted, launch.start.clone());
+        outcomes.into_iter().zip(launches).map(|(outcome, launch)| outcome.unwrap_or_else(|| never(launch))).collect()
+    }
+
+    /// Puts a motion into a lane; the outcome when it has no way to go.
+    fn launch(&mut self, lane: usize, number: usize, launch: &'a Launch<'_>) -> Result<(), Outcome> {
+        let Effort { relative, absolute, .. } = self.effort;
+        launch.check(self.system).map_err(Err)?;
+        if !self.effort.is_possible() {
+            return Err(Err(IntegrationError::Tolerance { relative, absolute }));
+        }
+        let mut record = Record::new(number, launch, self.system);
+        record.sample_start();
+        match record.goal() {
+            None => Err(Ok(record.solution(launch.start.clone()))),
+            Some(goal) => {
+                self.flight.launch(lane, &launch.start, &launch.parameters, goal);
+                self.records[lane] = Some(record);
+                Ok(())
+            }
+        }
+    }
+
+    /// Takes the next step of one motion; the outcome when it is the last one.
+    fn advance(
+        &self,
+        lane: usize,
+        mut record: Record<'a>,
+        ahead: Result<(), Cause>,
+        interrupted: &mut bool,
+        watch: &mut impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Record<'a>, Outcome> {
+        let allowed = if *interrupted { Err(Cause::Interrupted) } else { record.has_steps_left(&self.effort) };
+        if let Err(cause) = allowed.and(ahead) {
+            return Err(record.stopped(cause, self.flight.moment(lane)));
+        }
+        let step = self.flight.step(lane);
+        let end = record.take(&step, |event| self.flight.event(event, lane), self.effort.relative);
+        let stop = watch(record.number, &step).is_break();
+        let arrived = self.flight.end(lane);
+        if let Some(end) = end {
+            return Err(Ok(record.solution(end)));
+        }
+        if record.goal().is_none() {
+            return Err(Ok(record.solution(arrived)));
+        }
+        *interrupted |= stop;
+        if stop { Err(record.stopped(Cause::Interrupted, arrived)) } else { Ok(record) }
+    }
+}

@@ -1,0 +1,214 @@
+//! Several motions side by side, each with steps of its own.
+
+use super::block::Block;
+use super::branches::Branches;
+use super::expander::{Expander, Surroundings};
+use super::step_length::step_lengths;
+use super::{Cause, Effort, Moment, Step, System};
+use crate::dispatch::{Kernel, dispatch};
+
+/// N motions under way: where they are, and the steps that lead on.
+#[derive(Debug)]
+pub(super) struct Flight<'a, const N: usize> {
+    expander: Expander<'a, N>,
+    branches: Branches<N>,
+    surroundings: Surroundings<N>,
+    block: Block<N>,
+    next: Vec<Ends<N>>,
+    /// Where the motions are going.
+    goal: [f64; N],
+    effort: Effort,
+    log2_part_of_radius: f64,
+}
+
+/// One number of the state at the ends of the steps, in two words.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends<const N: usize> {
+    pub(super) high: [f64; N],
+    pub(super) low: [f64; N],
+}
+
+impl<'a, const N: usize> Flight<'a, N> {
+    pub(super) fn new(system: &'a System, effort: Effort) -> Self {
+        let (order, numbers) = (effort.order(), 2 * system.coordinates());
+        Self {
+            expander: Expander::new(system, order),
+            branches: Branches::new(system.moduli()),
+            surroundings: Surroundings {
+                parameters: vec![[0.0; N]; system.parameters().len()],
+                signs: vec![[1.0; N]; system.moduli()],
+            },
+            block: Block::new(numbers, order),
+            next: vec![Ends { high: [0.0; N], low: [0.0; N] }; numbers],
+            goal: [0.0; N],
+            effort,
+            log2_part_of_radius: effort.log2_part_of_radius(),
+        }
+    }
+
+    /// Begins a motion in a lane.
+    pub(super) fn launch(&mut self, lane: usize, start: &Moment, parameters: &[f64], goal: f64) {
+        self.block.launch(lane, start.time, &start.state);
+        self.branches.launch(lane);
+        self.goal[lane] = goal;
+        for (parameter, &value) in self.surroundings.parameters.iter_mut().zip(parameters) {
+            parameter[lane] = value;
+        }
+        for signs in &mut self.surroundings.signs {
+            signs[lane] = 1.0;
+        }
+    }
+
+    /// Lets a lane stay where it is.
+    pub(super) fn rest(&mut self, lane: usize) {
+        self.goal[lane] = self.block.start[lane];
+    }
+
+    /// The steps from where the motions are towards their goals, at most up to them.
+    pub(super) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
+        let mut outcomes = self.expand();
+        let lengths = dispatch(Lengths { flight: self });
+        let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
+        for lane in 0..N {
+            let end = match endless[lane] {
+                true => self.end_of_polynomials(lane),
+                false => self.end_towards_goal(lane, lengths[lane]),
+            };
+            self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
+            outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
+        }
+        if endless.contains(&true) {
+            self.expander.expand(&mut self.block, &self.surroundings);
+        }
+        if self.expander.system().moduli() > 0 {
+            self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
+        }
+        dispatch(Arrival { flight: self });
+        let finite = |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
+        std::array::from_fn(|lane| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) })
+    }
+
+    /// Goes to the ends of the steps.
+    pub(super) fn go_on(&mut self) {
+        self.block.begin_at_end(&self.next);
+    }
+
+    pub(super) fn step(&self, lane: usize) -> Step<'_> {
+        self.block.step(lane)
+    }
+
+    /// The series of the formula of an event, with the part of the step as variable.
+    pub(super) fn event(&self, event: usize, lane: usize) -> Vec<f64> {
+        let length = self.block.end[lane] - self.block.start[lane];
+        let mut power = 1.0;
+        let scaled = |c: &[f64; N]| {
+            let term = c[lane] * power;
+            power *= length;
+            term
+        };
+        self.expander.event(event).iter().map(scaled).collect()
+    }
+
+    /// Where a step leads.
+    pub(super) fn end(&self, lane: usize) -> Moment {
+        let state = self.next.iter().map(|ends| ends.high[lane] + ends.low[lane]).collect();
+        Moment { time: self.block.end[lane], state }
+    }
+
+    /// Where a motion is.
+    pub(super) fn moment(&self, lane: usize) -> Moment {
+        Moment { time: self.block.start[lane], state: self.block.state(lane).collect() }
+    }
+
+    fn expand(&mut self) -> [Result<(), Cause>; N] {
+        let (expander, block) = (&mut self.expander, &mut self.block);
+        if expander.system().moduli() == 0 {
+            expander.expand(block, &self.surroundings);
+            return [Ok(()); N];
+        }
+        let backward = std::array::from_fn(|lane| self.goal[lane] < block.start[lane]);
+        self.branches.settle(expander, block, &mut self.surroundings, &backward)
+    }
+
+    fn is_endless(&self, lane: usize, length: f64) -> bool {
+        length == f64::INFINITY && self.goal[lane] != self.block.start[lane]
+    }
+
+    /// Always at an `f64`, so that times are exact.
+    fn end_towards_goal(&self, lane: usize, length: f64) -> Result<f64, Cause> {
+        let (start, goal) = (self.block.start[lane], self.goal[lane]);
+        let remaining = goal - start;
+        if !self.is_regular(lane) {
+            return Err(Cause::Singularity);
+        }
+        if length >= remaining.abs() {
+            return Ok(goal);
+        }
+        let end = start + length.copysign(remaining);
+        let shortest = 8.0 * f64::EPSILON * start.abs();
+        if (end - start).abs() > shortest { Ok(end) } else { Err(Cause::StepUnderflow) }
+    }
+
+    /// Whether the last coefficients are finite, into which the ones before enter.
+    fn is_regular(&self, lane: usize) -> bool {
+        let last = |number| self.block.series(number).last().is_some_and(|c| c[lane].is_finite());
+        (0..self.block.numbers()).all(last)
+    }
+
+    /// The farthest end up to which series that seem to be polynomials obey the equation of motion.
+    fn end_of_polynomials(&mut self, lane: usize) -> Result<f64, Cause> {
+        const HALVINGS: usize = 1100;
+        let start = self.block.start[lane];
+        let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));
+        let mut ends = ends.take(HALVINGS).take_while(|&end| (end - start).abs() > 0.0);
+        let bound = self.effort.relative.sqrt();
+        ends.find(|&end| self.defect(lane, end) <= bound).ok_or(Cause::StepUnderflow)
+    }
+
+    /// How far the accelerations at a time are from those of the step's polynomials, as a part of the latter's size.
+    fn defect(&mut self, lane: usize, time: f64) -> f64 {
+        let step = self.block.step(lane);
+        let state = step.state_at(time);
+        let exact = self.expander.accelerations(time, &state, &self.surroundings);
+        let coordinates = exact.len();
+        let parts = exact.iter().enumerate().map(|(i, exact)| {
+            let own = step.slope_at(coordinates + i, time - step.start());
+            let size = exact[lane].abs().max(own.abs());
+            if size == 0.0 { 0.0 } else { (exact[lane] - own).abs() / size }
+        });
+        // What is not finite is no agreement.
+        parts.fold(0.0, |largest, part| if part <= largest { largest } else { part })
+    }
+}
+
+/// How long the steps may be.
+struct Lengths<'f, 'a, const N: usize> {
+    flight: &'f Flight<'a, N>,
+}
+
+impl<const N: usize> Kernel for Lengths<'_, '_, N> {
+    type Output = [f64; N];
+
+    #[inline(always)]
+    fn run(self) -> [f64; N] {
+        let Flight { block, effort, log2_part_of_radius, .. } = self.flight;
+        step_lengths(block, effort.absolute / effort.relative, *log2_part_of_radius)
+    }
+}
+
+/// The states at the ends of the steps.
+struct Arrival<'f, 'a, const N: usize> {
+    flight: &'f mut Flight<'a, N>,
+}
+
+impl<const N: usize> Kernel for Arrival<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Flight { block, next, .. } = self.flight;
+        for (number, next) in next.iter_mut().enumerate() {
+            *next = block.ends(number);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! What is known of one motion.
+
+use super::contacts::{Contacts, Stretch};
+use super::{Cause, Contact, Effort, IntegrationError, Launch, Moment, Occurrence, Solution, Step, System};
+
+/// Samples and events of a motion, as far as it came.
+#[derive(Debug)]
+pub(super) struct Record<'a> {
+    pub(super) number: usize,
+    system: &'a System,
+    launch: &'a Launch<'a>,
+    samples: Vec<Moment>,
+    events: Vec<Occurrence>,
+    contacts: Vec<Contacts>,
+    steps: usize,
+}
+
+impl<'a> Record<'a> {
+    pub(super) fn new(number: usize, launch: &'a Launch<'a>, system: &'a System) -> Self {
+        let samples = Vec::with_capacity(launch.times.len());
+        let contacts = vec![Contacts::NONE; system.events().len()];
+        Self { number, system, launch, samples, events: vec![], contacts, steps: 0 }
+    }
+
+    /// The samples that need no step.
+    pub(super) fn sample_start(&mut self) {
+        let start = &self.launch.start;
+        let here = self.launch.times.iter().take_while(|&&time| time == start.time);
+        self.samples.extend(here.map(|_| start.clone()));
+    }
+
+    /// The time of the last sample, while there are samples to come.
+    pub(super) fn goal(&self) -> Option<f64> {
+        let times = self.launch.times;
+        if self.samples.len() < times.len() { times.last().copied() } else { None }
+    }
+
+    pub(super) fn has_steps_left(&self, effort: &Effort) -> Result<(), Cause> {
+        if self.steps < effort.most_steps { Ok(()) } else { Err(Cause::StepLimit) }
+    }
+
+    /// Samples and events of a step, given the series of the formulas of events; where the motion ends if an event ends it.
+    pub(super) fn take(
+        &mut self,
+        step: &Step<'_>,
+        formula: impl Fn(usize) -> Vec<f64>,
+        tolerance: f64,
+    ) -> Option<Moment> {
+        self.steps += 1;
+        let terminal = self.find_events(step, formula, tolerance);
+        let last = terminal.as_ref().map_or(step.end(), |end| end.time);
+        let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };
+        let times = &self.launch.times[self.samples.len()..];
+        let times = times.iter().copied().take_while(|&time| inside(time));
+        self.samples.extend(times.map(|time| Moment { time, state: step.state_at(time) }));
+        terminal
+    }
+
+    fn find_events(
+        &mut self,
+        step: &Step<'_>,
+        formula: impl Fn(usize) -> Vec<f64>,
+        tolerance: f64,
+    ) -> Option<Moment> {
+        let length = step.end() - step.start();
+        let mut found: Vec<(f64, usize, Contact)> = vec![];
+        for (event, contacts) in self.contacts.iter_mut().enumerate() {
+            let coefficients = formula(event);
+            let stretch = Stretch { coefficients: &coefficients, start: step.start(), length, tolerance };
+            let all = contacts.found(&stretch).into_iter();
+            let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
+            found.extend(wanted.map(|(time, contact)| (time, event, contact)));
+        }
+        found.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
+        for (time, event, contact) in found {
+            let state = step.state_at(time);
+            self.events.push(Occurrence { event, time, state: state.clone(), contact });
+            if self.system.events()[event].terminal && contact != Contact::Start {
+                return Some(Moment { time, state });
+            }
+        }
+        None
+    }
+
+    pub(super) fn solution(self, end: Moment) -> Solution {
+        Solution { samples: self.samples, events: self.events, end, steps: self.steps }
+    }
+
+    pub(super) fn stopped(self, cause: Cause, end: Moment) -> Result<Solution, IntegrationError> {
+        Err(IntegrationError::Stopped { cause, solution: Box::new(self.solution(end)) })
+    }
+}
