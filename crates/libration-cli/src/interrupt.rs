@@ -1,30 +1,27 @@
-//! Ctrl-C: the first one asks long work to stop and keep what is done, the second one ends the command.
+//! Ctrl-C asks for an early end; pressed again it ends the command at once.
 
+use crate::failure::Failure;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// The exit status of a command that was ended from the keyboard.
-const ENDED: i32 = 130;
-
-/// From now on Ctrl-C asks first.
-pub(crate) fn listen() {
-    let handler = || {
+/// Listens from now on.
+pub(crate) fn listen() -> Result<(), Failure> {
+    let heard = || {
         if ASKED.swap(true, Ordering::Relaxed) {
-            std::process::exit(ENDED);
+            std::process::exit(i32::from(Failure::INTERRUPTED));
         }
     };
-    // Where no handler can be set, Ctrl-C ends the command as it always does.
-    let _ = ctrlc::set_handler(handler);
+    ctrlc::set_handler(heard).map_err(|error| Failure::NoAnswer(format!("cannot listen for Ctrl-C: {error}")))
 }
 
-/// Whether to go on.
-pub(crate) fn go_on() -> ControlFlow<()> {
-    if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-}
-
-/// Whether work shall stop.
-pub(crate) fn is_asked() -> bool {
+/// Whether somebody has asked.
+pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
+}
+
+/// Whether long work shall go on.
+pub(crate) fn go_on() -> ControlFlow<()> {
+    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

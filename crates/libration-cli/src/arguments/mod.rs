@@ -27,4 +27,4 @@ pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
 pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, not_negative, positive};
-pub(crate) use times::TimeOptions;
+pub(crate) use times::{TimeOptions, Times, times};

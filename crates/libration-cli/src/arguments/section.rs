@@ -3,12 +3,13 @@
 use super::values::plain_name;
 use super::{count, positive};
 use crate::failure::Failure;
+use crate::figure::names::axis_label;
 use crate::figure::section::Shown;
 use crate::output::number;
 use libration::chaos::{Points, Section, SectionError, angles, drive_period, folded};
 use libration::expression::{Equation, Expression};
 use libration::systems::Model;
-use libration::taylor::Effort;
+use libration::taylor::{Direction, Effort};
 use std::f64::consts::TAU;
 
 /// More points than this are never asked for.
@@ -26,6 +27,9 @@ pub(crate) struct SectionOptions {
     /// Take a point whenever this formula of coordinates, velocities and t changes its sign
     #[arg(long, value_name = "FORMULA")]
     at: Option<Expression>,
+    /// From which side the formula comes to zero
+    #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
+    direction: Side,
     /// How many points pass before the first one is kept [default: 100 for driven systems, otherwise 0]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
@@ -40,12 +44,33 @@ pub(crate) struct SectionOptions {
     fold: bool,
 }
 
+/// From which side a formula comes to zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Side {
+    /// From negative to positive
+    Rising,
+    /// From positive to negative
+    Falling,
+    /// From either
+    Any,
+}
+
+impl From<Side> for Direction {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Rising => Self::Rising,
+            Side::Falling => Self::Falling,
+            Side::Any => Self::Any,
+        }
+    }
+}
+
 impl SectionOptions {
     /// Where the points are taken: at each period given, or of the drive that the model is known to have, or at a formula's
     /// zeros.
     pub(crate) fn section(&self, model: &Model) -> Section {
         match &self.at {
-            Some(formula) => Section::Crossing { formula: formula.clone() },
+            Some(formula) => Section::Crossing { formula: formula.clone(), direction: self.direction.into() },
             None => {
                 let known = model.drive_frequency().map(|frequency| TAU / frequency.abs());
                 let period = self.period.or(known.filter(|period| period.is_finite()));
@@ -78,7 +103,14 @@ impl SectionOptions {
     /// What there is to say about the place of the points.
     pub(crate) fn description(&self, section: &Section, equation: &Equation) -> String {
         match section {
-            Section::Crossing { formula } => format!("at the zeros of {formula}"),
+            Section::Crossing { formula, direction } => format!(
+                "where {formula} {}",
+                match direction {
+                    Direction::Rising => "rises through zero",
+                    Direction::Falling => "falls through zero",
+                    Direction::Any => "changes its sign",
+                }
+            ),
             Section::Stroboscope { period, phase } => {
                 let period = period.or_else(|| drive_period(equation));
                 let period =
@@ -98,9 +130,9 @@ fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
 /// The number of the state at this place, as a picture shows it.
 pub(crate) fn shown(model: &Model, place: usize) -> Shown {
     let (name, unit) = (&model.state_names()[place], &model.state_units()[place]);
-    let label = if unit.is_empty() { name.clone() } else { format!("{name} / ({unit})") };
+    let label = axis_label(name, unit);
     let is_angle = angles(model.equation()).get(place) == Some(&true);
-    Shown { place, label: label.replace('\'', "′"), is_angle }
+    Shown { place, label, is_angle }
 }
 
 /// The number of the state with this name.

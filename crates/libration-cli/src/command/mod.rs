@@ -14,6 +14,7 @@ mod oscillators;
 mod paper;
 mod period;
 pub(crate) mod section;
+mod simulate;
 mod systems;
 
 use crate::failure::Failure;
@@ -39,7 +40,7 @@ Examples:
   libration fit periods measured.csv --length 0.57m±0.004m
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
-Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood.";
+Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood, 130 interrupted.";
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {
@@ -49,6 +50,7 @@ enum Question {
     Formulas(formulas::Formulas),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Simulate(simulate::Simulate),
     Systems(systems::Systems),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
@@ -76,6 +78,7 @@ impl Libration {
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),

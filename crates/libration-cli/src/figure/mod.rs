@@ -7,6 +7,7 @@ pub(crate) mod periods;
 pub(crate) mod phase;
 pub(crate) mod section;
 pub(crate) mod series;
+pub(crate) mod simulation;
 pub(crate) mod spectrum;
 
 pub(crate) mod chart;
@@ -17,5 +18,6 @@ mod cusps;
 mod dashes;
 mod draw;
 mod legend;
+pub(crate) mod names;
 mod range;
 mod style;

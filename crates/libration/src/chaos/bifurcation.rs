@@ -2,10 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use super::section::{Ending, PoincareSection, Points, Section, SectionError, section};
+use super::section::{Ending, PoincareSection, Points, Section, SectionError, flashes, section};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, EquationError, Expression};
-use crate::taylor::{Cause, Effort, Moment};
+use crate::taylor::{Cause, Effort, Launch, Moment, System, integrate_many};
 
 /// Equations with one parameter that is varied, and what is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,22 +83,84 @@ pub fn bifurcation_diagram(
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Vec<Column>, DiagramError> {
     let cut = family.section.with_period_of(family.equation);
-    let mut columns: Vec<Column> = Vec::with_capacity(values.len());
-    for &value in values {
-        let equation = family.equation.with(&[(family.parameter, exactly(value)?)])?;
-        let last = columns.last().and_then(|column| column.section.points.last());
-        let from = match (continuation, last) {
-            (Continuation::LastState, Some(last)) => continued(last, &cut, &equation),
-            _ => start.clone(),
-        };
-        let done = columns.len();
-        let section = section(&equation, &from, &cut, family.points, effort, |_| watch(done))?;
-        if section.stopped == Some(Ending::Stopped(Cause::Interrupted)) {
-            break;
+    match (continuation, &cut) {
+        (Continuation::SameStart, Section::Stroboscope { .. }) => {
+            family.side_by_side(&cut, values, start, effort, &mut watch)
         }
-        columns.push(Column { value, section });
+        _ => family.one_by_one(&cut, values, start, continuation, effort, &mut watch),
     }
-    Ok(columns)
+}
+
+impl Family<'_> {
+    fn equation_at(&self, value: f64) -> Result<Equation, DiagramError> {
+        Ok(self.equation.with(&[(self.parameter, exactly(value)?)])?)
+    }
+
+    /// One motion after the other.
+    fn one_by_one(
+        &self,
+        cut: &Section,
+        values: &[f64],
+        start: &Moment,
+        continuation: Continuation,
+        effort: &Effort,
+        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Vec<Column>, DiagramError> {
+        let mut columns: Vec<Column> = Vec::with_capacity(values.len());
+        for &value in values {
+            let equation = self.equation_at(value)?;
+            let last = columns.last().and_then(|column| column.section.points.last());
+            let from = match (continuation, last) {
+                (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
+                _ => start.clone(),
+            };
+            let done = columns.len();
+            let section = section(&equation, &from, cut, self.points, effort, |_| watch(done))?;
+            if section.stopped == Some(Ending::Stopped(Cause::Interrupted)) {
+                break;
+            }
+            columns.push(Column { value, section });
+        }
+        Ok(columns)
+    }
+
+    /// The motions of all values at once.
+    fn side_by_side(
+        &self,
+        cut: &Section,
+        values: &[f64],
+        start: &Moment,
+        effort: &Effort,
+        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Vec<Column>, DiagramError> {
+        let system = System::with_parameters(self.equation, &[self.parameter]).map_err(SectionError::from)?;
+        let times: Vec<Vec<f64>> =
+            values.iter().map(|&value| self.flashes_at(value, cut, start)).collect::<Result<_, _>>()?;
+        let pairs = values.iter().zip(&times);
+        let launches: Vec<Launch<'_>> = pairs
+            .map(|(&value, times)| Launch { start: start.clone(), parameters: vec![value], times })
+            .collect();
+        let mut done = 0;
+        let outcomes = integrate_many(&system, &launches, effort, |number, step| {
+            done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
+            watch(done)
+        });
+        let columns = values
+            .iter()
+            .zip(outcomes)
+            .map(|(&value, outcome)| Ok(Column { value, section: PoincareSection::of_samples(outcome)? }));
+        let columns = columns.collect::<Result<Vec<Column>, DiagramError>>()?;
+        let interrupted = Some(Ending::Stopped(Cause::Interrupted));
+        Ok(columns.into_iter().filter(|column| column.section.stopped != interrupted).collect())
+    }
+
+    fn flashes_at(&self, value: f64, cut: &Section, start: &Moment) -> Result<Vec<f64>, DiagramError> {
+        let equation = self.equation_at(value)?;
+        let Section::Stroboscope { period: Some(period), phase } = cut.with_period_of(&equation) else {
+            return Err(SectionError::NoPeriod.into());
+        };
+        Ok(flashes(start.time, period, phase, self.points)?)
+    }
 }
 
 /// The last state, under a stroboscope at the same phase of the drive, whose period may be another one now.

@@ -5,7 +5,10 @@ use std::ops::ControlFlow;
 
 use super::drive::drive_period;
 use crate::expression::{Equation, Expression, WithoutValue};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
+use crate::taylor::{
+    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, System,
+    integrate,
+};
 
 /// When the state of a motion is taken.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +24,8 @@ pub enum Section {
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,
+        /// From which side.
+        direction: Direction,
     },
 }
 
@@ -136,7 +141,11 @@ pub fn section(
             let times = flashes(start.time, period, *phase, points)?;
             stroboscopic(&System::new(equation)?, start, &times, effort, &mut watch)
         }
-        Section::Crossing { .. } => Err(SectionError::NoPeriod),
+        Section::Crossing { formula, direction } => {
+            let surface = Event { formula: formula.clone(), direction: *direction, terminal: false };
+            let system = System::new(equation)?.with_events(&[surface])?;
+            crossings(&system, start, points, effort, &mut watch)
+        }
     }
 }
 
@@ -162,13 +171,65 @@ fn stroboscopic(
         taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
         watch(taken)
     });
+    PoincareSection::of_samples(outcome)
+}
+
+impl PoincareSection {
+    /// The section whose points are the samples of an integration.
+    pub(super) fn of_samples(outcome: Result<Solution, IntegrationError>) -> Result<Self, SectionError> {
+        let (solution, stopped) = as_far_as_it_came(outcome)?;
+        Ok(Self { points: solution.samples, stopped: stopped.map(Ending::Stopped) })
+    }
+}
+
+fn as_far_as_it_came(
+    outcome: Result<Solution, IntegrationError>,
+) -> Result<(Solution, Option<Cause>), SectionError> {
     match outcome {
-        Ok(solution) => Ok(PoincareSection { points: solution.samples, stopped: None }),
-        Err(IntegrationError::Stopped { cause, solution }) => {
-            Ok(PoincareSection { points: solution.samples, stopped: Some(Ending::Stopped(cause)) })
-        }
+        Ok(solution) => Ok((solution, None)),
+        Err(IntegrationError::Stopped { cause, solution }) => Ok((*solution, Some(cause))),
         Err(error) => Err(error.into()),
     }
+}
+
+/// Goes from one stretch of the motion to the next until there are points enough.
+fn crossings(
+    system: &System,
+    start: &Moment,
+    points: Points,
+    effort: &Effort,
+    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Result<PoincareSection, SectionError> {
+    const STEPS: usize = 2000;
+    const QUIET: usize = 200;
+    let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
+    let (mut at, mut found, mut quiet) = (start.clone(), vec![], 0);
+    let stopped = loop {
+        let taken = found.len();
+        let kept = taken.saturating_sub(points.skipped);
+        let (solution, cause) =
+            as_far_as_it_came(integrate(system, &at, &[NEVER], &stretch, |_| watch(kept)))?;
+        found.extend(solution.events.into_iter().filter_map(crossing));
+        quiet = if found.len() > taken { 0 } else { quiet + 1 };
+        at = solution.end;
+        match cause {
+            _ if found.len() >= points.skipped + points.kept => break None,
+            Some(Cause::StepLimit) if quiet < QUIET => {}
+            Some(Cause::StepLimit) | None => break Some(Ending::NoCrossing),
+            Some(cause) => break Some(Ending::Stopped(cause)),
+        }
+    };
+    let points = found.into_iter().skip(points.skipped).take(points.kept).collect();
+    Ok(PoincareSection { points, stopped })
+}
+
+/// So far away that only a motion at rest comes there.
+const NEVER: f64 = f64::MAX / 4.0;
+
+/// The place of an event, if the motion goes through the surface there.
+fn crossing(event: Occurrence) -> Option<Moment> {
+    let through = matches!(event.contact, Contact::Rising | Contact::Falling);
+    through.then_some(Moment { time: event.time, state: event.state })
 }
 
 /// An angle brought into the turn from −π to π.

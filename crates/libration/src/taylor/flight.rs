@@ -84,7 +84,8 @@ impl<'a, const N: usize> Flight<'a, N> {
             self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
         }
         dispatch(Arrival { flight: self });
-        let finite = |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
+        let finite =
+            |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
         std::array::from_fn(|lane| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) })
     }
 

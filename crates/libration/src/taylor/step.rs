@@ -68,7 +68,8 @@ impl Step<'_> {
 
     /// The time derivative of one number of the state, so long after the start.
     pub(super) fn slope_at(&self, number: usize, h: f64) -> f64 {
-        let horner = |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
+        let horner =
+            |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
         (0..self.terms).rev().fold((0.0, 0.0), horner).1
     }
 }

@@ -25,5 +25,6 @@ mod period_formulas;
 mod quantity;
 mod series;
 mod series_evaluation;
+mod systems;
 mod taylor;
 mod truncated_system;

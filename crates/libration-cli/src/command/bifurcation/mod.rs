@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Without another wish so many points are kept for each value.
 const POINTS: usize = 100;
 /// So many values are one piece of work.
-const PIECE: usize = 8;
+const PIECE: usize = 32;
 
 /// Bifurcation diagram: the section of a motion for each value of a parameter
 #[derive(Debug, clap::Args)]
@@ -105,7 +105,7 @@ impl Bifurcation {
         if diagram.is_complete() {
             return Ok(());
         }
-        Err(Failure::no_answer("bifurcation", "interrupted: the values until then are written"))
+        Err(Failure::Interrupted("interrupted: the values that are done are written".to_owned()))
     }
 
     fn axis(&self, model: &Model) -> Result<Shown, Failure> {
@@ -133,7 +133,7 @@ impl Bifurcation {
                 interrupt::go_on()
             })
         };
-        interrupt::listen();
+        interrupt::listen()?;
         let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
         let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
         let columns = parallel::with_progress(how_far, || parallel::map(&pieces, work));

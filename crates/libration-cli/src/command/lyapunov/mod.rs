@@ -10,7 +10,7 @@ use libration::chaos::{
     Doubt, LyapunovError, LyapunovExponent, Progress, Schedule, Verdict, lyapunov_exponent,
 };
 use libration::systems::Model;
-use libration::taylor::{Cause, Effort, Moment};
+use libration::taylor::{Cause, Effort, IntegrationError, Moment};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -67,6 +67,7 @@ impl Lyapunov {
         let start = Moment { time: 0.0, state: initial.clone() };
         let effort = Effort::to_tolerance(self.tolerance);
         let schedule = self.schedule(&model, &start, &effort).map_err(failure)?;
+        interrupt::listen()?;
         let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
         let answer = Answer { model: &model, initial, schedule, found };
         if let Some(path) = &self.figure {
@@ -75,6 +76,9 @@ impl Lyapunov {
         answer.write(out, self.form.form())?;
         out.flush()?;
         match answer.found.verdict {
+            Verdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
+                Err(Failure::Interrupted("interrupted: the estimate until then is written".to_owned()))
+            }
             Verdict::Undecided(Doubt::Stopped(cause)) => {
                 Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate until then is written")))
             }
@@ -117,14 +121,14 @@ fn measured(
         let which = if motion == 0 { "" } else { " of a motion beside it" };
         format!("{intervals} of {} intervals{which}", schedule.intervals)
     };
-    interrupt::listen();
     parallel::with_progress(how_far, || lyapunov_exponent(model.equation(), start, schedule, effort, watch))
 }
 
 fn failure(error: LyapunovError) -> Failure {
     match &error {
-        LyapunovError::Nothing(Cause::Interrupted) => {
-            Failure::NoAnswer("interrupted before anything was measured".to_owned())
+        LyapunovError::Nothing(Cause::Interrupted)
+        | LyapunovError::Integration(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
+            Failure::Interrupted("interrupted before anything was measured".to_owned())
         }
         _ => Failure::no_answer("lyapunov", error),
     }

@@ -59,7 +59,7 @@ impl Answer<'_> {
         writeln!(out, "{}\n", paragraph("verdict                    ", &verdict, COLUMNS))?;
         let mut table =
             Table::new(vec![Column::numbers("measured / s"), Column::numbers("exponent / (1/s)")]);
-        for (time, exponent) in &found.convergence {
+        for (time, exponent) in found.convergence.iter().rev().step_by(4).rev() {
             table.row(out, vec![number::short(*time, 8), number::rounded(*exponent, 6)])?;
         }
         table.finish(out)

@@ -105,7 +105,7 @@ impl PoincareQuestion {
                 interrupt::go_on()
             })
         };
-        interrupt::listen();
+        interrupt::listen()?;
         let all = points.kept * starts.len();
         let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
@@ -117,12 +117,11 @@ impl Answer<'_> {
     /// Why points are missing, if they are.
     fn failure(&self) -> Option<Failure> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
-        let reason = match first {
+        Some(match first {
             Ending::Stopped(Cause::Interrupted) => {
-                "interrupted: the points until then are written".to_owned()
+                Failure::Interrupted("interrupted: the points until then are written".to_owned())
             }
-            other => format!("{other}: the points until then are written"),
-        };
-        Some(Failure::no_answer("section", reason))
+            other => Failure::no_answer("section", format!("{other}: the points until then are written")),
+        })
     }
 }

@@ -22,7 +22,7 @@ pub use verdict::{Doubt, Regularity, Verdict};
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,
-    /// Its standard error from sixteen blocks, or what the second half of the time has changed, if that is more.
+    /// Its standard error from ten blocks, or what the second half of the time has changed, if that is more.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
     pub verdict: Verdict,
@@ -65,7 +65,7 @@ pub struct Progress {
 ///
 /// # The verdict
 /// `Chaotic` is said only if the equations leave it open, and of the motion and of two that begin a millionth of its
-/// extent beside it: the deviation grows by e¹⁰⁰ or more and in each of sixteen blocks of the time; the
+/// extent beside it: the deviation grows by e¹⁰⁰ or more and in each of ten blocks of the time; the
 /// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the deviation never
 /// shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
 /// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations

@@ -1,7 +1,7 @@
 //! The measured growth of a deviation, and what can be read from it.
 
 /// Into so many blocks the record is cut.
-pub(super) const BLOCKS: usize = 16;
+pub(super) const BLOCKS: usize = 10;
 
 /// The logarithm of a deviation's size after each interval; zero before the first.
 #[derive(Clone, Debug)]
@@ -44,11 +44,12 @@ impl Record {
         self.rate(self.beginning(), self.intervals())
     }
 
-    /// The estimate after each power of two of intervals, with the time since the beginning, and after all.
+    /// The estimate after more and more intervals, about a fifth more each time, with the time since the beginning.
     pub(super) fn convergence(&self) -> impl Iterator<Item = (f64, f64)> {
         let all = self.intervals();
-        let powers = std::iter::successors(Some(1), |n| Some(2 * n)).take_while(move |n| *n < all);
-        powers.chain([all]).map(|n| (self.interval * count(n), self.rate(n / (BLOCKS + 1), n)))
+        let more =
+            std::iter::successors(Some(1), |n: &usize| Some(n + 1 + n / 5)).take_while(move |n| *n < all);
+        more.chain([all]).map(|n| (self.interval * count(n), self.rate(n / (BLOCKS + 1), n)))
     }
 
     /// The rate of growth in each block; none before there is an interval for each.

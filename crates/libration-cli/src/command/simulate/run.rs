@@ -1,0 +1,154 @@
+//! The integration, whose samples are written as they come.
+
+use super::report::{Summary, of_form};
+use super::resume::Earlier;
+use super::watch::Watch;
+use crate::arguments::{Initial, Times};
+use crate::failure::Failure;
+use crate::figure;
+use crate::figure::simulation::Trace;
+use crate::interrupt;
+use crate::output::Form;
+use libration::systems::Model;
+use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
+use std::io::Write;
+use std::path::Path;
+
+/// A motion to be integrated.
+pub(super) struct Motion<'a> {
+    pub(super) model: &'a Model,
+    pub(super) initial: Initial,
+    pub(super) effort: Effort,
+    system: System,
+    pub(super) times: &'a Times,
+    earlier: Option<Earlier>,
+}
+
+/// How an integration ended.
+#[derive(Clone, Debug)]
+pub(super) enum Ending {
+    Complete,
+    /// Ctrl-C was pressed.
+    Interrupted(f64),
+    /// The motion ends or cannot be followed: why.
+    Stopped(String),
+}
+
+impl<'a> Motion<'a> {
+    pub(super) fn new(
+        model: &'a Model,
+        initial: Initial,
+        times: &'a Times,
+        effort: Effort,
+        earlier: Option<Earlier>,
+    ) -> Result<Self, Failure> {
+        let system = model.system().map_err(|error| Failure::usage("--set", error))?;
+        check_order(times)?;
+        Ok(Self { model, initial, effort, system, times, earlier })
+    }
+
+    /// Writes the answer as far as the integration comes, and draws the picture.
+    pub(super) fn write(
+        &self,
+        form: Form,
+        figure: Option<&Path>,
+        out: &mut dyn Write,
+    ) -> Result<Ending, Failure> {
+        interrupt::listen()?;
+        let mut report = of_form(form);
+        report.begin(self, out)?;
+        let energy = self.model.energy();
+        let balance = energy.as_ref().ok().map(|energy| energy.balance(&self.beginning()));
+        let trace = figure.map(|_| Trace::new(self.model, self.times.last()));
+        let mut watch = Watch::new(self, &mut *report, out, balance, trace);
+        let (ending, steps) = self.follow(&mut watch)?;
+        let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
+        watch.end(&Summary { steps, drift, ending: ending.clone() })?;
+        if let (Some(path), Some(trace)) = (figure, watch.trace) {
+            figure::file::write(path, &trace.picture(self.model))?;
+        }
+        Ok(ending)
+    }
+
+    /// Takes what was computed earlier and integrates the rest; how it ended, after so many steps.
+    fn follow(&self, watch: &mut Watch) -> Result<(Ending, usize), Failure> {
+        for moment in self.earlier_samples() {
+            watch.earlier(moment)?;
+        }
+        let last = self.times_left().last();
+        let outcome =
+            integrate(&self.system, &self.start(), last.as_slice(), &self.effort, |step| watch.follow(step));
+        if let Some(failure) = watch.failure.take() {
+            return Err(failure.into());
+        }
+        let (ending, steps) = ended(outcome)?;
+        Ok((ending, steps + self.earlier.as_ref().map_or(0, |earlier| earlier.steps)))
+    }
+
+    /// The state at t = 0.
+    fn beginning(&self) -> Moment {
+        Moment { time: 0.0, state: self.initial.state.clone() }
+    }
+
+    fn earlier_samples(&self) -> impl Iterator<Item = &Moment> {
+        self.earlier.iter().flat_map(|earlier| &earlier.samples)
+    }
+
+    /// Where the integration begins: at t = 0, or where it was left.
+    fn start(&self) -> Moment {
+        self.earlier_samples().last().cloned().unwrap_or_else(|| self.beginning())
+    }
+
+    /// The times that are still to be reached.
+    pub(super) fn times_left(&self) -> Box<dyn Iterator<Item = f64> + '_> {
+        let times = self.times.iter();
+        let Some(last) = self.earlier_samples().last().map(|moment| moment.time) else { return times };
+        let backward = self.times.last() < 0.0;
+        Box::new(times.skip_while(move |&time| if backward { time >= last } else { time <= last }))
+    }
+}
+
+/// Times lead away from 0 in one direction.
+fn check_order(times: &Times) -> Result<(), Failure> {
+    let backward = times.last() < 0.0;
+    let mut before = 0.0;
+    for after in times.iter() {
+        if if backward { after > before } else { after < before } {
+            return Err(Failure::usage("--times", IntegrationError::TimesNotInOrder { before, after }));
+        }
+        before = after;
+    }
+    Ok(())
+}
+
+/// How it ended, and after how many steps.
+fn ended(outcome: Result<Solution, IntegrationError>) -> Result<(Ending, usize), Failure> {
+    match outcome {
+        Ok(solution) => Ok((Ending::Complete, solution.steps)),
+        Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) => {
+            Ok((Ending::Interrupted(solution.end.time), solution.steps))
+        }
+        Err(IntegrationError::Stopped { cause, solution }) => {
+            let reason = format!("{cause} at t = {:?} s: the motion is known until there", solution.end.time);
+            Ok((Ending::Stopped(reason), solution.steps))
+        }
+        Err(error @ IntegrationError::Tolerance { .. }) => Err(Failure::usage("--tolerance", error)),
+        Err(error) => Err(Failure::usage("--initial", error)),
+    }
+}
+
+impl Ending {
+    /// What is left to be said when the answer is written.
+    pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), Failure> {
+        match self {
+            Self::Complete => Ok(()),
+            Self::Interrupted(time) => {
+                let file = output.map_or("FILE".into(), Path::to_string_lossy);
+                Err(Failure::Interrupted(format!(
+                    "interrupted at t = {time:?} s: what was computed is written; go on with --resume {file}"
+                )))
+            }
+            Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),
+        }
+    }
+}
