@@ -2,6 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Series};
 use super::range::around;
+use super::section::name;
 use super::style;
 use crate::command::lyapunov::Answer;
 
@@ -16,9 +17,8 @@ pub(crate) fn convergence(answer: &Answer<'_>) -> Picture {
     let y = Axis::linear("largest Lyapunov exponent / (1/s)", low, high);
     let zero = Series::line("", style::reference(), [(x.from, 0.0), (x.to, 0.0)]);
     let line = Series::line("", style::curve(0), points.iter().copied());
-    let dots = Series::line("", style::dots(0, points.len()), points.iter().copied());
-    let title = format!("{}: {}", answer.model.title(), answer.found.verdict);
-    Picture::new(&title, vec![Panel { x, y, series: vec![zero, line, dots], share: 1.0 }])
+    let title = format!("{}: {}", name(answer.model), answer.found.verdict);
+    Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }])
 }
 
 /// The power of ten below or above.

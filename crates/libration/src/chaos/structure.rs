@@ -55,6 +55,14 @@ fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
     }
 }
 
+/// Whether sign(…) stands in the equations, at whose jumps the linearised equations fail.
+pub(super) fn has_jumps(equation: &Equation) -> bool {
+    fn jumps(formula: &Expression) -> bool {
+        matches!(formula, Expression::Call(Function::Sign, _)) || formula.parts().any(jumps)
+    }
+    equation.accelerations().iter().any(jumps)
+}
+
 /// Why no motion of a system can be chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Theorem {
@@ -106,6 +114,13 @@ mod tests {
         assert_eq!(angles(&equation("x'' = -sin(x/2)")), [false]);
         assert_eq!(angles(&equation("x'' = -x*cos(x)")), [false]);
         assert_eq!(angles(&equation("x'' = -x'")), [false]);
+    }
+
+    #[test]
+    fn jumps_are_found_where_they_remain() {
+        let friction = equation("x'' = -x - c*sign(x') - x'*abs(x')");
+        assert!(has_jumps(&friction));
+        assert!(!has_jumps(&friction.with(&[("c", Expression::from(0))]).unwrap()));
     }
 
     #[test]

@@ -113,8 +113,9 @@ impl<'a> Laboratory<'a> {
             Err(error) => Some(Doubt::Stopped(cause_of(error))),
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
             Ok(other) => {
-                let same = other.verdict(self.effort, &self.unconfined) == Verdict::Chaotic
-                    && evidence.agrees_with(&other);
+                let verdict = other.verdict(self.effort, &self.unconfined);
+                let grows = matches!(verdict, Verdict::Chaotic | Verdict::Undecided(Doubt::Unsteady));
+                let same = grows && evidence.agrees_with(&other);
                 (!same).then(|| Doubt::Neighbours { exponent: other.record.exponent() })
             }
         }

@@ -10,6 +10,7 @@ mod laboratory;
 
 use std::ops::ControlFlow;
 
+use super::structure::has_jumps;
 use crate::expression::{Equation, WithoutValue};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment};
 use laboratory::Laboratory;
@@ -40,6 +41,12 @@ pub enum LyapunovError {
     /// A start, or a transient, that cannot be integrated.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
+    /// Accelerations that jump.
+    #[error(
+        "at the jumps of sign(…) the linearised equations fail: give x'*abs(x') for sign(x')*x'^2, and for dry friction \
+         something smooth, as tanh(100*x')"
+    )]
+    Jumps,
     /// Times that measure nothing.
     #[error("{} intervals of {:?} after {:?} measure nothing: give a finite time above zero", .0.intervals, .0.interval, .0.transient)]
     Schedule(Schedule),
@@ -64,17 +71,17 @@ pub struct Progress {
 /// number of the state, so that units do not matter.
 ///
 /// # The verdict
-/// `Chaotic` is said only if the equations leave it open, and of the motion and of two that begin a millionth of its
-/// extent beside it: the deviation grows by e¹⁰⁰ or more and in each of ten blocks of the time; the
-/// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the deviation never
-/// shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
+/// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
+/// extent beside it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
+/// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the
+/// deviation never shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
 /// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations
 /// shrink, or when in the second half of the time, and in the second quarter, they grow by e^1.5 at most, more than what is
 /// proportional to time does. The latter holds for the time measured: nothing excludes that chaos shows later.
 ///
 /// # Errors
-/// A parameter without a value, a start that does not fit, times that measure nothing, or a motion that stops before one
-/// interval is measured.
+/// A parameter without a value, accelerations with sign(…), a start that does not fit, times that measure nothing, or a motion
+/// that stops before one interval is measured.
 ///
 /// # Examples
 /// ```
@@ -101,6 +108,9 @@ pub fn lyapunov_exponent(
 ) -> Result<LyapunovExponent, LyapunovError> {
     if !schedule.is_possible() {
         return Err(LyapunovError::Schedule(*schedule));
+    }
+    if has_jumps(equation) {
+        return Err(LyapunovError::Jumps);
     }
     let laboratory = Laboratory::new(equation, start, schedule, effort, &mut watch)?;
     let evidence = laboratory.measure(&mut watch)?;
