@@ -1,4 +1,8 @@
 //! Regular or chaotic: Poincaré sections, bifurcation diagrams, the largest Lyapunov exponent.
+//!
+//! A section shows what a motion is: a point for a periodic one, a curve for one with two periods, a cloud or a fractal for a chaotic
+//! one. A bifurcation diagram shows how that changes with a parameter. The exponent tells how fast neighbouring motions
+//! part, and comes with a verdict that says `Chaotic` only on evidence.
 
 mod drive;
 mod structure;

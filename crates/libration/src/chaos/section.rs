@@ -203,17 +203,18 @@ fn crossings(
     const STEPS: usize = 2000;
     const QUIET: usize = 200;
     let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
-    let (mut at, mut found, mut quiet) = (start.clone(), vec![], 0);
+    let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
     let stopped = loop {
         let taken = found.len();
         let kept = taken.saturating_sub(points.skipped);
         let (solution, cause) =
-            as_far_as_it_came(integrate(system, &at, &[NEVER], &stretch, |_| watch(kept)))?;
+            as_far_as_it_came(integrate(system, &at, &[at.time + horizon], &stretch, |_| watch(kept)))?;
         found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
         at = solution.end;
         match cause {
             _ if found.len() >= points.skipped + points.kept => break None,
+            None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET => {}
             Some(Cause::StepLimit) | None => break Some(Ending::NoCrossing),
             Some(cause) => break Some(Ending::Stopped(cause)),
@@ -223,8 +224,11 @@ fn crossings(
     Ok(PoincareSection { points, stopped })
 }
 
-/// So far away that only a motion at rest comes there.
-const NEVER: f64 = f64::MAX / 4.0;
+/// How far the first stretch goes at most, how much farther the next, and a time that only a motion at rest comes to: one
+/// without forces takes a single step to any time, in which a crossing must not be too near to the beginning.
+const NEAREST: f64 = 1e-6;
+const FARTHER: f64 = 1e3;
+const NEVER: f64 = 1e200;
 
 /// The place of an event, if the motion goes through the surface there.
 fn crossing(event: Occurrence) -> Option<Moment> {
