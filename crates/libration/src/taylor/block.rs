@@ -1,28 +1,63 @@
-//! The series of a state in several lanes, in one block of memory.
+//! All series of one step in several lanes, in one block of memory.
+
+use std::ops::{Index, IndexMut};
 
 use super::Step;
 use super::flight::Ends;
 use super::step::{elapsed, grown};
 use crate::double_double::DoubleDouble;
 
-/// The polynomials of one step in N lanes: of all coordinates, then of all velocities.
+/// One series of a block, by its first coefficient in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Row(usize);
+
+impl Row {
+    /// The row of this number where each has so many coefficients.
+    #[inline(always)]
+    pub(super) fn new(number: usize, terms: usize) -> Self {
+        Self(number * terms)
+    }
+}
+
+/// The series of one step in N lanes: of all coordinates, then of all velocities, then whatever they come from.
 #[derive(Debug)]
 pub(super) struct Block<const N: usize> {
     pub(super) start: [f64; N],
     pub(super) end: [f64; N],
-    /// Coefficients in powers of the time since the start, those of one number of the state behind each other.
+    /// The unit of time in which the series are powers, a power of two: whatever the units of the equations, coefficients
+    /// neither overflow nor underflow.
+    pub(super) unit: [f64; N],
+    /// Coefficients in powers of the time since the start, those of one row behind each other.
     coefficients: Vec<[f64; N]>,
     /// What the first coefficients lack of the state.
     low: Vec<[f64; N]>,
-    /// How many coefficients each number has.
+    /// How many coefficients each row has.
     terms: usize,
 }
 
+impl<const N: usize> Index<Row> for Block<N> {
+    type Output = [[f64; N]];
+
+    #[inline(always)]
+    fn index(&self, Row(row): Row) -> &[[f64; N]] {
+        &self.coefficients[row..row + self.terms]
+    }
+}
+
+impl<const N: usize> IndexMut<Row> for Block<N> {
+    #[inline(always)]
+    fn index_mut(&mut self, Row(row): Row) -> &mut [[f64; N]] {
+        &mut self.coefficients[row..row + self.terms]
+    }
+}
+
 impl<const N: usize> Block<N> {
-    pub(super) fn new(numbers: usize, order: usize) -> Self {
+    /// A block of so many rows, the first of which are the numbers of a state.
+    pub(super) fn new(rows: usize, numbers: usize, order: usize) -> Self {
         let terms = order + 1;
-        let coefficients = vec![[0.0; N]; numbers * terms];
-        Self { start: [0.0; N], end: [0.0; N], coefficients, low: vec![[0.0; N]; numbers], terms }
+        let coefficients = vec![[0.0; N]; rows * terms];
+        let low = vec![[0.0; N]; numbers];
+        Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, low, terms }
     }
 
     /// How many numbers a state has.
@@ -31,33 +66,44 @@ impl<const N: usize> Block<N> {
         self.low.len()
     }
 
+    /// The row of this number, numbers of the state first.
     #[inline(always)]
-    pub(super) fn series(&self, number: usize) -> &[[f64; N]] {
-        &self.coefficients[number * self.terms..][..self.terms]
+    pub(super) fn row(&self, number: usize) -> Row {
+        Row::new(number, self.terms)
     }
 
+    /// The series of one number of the state.
     #[inline(always)]
-    pub(super) fn series_mut(&mut self, number: usize) -> &mut [[f64; N]] {
-        &mut self.coefficients[number * self.terms..][..self.terms]
+    pub(super) fn series(&self, number: usize) -> &[[f64; N]] {
+        &self[self.row(number)]
     }
 
     /// Brings a lane to a time and a state.
     pub(super) fn launch(&mut self, lane: usize, time: f64, state: &[f64]) {
-        (self.start[lane], self.end[lane]) = (time, time);
+        (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
-            self.series_mut(number)[0][lane] = value;
+            let row = self.row(number);
+            self[row][0][lane] = value;
             self.low[number][lane] = 0.0;
         }
+    }
+
+    /// Makes a number of the state zero.
+    pub(super) fn stop(&mut self, number: usize, lane: usize) {
+        let row = self.row(number);
+        self[row][0][lane] = 0.0;
+        self.low[number][lane] = 0.0;
     }
 
     /// One number of the state at the ends of the steps.
     #[inline(always)]
     pub(super) fn ends(&self, number: usize) -> Ends<N> {
         let series = self.series(number);
-        let velocity_low = self.low.get(number + self.numbers() / 2).map_or([0.0; N], |low| *low);
+        let slope_low = self.low.get(number + self.numbers() / 2).map_or([0.0; N], |low| *low);
         let mut times = [(0.0, 0.0); N];
         for lane in 0..N {
-            times[lane] = elapsed(self.start[lane], self.end[lane]);
+            let (time, remainder) = elapsed(self.start[lane], self.end[lane]);
+            times[lane] = (time / self.unit[lane], remainder);
         }
         let mut higher = [0.0; N];
         for c in series[2..].iter().rev() {
@@ -68,7 +114,7 @@ impl<const N: usize> Block<N> {
         let mut ends = Ends { high: [0.0; N], low: [0.0; N] };
         for lane in 0..N {
             let base = DoubleDouble::new(series[0][lane], self.low[number][lane]);
-            let end = grown(base, series[1][lane], velocity_low[lane], higher[lane], times[lane].0);
+            let end = grown(base, series[1][lane], slope_low[lane] * self.unit[lane], higher[lane], times[lane].0);
             (ends.high[lane], ends.low[lane]) = (end.hi, end.lo);
         }
         for lane in (0..N).filter(|&lane| times[lane].1 != 0.0) {
@@ -78,13 +124,14 @@ impl<const N: usize> Block<N> {
         ends
     }
 
-    /// Begins the next steps where these end, in the states there.
-    pub(super) fn begin_at_end(&mut self, states: &[Ends<N>]) {
+    /// Begins the next steps where these end, in the states there and in these units.
+    pub(super) fn begin_at_end(&mut self, states: &[Ends<N>], unit: &[f64; N]) {
         for (number, ends) in states.iter().enumerate() {
-            self.series_mut(number)[0] = ends.high;
+            let row = self.row(number);
+            self[row][0] = ends.high;
             self.low[number] = ends.low;
         }
-        self.start = self.end;
+        (self.start, self.unit) = (self.end, *unit);
     }
 
     /// Where a motion is.
@@ -97,6 +144,7 @@ impl<const N: usize> Block<N> {
         Step {
             start: self.start[lane],
             end: self.end[lane],
+            unit: self.unit[lane],
             coefficients: self.coefficients.as_flattened(),
             low: self.low.as_flattened(),
             terms: self.terms,

@@ -1,4 +1,4 @@
-//! On which side of zero the argument of each absolute value is.
+//! On which side of zero the argument of each absolute value is, or whether it stays there.
 
 use super::Cause;
 use super::block::Block;
@@ -8,66 +8,108 @@ use super::sign_change::first_sign_change;
 /// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
 pub(super) struct Branches<const N: usize> {
-    /// Of each argument: arguments that are zero where the step begins, and of which only rounding makes something else.
-    at_zero: Vec<[bool; N]>,
+    /// Of each argument: how many leading coefficients are zero where the step begins, of which only rounding may make
+    /// something else.
+    zeros: Vec<[usize; N]>,
 }
 
 impl<const N: usize> Branches<N> {
     pub(super) fn new(moduli: usize) -> Self {
-        Self { at_zero: vec![[false; N]; moduli] }
+        Self { zeros: vec![[0; N]; moduli] }
     }
 
     /// Begins a motion in a lane.
     pub(super) fn launch(&mut self, lane: usize) {
-        for at_zero in &mut self.at_zero {
-            at_zero[lane] = false;
+        for zeros in &mut self.zeros {
+            zeros[lane] = 0;
         }
     }
 
     /// Expands steps that have only their starts, with the signs that the arguments have behind these.
     pub(super) fn settle(
         &mut self,
-        expander: &mut Expander<'_, N>,
+        expander: &Expander<'_>,
         block: &mut Block<N>,
         surroundings: &mut Surroundings<N>,
         backward: &[bool; N],
     ) -> [Result<(), Cause>; N] {
         // Each attempt may show one more sign to be wrong.
-        for _ in 0..2 * self.at_zero.len() {
+        for _ in 0..2 * self.zeros.len() {
             expander.expand(block, surroundings);
-            if !self.correct(expander, surroundings, backward).contains(&true) {
+            if !self.correct(expander, block, surroundings, backward).iter().flatten().any(|wrong| *wrong) {
                 return [Ok(()); N];
             }
         }
         expander.expand(block, surroundings);
-        let wrong = self.correct(expander, surroundings, backward);
-        wrong.map(|wrong| if wrong { Err(Cause::NoWayOn) } else { Ok(()) })
+        let wrong = self.correct(expander, block, surroundings, backward);
+        self.stick(&wrong, expander, block, surroundings)
     }
 
-    /// Gives the signs that the series of the arguments have; in which lanes one was another.
+    /// Gives the signs that the series of the arguments have, and lets go what no sign from −1 to 1 keeps; of which
+    /// arguments, in which lanes, the series had another sign.
     fn correct(
         &self,
-        expander: &Expander<'_, N>,
+        expander: &Expander<'_>,
+        block: &Block<N>,
         surroundings: &mut Surroundings<N>,
         backward: &[bool; N],
-    ) -> [bool; N] {
-        let mut wrong = [false; N];
-        for (modulus, (signs, at_zero)) in surroundings.signs.iter_mut().zip(&self.at_zero).enumerate() {
-            let argument = expander.argument(modulus);
+    ) -> Vec<[bool; N]> {
+        let mut wrong = vec![[false; N]; self.zeros.len()];
+        for (modulus, wrong) in wrong.iter_mut().enumerate() {
             for lane in 0..N {
-                let series = argument.iter().map(|c| c[lane]).enumerate().skip(usize::from(at_zero[lane]));
-                let found = sign_behind(series, backward[lane]).unwrap_or(signs[lane]);
-                wrong[lane] |= found * signs[lane] < 0.0;
-                signs[lane] = found;
+                let sign = surroundings.signs[modulus][lane];
+                let found = if surroundings.sticks[modulus][lane] {
+                    let needed = block[expander.sign(block, modulus)][0][lane];
+                    surroundings.sticks[modulus][lane] = needed.abs() <= 1.0;
+                    wrong[lane] = needed.abs() > 1.0;
+                    if wrong[lane] { needed.signum() } else { sign }
+                } else {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let behind = series.enumerate().skip(self.zeros[modulus][lane]);
+                    let found = sign_behind(behind, backward[lane]).unwrap_or(sign);
+                    wrong[lane] = found * sign < 0.0;
+                    found
+                };
+                surroundings.signs[modulus][lane] = found;
             }
         }
         wrong
     }
 
-    /// Ends the steps where an argument first changes its sign.
+    /// Keeps at zero the velocities that can leave it to neither side.
+    fn stick(
+        &mut self,
+        wrong: &[[bool; N]],
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) -> [Result<(), Cause>; N] {
+        let mut outcomes = [Ok(()); N];
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            for lane in (0..N).filter(|&lane| wrong[lane]) {
+                match expander.system.velocity_in_modulus(modulus) {
+                    Some(number) => {
+                        block.stop(number, lane);
+                        surroundings.sticks[modulus][lane] = true;
+                    }
+                    None => outcomes[lane] = Err(Cause::NoWayOn),
+                }
+            }
+        }
+        expander.expand(block, surroundings);
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            let sign = block[expander.sign(block, modulus)][0];
+            for lane in (0..N).filter(|&lane| wrong[lane] && sign[lane].abs() > 1.0) {
+                outcomes[lane] = Err(Cause::NoWayOn);
+            }
+        }
+        outcomes
+    }
+
+    /// Ends the steps where an argument first changes its sign, or what sticks is released.
     pub(super) fn cut(
         &mut self,
-        expander: &Expander<'_, N>,
+        expander: &Expander<'_>,
         block: &mut Block<N>,
         surroundings: &mut Surroundings<N>,
     ) {
@@ -79,26 +121,44 @@ impl<const N: usize> Branches<N> {
     fn cut_lane(
         &mut self,
         lane: usize,
-        expander: &Expander<'_, N>,
+        expander: &Expander<'_>,
         block: &mut Block<N>,
         surroundings: &mut Surroundings<N>,
     ) {
         let length = block.end[lane] - block.start[lane];
-        let change = |(modulus, at_zero): (usize, &[bool; N])| {
-            let series = expander.argument(modulus).iter().map(|c| c[lane]);
-            first_sign_change(&scaled(series, at_zero[lane], length))
-        };
-        let changes: Vec<Option<f64>> = self.at_zero.iter().enumerate().map(change).collect();
+        let units = length / block.unit[lane];
+        let changes: Vec<Option<f64>> = (0..self.zeros.len())
+            .map(|modulus| match surroundings.sticks[modulus][lane] {
+                true => release(block[expander.sign(block, modulus)].iter().map(|c| c[lane]), units),
+                false => {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let terms = scaled(series, units).into_iter().skip(self.zeros[modulus][lane]);
+                    first_sign_change(&terms.skip_while(|term| *term == 0.0).collect::<Vec<_>>())
+                }
+            })
+            .collect();
         let first = changes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if first.is_finite() {
             block.end[lane] = block.start[lane] + first * length;
         }
         let moves = (block.end[lane] - block.start[lane]).abs() > 0.0;
-        for ((change, signs), zero) in changes.iter().zip(&mut surroundings.signs).zip(&mut self.at_zero) {
+        for (modulus, change) in changes.iter().enumerate() {
             let changes_now = *change == Some(first);
-            signs[lane] = if changes_now { -signs[lane] } else { signs[lane] };
-            // A step without length leaves what is zero at zero.
-            zero[lane] = changes_now || (zero[lane] && !moves);
+            let zeros = &mut self.zeros[modulus][lane];
+            let sign = &mut surroundings.signs[modulus][lane];
+            if changes_now && surroundings.sticks[modulus][lane] {
+                surroundings.sticks[modulus][lane] = false;
+                let series = block[expander.sign(block, modulus)].iter().map(|c| c[lane]);
+                *sign = scaled(series, first * units).iter().sum::<f64>().signum();
+                // Velocity and acceleration.
+                *zeros = 2;
+            } else if changes_now {
+                *sign = -*sign;
+                *zeros = 1;
+            } else if moves {
+                // A step without length leaves what is zero at zero.
+                *zeros = 0;
+            }
         }
     }
 }
@@ -109,13 +169,25 @@ fn sign_behind(mut terms: impl Iterator<Item = (usize, f64)>, backward: bool) ->
     Some(if backward && n % 2 == 1 { -c.signum() } else { c.signum() })
 }
 
-/// The coefficients of the part of the step as variable, divided by it as long as the polynomial is zero at zero.
-fn scaled(series: impl Iterator<Item = f64>, zero: bool, length: f64) -> Vec<f64> {
+/// The part of the step after which a sign leaves the range from −1 to 1.
+fn release(sign: impl Iterator<Item = f64>, length: f64) -> Option<f64> {
+    let sign = scaled(sign, length);
+    let from = |limit: f64| {
+        let mut distance: Vec<f64> = sign.iter().map(|c| -limit * c).collect();
+        *distance.first_mut()? += 1.0;
+        first_sign_change(&distance)
+    };
+    let (above, below) = (from(1.0), from(-1.0));
+    above.into_iter().chain(below).reduce(f64::min)
+}
+
+/// The coefficients with the part of the step as variable.
+fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     let mut power = 1.0;
     let terms = series.map(|c| {
         let term = c * power;
         power *= length;
         term
     });
-    terms.skip(usize::from(zero)).skip_while(|term| *term == 0.0).collect()
+    terms.collect()
 }

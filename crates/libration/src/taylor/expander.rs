@@ -1,10 +1,10 @@
 //! The Taylor series of a system about a state, in several lanes.
 
 use super::System;
-use super::block::Block;
-use crate::algebra::{Lanes, Ring};
+use super::block::{Block, Row};
+use super::program::{Program, over_integer};
+use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch};
-use crate::expression::Jet;
 
 /// What the tape is given beside the state.
 #[derive(Clone, Debug)]
@@ -13,87 +13,98 @@ pub(super) struct Surroundings<const N: usize> {
     pub(super) parameters: Vec<[f64; N]>,
     /// The sign of what stands in each |…|.
     pub(super) signs: Vec<[f64; N]>,
+    /// Whether that is a velocity that friction keeps at zero.
+    pub(super) sticks: Vec<[bool; N]>,
 }
 
 /// Makes series about one state after the other, always in the same memory.
 #[derive(Debug)]
-pub(super) struct Expander<'a, const N: usize> {
-    system: &'a System,
-    order: usize,
-    jet: Jet<'a, Lanes<N>>,
-    /// One coefficient of each input.
-    inputs: Vec<[f64; N]>,
+pub(super) struct Expander<'a> {
+    pub(super) system: &'a System,
+    pub(super) program: Program,
+    pub(super) order: usize,
 }
 
-/// Why all values of formulas exist.
-const ALL_VALUES: &str = "where a float has no value it is NaN";
-
-impl<'a, const N: usize> Expander<'a, N> {
+impl<'a> Expander<'a> {
     pub(super) fn new(system: &'a System, order: usize) -> Self {
-        let inputs = vec![[0.0; N]; system.tape().inputs()];
-        let mut jet = Jet::new(&Lanes, system.tape(), &inputs).expect(ALL_VALUES);
-        jet.reserve(order + 1);
-        Self { system, order, jet, inputs }
+        const ENDLESS: usize = usize::MAX;
+        let state = std::iter::repeat_n(ENDLESS, 2 * system.coordinates());
+        let parameters = std::iter::repeat_n(0, system.parameters().len());
+        let signs = (0..system.moduli()).map(|modulus| match system.velocity_in_modulus(modulus) {
+            Some(_) => ENDLESS,
+            None => 0,
+        });
+        let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
+        Self { system, program: Program::new(system.tape(), &degrees, order + 1), order }
     }
 
-    pub(super) fn system(&self) -> &'a System {
-        self.system
+    /// The memory that the series need.
+    pub(super) fn block<const N: usize>(&self) -> Block<N> {
+        let mut block = Block::new(self.program.rows, 2 * self.system.coordinates(), self.order);
+        for &(row, value) in &self.program.constants {
+            block[row][0] = [value; N];
+        }
+        block
     }
 
     /// Fills in the coefficients up to the order, of the coordinates and then of the velocities, whose first are given.
-    pub(super) fn expand(&mut self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+    pub(super) fn expand<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
+            return self.expand_sticking(block, surroundings);
+        }
         dispatch(Expansion { expander: self, block, surroundings });
     }
 
+    /// The sign of what stands in a |…|.
+    pub(super) fn sign<const N: usize>(&self, block: &Block<N>, modulus: usize) -> Row {
+        block.row(block.numbers() + 1 + self.system.parameters().len() + modulus)
+    }
+
     /// What stands between the bars of an absolute value.
-    pub(super) fn argument(&self, modulus: usize) -> &[[f64; N]] {
-        self.jet.result(self.system.coordinates() + modulus)
+    pub(super) fn argument(&self, modulus: usize) -> Row {
+        self.program.results[self.system.coordinates() + modulus]
     }
 
     /// The formula of an event.
-    pub(super) fn event(&self, event: usize) -> &[[f64; N]] {
-        self.jet.result(self.system.coordinates() + self.system.moduli() + event)
+    pub(super) fn event(&self, event: usize) -> Row {
+        self.program.results[self.system.coordinates() + self.system.moduli() + event]
     }
 
-    /// The accelerations in a state of all lanes.
-    pub(super) fn accelerations(
-        &mut self,
+    /// The accelerations in a state.
+    pub(super) fn accelerations<const N: usize>(
+        &self,
         time: f64,
         state: &[f64],
         surroundings: &Surroundings<N>,
     ) -> Vec<[f64; N]> {
-        for (input, value) in self.inputs.iter_mut().zip(state.iter().chain([&time])) {
-            *input = [*value; N];
+        let mut block = self.block::<N>();
+        for (number, value) in state.iter().enumerate() {
+            let row = block.row(number);
+            block[row][0] = [*value; N];
         }
-        self.begin(surroundings);
-        (0..self.system.coordinates()).map(|i| *self.jet.last(i)).collect()
+        block.start = [time; N];
+        self.begin(&mut block, surroundings);
+        (0..self.system.coordinates()).map(|i| block[self.acceleration(i)][0]).collect()
     }
 
-    /// Begins a jet with the inputs of states and time, and those that follow.
+    /// The zeroth coefficients.
     #[inline(always)]
-    fn begin(&mut self, surroundings: &Surroundings<N>) {
-        let rest = &mut self.inputs[2 * self.system.coordinates() + 1..];
-        let (parameters, signs) = rest.split_at_mut(surroundings.parameters.len());
-        parameters.copy_from_slice(&surroundings.parameters);
-        signs.copy_from_slice(&surroundings.signs);
-        self.jet.restart(&self.inputs).expect(ALL_VALUES);
-        self.inputs[2 * self.system.coordinates() + 1..].fill([0.0; N]);
-    }
-
-    /// The n-th coefficients of all states and of the time as inputs.
-    #[inline(always)]
-    fn feed(&mut self, block: &Block<N>, n: usize) {
-        let numbers = block.numbers();
-        for number in 0..numbers {
-            self.inputs[number] = block.series(number)[n];
+    pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        let time = block.row(block.numbers());
+        block[time][0] = block.start;
+        block[time][1] = block.unit;
+        let rest = surroundings.parameters.iter().chain(&surroundings.signs);
+        for (number, values) in (block.numbers() + 1..).zip(rest) {
+            let row = block.row(number);
+            block[row][0] = *values;
         }
-        self.inputs[numbers] = if n == 0 { block.start } else { [if n == 1 { 1.0 } else { 0.0 }; N] };
+        self.program.begin(block);
     }
 }
 
 /// The expansion, compiled for each instruction set.
 struct Expansion<'e, 'a, const N: usize> {
-    expander: &'e mut Expander<'a, N>,
+    expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
     surroundings: &'e Surroundings<N>,
 }
@@ -101,25 +112,43 @@ struct Expansion<'e, 'a, const N: usize> {
 impl<const N: usize> Kernel for Expansion<'_, '_, N> {
     type Output = ();
 
-    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
     #[inline(always)]
     fn run(self) {
         let Self { expander, block, surroundings } = self;
-        let coordinates = expander.system.coordinates();
-        expander.feed(block, 0);
-        expander.begin(surroundings);
-        let last = expander.order - usize::from(expander.system.events().is_empty());
-        for (n, divisor) in (1..=expander.order).zip(1..) {
-            let over_n = |c: &[f64; N]| Lanes.over_integer(c, divisor).expect(ALL_VALUES);
-            for i in 0..coordinates {
-                let velocity = block.series(coordinates + i)[n - 1];
-                block.series_mut(i)[n] = over_n(&velocity);
-                block.series_mut(coordinates + i)[n] = over_n(expander.jet.last(i));
-            }
-            if n <= last {
-                expander.feed(block, n);
-                expander.jet.extend(&expander.inputs).expect(ALL_VALUES);
+        expander.begin(block, surroundings);
+        for n in 1..=expander.order {
+            expander.extend_state(block, n);
+            if n <= expander.last() {
+                expander.program.extend(block, n);
             }
         }
+    }
+}
+
+impl Expander<'_> {
+    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
+    #[inline(always)]
+    pub(super) fn extend_state<const N: usize>(&self, block: &mut Block<N>, n: usize) {
+        let coordinates = self.system.coordinates();
+        for i in 0..coordinates {
+            let (coordinate, velocity) = (block.row(i), block.row(coordinates + i));
+            let speed = &block[velocity][n - 1];
+            let rate = lanes(|lane| speed[lane] * block.unit[lane]);
+            block[coordinate][n] = over_integer(&rate, n);
+            let acceleration = &block[self.acceleration(i)][n - 1];
+            let rate = lanes(|lane| acceleration[lane] * block.unit[lane]);
+            block[velocity][n] = over_integer(&rate, n);
+        }
+    }
+
+    /// The last order that is asked for of formulas: events want as many as the state has.
+    #[inline(always)]
+    pub(super) fn last(&self) -> usize {
+        self.order - usize::from(self.system.events().is_empty())
+    }
+
+    #[inline(always)]
+    pub(super) fn acceleration(&self, coordinate: usize) -> Row {
+        self.program.results[coordinate]
     }
 }

@@ -1,6 +1,6 @@
 //! Several motions side by side, each with steps of its own.
 
-use super::block::Block;
+use super::block::{Block, Row};
 use super::branches::Branches;
 use super::expander::{Expander, Surroundings};
 use super::step_length::step_lengths;
@@ -10,13 +10,17 @@ use crate::dispatch::{Kernel, dispatch};
 /// N motions under way: where they are, and the steps that lead on.
 #[derive(Debug)]
 pub(super) struct Flight<'a, const N: usize> {
-    expander: Expander<'a, N>,
+    expander: Expander<'a>,
     branches: Branches<N>,
     surroundings: Surroundings<N>,
     block: Block<N>,
     next: Vec<Ends<N>>,
     /// Where the motions are going.
     goal: [f64; N],
+    /// The units of time for the next steps.
+    unit: [f64; N],
+    /// Motions whose scale of time is not known yet.
+    fresh: [bool; N],
     effort: Effort,
     log2_part_of_radius: f64,
 }
@@ -31,16 +35,20 @@ pub(super) struct Ends<const N: usize> {
 impl<'a, const N: usize> Flight<'a, N> {
     pub(super) fn new(system: &'a System, effort: Effort) -> Self {
         let (order, numbers) = (effort.order(), 2 * system.coordinates());
+        let expander = Expander::new(system, order);
         Self {
-            expander: Expander::new(system, order),
             branches: Branches::new(system.moduli()),
             surroundings: Surroundings {
                 parameters: vec![[0.0; N]; system.parameters().len()],
                 signs: vec![[1.0; N]; system.moduli()],
+                sticks: vec![[false; N]; system.moduli()],
             },
-            block: Block::new(numbers, order),
+            block: expander.block(),
+            expander,
             next: vec![Ends { high: [0.0; N], low: [0.0; N] }; numbers],
             goal: [0.0; N],
+            unit: [1.0; N],
+            fresh: [false; N],
             effort,
             log2_part_of_radius: effort.log2_part_of_radius(),
         }
@@ -50,12 +58,13 @@ impl<'a, const N: usize> Flight<'a, N> {
     pub(super) fn launch(&mut self, lane: usize, start: &Moment, parameters: &[f64], goal: f64) {
         self.block.launch(lane, start.time, &start.state);
         self.branches.launch(lane);
-        self.goal[lane] = goal;
+        (self.goal[lane], self.fresh[lane]) = (goal, true);
         for (parameter, &value) in self.surroundings.parameters.iter_mut().zip(parameters) {
             parameter[lane] = value;
         }
-        for signs in &mut self.surroundings.signs {
-            signs[lane] = 1.0;
+        let Surroundings { signs, sticks, .. } = &mut self.surroundings;
+        for (sign, sticks) in signs.iter_mut().zip(sticks) {
+            (sign[lane], sticks[lane]) = (1.0, false);
         }
     }
 
@@ -66,21 +75,20 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// The steps from where the motions are towards their goals, at most up to them.
     pub(super) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
-        let mut outcomes = self.expand();
+        let mut outcomes = self.expand_in_fitting_units();
         let lengths = dispatch(Lengths { flight: self });
         let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
         for lane in 0..N {
             let end = match endless[lane] {
+                true if self.sticks(lane) => Ok(self.goal[lane]),
                 true => self.end_of_polynomials(lane),
                 false => self.end_towards_goal(lane, lengths[lane]),
             };
             self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
+            self.unit[lane] = if endless[lane] { self.block.unit[lane] } else { unit_for(lengths[lane]) };
             outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
         }
-        if endless.contains(&true) {
-            self.expander.expand(&mut self.block, &self.surroundings);
-        }
-        if self.expander.system().moduli() > 0 {
+        if self.expander.system.moduli() > 0 {
             self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
         }
         dispatch(Arrival { flight: self });
@@ -91,7 +99,7 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Goes to the ends of the steps.
     pub(super) fn go_on(&mut self) {
-        self.block.begin_at_end(&self.next);
+        self.block.begin_at_end(&self.next, &self.unit);
     }
 
     pub(super) fn step(&self, lane: usize) -> Step<'_> {
@@ -100,14 +108,14 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// The series of the formula of an event, with the part of the step as variable.
     pub(super) fn event(&self, event: usize, lane: usize) -> Vec<f64> {
-        let length = self.block.end[lane] - self.block.start[lane];
+        let length = (self.block.end[lane] - self.block.start[lane]) / self.block.unit[lane];
         let mut power = 1.0;
         let scaled = |c: &[f64; N]| {
             let term = c[lane] * power;
             power *= length;
             term
         };
-        self.expander.event(event).iter().map(scaled).collect()
+        self.block[self.expander.event(event)].iter().map(scaled).collect()
     }
 
     /// Where a step leads.
@@ -121,14 +129,37 @@ impl<'a, const N: usize> Flight<'a, N> {
         Moment { time: self.block.start[lane], state: self.block.state(lane).collect() }
     }
 
+    /// Expands the steps, at the beginning of a motion in shorter and shorter units of time until coefficients are finite.
+    fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
+        const SHORTER: f64 = 1.0 / (1_u64 << 40) as f64;
+        const ATTEMPTS: usize = 24;
+        let mut outcomes = self.expand();
+        let fresh = std::mem::replace(&mut self.fresh, [false; N]);
+        for _ in 0..ATTEMPTS {
+            let misfits: Vec<usize> = (0..N).filter(|&lane| fresh[lane] && !self.is_regular(lane)).collect();
+            if misfits.is_empty() {
+                break;
+            }
+            for lane in misfits {
+                self.block.unit[lane] *= SHORTER;
+            }
+            outcomes = self.expand();
+        }
+        outcomes
+    }
+
     fn expand(&mut self) -> [Result<(), Cause>; N] {
-        let (expander, block) = (&mut self.expander, &mut self.block);
-        if expander.system().moduli() == 0 {
+        let (expander, block) = (&self.expander, &mut self.block);
+        if expander.system.moduli() == 0 {
             expander.expand(block, &self.surroundings);
             return [Ok(()); N];
         }
         let backward = std::array::from_fn(|lane| self.goal[lane] < block.start[lane]);
         self.branches.settle(expander, block, &mut self.surroundings, &backward)
+    }
+
+    fn sticks(&self, lane: usize) -> bool {
+        self.surroundings.sticks.iter().any(|sticks| sticks[lane])
     }
 
     fn is_endless(&self, lane: usize, length: f64) -> bool {
@@ -157,7 +188,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     /// The farthest end up to which series that seem to be polynomials obey the equation of motion.
-    fn end_of_polynomials(&mut self, lane: usize) -> Result<f64, Cause> {
+    fn end_of_polynomials(&self, lane: usize) -> Result<f64, Cause> {
         const HALVINGS: usize = 1100;
         let start = self.block.start[lane];
         let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));
@@ -167,13 +198,13 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     /// How far the accelerations at a time are from those of the step's polynomials, as a part of the latter's size.
-    fn defect(&mut self, lane: usize, time: f64) -> f64 {
+    fn defect(&self, lane: usize, time: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
         let exact = self.expander.accelerations(time, &state, &self.surroundings);
         let coordinates = exact.len();
         let parts = exact.iter().enumerate().map(|(i, exact)| {
-            let own = step.slope_at(coordinates + i, time - step.start());
+            let own = step.slope_at(coordinates + i, time);
             let size = exact[lane].abs().max(own.abs());
             if size == 0.0 { 0.0 } else { (exact[lane] - own).abs() / size }
         });
@@ -192,8 +223,10 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
 
     #[inline(always)]
     fn run(self) -> [f64; N] {
-        let Flight { block, effort, log2_part_of_radius, .. } = self.flight;
-        step_lengths(block, effort.absolute / effort.relative, *log2_part_of_radius)
+        let Flight { expander, surroundings, block, effort, log2_part_of_radius, .. } = self.flight;
+        let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
+        let signs: Vec<Row> = moduli.map(|(modulus, _)| expander.sign(block, modulus)).collect();
+        step_lengths(block, &signs, effort.absolute / effort.relative, *log2_part_of_radius)
     }
 }
 
@@ -212,4 +245,13 @@ impl<const N: usize> Kernel for Arrival<'_, '_, N> {
             *next = block.ends(number);
         }
     }
+}
+
+/// The unit of time for series with steps of this length: a power of two, larger by so much that terms that are small in
+/// a step do not underflow.
+fn unit_for(length: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    const LARGER: f64 = 64.0;
+    let power = f64::from_bits(length.min(1e300).to_bits() & EXPONENT);
+    if power > 0.0 { LARGER * power } else { 1.0 }
 }

@@ -12,11 +12,14 @@ mod moduli;
 mod sign_change;
 
 mod block;
+mod program;
+
 mod expander;
 mod step;
 mod step_length;
 
 mod branches;
+mod sticking;
 mod contacts;
 mod flight;
 

@@ -7,7 +7,9 @@ use crate::double_double::{DoubleDouble, two_prod, two_sum};
 pub struct Step<'a> {
     pub(super) start: f64,
     pub(super) end: f64,
-    /// Coefficients in powers of the time since the start, of the coordinates and then of the velocities, in all lanes.
+    pub(super) unit: f64,
+    /// Coefficients in powers of the time since the start in this unit, of the coordinates and then of the velocities, in
+    /// all lanes.
     pub(super) coefficients: &'a [f64],
     /// What the first coefficients lack of the state.
     pub(super) low: &'a [f64],
@@ -50,27 +52,22 @@ impl Step<'_> {
         self.low.get(number * self.lanes + self.lane).copied().unwrap_or(0.0)
     }
 
-    /// Whether a time that is not before its start is not behind its end.
-    #[cfg(any())]
-    fn reaches(&self, time: f64) -> bool {
-        if self.end < self.start { time >= self.end } else { time <= self.end }
-    }
-
     /// One number of the state in two words.
     pub(super) fn component_at(&self, number: usize, time: f64) -> DoubleDouble {
-        let (h, remainder) = elapsed(self.start, time);
+        let (elapsed, remainder) = elapsed(self.start, time);
+        let h = elapsed / self.unit;
         let higher = (2..self.terms).rev().fold(0.0, |sum, n| (sum + self.coefficient(number, n)) * h);
         let base = DoubleDouble::new(self.coefficient(number, 0), self.low(number));
-        let velocity_low = self.low(number + self.numbers() / 2);
-        let value = grown(base, self.coefficient(number, 1), velocity_low, higher, h);
-        if remainder == 0.0 { value } else { value + self.slope_at(number, h) * remainder }
+        let slope_low = self.low(number + self.numbers() / 2) * self.unit;
+        let value = grown(base, self.coefficient(number, 1), slope_low, higher, h);
+        if remainder == 0.0 { value } else { value + self.slope_at(number, time) * remainder }
     }
 
-    /// The time derivative of one number of the state, so long after the start.
-    pub(super) fn slope_at(&self, number: usize, h: f64) -> f64 {
-        let horner =
-            |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
-        (0..self.terms).rev().fold((0.0, 0.0), horner).1
+    /// The time derivative of one number of the state at a time.
+    pub(super) fn slope_at(&self, number: usize, time: f64) -> f64 {
+        let h = (time - self.start) / self.unit;
+        let horner = |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
+        (0..self.terms).rev().fold((0.0, 0.0), horner).1 / self.unit
     }
 }
 
@@ -83,8 +80,8 @@ pub(super) fn elapsed(start: f64, time: f64) -> (f64, f64) {
 
 /// c₀ + c₁h + (c₂h + c₃h² + …)h of which the last bracket is given: what is large is added in two words.
 ///
-/// `velocity_low` is what c₁ lacks of the velocity where the number is a coordinate.
+/// `slope_low` is what c₁ lacks where it is known better.
 #[inline(always)]
-pub(super) fn grown(base: DoubleDouble, slope: f64, velocity_low: f64, higher: f64, h: f64) -> DoubleDouble {
-    base + two_prod(slope, h) + (higher * h + velocity_low * h)
+pub(super) fn grown(base: DoubleDouble, slope: f64, slope_low: f64, higher: f64, h: f64) -> DoubleDouble {
+    base + two_prod(slope, h) + (higher * h + slope_low * h)
 }

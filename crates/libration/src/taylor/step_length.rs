@@ -2,7 +2,7 @@
 //!
 //! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
 
-use super::block::Block;
+use super::block::{Block, Row};
 use crate::algebra::lanes;
 use crate::elementary::rough::{exp2, log2};
 
@@ -34,11 +34,11 @@ impl Effort {
     }
 
     /// The order at which a given accuracy costs least: 1 − ln(tolerance)/2 if a step cost the square of its order, as
-    /// products of series do; but half the cost is proportional to the order, so that longer steps pay.
+    /// products of series do; but half the cost is proportional to the order, so that longer steps of higher order pay.
     pub(super) fn order(&self) -> usize {
         const LOWEST: usize = 6;
         const HIGHEST: usize = 63;
-        let best = 1.0 - 0.5 * kappa() * libm::log(self.relative);
+        let best = 1.0 - 0.75 * libm::log(self.relative);
         (LOWEST..HIGHEST).find(|&order| count(order) >= best).unwrap_or(HIGHEST)
     }
 
@@ -49,56 +49,65 @@ impl Effort {
     }
 }
 
-fn kappa() -> f64 {
-    std::env::var("KAPPA").ok().and_then(|k| k.parse().ok()).unwrap_or(1.0)
-}
-
 /// How many of the last coefficients are asked: by symmetry or by chance some are small.
 const LAST: usize = 4;
 /// How many of the first coefficients tell the size.
 const FIRST: usize = 3;
 
-/// The lengths of the steps with these series, positive; infinite where the series end.
+/// The lengths of the steps with these series, positive; infinite where the series end. Beside the state they are those of
+/// some other rows, in which one is a large number.
 #[inline(always)]
-pub(super) fn step_lengths<const N: usize>(block: &Block<N>, floor: f64, log2_part: f64) -> [f64; N] {
+pub(super) fn step_lengths<const N: usize>(
+    block: &Block<N>,
+    others: &[Row],
+    floor: f64,
+    log2_part: f64,
+) -> [f64; N] {
     let mut radius = [f64::INFINITY; N];
     for number in 0..block.numbers() {
         let series = block.series(number);
         // Of a coordinate the zeroth coefficient only says where it is.
         let velocity = number >= block.numbers() / 2;
         let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
-        let own = log2_radius(series, &size);
-        for lane in 0..N {
-            radius[lane] = if own[lane] < radius[lane] { own[lane] } else { radius[lane] };
-        }
+        radius = smaller(&radius, &log2_radius(series, &size));
     }
-    lanes(|lane| if radius[lane] == f64::INFINITY { f64::INFINITY } else { exp2(radius[lane] + log2_part) })
+    for &row in others {
+        radius = smaller(&radius, &log2_radius(&block[row], &[1.0; N]));
+    }
+    lanes(|lane| if radius[lane] == f64::INFINITY { f64::INFINITY } else { exp2(radius[lane] + log2_part) * block.unit[lane] })
+}
+
+#[inline(always)]
+fn smaller<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    lanes(|lane| if b[lane] < a[lane] { b[lane] } else { a[lane] })
 }
 
 /// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite
-/// where these vanish.
+/// where the last vanish.
 #[inline(always)]
 fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N] {
+    /// Of the least number there is.
+    const LEAST: f64 = -1074.0;
+    /// Next to numbers so small others may have underflowed.
+    const TINY: f64 = -600.0;
     let mut first = [[0.0; N]; FIRST];
+    let mut largest = [LEAST; N];
     for n in 0..FIRST {
         let c = if n == 0 { size } else { &series[n] };
-        first[n] = lanes(|lane| log2(c[lane].abs()));
+        first[n] = lanes(|lane| log2(c[lane].abs()).max(LEAST));
+        largest = lanes(|lane| largest[lane].max(first[n][lane]));
     }
+    let underflows = |lane: usize| LEAST < largest[lane] && largest[lane] < TINY;
+    let least_last: [f64; N] = lanes(|lane| if underflows(lane) { LEAST } else { f64::NEG_INFINITY });
     let mut radius = [f64::INFINITY; N];
     for k in series.len() - LAST..series.len() {
-        let last: [f64; N] = lanes(|lane| log2(series[k][lane].abs()));
+        let last: [f64; N] = lanes(|lane| log2(series[k][lane].abs()).max(least_last[lane]));
         let mut by = [f64::NEG_INFINITY; N];
         for n in 0..FIRST {
             let part = 1.0 / count(k - n);
-            for lane in 0..N {
-                let candidate = (first[n][lane] - last[lane]) * part;
-                by[lane] = if candidate > by[lane] { candidate } else { by[lane] };
-            }
+            by = lanes(|lane| by[lane].max((first[n][lane] - last[lane]) * part));
         }
-        for lane in 0..N {
-            let smaller = by[lane] < radius[lane] && by[lane] > f64::NEG_INFINITY;
-            radius[lane] = if smaller { by[lane] } else { radius[lane] };
-        }
+        radius = smaller(&radius, &by);
     }
     radius
 }

@@ -110,11 +110,6 @@ impl System {
         self.velocities_in_moduli[modulus]
     }
 
-    /// The number of the input that is the sign of what stands in a |…|.
-    pub(super) fn sign_input(&self, modulus: usize) -> usize {
-        2 * self.coordinates() + 1 + self.parameters.len() + modulus
-    }
-
     pub(super) fn tape(&self) -> &Tape {
         &self.tape
     }

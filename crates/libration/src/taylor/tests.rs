@@ -9,15 +9,15 @@ use crate::quantity::Angle;
 /// The larger error of angle and velocity after three seconds in so many equal steps.
 fn error_of(steps: u32, order: usize) -> f64 {
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
-    let mut expander = Expander::<1>::new(&system, order);
-    let mut block = Block::new(2, order);
+    let expander = Expander::new(&system, order);
+    let mut block = expander.block::<1>();
     block.launch(0, 0.0, &[1.0, 0.5]);
-    let surroundings = Surroundings { parameters: vec![], signs: vec![] };
+    let surroundings = Surroundings { parameters: vec![], signs: vec![], sticks: vec![] };
     for n in 1..=steps {
         expander.expand(&mut block, &surroundings);
         block.end = [3.0 * f64::from(n) / f64::from(steps)];
         let ends: Vec<_> = (0..2).map(|number| block.ends(number)).collect();
-        block.begin_at_end(&ends);
+        block.begin_at_end(&ends, &[1.0]);
     }
     let state = block.step(0).state_at(3.0);
     let start = Angle::from_radians(1.0).unwrap();
