@@ -1,6 +1,7 @@
 //! The questions that can be asked, one file each.
 
 mod backbone;
+pub(crate) mod bifurcation;
 mod completions;
 pub(crate) mod decay;
 mod derive;
@@ -9,11 +10,13 @@ mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+pub(crate) mod lyapunov;
 mod modes;
 pub(crate) mod motion;
 mod oscillators;
 mod paper;
 mod period;
+pub(crate) mod section;
 mod simulate;
 mod systems;
 
@@ -56,6 +59,9 @@ enum Question {
     Simulate(simulate::Simulate),
     Systems(systems::Systems),
     Modes(modes::Modes),
+    Section(section::PoincareQuestion),
+    Bifurcation(bifurcation::Bifurcation),
+    Lyapunov(lyapunov::Lyapunov),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -84,6 +90,9 @@ impl Libration {
             Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
             Question::Modes(question) => question.answer(out),
+            Question::Section(question) => question.answer(out),
+            Question::Bifurcation(question) => question.answer(out),
+            Question::Lyapunov(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

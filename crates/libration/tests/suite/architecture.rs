@@ -22,6 +22,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("orbit", &["taylor", "expression", "linear", "algebra"]),
     ("normal_modes", &["expression", "linear", "algebra"]),
     ("decay", &["elliptic", "pendulum", "taylor"]),
+    ("chaos", &["taylor", "expression", "algebra"]),
     (
         "derivation",
         &[

@@ -9,6 +9,7 @@ mod ulp;
 
 mod accuracy;
 mod architecture;
+mod chaos;
 mod decay;
 mod elliptic;
 mod equation;
