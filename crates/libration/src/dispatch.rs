@@ -16,15 +16,6 @@ pub(crate) trait Kernel {
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx512f")
-        && is_x86_feature_detected!("avx512dq")
-        && is_x86_feature_detected!("fma")
-    {
-        // SAFETY: the processor has the features that `run_widest` is compiled for.
-        #[expect(unsafe_code, reason = "calling a function compiled for more features than the caller")]
-        return unsafe { run_widest(kernel) };
-    }
-    #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
         // SAFETY: the processor has both features that `run_wide` is compiled for.
         #[expect(unsafe_code, reason = "calling a function compiled for more features than the caller")]
@@ -36,11 +27,5 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn run_wide<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
-fn run_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }

@@ -30,6 +30,15 @@ pub enum ModelError {
         /// The keys of the oscillators there are.
         oscillators: Vec<&'static str>,
     },
+    /// A power that has no derivatives at rest.
+    #[error(
+        "n = {value} is not a whole number from 0 on, and such a power of the velocity has no derivatives at rest: \
+         power_damped_pendulum takes any n"
+    )]
+    NotWhole {
+        /// The power.
+        value: String,
+    },
     /// Equations or values that are not understood.
     #[error(transparent)]
     Equation(#[from] EquationError),

@@ -62,6 +62,9 @@ impl Model {
     pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         let defaults = named.parameters.iter().map(|it| (it.name, it.default));
         let (equation, values) = filled(named.equations, values, defaults, open)?;
+        if named.whole_powers {
+            refuse_broken_power(&values)?;
+        }
         let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
         let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
         let coordinates = named.coordinates.iter().map(|it| {
@@ -259,4 +262,16 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
 
 fn by_names(equation: &Equation) -> Vec<Coordinate> {
     equation.variables().iter().map(|name| Coordinate::by_name(name)).collect()
+}
+
+/// Refuses a value of the power n that is not a natural number.
+fn refuse_broken_power(values: &[(String, Expression)]) -> Result<(), ModelError> {
+    let power = values.iter().find(|(name, _)| name == "n").map(|(_, value)| value);
+    let number = power.map(|power| (power, power.to_f64().unwrap_or(f64::NAN)));
+    match number {
+        Some((power, number)) if !(number >= 0.0 && number.fract() == 0.0) => {
+            Err(ModelError::NotWhole { value: power.to_string() })
+        }
+        _ => Ok(()),
+    }
 }

@@ -35,6 +35,8 @@ pub struct NamedSystem {
     pub power: &'static str,
     /// The parameter that is the angular frequency of a periodic drive.
     pub drive_frequency: Option<&'static str>,
+    /// Whether the parameter n is a power of a velocity, for which only whole numbers will do.
+    pub whole_powers: bool,
     /// What it describes, and how the coordinates are measured.
     pub description: &'static str,
     /// For which motions and parameters it holds.

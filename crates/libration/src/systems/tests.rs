@@ -338,7 +338,12 @@ fn the_form_of_damping_follows_its_power() {
     assert_eq!(equation("2"), "theta'' + 0.1*(theta'*abs(theta')) + sin(theta) = 0");
     assert_eq!(equation("3"), "theta'' + 0.1*theta'^3 + sin(theta) = 0");
     assert_eq!(equation("4"), "theta'' + 0.1*(theta'^3*abs(theta')) + sin(theta) = 0");
-    assert_eq!(equation("1.5"), "theta'' + 0.1*(abs(theta')^1.5*sign(theta')) + sin(theta) = 0");
+    for n in ["1.5", "-1", "pi"] {
+        let values = [("c", formula("0.1")), ("n", formula(n))];
+        let refused = Model::by_key("damped_pendulum", &values, &[]);
+        assert!(matches!(refused, Err(ModelError::NotWhole { .. })), "{n}: {refused:?}");
+        assert!(Model::by_key("power_damped_pendulum", &values, &[]).is_ok());
+    }
 }
 
 #[test]
