@@ -57,6 +57,7 @@
 //! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
 //! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
 //! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
+//! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
 //! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
@@ -97,6 +98,7 @@ pub mod systems;
 pub mod orbit;
 
 pub mod normal_modes;
+pub mod decay;
 
 pub mod derivation;
 

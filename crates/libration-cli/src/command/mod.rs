@@ -2,6 +2,7 @@
 
 mod backbone;
 mod completions;
+pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
@@ -32,6 +33,7 @@ Examples:
   libration period 60deg                      the exact period, and every formula with its error
   libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
   libration motion 150deg --times 0:10:0.5    angle and velocity in time
+  libration decay 60deg --linear 0.1          how the swings of a damped pendulum die down
   libration formulas --amplitude 90deg --tolerance 1e-3
   libration expand duffing --order 9          perturbation series of any oscillator, exactly
   libration derive --road elliptic            how the exact period is found, step by step
@@ -47,6 +49,7 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Decay(decay::Decay),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
     Backbone(backbone::Backbone),
@@ -73,6 +76,7 @@ impl Libration {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
+            Question::Decay(question) => question.answer(out),
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),

@@ -1,6 +1,7 @@
 //! The pictures: what each one shows, and how it is drawn.
 
 pub(crate) mod backbone;
+pub(crate) mod decay;
 pub(crate) mod errors;
 pub(crate) mod modes;
 pub(crate) mod motion;

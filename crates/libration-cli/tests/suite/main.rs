@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod command;
+mod decay;
 mod derive;
 mod expand;
 mod figures;
@@ -13,3 +14,5 @@ mod modes;
 mod motion;
 mod paper;
 mod period;
+mod simulate;
+mod systems;

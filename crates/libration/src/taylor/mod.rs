@@ -20,9 +20,9 @@ mod kept;
 mod step_length;
 
 mod branches;
-mod sticking;
 mod contacts;
 mod flight;
+mod sticking;
 
 mod fleet;
 mod record;

@@ -66,7 +66,8 @@ impl Step<'_> {
     /// The time derivative of one number of the state at a time.
     pub(super) fn slope_at(&self, number: usize, time: f64) -> f64 {
         let h = (time - self.start) / self.unit;
-        let horner = |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
+        let horner =
+            |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
         (0..self.terms).rev().fold((0.0, 0.0), horner).1 / self.unit
     }
 }

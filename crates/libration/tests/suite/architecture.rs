@@ -21,6 +21,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("systems", &["taylor", "oscillator", "expression", "algebra"]),
     ("orbit", &["taylor", "expression", "linear", "algebra"]),
     ("normal_modes", &["expression", "linear", "algebra"]),
+    ("decay", &["elliptic", "pendulum", "taylor"]),
     (
         "derivation",
         &[

@@ -9,8 +9,10 @@ mod ulp;
 
 mod accuracy;
 mod architecture;
+mod decay;
 mod elliptic;
 mod equation;
+mod events;
 mod expansions;
 mod expression;
 mod fit;
