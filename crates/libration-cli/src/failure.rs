@@ -12,12 +12,18 @@ pub(crate) enum Failure {
     /// The question is understood and has no answer: exit status 1.
     #[error("{0}")]
     NoAnswer(String),
+    /// Somebody has ended the work early: exit status 130.
+    #[error("{0}")]
+    Interrupted(String),
     /// The answer cannot be written: exit status 1, or 0 when the reader has gone.
     #[error("cannot write the answer: {0}")]
     Output(#[from] Error),
 }
 
 impl Failure {
+    /// The exit status of a command that was interrupted, as shells have it.
+    pub(crate) const INTERRUPTED: u8 = 130;
+
     /// A failure to understand `argument`, with the library's reason.
     pub(crate) fn usage(argument: &str, reason: impl std::fmt::Display) -> Self {
         Self::Usage(format!("{argument}: {reason}"))
@@ -37,6 +43,7 @@ impl Failure {
         let _ = writeln!(stderr(), "error: {self}");
         match self {
             Self::Usage(_) => ExitCode::from(2),
+            Self::Interrupted(_) => ExitCode::from(Self::INTERRUPTED),
             Self::NoAnswer(_) | Self::Output(_) => ExitCode::from(1),
         }
     }

@@ -16,7 +16,10 @@ pub(crate) trait Kernel {
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") && is_x86_feature_detected!("fma") {
+    if is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("fma")
+    {
         // SAFETY: the processor has the features that `run_widest` is compiled for.
         #[expect(unsafe_code, reason = "calling a function compiled for more features than the caller")]
         return unsafe { run_widest(kernel) };

@@ -53,6 +53,14 @@ impl Times {
         }
     }
 
+    /// The one that is named last.
+    pub(crate) fn last(&self) -> f64 {
+        match self {
+            Self::List(times) => times.last().copied().unwrap_or(0.0),
+            Self::Range(range) => range.get(range.len() - 1).unwrap_or(0.0),
+        }
+    }
+
     /// The earliest and the latest.
     pub(crate) fn ends(&self) -> (f64, f64) {
         self.iter()
@@ -60,7 +68,8 @@ impl Times {
     }
 }
 
-fn times(text: &str) -> Result<Times, RangeError> {
+/// Reads a range or a list of times.
+pub(crate) fn times(text: &str) -> Result<Times, RangeError> {
     match text.contains(':') {
         true => NumberRange::parse(text, Dimension::Time).map(Times::Range),
         false => numbers(text, Dimension::Time).map(Times::List),

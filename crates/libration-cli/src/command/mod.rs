@@ -1,5 +1,7 @@
 //! The questions that can be asked, one file each.
 
+mod backbone;
+pub(crate) mod bifurcation;
 mod completions;
 pub(crate) mod decay;
 mod derive;
@@ -8,10 +10,14 @@ mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+pub(crate) mod lyapunov;
+mod modes;
 pub(crate) mod motion;
 mod oscillators;
 mod paper;
 mod period;
+pub(crate) mod section;
+mod simulate;
 mod systems;
 
 use crate::failure::Failure;
@@ -38,7 +44,7 @@ Examples:
   libration fit periods measured.csv --length 0.57m±0.004m
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
-Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood.";
+Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood, 130 interrupted.";
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {
@@ -49,7 +55,13 @@ enum Question {
     Decay(decay::Decay),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Backbone(backbone::Backbone),
+    Simulate(simulate::Simulate),
     Systems(systems::Systems),
+    Modes(modes::Modes),
+    Section(section::PoincareQuestion),
+    Bifurcation(bifurcation::Bifurcation),
+    Lyapunov(lyapunov::Lyapunov),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -74,7 +86,13 @@ impl Libration {
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Backbone(question) => question.answer(out),
+            Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
+            Question::Modes(question) => question.answer(out),
+            Question::Section(question) => question.answer(out),
+            Question::Bifurcation(question) => question.answer(out),
+            Question::Lyapunov(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

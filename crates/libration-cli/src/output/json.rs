@@ -79,18 +79,58 @@ pub(crate) fn document_with_list(
     name: &str,
     items: impl Iterator<Item = Record>,
 ) -> io::Result<()> {
+    begin_document(out, head)?;
+    let mut list = List::default();
+    list.begin(out, name)?;
+    for item in items {
+        list.item(out, item)?;
+    }
+    list.end(out)?;
+    end_document(out, Record::new())
+}
+
+/// Begins an answer that is written part by part.
+pub(crate) fn begin_document(out: &mut dyn Write, head: Record) -> io::Result<()> {
     write!(out, "{{\"schema\":{SCHEMA}")?;
-    if let Value::Object(fields) = head.into() {
+    fields(out, head)
+}
+
+/// Ends an answer that is written part by part, with its last fields.
+pub(crate) fn end_document(out: &mut dyn Write, tail: Record) -> io::Result<()> {
+    fields(out, tail)?;
+    out.write_all(b"}\n")
+}
+
+fn fields(out: &mut dyn Write, record: Record) -> io::Result<()> {
+    if let Value::Object(fields) = record.into() {
         for (field, value) in fields {
             write!(out, ",{}:{value}", Value::from(field))?;
         }
     }
-    write!(out, ",{}:[", Value::from(name))?;
-    for (index, item) in items.enumerate() {
-        out.write_all(if index == 0 { b"\n" } else { b",\n" })?;
-        serde_json::to_writer(&mut *out, &Value::from(item))?;
+    Ok(())
+}
+
+/// A list in an answer that is written part by part, one item a line.
+#[derive(Debug, Default)]
+pub(crate) struct List {
+    has_items: bool,
+}
+
+impl List {
+    pub(crate) fn begin(&mut self, out: &mut dyn Write, name: &str) -> io::Result<()> {
+        write!(out, ",{}:[", Value::from(name))
     }
-    out.write_all(b"\n]}\n")
+
+    pub(crate) fn item(&mut self, out: &mut dyn Write, item: Record) -> io::Result<()> {
+        out.write_all(if self.has_items { b",\n" } else { b"\n" })?;
+        self.has_items = true;
+        serde_json::to_writer(&mut *out, &Value::from(item))?;
+        Ok(())
+    }
+
+    pub(crate) fn end(&mut self, out: &mut dyn Write) -> io::Result<()> {
+        out.write_all(b"\n]")
+    }
 }
 
 #[cfg(test)]

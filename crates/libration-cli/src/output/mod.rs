@@ -8,6 +8,8 @@ pub(crate) mod progress;
 pub(crate) mod series;
 pub(crate) mod table;
 
+use std::path::Path;
+
 /// The form of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
@@ -28,6 +30,16 @@ pub(crate) struct FormOptions {
 }
 
 impl FormOptions {
+    /// The form that is chosen, or else the one that the ending of a file says.
+    pub(crate) fn form_of_file(self, path: Option<&Path>) -> Form {
+        let ending = path.and_then(Path::extension).map(|ending| ending.to_ascii_lowercase());
+        match (self.form(), ending.as_deref().and_then(|ending| ending.to_str())) {
+            (Form::Table, Some("json")) => Form::Json,
+            (Form::Table, Some("csv")) => Form::Csv,
+            (form, _) => form,
+        }
+    }
+
     pub(crate) fn form(self) -> Form {
         match (self.json, self.csv) {
             (true, _) => Form::Json,

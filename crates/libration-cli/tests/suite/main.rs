@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
 mod bad_input;
+mod chaos;
 mod command;
 mod decay;
 mod derive;
@@ -10,6 +11,9 @@ mod figures;
 mod files;
 mod fit;
 mod formulas;
+mod modes;
 mod motion;
 mod paper;
 mod period;
+mod simulate;
+mod systems;

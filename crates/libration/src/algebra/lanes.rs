@@ -116,9 +116,7 @@ impl<const N: usize> Ring for Lanes<N> {
             return if n == 0 { [0.0; N] } else { lanes(|lane| a[0][lane] * b[0][lane]) };
         }
         let inner = self.inner(&a[1..n - 1], &b[1..n - 1]);
-        lanes(|lane| {
-            inner[lane] + (a[0][lane] * b[n - 1][lane] + a[n - 1][lane] * b[0][lane])
-        })
+        lanes(|lane| inner[lane] + (a[0][lane] * b[n - 1][lane] + a[n - 1][lane] * b[0][lane]))
     }
 }
 
@@ -141,8 +139,6 @@ impl<const N: usize> Lanes<N> {
                 last[lane] += a[lane] * b[lane];
             }
         }
-        lanes(|lane| {
-            (sums[0][lane] + sums[2][lane]) + (sums[1][lane] + sums[3][lane]) + last[lane]
-        })
+        lanes(|lane| (sums[0][lane] + sums[2][lane]) + (sums[1][lane] + sums[3][lane]) + last[lane])
     }
 }

@@ -43,10 +43,10 @@ impl<'a, const N: usize> Fleet<'a, N> {
                 break;
             }
             let ahead = self.flight.look_ahead();
-            for lane in 0..N {
+            for (lane, ahead) in ahead.into_iter().enumerate() {
                 let Some(record) = self.records[lane].take() else { continue };
                 let number = record.number;
-                match self.advance(lane, record, ahead[lane], &mut interrupted, &mut watch) {
+                match self.advance(lane, record, ahead, &mut interrupted, &mut watch) {
                     Ok(record) => self.records[lane] = Some(record),
                     Err(outcome) => {
                         self.flight.rest(lane);
@@ -56,8 +56,14 @@ impl<'a, const N: usize> Fleet<'a, N> {
             }
             self.flight.go_on();
         }
-        let never = |launch: &Launch<'_>| Record::new(0, launch, self.system).stopped(Cause::Interrupted, launch.start.clone());
-        outcomes.into_iter().zip(launches).map(|(outcome, launch)| outcome.unwrap_or_else(|| never(launch))).collect()
+        let never = |launch: &Launch<'_>| {
+            Record::new(0, launch, self.system).stopped(Cause::Interrupted, launch.start.clone())
+        };
+        outcomes
+            .into_iter()
+            .zip(launches)
+            .map(|(outcome, launch)| outcome.unwrap_or_else(|| never(launch)))
+            .collect()
     }
 
     /// Puts a motion into a lane; the outcome when it has no way to go.
@@ -88,7 +94,8 @@ impl<'a, const N: usize> Fleet<'a, N> {
         interrupted: &mut bool,
         watch: &mut impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<Record<'a>, Outcome> {
-        let allowed = if *interrupted { Err(Cause::Interrupted) } else { record.has_steps_left(&self.effort) };
+        let allowed =
+            if *interrupted { Err(Cause::Interrupted) } else { record.has_steps_left(&self.effort) };
         if let Err(cause) = allowed.and(ahead) {
             return Err(record.stopped(cause, self.flight.moment(lane)));
         }

@@ -1,0 +1,94 @@
+//! The answer to read.
+
+use super::events::Happening;
+use super::report::{Report, Summary, name};
+use super::run::Motion;
+use crate::output::number;
+use crate::output::table::{Column, Table, paragraph, sheet};
+use libration::taylor::Moment;
+use std::io::{self, Write};
+
+/// What was asked, a table of samples, and what is to be said of the whole.
+#[derive(Debug, Default)]
+pub(super) struct Sheet {
+    table: Option<Table>,
+    titles: Vec<String>,
+}
+
+impl Report for Sheet {
+    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+        let model = motion.model;
+        writeln!(out, "{} ({})", model.title(), name(motion))?;
+        writeln!(out, "{}", paragraph("  equations  ", &model.equation().to_string(), 120))?;
+        writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
+        writeln!(out, "  tolerance  {:e} a step\n", motion.effort.relative)?;
+        let numbers = model.state_names().into_iter().zip(model.state_units());
+        self.titles = vec!["t / s".to_owned()];
+        self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
+        self.table = Some(Table::new(self.titles.iter().map(Column::numbers).collect()));
+        Ok(())
+    }
+
+    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
+        let cells = cells(moment.time, &moment.state);
+        self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
+    }
+
+    fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
+        if let Some(table) = self.table.take() {
+            table.finish(out)?;
+        }
+        if !summary.events.is_empty() {
+            self.write_events(&summary.events, out)?;
+        }
+        let drift = match &summary.drift {
+            Ok(drift) => format!("{} of the largest kinetic energy", number::rounded(*drift, 2)),
+            Err(reason) => format!("none, as {reason}"),
+        };
+        writeln!(out)?;
+        sheet(out, &[("energy drift", drift), ("steps", summary.steps.to_string())])
+    }
+}
+
+impl Sheet {
+    fn write_events(&self, events: &[Happening], out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out)?;
+        let columns = self.titles.iter().map(Column::numbers);
+        let mut table = Table::new(columns.chain([Column::words("event")]).collect());
+        for event in events {
+            let mut cells = cells(event.time, &event.state);
+            cells[0] = number::rounded(event.time, 12);
+            cells.push(event.kind.clone());
+            table.row(out, cells)?;
+        }
+        table.finish(out)
+    }
+}
+
+fn cells(time: f64, state: &[f64]) -> Vec<String> {
+    let state = state.iter().map(|&value| number::rounded(value, 12));
+    [number::short(time, 12)].into_iter().chain(state).collect()
+}
+
+/// A name with its unit: `theta' / (rad/s)`.
+fn labelled(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit if unit.contains('/') => format!("{name} / ({unit})"),
+        unit => format!("{name} / {unit}"),
+    }
+}
+
+/// The state at the start, with what was not given.
+fn start(motion: &Motion) -> String {
+    let state =
+        motion.model.state_names().into_iter().zip(motion.model.state_units()).zip(&motion.initial.state);
+    let given: Vec<String> =
+        state.map(|((name, unit), value)| format!("{name} = {} {unit}", number::short(*value, 12))).collect();
+    let given = given.iter().map(|text| text.trim_end()).collect::<Vec<_>>().join(", ");
+    let assumed: Vec<&str> = motion.initial.assumed.iter().map(|(name, _)| name.as_str()).collect();
+    match assumed.as_slice() {
+        [] => given,
+        names => format!("{given} ({} not given and taken at rest)", names.join(", ")),
+    }
+}

@@ -1,0 +1,116 @@
+//! The coordinates of a system in time.
+
+use super::chart::{Axis, Panel, Picture, Series};
+use super::names::symbol;
+use super::range::around;
+use super::style;
+use libration::systems::Model;
+use libration::taylor::{Moment, Step};
+
+/// Points of a curve, evenly spaced in time.
+const POINTS: u32 = 6000;
+/// More marks on one curve would hide it.
+const MOST_MARKS: usize = 1000;
+
+/// The coordinates at evenly spaced times, filled in as the integration goes on.
+#[derive(Debug)]
+pub(crate) struct Trace {
+    end: f64,
+    next: u32,
+    times: Vec<f64>,
+    /// One list for each coordinate.
+    values: Vec<Vec<f64>>,
+    /// Events on the curve of each coordinate.
+    marks: Vec<Vec<(f64, f64)>>,
+}
+
+impl Trace {
+    /// A trace from 0 to this time.
+    pub(crate) fn new(model: &Model, end: f64) -> Self {
+        let none = vec![vec![]; model.coordinates().len()];
+        Self { end, next: 0, times: vec![], values: none.clone(), marks: vec![vec![]; none.len()] }
+    }
+
+    fn time(&self, place: u32) -> f64 {
+        self.end * f64::from(place) / f64::from(POINTS)
+    }
+
+    /// Takes the state of a sample that was computed before.
+    pub(crate) fn earlier(&mut self, moment: &Moment) {
+        self.push(moment);
+        while self.next <= POINTS && self.time(self.next).abs() <= moment.time.abs() {
+            self.next += 1;
+        }
+    }
+
+    /// Takes the states of a step.
+    pub(crate) fn follow(&mut self, step: &Step<'_>) {
+        while self.next <= POINTS && self.time(self.next).abs() <= step.end().abs() {
+            let time = self.time(self.next);
+            self.push(&Moment { time, state: step.state_at(time) });
+            self.next += 1;
+        }
+    }
+
+    /// Marks an event on the curve of a coordinate.
+    pub(crate) fn mark(&mut self, coordinate: usize, time: f64, state: &[f64]) {
+        if self.marks[coordinate].len() < MOST_MARKS {
+            self.marks[coordinate].push((time, state[coordinate]));
+        }
+    }
+
+    fn push(&mut self, moment: &Moment) {
+        self.times.push(moment.time);
+        for (values, value) in self.values.iter_mut().zip(&moment.state) {
+            values.push(*value);
+        }
+    }
+
+    /// A panel for each unit, with the coordinates that have it.
+    pub(crate) fn picture(&self, model: &Model) -> Picture {
+        let mut units: Vec<&str> = vec![];
+        for coordinate in model.coordinates() {
+            if !units.contains(&coordinate.unit.as_str()) {
+                units.push(&coordinate.unit);
+            }
+        }
+        let time = Axis::linear("time t / s", self.end.min(0.0), self.end.max(0.0));
+        let mut panels: Vec<Panel> = units.iter().map(|unit| self.panel(model, unit, &time)).collect();
+        let last = panels.len().saturating_sub(1);
+        for panel in &mut panels[..last] {
+            panel.x.label.clear();
+        }
+        Picture::new(&format!("Motion of the {}", model.title()), panels)
+    }
+
+    fn panel(&self, model: &Model, unit: &str, time: &Axis) -> Panel {
+        let shown = model.coordinates().iter().zip(&self.values).enumerate();
+        let shown: Vec<_> = shown.filter(|(_, (coordinate, _))| coordinate.unit == unit).collect();
+        let scale = if unit == "rad" { 1_f64.to_degrees() } else { 1.0 };
+        let alone = shown.len() == 1;
+        let mut series: Vec<Series> = shown
+            .iter()
+            .map(|(number, (coordinate, values))| {
+                let label = if alone { String::new() } else { symbol(&coordinate.name) };
+                let points = self.times.iter().copied().zip(values.iter().map(|value| scale * value));
+                Series::line(&label, style::curve(*number), points)
+            })
+            .collect();
+        series.extend(shown.iter().map(|(number, _)| {
+            let points = self.marks[*number].iter().map(|(time, value)| (*time, scale * value));
+            Series::line("", style::marks(*number), points)
+        }));
+        let names: Vec<String> = shown.iter().map(|(_, (coordinate, _))| symbol(&coordinate.name)).collect();
+        let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
+        let y = Axis::linear(&label(&names.join(", "), unit), low, high);
+        Panel { x: time.clone(), y, series, share: 1.0 }
+    }
+}
+
+fn label(names: &str, unit: &str) -> String {
+    match unit {
+        "rad" => format!("{names} / degrees"),
+        "" => names.to_owned(),
+        unit => format!("{names} / {unit}"),
+    }
+}
