@@ -205,7 +205,7 @@ def aligned(lines):
 
 
 def shown(case, answers, errors=None):
-    """Prints the table of a case; the quotient by the fastest heyoka."""
+    """Prints the table of a case; the quotient of the fastest heyoka by us, None without heyoka."""
     ours = answers[OURS]
     if case.error:
         errors = {name: case.error(given[-1].states) for name, given in answers.items()}
@@ -213,7 +213,7 @@ def shown(case, answers, errors=None):
     lines += [row(case, name, given, ours, errors and errors[name]) for name, given in answers.items()]
     print(f"\n{case.title}\n{aligned(lines)}", flush=True)
     heyokas = [statistics.median(quotients(given, ours)) for name, given in answers.items() if "heyoka" in name]
-    return min(heyokas, default=float("inf"))
+    return min(heyokas, default=None)
 
 
 def arguments():
@@ -235,9 +235,9 @@ def main(options):
     for tolerance, peers in ((1e-12, ("",)), (1e-16, ("heyoka",))):
         case = pendulum(tolerance, options.periods, peers)
         answers = measure(case, every, options.rounds, options.slow)
-        promises[f"the pendulum at {tolerance:g} faster than heyoka"] = shown(case, answers) > 1
+        promises[f"the pendulum at {tolerance:g} faster than heyoka"] = shown(case, answers)
         drift = abs(pendulum_energy(answers[OURS][-1].states[0]) / pendulum_energy(case.starts[0]) - 1)
-        promises[f"the pendulum's energy at {tolerance:g} kept to 1e-13"] = drift <= 1e-13
+        promises[f"the pendulum's energy at {tolerance:g} kept to 1e-13"] = 1e-13 / max(drift, 1e-30)
     for tolerance, peers in ((1e-12, ("",)), (1e-16, ("heyoka",))):
         case = double(tolerance, peers)
         shown(case, measure(case, every, options.rounds, options.slow))
@@ -245,10 +245,17 @@ def main(options):
         case = driven(options.driven, {"SciPy": 4, "ode_solvers": 1000, "differential": 1000})
         errors = errors_when_driven(every)
         print("\nThe error of driven pendulums is the largest of 8 after 5 drive periods.")
-        quotient = shown(case, measure(case, every, options.rounds, options.slow), errors)
-        promises["driven pendulums faster than heyoka in batches"] = quotient > 1
-    print("\n" + "\n".join(f"{'kept' if kept else 'MISSED'}: {promise}" for promise, kept in promises.items()))
-    return 0 if all(promises.values()) else 1
+        answers = measure(case, every, options.rounds, options.slow)
+        promises["driven pendulums faster than heyoka in batches"] = shown(case, answers, errors)
+    print("\n" + "\n".join(f"{verdict(margin)}: {promise}" for promise, margin in promises.items()))
+    return 1 if any(verdict(margin) == "MISSED" for margin in promises.values()) else 0
+
+
+def verdict(margin):
+    """Of how many times better than promised something is."""
+    if margin is None:
+        return "not measured"
+    return "kept" if margin >= 1 else "MISSED"
 
 
 if __name__ == "__main__":
