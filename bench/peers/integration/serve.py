@@ -22,14 +22,14 @@ def timed(task, *arguments):
     return time.process_time() - start, result
 
 
-def rates(case, sin=math.sin, cos=math.cos, third=1 / 3, tenth=0.1):
-    """f(t, state), for any kind of number or formula."""
+def rates(case, sin=math.sin, cos=math.cos):
+    """f(t, state), for numbers or formulas."""
 
     def pendulum(_, state):
         return [state[1], -sin(state[0])]
 
     def driven(time, state):
-        return [state[1], 12 * tenth * cos(2 * third * time) - sin(state[0]) - state[1] / 2]
+        return [state[1], 1.2 * cos(2 / 3 * time) - sin(state[0]) - state[1] / 2]
 
     def double(_, state):
         a, b, u, w = state

@@ -3,7 +3,7 @@
 #[path = "../requests.rs"]
 mod requests;
 
-use libration::taylor::{Effort, IntegrationError, Moment, Solution, System, integrate};
+use libration::taylor::{Effort, IntegrationError, Launch, Moment, Solution, System, integrate_many};
 use requests::{Answer, Failure, Request, serve, timed};
 use std::ops::ControlFlow;
 
@@ -20,12 +20,17 @@ fn answer(request: &Request) -> Result<Answer, Failure> {
     Ok(answer)
 }
 
+/// Many motions go side by side.
 fn motions(system: &System, request: &Request) -> Result<Vec<Solution>, IntegrationError> {
     let effort = Effort::to_tolerance(request.tolerance);
-    let starts = request.starts.iter().map(|state| Moment { time: 0.0, state: state.clone() });
-    starts
-        .map(|start| integrate(system, &start, &[request.end], &effort, |_| ControlFlow::Continue(())))
-        .collect()
+    let times = [request.end];
+    let start = |state: &Vec<f64>| Moment { time: 0.0, state: state.clone() };
+    let launch = |state| Launch { start: start(state), parameters: vec![], times: &times };
+    let launches: Vec<Launch<'_>> = request.starts.iter().map(launch).collect();
+    match &launches[..] {
+        [one] => Ok(vec![one.integrate(system, &effort, |_| ControlFlow::Continue(()))?]),
+        many => integrate_many(system, many, &effort, |_, _| ControlFlow::Continue(())).into_iter().collect(),
+    }
 }
 
 fn system(case: &str) -> Result<System, Failure> {

@@ -31,8 +31,8 @@ pub enum Ending {
 /// The turning points of a damped pendulum, in the order of time; see [`Decay::swings`]. After an error there are no more.
 ///
 /// # Accuracy
-/// Of ω0t and amplitude, each swing errs by some 1e-15; at powers of the velocity that are not whole by 1e-13. Above a right
-/// angle an amplitude is good to 1e-15 of π.
+/// Each swing errs by some 1e-15 of ω0t and of the amplitude it begins with; at powers of the velocity that are not whole by
+/// 1e-13. Above a right angle an amplitude is good to 1e-15 of π.
 #[derive(Clone, Debug)]
 pub struct Swings<'a> {
     decay: &'a Decay,
