@@ -4,7 +4,9 @@ mod arguments;
 mod command;
 mod failure;
 mod figure;
+mod interrupt;
 mod output;
+mod parallel;
 
 use clap::Parser;
 use std::io::{BufWriter, Write, stdout};

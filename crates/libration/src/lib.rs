@@ -55,9 +55,11 @@
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
 //! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
+//! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
+//! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
+//! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
+//! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
-//! | [`expression`] | formulas and equations of motion as they are typed, exactly |
-//! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
 //! | [`measurement`] | an instrument's text file as columns of numbers |
 //! | [`fit`] | measured periods explained by a law: T0, its test, gravity |
 //!
@@ -77,6 +79,7 @@ pub mod pendulum;
 pub mod period_formulas;
 
 pub mod algebra;
+mod linear;
 mod series;
 
 pub mod expression;
@@ -89,7 +92,13 @@ pub mod comparison;
 
 pub mod taylor;
 
+pub mod chaos;
 pub mod systems;
+
+pub mod orbit;
+
+pub mod decay;
+pub mod normal_modes;
 
 pub mod derivation;
 

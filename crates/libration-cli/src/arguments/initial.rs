@@ -31,8 +31,33 @@ impl InitialOptions {
 
     /// The state of the model that is meant.
     pub(crate) fn read(&self, model: &Model) -> Result<Initial, Failure> {
+        let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
+        Initial::read(text, model)
+    }
+}
+
+/// The option that says where several motions begin.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct SeveralInitialOptions {
+    /// Coordinates and velocities at the start, as theta=60deg,theta'=0; those left out are at rest; several times for
+    /// several motions
+    #[arg(long, value_name = "NAME=VALUE,…")]
+    initial: Vec<String>,
+}
+
+impl SeveralInitialOptions {
+    /// The states that are meant; at least one.
+    pub(crate) fn read(&self, model: &Model) -> Result<Vec<Initial>, Failure> {
+        if self.initial.is_empty() {
+            return Err(missing(model));
+        }
+        self.initial.iter().map(|text| Initial::read(text, model)).collect()
+    }
+}
+
+impl Initial {
+    fn read(text: &str, model: &Model) -> Result<Self, Failure> {
         let (names, units) = (model.state_names(), model.state_units());
-        let Some(text) = &self.initial else { return Err(missing(model)) };
         let mut given: Vec<Option<f64>> = vec![None; names.len()];
         for item in text.split(',').filter(|item| !item.trim().is_empty()) {
             let (name, value) = item.split_once('=').ok_or_else(|| {
@@ -48,7 +73,7 @@ impl InitialOptions {
         let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
         let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
         let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();
-        Ok(Initial { state, assumed })
+        Ok(Self { state, assumed })
     }
 }
 

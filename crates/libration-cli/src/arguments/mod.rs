@@ -2,12 +2,15 @@
 
 mod amplitudes;
 mod angle_list;
+mod displacements;
 mod formulas;
 mod initial;
 mod lines;
 mod negative;
 mod oscillator;
+mod parameter_range;
 mod pendulum;
+mod section;
 mod system;
 mod text;
 mod times;
@@ -15,12 +18,15 @@ mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use displacements::displacements;
 pub(crate) use formulas::FormulaChoice;
-pub(crate) use initial::{Initial, InitialOptions};
+pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
-pub(crate) use oscillator::{Chosen, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions, is_angle};
+pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
+pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
-pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, positive};
+pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, not_negative, positive};
 pub(crate) use times::{TimeOptions, Times, times};

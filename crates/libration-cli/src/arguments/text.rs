@@ -30,6 +30,12 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "give a finite number above zero, such as 1e-3".to_owned())
 }
 
+/// A plain number that is zero or above.
+pub(crate) fn not_negative(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 0.0);
+    number.ok_or_else(|| "give a finite number that is zero or above, such as 100".to_owned())
+}
+
 /// A whole number from one to `MOST`.
 pub(crate) fn count<const MOST: usize>(text: &str) -> Result<usize, String> {
     let number = text.trim().parse().ok().filter(|number| (1..=MOST).contains(number));

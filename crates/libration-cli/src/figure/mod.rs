@@ -1,9 +1,14 @@
 //! The pictures: what each one shows, and how it is drawn.
 
+pub(crate) mod backbone;
+pub(crate) mod decay;
 pub(crate) mod errors;
+pub(crate) mod lyapunov;
+pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
@@ -16,5 +21,6 @@ mod cusps;
 mod dashes;
 mod draw;
 mod legend;
+pub(crate) mod names;
 mod range;
 mod style;

@@ -1,6 +1,7 @@
 //! The coordinates of a system in time.
 
 use super::chart::{Axis, Panel, Picture, Series};
+use super::names::symbol;
 use super::range::around;
 use super::style;
 use libration::systems::Model;
@@ -111,17 +112,5 @@ fn label(names: &str, unit: &str) -> String {
         "rad" => format!("{names} / degrees"),
         "" => names.to_owned(),
         unit => format!("{names} / {unit}"),
-    }
-}
-
-/// `θ₁` for theta1.
-fn symbol(name: &str) -> String {
-    const LETTERS: [(&str, &str); 6] =
-        [("theta", "θ"), ("phi", "φ"), ("psi", "ψ"), ("alpha", "α"), ("beta", "β"), ("gamma", "γ")];
-    let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let letter = LETTERS.iter().find(|(known, _)| *known == word).map_or(word, |(_, letter)| letter);
-    match name[word.len()..].parse() {
-        Ok(number) => format!("{letter}{}", crate::output::series::subscript(number)),
-        Err(_) => letter.to_owned(),
     }
 }

@@ -2,13 +2,16 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
 mod bad_input;
+mod chaos;
 mod command;
+mod decay;
 mod derive;
 mod expand;
 mod figures;
 mod files;
 mod fit;
 mod formulas;
+mod modes;
 mod motion;
 mod paper;
 mod period;

@@ -34,6 +34,13 @@ pub struct Equation {
 }
 
 impl Equation {
+    /// The equations that give each variable its acceleration.
+    pub(crate) fn of_accelerations(variables: Vec<String>, accelerations: Vec<Expression>) -> Self {
+        let acceleration = |name: &String| Expression::Symbol(Symbol::plain(name).with_primes(2));
+        let written = variables.iter().map(acceleration).zip(accelerations.iter().cloned()).collect();
+        Self { variables, written, accelerations }
+    }
+
     /// The names of the variables, in the order of their equations.
     #[must_use]
     pub fn variables(&self) -> &[String] {

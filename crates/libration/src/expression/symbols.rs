@@ -49,7 +49,7 @@ impl Expression {
     }
 
     /// The operands, from left to right.
-    fn parts(&self) -> impl Iterator<Item = &Self> {
+    pub(crate) fn parts(&self) -> impl Iterator<Item = &Self> {
         let (first, second) = match self {
             Self::Number(_) | Self::Pi | Self::Symbol(_) => (None, None),
             Self::Negate(a) | Self::Call(_, a) => (Some(a), None),

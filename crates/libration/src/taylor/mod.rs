@@ -6,6 +6,7 @@
 mod error;
 mod event;
 mod system;
+mod tangent;
 
 mod moduli;
 mod sign_change;
@@ -14,6 +15,7 @@ mod block;
 mod program;
 
 mod expander;
+mod kept;
 mod step;
 mod step_length;
 
@@ -33,6 +35,8 @@ mod tests;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
+pub use kept::KeptStep;
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
+pub use tangent::with_tangents;

@@ -12,12 +12,17 @@ const MAP: &[(&str, &[&str])] = &[
     ("period_formulas", &["series", "algebra"]),
     ("algebra", &[]),
     ("series", &["algebra"]),
+    ("linear", &["algebra"]),
     ("expression", &["series", "algebra"]),
     ("oscillator", &["expression", "algebra"]),
     ("perturbation", &["oscillator", "expression", "series", "algebra"]),
-    ("comparison", &["perturbation", "oscillator", "pendulum", "series", "algebra"]),
+    ("comparison", &["perturbation", "oscillator", "pendulum", "orbit", "expression", "series", "algebra"]),
     ("taylor", &["expression", "algebra"]),
     ("systems", &["taylor", "oscillator", "expression", "algebra"]),
+    ("orbit", &["taylor", "expression", "linear", "algebra"]),
+    ("normal_modes", &["expression", "linear", "algebra"]),
+    ("decay", &["elliptic", "pendulum", "taylor"]),
+    ("chaos", &["taylor", "expression", "algebra"]),
     (
         "derivation",
         &[

@@ -9,6 +9,8 @@ mod ulp;
 
 mod accuracy;
 mod architecture;
+mod chaos;
+mod decay;
 mod elliptic;
 mod equation;
 mod events;
@@ -19,7 +21,9 @@ mod fourier;
 mod ledger;
 mod measurement;
 mod motion;
+mod normal_modes;
 mod open_gauge;
+mod orbit;
 mod period;
 mod period_formulas;
 mod quantity;

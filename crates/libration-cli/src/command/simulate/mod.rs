@@ -1,7 +1,6 @@
 //! `libration simulate`: the motion of any system in time.
 
 mod events;
-mod interrupt;
 mod report;
 mod resume;
 mod run;

@@ -1,7 +1,6 @@
 //! The integration, whose samples are written as they come.
 
 use super::events::{Happening, Watched};
-use super::interrupt;
 use super::report::{Summary, of_form};
 use super::resume::Earlier;
 use super::watch::Watch;
@@ -9,6 +8,7 @@ use crate::arguments::{Initial, Times};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::simulation::Trace;
+use crate::interrupt;
 use crate::output::Form;
 use libration::systems::Model;
 use libration::taylor::{

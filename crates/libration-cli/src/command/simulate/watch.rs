@@ -1,10 +1,10 @@
 //! What is done with each step of the integration as soon as it is made.
 
 use super::events::Watched;
-use super::interrupt;
 use super::report::{Report, Summary};
 use super::run::Motion;
 use crate::figure::simulation::Trace;
+use crate::interrupt;
 use crate::output::progress::Progress;
 use libration::systems::EnergyBalance;
 use libration::taylor::{Moment, Occurrence, Step};

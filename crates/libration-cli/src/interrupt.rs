@@ -1,12 +1,13 @@
 //! Ctrl-C asks for an early end; pressed again it ends the command at once.
 
 use crate::failure::Failure;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// Listens from now on.
-pub(super) fn listen() -> Result<(), Failure> {
+pub(crate) fn listen() -> Result<(), Failure> {
     let heard = || {
         if ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(Failure::INTERRUPTED));
@@ -16,6 +17,11 @@ pub(super) fn listen() -> Result<(), Failure> {
 }
 
 /// Whether somebody has asked.
-pub(super) fn asked() -> bool {
+pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
+}
+
+/// Whether long work shall go on.
+pub(crate) fn go_on() -> ControlFlow<()> {
+    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

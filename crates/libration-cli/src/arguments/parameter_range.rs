@@ -1,0 +1,70 @@
+//! A parameter and the values it shall have: `A=0.9:1.5:0.001`.
+
+use super::values::plain_name;
+use libration::expression::Expression;
+
+/// More values than this are never asked for.
+const MOST_VALUES: u32 = 1_000_000;
+
+/// A parameter with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ParameterRange {
+    pub(crate) name: String,
+    pub(crate) values: Vec<f64>,
+}
+
+/// Reads `NAME=START:STOP:STEP` or `NAME=v1,v2,…`, whose numbers may be formulas of numbers.
+pub(crate) fn parameter_range(text: &str) -> Result<ParameterRange, String> {
+    let (name, values) = text.split_once('=').ok_or("give NAME=START:STOP:STEP, as A=0.9:1.5:0.001")?;
+    let values = match values.split(':').collect::<Vec<_>>()[..] {
+        [start, stop, step] => progression(constant(start)?, constant(stop)?, constant(step)?)?,
+        [list] => list.split(',').map(|item| value(&constant(item)?)).collect::<Result<_, _>>()?,
+        _ => return Err("give START:STOP:STEP, as 0.9:1.5:0.001".to_owned()),
+    };
+    Ok(ParameterRange { name: plain_name(name), values })
+}
+
+/// START + k·STEP up to STOP, which is met although decimals are no binary numbers.
+fn progression(start: Expression, stop: Expression, step: Expression) -> Result<Vec<f64>, String> {
+    let (from, to, by) = (value(&start)?, value(&stop)?, value(&step)?);
+    let steps = ((to - from) / by * (1.0 + 1e-12)).floor();
+    if !(0.0..f64::from(MOST_VALUES)).contains(&steps) {
+        return Err(format!("give a step that leads from {from} to {to} in at most {MOST_VALUES} steps"));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and a million")]
+    let count = steps as u32;
+    let element = |k: u32| {
+        let part = Expression::Multiply(Box::new(Expression::from(i64::from(k))), Box::new(step.clone()));
+        value(&Expression::Add(Box::new(start.clone()), Box::new(part)).simplified())
+    };
+    (0..=count).map(element).collect()
+}
+
+fn constant(text: &str) -> Result<Expression, String> {
+    text.parse().map_err(|error: libration::expression::ParseError| error.to_string())
+}
+
+fn value(constant: &Expression) -> Result<f64, String> {
+    let value = constant.to_f64().filter(|value| value.is_finite());
+    value.ok_or_else(|| format!("`{constant}` is no finite number"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_hold_the_decimals_that_are_meant() {
+        let range = parameter_range("A=0.9:1.2:0.1").unwrap();
+        assert_eq!((range.name.as_str(), &range.values[..]), ("A", &[0.9, 1.0, 1.1, 1.2][..]));
+        assert_eq!(parameter_range("mu=3:1:-1").unwrap().values, [3.0, 2.0, 1.0]);
+        assert_eq!(parameter_range("mu=1,pi/2").unwrap().values, [1.0, std::f64::consts::FRAC_PI_2]);
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused() {
+        for text in ["A", "A=1:2", "A=1:2:0", "A=1:2:-0.1", "A=0:1:1e-9", "A=x:1:0.1", "A=1/0"] {
+            assert!(parameter_range(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Where the points of a section are taken, and how many.
+
+use super::values::plain_name;
+use super::{count, positive};
+use crate::failure::Failure;
+use crate::figure::names::axis_label;
+use crate::figure::section::Shown;
+use crate::output::number;
+use libration::chaos::{Points, Section, SectionError, angles, drive_period, folded};
+use libration::expression::{Equation, Expression};
+use libration::systems::Model;
+use libration::taylor::{Direction, Effort};
+use std::f64::consts::TAU;
+
+/// More points than this are never asked for.
+const MOST_POINTS: usize = 10_000_000;
+
+/// The options that say where and how many.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct SectionOptions {
+    /// Take a point once in this time, in seconds [default: the period of the drive]
+    #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "at")]
+    period: Option<f64>,
+    /// Take it at this part of the period, from 0 to 1
+    #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
+    phase: f64,
+    /// Take a point whenever this formula of coordinates, velocities and t changes its sign
+    #[arg(long, value_name = "FORMULA")]
+    at: Option<Expression>,
+    /// From which side the formula comes to zero
+    #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
+    direction: Side,
+    /// How many points pass before the first one is kept [default: 100 for driven systems, otherwise 0]
+    #[arg(long, value_name = "N", value_parser = whole)]
+    skip: Option<usize>,
+    /// How many points are kept
+    #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
+    points: Option<usize>,
+    /// The error that each step may make, as a part of what changes
+    #[arg(long, default_value = "1e-12", value_parser = positive)]
+    tolerance: f64,
+    /// Bring angles into the turn from −π to π, as the picture always does
+    #[arg(long)]
+    fold: bool,
+}
+
+/// From which side a formula comes to zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Side {
+    /// From negative to positive
+    Rising,
+    /// From positive to negative
+    Falling,
+    /// From either
+    Any,
+}
+
+impl From<Side> for Direction {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Rising => Self::Rising,
+            Side::Falling => Self::Falling,
+            Side::Any => Self::Any,
+        }
+    }
+}
+
+impl SectionOptions {
+    /// Where the points are taken: at each period given, or of the drive that the model is known to have, or at a formula's
+    /// zeros.
+    pub(crate) fn section(&self, model: &Model) -> Section {
+        match &self.at {
+            Some(formula) => Section::Crossing { formula: formula.clone(), direction: self.direction.into() },
+            None => {
+                let known = model.drive_frequency().map(|frequency| TAU / frequency.abs());
+                let period = self.period.or(known.filter(|period| period.is_finite()));
+                Section::Stroboscope { period, phase: self.phase }
+            }
+        }
+    }
+
+    /// How many points pass and are kept.
+    pub(crate) fn points(&self, kept: usize) -> Points {
+        const TRANSIENT: usize = 100;
+        let skipped = self.skip.unwrap_or(if self.at.is_none() { TRANSIENT } else { 0 });
+        Points { skipped, kept: self.points.unwrap_or(kept) }
+    }
+
+    pub(crate) fn effort(&self) -> Effort {
+        Effort::to_tolerance(self.tolerance)
+    }
+
+    /// The state as it is written: with the angles folded, if that is wanted.
+    pub(crate) fn shown(&self, state: &[f64], angles: &[bool]) -> Vec<f64> {
+        if self.fold { folded_state(state, angles) } else { state.to_vec() }
+    }
+
+    /// Whether the points are taken where this number of the state is zero.
+    pub(crate) fn is_at(&self, name: &str) -> bool {
+        self.at.as_ref().is_some_and(|formula| formula.to_string() == name)
+    }
+
+    /// What there is to say about the place of the points.
+    pub(crate) fn description(&self, section: &Section, equation: &Equation) -> String {
+        match section {
+            Section::Crossing { formula, direction } => format!(
+                "where {formula} {}",
+                match direction {
+                    Direction::Rising => "rises through zero",
+                    Direction::Falling => "falls through zero",
+                    Direction::Any => "changes its sign",
+                }
+            ),
+            Section::Stroboscope { period, phase } => {
+                let period = period.or_else(|| drive_period(equation));
+                let period =
+                    period.map_or_else(|| "a period of the drive".to_owned(), |it| number::seconds(it, 10));
+                format!("once in {period}, at the part {} of it", number::short(*phase, 6))
+            }
+        }
+    }
+}
+
+/// A state with its angles in the turn from −π to π.
+fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
+    let is_angle = angles.iter().copied().chain(std::iter::repeat(false));
+    state.iter().zip(is_angle).map(|(value, angle)| if angle { folded(*value) } else { *value }).collect()
+}
+
+/// The number of the state at this place, as a picture shows it.
+pub(crate) fn shown(model: &Model, place: usize) -> Shown {
+    let (name, unit) = (&model.state_names()[place], &model.state_units()[place]);
+    let label = axis_label(name, unit);
+    let is_angle = angles(model.equation()).get(place) == Some(&true);
+    Shown { place, label, is_angle }
+}
+
+/// The number of the state with this name.
+pub(crate) fn named(model: &Model, argument: &str, name: &str) -> Result<Shown, Failure> {
+    let names = model.state_names();
+    let place = names.iter().position(|known| *known == plain_name(name));
+    let place = place.ok_or_else(|| {
+        Failure::usage(
+            argument,
+            format!("the system has no `{}`: its numbers are {}", name.trim(), names.join(", ")),
+        )
+    })?;
+    Ok(shown(model, place))
+}
+
+/// The failure that says what is wrong with which argument.
+pub(crate) fn section_failure(error: SectionError) -> Failure {
+    match error {
+        SectionError::NoPeriod => Failure::usage("--period", error),
+        SectionError::WithoutValue(_) => Failure::usage("--at", error),
+        _ => Failure::no_answer("section", error),
+    }
+}
+
+fn phase(text: &str) -> Result<f64, String> {
+    let phase = text.trim().parse().ok().filter(|phase| (0.0..=1.0).contains(phase));
+    phase.ok_or_else(|| "give a part of the period, from 0 to 1".to_owned())
+}
+
+fn whole(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|number| *number <= MOST_POINTS);
+    number.ok_or_else(|| format!("give a whole number from 0 to {MOST_POINTS}"))
+}

@@ -1,0 +1,188 @@
+//! `libration bifurcation`: the section of a motion for each value of a parameter.
+
+mod write;
+
+use crate::arguments::{
+    InitialOptions, ParameterRange, SectionOptions, SystemOptions, named, parameter_range, section_failure,
+    shown,
+};
+use crate::failure::Failure;
+use crate::figure::section::Shown;
+use crate::output::FormOptions;
+use crate::{figure, interrupt, parallel};
+use libration::chaos::{
+    Column, Continuation, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
+};
+use libration::systems::Model;
+use libration::taylor::Moment;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Without another wish so many points are kept for each value.
+const POINTS: usize = 100;
+/// So many values are one piece of work.
+const PIECE: usize = 32;
+
+/// Bifurcation diagram: the section of a motion for each value of a parameter
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration bifurcation driven_pendulum --set c=1/2 --over A=1:1.5:0.0005 --initial theta=0.2 --figure diagram.png
+  libration bifurcation \"x'' + 0.2 x' + x + x^3 = A cos(1.8 t)\" --over A=0.1:3:0.02 --initial x=0 --sweep both
+
+With --sweep each motion begins where the one for the value before ended, so that a motion is followed as long as it is
+stable; up and down then show the hysteresis. Ctrl-C ends the work early and keeps the values that are done.")]
+pub(crate) struct Bifurcation {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// The parameter and its values
+    #[arg(long, value_name = "NAME=START:STOP:STEP", value_parser = parameter_range)]
+    over: ParameterRange,
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// Begin each motion where the one before ended, with the values in this order
+    #[arg(long, value_name = "ORDER")]
+    sweep: Option<Order>,
+    #[command(flatten)]
+    section: SectionOptions,
+    /// The number of the state that the picture shows [default: the first coordinate, or its velocity if it is an angle]
+    #[arg(long, value_name = "NAME")]
+    axis: Option<String>,
+    /// Draw the diagram to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// The order in which the values are gone through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Order {
+    /// As they are given
+    Up,
+    /// From the last to the first
+    Down,
+    /// Once so and once so
+    Both,
+}
+
+/// The columns of one way through the values.
+pub(crate) struct Sweep {
+    pub(crate) name: &'static str,
+    pub(crate) columns: Vec<Column>,
+}
+
+/// The diagram, with what is needed to write it.
+pub(crate) struct Diagram<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) options: &'a SectionOptions,
+    pub(crate) place: String,
+    pub(crate) points: Points,
+    pub(crate) angles: Vec<bool>,
+    pub(crate) parameter: &'a ParameterRange,
+    pub(crate) sweeps: Vec<Sweep>,
+}
+
+impl Bifurcation {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model_with_open(&[&self.over.name])?;
+        let start = Moment { time: 0.0, state: self.initial.read(&model)?.state };
+        let place = self.section.section(&model);
+        let diagram = Diagram {
+            model: &model,
+            options: &self.section,
+            place: self.section.description(&place, model.equation()),
+            points: self.section.points(POINTS),
+            angles: angles(model.equation()),
+            parameter: &self.over,
+            sweeps: self.sweeps(&model, &place, &start)?,
+        };
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::section::bifurcation(&diagram, &self.axis(&model)?))?;
+        }
+        diagram.write(out, self.form.form())?;
+        out.flush()?;
+        if diagram.is_complete() {
+            return Ok(());
+        }
+        Err(Failure::Interrupted("interrupted: the values that are done are written".to_owned()))
+    }
+
+    fn axis(&self, model: &Model) -> Result<Shown, Failure> {
+        match &self.axis {
+            Some(name) => named(model, "--axis", name),
+            None if angles(model.equation())[0] => Ok(shown(model, model.coordinates().len())),
+            None => Ok(shown(model, 0)),
+        }
+    }
+
+    fn sweeps(&self, model: &Model, place: &Section, start: &Moment) -> Result<Vec<Sweep>, Failure> {
+        let family = Family {
+            equation: model.equation(),
+            parameter: &self.over.name,
+            section: place,
+            points: self.section.points(POINTS),
+        };
+        let pieces = self.pieces();
+        let (effort, done) = (self.section.effort(), AtomicUsize::new(0));
+        let work = |piece: &Piece| {
+            let mut before = 0;
+            bifurcation_diagram(&family, &piece.values, start, piece.continuation, &effort, |now| {
+                done.fetch_add(now - before, Ordering::Relaxed);
+                before = now;
+                interrupt::go_on()
+            })
+        };
+        interrupt::listen()?;
+        let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
+        let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
+        let columns = parallel::with_progress(how_far, || parallel::map(&pieces, work));
+        let columns = columns.into_iter().collect::<Result<Vec<_>, _>>().map_err(failure)?;
+        Ok(joined(&pieces, columns))
+    }
+
+    /// The work in pieces that know nothing of each other.
+    fn pieces(&self) -> Vec<Piece> {
+        let values = &self.over.values;
+        let sweep = |name, values: Vec<f64>| Piece { name, values, continuation: Continuation::LastState };
+        let up = || sweep("up", values.clone());
+        let down = || sweep("down", values.iter().rev().copied().collect());
+        match self.sweep {
+            Some(Order::Up) => vec![up()],
+            Some(Order::Down) => vec![down()],
+            Some(Order::Both) => vec![up(), down()],
+            None => {
+                let continuation = Continuation::SameStart;
+                let piece =
+                    |values: &[f64]| Piece { name: "same start", values: values.to_vec(), continuation };
+                values.chunks(PIECE).map(piece).collect()
+            }
+        }
+    }
+}
+
+/// Values that one thread goes through.
+struct Piece {
+    name: &'static str,
+    values: Vec<f64>,
+    continuation: Continuation,
+}
+
+/// The columns of pieces with the same name, one behind the other.
+fn joined(pieces: &[Piece], columns: Vec<Vec<Column>>) -> Vec<Sweep> {
+    let mut sweeps: Vec<Sweep> = vec![];
+    for (piece, columns) in pieces.iter().zip(columns) {
+        match sweeps.last_mut() {
+            Some(sweep) if sweep.name == piece.name => sweep.columns.extend(columns),
+            _ => sweeps.push(Sweep { name: piece.name, columns }),
+        }
+    }
+    sweeps
+}
+
+fn failure(error: DiagramError) -> Failure {
+    match error {
+        DiagramError::Section(error) => section_failure(error),
+        other => Failure::usage("--over", other),
+    }
+}

@@ -1,0 +1,135 @@
+//! `libration lyapunov`: the largest Lyapunov exponent, with its convergence and a verdict.
+
+mod write;
+
+use crate::arguments::{InitialOptions, SystemOptions, count, not_negative, positive};
+use crate::failure::Failure;
+use crate::output::FormOptions;
+use crate::{figure, interrupt, parallel};
+use libration::chaos::{
+    Doubt, LyapunovError, LyapunovExponent, Progress, Schedule, Verdict, lyapunov_exponent,
+};
+use libration::systems::Model;
+use libration::taylor::{Cause, Effort, IntegrationError, Moment};
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+/// More intervals than this are never asked for.
+const MOST_INTERVALS: usize = 100_000_000;
+
+/// Largest Lyapunov exponent: how fast neighbouring motions part, and whether the motion is chaotic
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2
+  libration lyapunov double_pendulum --initial theta1=120deg,theta2=120deg --intervals 300
+  libration lyapunov \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --initial y=-0.15,x'=0.5555 --figure convergence.svg
+
+`chaotic` needs evidence: exponential growth by e^100 and in every part of the time, of deviations from the motion and from
+two motions beside it, without coming so near to a separatrix that the digits are lost. `regular` is known by a theorem, or
+seen for the time measured. Otherwise the answer is `undecided`, with what is missing. Ctrl-C keeps the estimate.")]
+pub(crate) struct Lyapunov {
+    #[command(flatten)]
+    system: SystemOptions,
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// How many intervals are measured, each about a period of the motion
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = count::<MOST_INTERVALS>, conflicts_with = "time")]
+    intervals: usize,
+    /// How long is measured, in seconds, in place of a number of intervals
+    #[arg(long, value_name = "T", value_parser = positive)]
+    time: Option<f64>,
+    /// What passes before anything is measured, in seconds [default: 100 intervals]
+    #[arg(long, value_name = "T", value_parser = not_negative)]
+    transient: Option<f64>,
+    /// The error that each step may make, as a part of what changes
+    #[arg(long, default_value = "1e-13", value_parser = positive)]
+    tolerance: f64,
+    /// Draw the convergence of the exponent to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// The exponent with what was asked.
+pub(crate) struct Answer<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) initial: Vec<f64>,
+    pub(crate) schedule: Schedule,
+    pub(crate) found: LyapunovExponent,
+}
+
+impl Lyapunov {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model()?;
+        let initial = self.initial.read(&model)?.state;
+        let start = Moment { time: 0.0, state: initial.clone() };
+        let effort = Effort::to_tolerance(self.tolerance);
+        let schedule = self.schedule(&model, &start, &effort).map_err(failure)?;
+        interrupt::listen()?;
+        let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
+        let answer = Answer { model: &model, initial, schedule, found };
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::lyapunov::convergence(&answer))?;
+        }
+        answer.write(out, self.form.form())?;
+        out.flush()?;
+        match answer.found.verdict {
+            Verdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
+                Err(Failure::Interrupted("interrupted: the estimate until then is written".to_owned()))
+            }
+            Verdict::Undecided(Doubt::Stopped(cause)) => {
+                Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate until then is written")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn schedule(&self, model: &Model, start: &Moment, effort: &Effort) -> Result<Schedule, LyapunovError> {
+        let natural = Schedule::natural(model.equation(), start, self.intervals, effort)?;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "positive, and cut at the most"
+        )]
+        let in_time = |time: f64| (time / natural.interval).ceil().min(1e8) as usize;
+        Ok(Schedule {
+            transient: self.transient.unwrap_or(natural.transient),
+            intervals: self.time.map_or(natural.intervals, in_time),
+            ..natural
+        })
+    }
+}
+
+fn measured(
+    model: &Model,
+    start: &Moment,
+    schedule: &Schedule,
+    effort: &Effort,
+) -> Result<LyapunovExponent, LyapunovError> {
+    let latest = Mutex::new(Progress { motion: 0, intervals: 0 });
+    let watch = |progress| {
+        if let Ok(mut latest) = latest.lock() {
+            *latest = progress;
+        }
+        interrupt::go_on()
+    };
+    let how_far = || {
+        let Progress { motion, intervals } =
+            latest.lock().map_or(Progress { motion: 0, intervals: 0 }, |it| *it);
+        let which = if motion == 0 { "" } else { " of a motion beside it" };
+        format!("{intervals} of {} intervals{which}", schedule.intervals)
+    };
+    parallel::with_progress(how_far, || lyapunov_exponent(model.equation(), start, schedule, effort, watch))
+}
+
+fn failure(error: LyapunovError) -> Failure {
+    match &error {
+        LyapunovError::Nothing(Cause::Interrupted)
+        | LyapunovError::Integration(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
+            Failure::Interrupted("interrupted before anything was measured".to_owned())
+        }
+        _ => Failure::no_answer("lyapunov", error),
+    }
+}

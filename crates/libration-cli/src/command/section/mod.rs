@@ -1,0 +1,127 @@
+//! `libration section`: Poincaré sections.
+
+mod write;
+
+use crate::arguments::{SectionOptions, SeveralInitialOptions, SystemOptions, named, section_failure, shown};
+use crate::failure::Failure;
+use crate::figure::section::Shown;
+use crate::output::FormOptions;
+use crate::{figure, interrupt, parallel};
+use libration::chaos::{Ending, PoincareSection, Points, angles, section};
+use libration::systems::Model;
+use libration::taylor::{Cause, Moment};
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Without another wish so many points are kept.
+const POINTS: usize = 1000;
+
+/// Poincaré section: the state once in each period of the drive, or whenever a formula is zero
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 10000 --figure attractor.png
+  libration section \"x'' + 0.05 x' + x^3 = 7.5 cos(t)\" --initial x=3,x'=4 --phase 0.25 --csv
+  libration section \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --at x --initial \"y=0.1,x'=0.4\" --initial \"y=-0.2,x'=0.4\"
+
+The first points belong to the transient and are left out; --skip says how many. Several --initial give several motions,
+on all cores. Ctrl-C ends the work early and keeps the points that are there.")]
+pub(crate) struct PoincareQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    #[command(flatten)]
+    initial: SeveralInitialOptions,
+    #[command(flatten)]
+    section: SectionOptions,
+    /// The two numbers of the state that the picture shows [default: a coordinate and its velocity]
+    #[arg(long, value_name = "NAME,NAME")]
+    axes: Option<String>,
+    /// Draw the section to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// The sections of all motions, with what is needed to write them.
+pub(crate) struct Answer<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) options: &'a SectionOptions,
+    pub(crate) place: String,
+    pub(crate) points: Points,
+    pub(crate) angles: Vec<bool>,
+    pub(crate) starts: Vec<Vec<f64>>,
+    pub(crate) sections: Vec<PoincareSection>,
+}
+
+impl PoincareQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model()?;
+        let starts: Vec<Vec<f64>> =
+            self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
+        let (place, points) = (self.section.section(&model), self.section.points(POINTS));
+        let sections = self.sections(&model, &starts)?;
+        let answer = Answer {
+            model: &model,
+            options: &self.section,
+            place: self.section.description(&place, model.equation()),
+            points,
+            angles: angles(model.equation()),
+            starts,
+            sections,
+        };
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::section::section(&answer, &self.axes(&model)?))?;
+        }
+        answer.write(out, self.form.form())?;
+        out.flush()?;
+        answer.failure().map_or(Ok(()), Err)
+    }
+
+    /// What the picture shows: the first coordinate that is not the surface itself, and its velocity.
+    fn axes(&self, model: &Model) -> Result<[Shown; 2], Failure> {
+        let coordinates = model.coordinates();
+        let on_surface = |name: &str| self.section.is_at(name);
+        let first = coordinates.iter().position(|coordinate| !on_surface(&coordinate.name)).unwrap_or(0);
+        let Some(names) = &self.axes else {
+            return Ok([first, coordinates.len() + first].map(|place| shown(model, place)));
+        };
+        match names.split(',').collect::<Vec<_>>()[..] {
+            [across, up] => Ok([named(model, "--axes", across)?, named(model, "--axes", up)?]),
+            _ => Err(Failure::usage("--axes", "give two names, as theta,theta'")),
+        }
+    }
+
+    /// One section for each start, side by side.
+    fn sections(&self, model: &Model, starts: &[Vec<f64>]) -> Result<Vec<PoincareSection>, Failure> {
+        let (place, points) = (self.section.section(model), self.section.points(POINTS));
+        let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
+        let of_start = |state: &Vec<f64>| {
+            let start = Moment { time: 0.0, state: state.clone() };
+            let mut before = 0;
+            section(model.equation(), &start, &place, points, &effort, |now| {
+                taken.fetch_add(now - before, Ordering::Relaxed);
+                before = now;
+                interrupt::go_on()
+            })
+        };
+        interrupt::listen()?;
+        let all = points.kept * starts.len();
+        let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
+        let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
+        sections.into_iter().collect::<Result<_, _>>().map_err(section_failure)
+    }
+}
+
+impl Answer<'_> {
+    /// Why points are missing, if they are.
+    fn failure(&self) -> Option<Failure> {
+        let first = self.sections.iter().find_map(|section| section.stopped)?;
+        Some(match first {
+            Ending::Stopped(Cause::Interrupted) => {
+                Failure::Interrupted("interrupted: the points until then are written".to_owned())
+            }
+            other => Failure::no_answer("section", format!("{other}: the points until then are written")),
+        })
+    }
+}

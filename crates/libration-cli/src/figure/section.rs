@@ -1,0 +1,80 @@
+//! Poincaré sections and bifurcation diagrams: many dots.
+
+use super::chart::{Axis, Look, Panel, Picture, Series};
+use super::range::around;
+use super::style;
+use crate::command::bifurcation::{Diagram, Sweep};
+use crate::command::section::Answer;
+use libration::chaos::{PoincareSection, folded};
+use libration::systems::Model;
+use std::f64::consts::PI;
+
+/// One number of the state: what the axis is called, and whether it is an angle, folded into a turn.
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    pub(crate) place: usize,
+    pub(crate) label: String,
+    pub(crate) is_angle: bool,
+}
+
+/// The section: one number of the state against another, one colour a motion.
+pub(crate) fn section(answer: &Answer<'_>, [across, up]: &[Shown; 2]) -> Picture {
+    let all: usize = answer.sections.iter().map(|section| section.points.len()).sum();
+    let of_motion = |(number, section): (usize, &PoincareSection)| {
+        let points = section.points.iter().map(|point| (across.value(&point.state), up.value(&point.state)));
+        Series::line("", style::dots(number, all), points)
+    };
+    let series: Vec<Series> = answer.sections.iter().enumerate().map(of_motion).collect();
+    let x = across.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.x)));
+    let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
+    let title = format!("Poincaré section: {}", name(answer.model));
+    let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
+    Picture { width: 1000.0, height: 800.0, ..picture }
+}
+
+/// The diagram: one number of the state against the parameter, one colour a sweep.
+pub(crate) fn bifurcation(diagram: &Diagram<'_>, up: &Shown) -> Picture {
+    let all: usize = diagram.rows().count();
+    let of_sweep = |(number, sweep): (usize, &Sweep)| {
+        let columns = sweep.columns.iter();
+        let points = columns.flat_map(|column| {
+            column.section.points.iter().map(|point| (column.value, up.value(&point.state)))
+        });
+        let label = if diagram.sweeps.len() > 1 { sweep.name } else { "" };
+        // The sweep that is drawn first shows behind the other.
+        let look = style::dots(number, all);
+        let wider = if number + 1 < diagram.sweeps.len() { 2.0 } else { 1.0 };
+        Series::line(label, Look { width: wider * look.width, ..look }, points)
+    };
+    let series: Vec<Series> = diagram.sweeps.iter().enumerate().map(of_sweep).collect();
+    let (from, to) = diagram.ends();
+    let x = Axis::linear(&diagram.parameter.name, from, if to > from { to } else { from + 1.0 });
+    let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
+    let title = format!("Bifurcation diagram: {}", name(diagram.model));
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }])
+}
+
+/// What a system is called in a title: equations that were typed are themselves, if they are short.
+pub(super) fn name(model: &Model) -> String {
+    const SHORT: usize = 70;
+    let equation = model.equation().to_string();
+    let is_short = model.key().is_none() && equation.chars().count() <= SHORT;
+    if is_short { equation.replace('\'', "′") } else { model.title().to_owned() }
+}
+
+impl Shown {
+    fn value(&self, state: &[f64]) -> f64 {
+        let value = state[self.place];
+        if self.is_angle { folded(value) } else { value }
+    }
+
+    /// The whole turn for an angle that goes almost around, otherwise what the values need.
+    fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
+        let (low, high) = around(values);
+        let turns = self.is_angle && high - low > PI;
+        match turns {
+            true => Axis::linear(&self.label, -PI, PI).with_tick_step(1.0),
+            false => Axis::linear(&self.label, low, high),
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! `libration section`, `libration bifurcation` and `libration lyapunov`.
+
+use crate::command::{directory, json, message, run};
+use serde_json::Value;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+const DRIVEN: [&str; 6] = ["driven_pendulum", "--set", "A=1.5,c=1/2", "--initial", "theta=0.2", "--json"];
+
+fn answered(arguments: &[&str]) -> Vec<u8> {
+    let output = run(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+    output.stdout
+}
+
+fn ask(arguments: &[&str]) -> Value {
+    serde_json::from_slice(&answered(arguments)).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+#[test]
+fn a_section_has_the_period_of_the_drive() {
+    let answer = ask(&[&["section", "--points", "50", "--skip", "10", "--fold"][..], &DRIVEN].concat());
+    let points = answer["points"].as_array().unwrap();
+    assert_eq!((points.len(), &answer["complete"]), (50, &true.into()));
+    assert_eq!(answer["state"], serde_json::json!(["theta", "theta'"]));
+    for (n, point) in (10..).zip(points) {
+        let period = 3.0 * std::f64::consts::PI;
+        assert!((point["time"].as_f64().unwrap() - f64::from(n) * period).abs() < 1e-9);
+        assert!(numbers(&point["state"])[0].abs() <= std::f64::consts::PI);
+    }
+}
+
+#[test]
+fn several_motions_cross_a_plane() {
+    let equations = "x'' = -x - 2 x y; y'' = -y - x^2 + y^2";
+    let arguments = ["section", equations, "--at", "x", "--points", "20"];
+    let starts = ["--initial", "y=0.1,x'=0.49", "--initial", "y=-0.25,x'=0.42"];
+    let figure = directory("section").join("section.svg");
+    let drawn = ["--figure", figure.to_str().unwrap(), "--csv"];
+    let csv = String::from_utf8(answered(&[&arguments[..], &starts, &drawn].concat())).unwrap();
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("motion,time,x,y,x',y'"));
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|it| it.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.iter().filter(|row| row[0] == 2.0).count(), 20);
+    assert!(rows.iter().all(|row| row[2].abs() < 1e-12 && row[4] > 0.0));
+    let svg = std::fs::read_to_string(figure).unwrap();
+    assert!(svg.contains("Poincaré section") && svg.contains(">y′<"), "axes y and y′");
+}
+
+#[test]
+fn sweeps_show_hysteresis_and_single_values_are_the_same_bits() {
+    let arguments = ["bifurcation", "x'' + 0.2 x' + x + x^3 = A cos(1.8 t)", "--initial", "x=0", "--json"];
+    let both =
+        ask(&[&arguments[..], &["--over", "A=0.5:1.5:0.5", "--points", "1", "--sweep", "both"]].concat());
+    let points = both["points"].as_array().unwrap();
+    let sweeps: Vec<(&str, f64)> =
+        points.iter().map(|it| (it["sweep"].as_str().unwrap(), it["value"].as_f64().unwrap())).collect();
+    let order = [("up", 0.5), ("up", 1.0), ("up", 1.5), ("down", 1.5), ("down", 1.0), ("down", 0.5)];
+    assert_eq!(sweeps, order);
+    // More values than one piece of work has.
+    let all = ask(&[&arguments[..], &["--over", "A=0.5:1.5:0.025", "--points", "3", "--skip", "9"]].concat());
+    let all = all["points"].as_array().unwrap();
+    for value in ["0.5", "1.3", "1.5"] {
+        let over = format!("A={value}");
+        let one = ask(&[&arguments[..], &["--over", &over, "--points", "3", "--skip", "9"]].concat());
+        let same: Vec<&Value> = all.iter().filter(|it| it["value"] == one["points"][0]["value"]).collect();
+        assert_eq!(same, one["points"].as_array().unwrap().iter().collect::<Vec<_>>(), "{value}");
+    }
+}
+
+#[test]
+fn the_verdicts_are_said() {
+    let answer = ask(&[&["lyapunov", "--intervals", "500"][..], &DRIVEN].concat());
+    assert_eq!(answer["verdict"], "chaotic");
+    assert!((answer["exponent"].as_f64().unwrap() - 0.11).abs() < 0.02, "{}", answer["exponent"]);
+    let last = answer["convergence"].as_array().unwrap().last().unwrap();
+    assert_eq!(last["exponent"], answer["exponent"]);
+    let pendulum = json("lyapunov pendulum --initial theta=179.999deg --intervals 50");
+    assert_eq!(pendulum["verdict"], "regular");
+    assert!(pendulum["reason"].as_str().unwrap().contains("Bendixson"), "{}", pendulum["reason"]);
+    let short = ask(&[&["lyapunov", "--intervals", "30"][..], &DRIVEN].concat());
+    assert_eq!(short["verdict"], "undecided");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_what_would_do() {
+    let cases: [(&[&str], i32, &[&str]); 8] = [
+        (&["section", "pendulum", "--initial", "theta=1"], 2, &["--period", "surface"]),
+        (&["section", "driven_pendulum"], 2, &["--initial", "theta=60deg"]),
+        (&["section", "pendulum", "--initial", "theta=1", "--at", "z"], 2, &["--at", "z"]),
+        (
+            &["section", "pendulum", "--initial", "theta=1", "--period", "1", "--phase", "2"],
+            2,
+            &["--phase", "0 to 1"],
+        ),
+        (
+            &["bifurcation", "driven_pendulum", "--initial", "theta=1", "--over", "B=1:2:1"],
+            2,
+            &["B", "omega0"],
+        ),
+        (
+            &["bifurcation", "driven_pendulum", "--initial", "theta=1", "--over", "A=1:2:-1"],
+            2,
+            &["--over", "step"],
+        ),
+        (&["lyapunov", "x'' = -k x", "--initial", "x=1"], 2, &["k", "--set k="]),
+        (&["lyapunov", "x'' = x^2", "--initial", "x=1"], 1, &["singularity"]),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        for part in parts {
+            assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_a_complete_answer() {
+    let endless: [&[&str]; 3] = [
+        &["section", "--points", "10000000"],
+        &["bifurcation", "--points", "1000", "--over", "omega=0.5:0.7:1e-5", "--skip", "0"],
+        &["lyapunov", "--intervals", "100000000"],
+    ];
+    for arguments in endless {
+        let child = Command::new(env!("CARGO_BIN_EXE_libration"))
+            .args([arguments, &DRIVEN].concat())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(1500));
+        assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{arguments:?}: {}", message(&output));
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(answer["complete"] == false || answer["reason"].as_str().unwrap().contains("interrupted"));
+    }
+}

@@ -1,0 +1,81 @@
+//! A small deviation from a motion, carried along by the linearised equations.
+
+use std::ops::ControlFlow;
+
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
+
+/// A motion with a small deviation from it, whose size is set back to one at the beginning of each interval.
+///
+/// Reference: G. Benettin, L. Galgani, A. Giorgilli and J.-M. Strelcyn, Meccanica 15, 9 (1980), doi:10.1007/BF02128236.
+#[derive(Debug)]
+pub(super) struct Deviation<'a> {
+    /// The equations of motion and those of one deviation.
+    system: &'a System,
+    /// What counts as one in each number of the state.
+    units: &'a [f64],
+    effort: Effort,
+    moment: Moment,
+    /// Of the coordinates, then of the velocities.
+    deviation: Vec<f64>,
+}
+
+impl<'a> Deviation<'a> {
+    /// A deviation in all coordinates and velocities.
+    pub(super) fn new(system: &'a System, start: Moment, units: &'a [f64], effort: Effort) -> Self {
+        let deviation = units.iter().zip(1..).map(|(unit, n)| unit * unequal_part(n)).collect();
+        Self { system, units, effort, moment: start, deviation }
+    }
+
+    /// Where the motion is.
+    pub(super) fn moment(&self) -> &Moment {
+        &self.moment
+    }
+
+    /// Goes on for some time. The logarithm of the factor by which the deviation has grown.
+    pub(super) fn go_on(&mut self, time: f64) -> Result<f64, Cause> {
+        let before = self.size();
+        self.deviation.iter_mut().for_each(|number| *number /= before);
+        let end = self.moment.time + time;
+        let start = Moment { time: self.moment.time, state: merged(&self.moment.state, &self.deviation) };
+        let solution = integrate(self.system, &start, &[end], &self.effort, |_| ControlFlow::Continue(()));
+        let mut state = solution.map_err(cause)?.end.state;
+        self.deviation = split(&mut state);
+        self.moment = Moment { time: end, state };
+        let growth = libm::log(self.size());
+        if growth.is_finite() { Ok(growth) } else { Err(Cause::Singularity) }
+    }
+
+    fn size(&self) -> f64 {
+        let parts = self.deviation.iter().zip(self.units).map(|(number, unit)| number / unit);
+        parts.map(|part| part * part).sum::<f64>().sqrt()
+    }
+}
+
+/// A number from 1/4 to 5/4 for each place, without any symmetry: from the multiples of the golden ratio.
+pub(super) fn unequal_part(place: u32) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    0.25 + (f64::from(place) * GOLDEN).fract()
+}
+
+/// Why an integration that could begin has stopped.
+fn cause(error: IntegrationError) -> Cause {
+    match error {
+        IntegrationError::Stopped { cause, .. } => cause,
+        // A state that is no longer finite, or times that no longer go on.
+        _ => Cause::Singularity,
+    }
+}
+
+/// Coordinates of both, then velocities of both.
+fn merged(motion: &[f64], deviation: &[f64]) -> Vec<f64> {
+    let half = motion.len() / 2;
+    [&motion[..half], &deviation[..half], &motion[half..], &deviation[half..]].concat()
+}
+
+/// Takes the deviation's numbers out of a state of both.
+fn split(state: &mut Vec<f64>) -> Vec<f64> {
+    let quarter = state.len() / 4;
+    let velocities: Vec<f64> = state.drain(3 * quarter..).collect();
+    let coordinates: Vec<f64> = state.drain(quarter..2 * quarter).collect();
+    [coordinates, velocities].concat()
+}

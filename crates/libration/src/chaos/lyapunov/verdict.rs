@@ -1,0 +1,239 @@
+//! Regular, chaotic, or undecided, and why.
+
+use std::fmt;
+
+use super::super::extent::Extent;
+use super::super::structure::Theorem;
+use super::record::Record;
+use crate::taylor::{Cause, Effort};
+
+/// What the growth of deviations says about a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Deviations do not grow exponentially, or cannot by a theorem.
+    Regular(Regularity),
+    /// Deviations grow exponentially and everywhere on a bounded motion and on its neighbours.
+    Chaotic,
+    /// Neither is shown.
+    Undecided(Doubt),
+}
+
+/// Why a motion is regular.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Regularity {
+    /// The equations allow no chaos.
+    Theorem(Theorem),
+    /// The motion rests in an equilibrium.
+    AtRest,
+    /// All neighbouring motions come nearer.
+    Converging,
+    /// Deviations grow no faster than in proportion to the time, as far as it was measured.
+    Slow {
+        /// An exponent above this would have shown.
+        below: f64,
+    },
+}
+
+/// Why nothing is decided.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Doubt {
+    /// The motion stopped, or was interrupted.
+    Stopped(Cause),
+    /// The deviation has grown too little to tell exponential growth from one in proportion to the time.
+    TooShort {
+        /// The logarithm of the factor by which it has grown.
+        growth: f64,
+    },
+    /// Not every part of the motion shows growth.
+    Unsteady,
+    /// The motion goes farther and farther.
+    Unbounded,
+    /// The deviation becomes so small in between, as it does next to a separatrix, that its digits are lost.
+    DigitsLost {
+        /// The logarithm of the factor by which it shrinks before it grows again.
+        valley: f64,
+    },
+    /// A start next to this one does not show the same, as it is on an unstable motion.
+    Neighbours {
+        /// The exponent there.
+        exponent: f64,
+    },
+}
+
+/// A deviation that grows in proportion to the time doubles, ln 2 = 0.7, in twice the time; next to a resonance it may grow
+/// like the time squared.
+const SLOW_RISE: f64 = 1.5;
+/// Passing once as near to an unstable motion as numbers can be makes e³⁷, and growth in proportion to the time adds
+/// little to that.
+const EXPONENTIAL_GROWTH: f64 = 100.0;
+/// So many standard errors above zero.
+const CERTAIN: f64 = 5.0;
+/// A motion that goes farther than its first half by this factor is not bounded.
+const WIDER: f64 = 1.5;
+
+/// One measured motion.
+#[derive(Clone, Debug)]
+pub(super) struct Evidence {
+    /// The growth of its deviation.
+    pub(super) record: Record,
+    /// How far it goes in the first half of the time, and at all.
+    extents: [Extent; 2],
+    /// Why it ended early.
+    pub(super) stopped: Option<Cause>,
+}
+
+impl Evidence {
+    /// Of a motion before its first interval.
+    pub(super) fn new(interval: f64, numbers: usize) -> Self {
+        let nothing = Extent::new(numbers);
+        Self { record: Record::new(interval), extents: [nothing.clone(), nothing], stopped: None }
+    }
+
+    /// Adds the growth in one interval of so many, and the state at its end.
+    pub(super) fn add(&mut self, growth: f64, state: &[f64], of: usize) {
+        self.record.push(growth);
+        let first_half = 2 * self.record.intervals() <= of;
+        self.extents.iter_mut().skip(usize::from(!first_half)).for_each(|extent| extent.include(state));
+    }
+
+    /// By which factor the motion goes farther than its first half, where it is largest.
+    fn widening(&self, unconfined: &[bool]) -> f64 {
+        let [half, whole] = self.extents.each_ref().map(Extent::widths);
+        let free = unconfined.iter().copied().chain(std::iter::repeat(false));
+        let confined = half.iter().zip(&whole).zip(free).filter(|(_, free)| !free);
+        confined.map(|((half, whole), _)| if whole > half { whole / half } else { 1.0 }).fold(1.0, f64::max)
+    }
+
+    /// What a single motion shows, integrated with this effort. Unconfined coordinates may grow without end.
+    pub(super) fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> Verdict {
+        let record = &self.record;
+        if let Some(cause) = self.stopped {
+            return Verdict::Undecided(Doubt::Stopped(cause));
+        }
+        if record.blocks().is_empty() {
+            return Verdict::Undecided(Doubt::TooShort { growth: record.growth() });
+        }
+        if self.converges() {
+            return Verdict::Regular(Regularity::Converging);
+        }
+        let valley = record.deepest_valley();
+        if valley > deepest_harmless_valley(effort) {
+            return Verdict::Undecided(Doubt::DigitsLost { valley });
+        }
+        if record.rises().iter().all(|rise| *rise <= SLOW_RISE) {
+            return Verdict::Regular(Regularity::Slow { below: 2.0 * SLOW_RISE / record.duration() });
+        }
+        self.doubt(unconfined).map_or(Verdict::Chaotic, Verdict::Undecided)
+    }
+
+    fn converges(&self) -> bool {
+        let exponent = self.record.exponent();
+        exponent + CERTAIN * self.record.uncertainty() < 0.0
+            && self.record.blocks().iter().all(|rate| *rate < 0.0)
+    }
+
+    /// What speaks against chaos in a motion whose deviation grows fast.
+    fn doubt(&self, unconfined: &[bool]) -> Option<Doubt> {
+        let record = &self.record;
+        let growth = record.growth();
+        if self.widening(unconfined) > WIDER {
+            return Some(Doubt::Unbounded);
+        }
+        if growth < EXPONENTIAL_GROWTH {
+            return Some(Doubt::TooShort { growth });
+        }
+        let steady = record.blocks().iter().all(|rate| *rate > 0.0)
+            && record.exponent() > CERTAIN * record.uncertainty();
+        (!steady).then_some(Doubt::Unsteady)
+    }
+
+    /// Whether the exponents of two motions are of the same size, within their errors.
+    pub(super) fn agrees_with(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
+        (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)
+    }
+}
+
+/// The deepest valley of the logarithm in which digits remain.
+///
+/// Next to a separatrix a deviation grows as the time lag that it makes, by 1/δ at each return, where δ is the distance
+/// in energy, and shrinks by √δ on the way. What a step errs in, ε of the deviation, is a distance too and comes back as
+/// ε/δ of it. With the valley's depth ln 1/√δ that is ε·e^(2·depth), to which a thousandth is left.
+fn deepest_harmless_valley(effort: &Effort) -> f64 {
+    const THOUSANDTH: f64 = 1e-3;
+    0.5 * libm::log(THOUSANDTH / effort.relative.max(f64::EPSILON))
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Regular(_) => "regular",
+            Self::Chaotic => "chaotic",
+            Self::Undecided(_) => "undecided",
+        })
+    }
+}
+
+impl Verdict {
+    /// The reason in a sentence.
+    #[must_use]
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Regular(regularity) => regularity.to_string(),
+            Self::Chaotic => {
+                "deviations grow exponentially all along the motion, which stays bounded, and on two \
+                              motions that begin next to it"
+                    .to_owned()
+            }
+            Self::Undecided(doubt) => doubt.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for Regularity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Theorem(Theorem::Plane) => formatter.write_str(
+                "one coordinate without the time in its equation has a plane of states, in which there is no chaos \
+                 (Poincaré and Bendixson)",
+            ),
+            Self::Theorem(Theorem::Linear) => {
+                formatter.write_str("the equations are linear, and deviations obey them as motions do")
+            }
+            Self::AtRest => formatter.write_str("the motion rests in an equilibrium"),
+            Self::Converging => formatter.write_str("neighbouring motions come nearer all along the motion"),
+            Self::Slow { below } => write!(
+                formatter,
+                "deviations grow no faster than in proportion to the time, so far: an exponent above {below:.1e} would have \
+                 shown"
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stopped(cause) => write!(formatter, "{cause} before enough was measured"),
+            Self::TooShort { growth } => write!(
+                formatter,
+                "the deviation has changed by the factor e^{growth:.1} only: measure longer, until e^{EXPONENTIAL_GROWTH} \
+                 or until it grows in proportion to the time"
+            ),
+            Self::Unsteady => formatter.write_str("the growth is not steady: measure longer"),
+            Self::Unbounded => formatter.write_str("the motion goes farther and farther"),
+            Self::DigitsLost { valley } => write!(
+                formatter,
+                "the deviation shrinks by the factor e^-{valley:.1} in between, as next to a separatrix, and loses its \
+                 digits: give a smaller tolerance or another start"
+            ),
+            Self::Neighbours { exponent } => write!(
+                formatter,
+                "a motion that begins next to this one has the exponent {exponent:.3e}, so this one is exceptional: \
+                 displace the start"
+            ),
+        }
+    }
+}

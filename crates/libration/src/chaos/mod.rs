@@ -1,0 +1,24 @@
+//! Regular or chaotic: Poincaré sections, bifurcation diagrams, the largest Lyapunov exponent.
+//!
+//! A section shows what a motion is: a point for a periodic one, a curve for one with two periods, a cloud or a fractal for a chaotic
+//! one. A bifurcation diagram shows how that changes with a parameter. The exponent tells how fast neighbouring motions
+//! part, and comes with a verdict that says `Chaotic` only on evidence.
+
+mod drive;
+mod structure;
+
+mod section;
+
+mod bifurcation;
+
+mod extent;
+
+mod lyapunov;
+
+pub use bifurcation::{Column, Continuation, DiagramError, Family, bifurcation_diagram};
+pub use drive::drive_period;
+pub use lyapunov::{
+    Doubt, LyapunovError, LyapunovExponent, Progress, Regularity, Schedule, Verdict, lyapunov_exponent,
+};
+pub use section::{Ending, PoincareSection, Points, Section, SectionError, folded, section};
+pub use structure::{Theorem, angles};

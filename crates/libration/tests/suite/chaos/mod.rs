@@ -1,0 +1,5 @@
+//! Regular and chaotic motions.
+
+mod integrable;
+mod lyapunov;
+mod section;

@@ -1,0 +1,197 @@
+//! Poincaré sections and bifurcation diagrams.
+
+use libration::chaos::{
+    Column, Continuation, Ending, Family, PoincareSection, Points, Section, bifurcation_diagram, section,
+};
+use libration::taylor::{Cause, Direction, Effort, Moment};
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+
+const FLASH: Section = Section::Stroboscope { period: None, phase: 0.0 };
+
+fn from(state: &[f64]) -> Moment {
+    Moment { time: 0.0, state: state.to_vec() }
+}
+
+fn points_of(equation: &str, state: &[f64], cut: &Section, skipped: usize, kept: usize) -> PoincareSection {
+    let (equation, effort) = (equation.parse().unwrap(), Effort::to_tolerance(1e-12));
+    let points = Points { skipped, kept };
+    section(&equation, &from(state), cut, points, &effort, |_| ControlFlow::Continue(())).unwrap()
+}
+
+fn diagram(equation: &str, values: &[f64], state: &[f64], how: Continuation, points: Points) -> Vec<Column> {
+    let equation = equation.parse().unwrap();
+    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
+    let effort = Effort::to_tolerance(1e-12);
+    bifurcation_diagram(&family, values, &from(state), how, &effort, |_| ControlFlow::Continue(())).unwrap()
+}
+
+#[test]
+fn a_driven_linear_oscillator_is_caught_where_theory_says() {
+    let (damping, omega): (f64, f64) = (0.3, 1.7);
+    for phase in [0.0, 0.25, 0.7] {
+        let cut = Section::Stroboscope { period: None, phase };
+        let found = points_of("x'' + 0.3 x' + x = cos(1.7 t)", &[1.0, 0.0], &cut, 100, 3);
+        let (stiff, slow) = (1.0 - omega * omega, damping * omega);
+        let angle = TAU * phase;
+        let wanted = (stiff * libm::cos(angle) + slow * libm::sin(angle)) / (stiff * stiff + slow * slow);
+        for (n, point) in (100..).zip(&found.points) {
+            assert!((point.state[0] - wanted).abs() < 1e-11, "{} {wanted}", point.state[0]);
+            assert!((point.time - (f64::from(n) + phase) * TAU / omega).abs() < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn the_stroboscopic_map_shrinks_areas_as_the_damping_says() {
+    // The determinant of the map over one period is e^(−cT).
+    let image = |x: f64, v: f64| {
+        let equation = "theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)";
+        points_of(equation, &[x, v], &FLASH, 1, 1).points.remove(0).state
+    };
+    let h = 1e-4;
+    for (x, v) in [(0.2, 0.0), (-1.3, 2.1), (3.0, -0.4)] {
+        let slope = |(dx, dv): (f64, f64)| {
+            let [ahead, behind] = [image(x + dx, v + dv), image(x - dx, v - dv)];
+            [0, 1].map(|n| (ahead[n] - behind[n]) / (2.0 * h))
+        };
+        let ([a, c], [b, d]) = (slope((h, 0.0)), slope((0.0, h)));
+        let wanted = libm::exp(-1.5 * PI);
+        assert!(((a * d - b * c) / wanted - 1.0).abs() < 1e-3, "{}", a * d - b * c);
+    }
+}
+
+/// How many different velocities there are.
+fn different(section: &PoincareSection) -> usize {
+    let mut velocities: Vec<f64> = section.points.iter().map(|point| point.state[1]).collect();
+    velocities.sort_by(f64::total_cmp);
+    1 + velocities.windows(2).filter(|pair| pair[1] - pair[0] > 1e-5).count()
+}
+
+#[test]
+fn the_driven_pendulum_doubles_its_period_on_the_way_to_chaos() {
+    let points = Points { skipped: 1000, kept: 64 };
+    let values = [0.9, 1.07, 1.08, 1.0825, 1.5];
+    let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)";
+    let columns = diagram(equation, &values, &[0.2, 0.0], Continuation::SameStart, points);
+    let counts: Vec<usize> = columns.iter().map(|column| different(&column.section)).collect();
+    // At 1.08 a window of three periods is met from this start.
+    assert_eq!(counts, [1, 2, 3, 8, 64]);
+}
+
+#[test]
+fn sweeps_up_and_down_differ_where_two_motions_are_stable() {
+    // Between its two jumps Duffing's oscillator keeps the motion it had.
+    let equation = "x'' + 0.2 x' + x + x^3 = A cos(1.8 t)";
+    let points = Points { skipped: 100, kept: 1 };
+    let up: Vec<f64> = (0..=30).map(|n| 0.1 * f64::from(n)).collect();
+    let down: Vec<f64> = up.iter().rev().copied().collect();
+    let sweep = |values: &[f64]| diagram(equation, values, &[0.0, 0.0], Continuation::LastState, points);
+    let (rising, falling) = (sweep(&up), sweep(&down));
+    let distance =
+        |(a, b): (&Column, &Column)| (a.section.points[0].state[0] - b.section.points[0].state[0]).abs();
+    let apart: Vec<f64> = rising.iter().zip(falling.iter().rev()).map(distance).collect();
+    assert!(apart[1] < 1e-6 && apart[30] < 1e-6, "{apart:?}");
+    assert!(apart.iter().filter(|distance| **distance > 0.3).count() >= 3, "{apart:?}");
+}
+
+#[test]
+fn columns_from_the_same_start_know_nothing_of_each_other() {
+    let points = Points { skipped: 20, kept: 10 };
+    let values: Vec<f64> = (0..21).map(|n| 1.0 + 0.025 * f64::from(n)).collect();
+    let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)";
+    let columns = diagram(equation, &values, &[0.2, 0.0], Continuation::SameStart, points);
+    for (value, column) in values.iter().zip(&columns) {
+        let alone = diagram(equation, &[*value], &[0.2, 0.0], Continuation::SameStart, points);
+        assert_eq!(*column, alone[0]);
+    }
+    let section = points_of(&equation.replace('A', "1.0"), &[0.2, 0.0], &FLASH, 20, 10);
+    for (a, b) in columns[0].section.points.iter().zip(&section.points) {
+        assert!((a.state[0] - b.state[0]).abs() < 1e-9 && (a.time - b.time).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_drive_may_be_the_parameter() {
+    let points = Points { skipped: 200, kept: 1 };
+    for how in [Continuation::SameStart, Continuation::LastState] {
+        for Column { value, section } in
+            diagram("x'' + 0.3 x' + x = cos(A t)", &[0.5, 1.0, 1.7], &[1.0, 0.0], how, points)
+        {
+            let (stiff, slow) = (1.0 - value * value, 0.3 * value);
+            let wanted = stiff / (stiff * stiff + slow * slow);
+            assert!(
+                (section.points[0].state[0] - wanted).abs() < 1e-9,
+                "{value}: {}",
+                section.points[0].state[0]
+            );
+        }
+    }
+}
+
+fn surface(formula: &str, direction: Direction) -> Section {
+    Section::Crossing { formula: formula.parse().unwrap(), direction }
+}
+
+#[test]
+fn crossings_are_on_the_surface_and_keep_the_energy() {
+    let start = [0.0, -0.15, 0.5555027734704241, 0.0];
+    let energy = |s: &[f64]| {
+        0.5 * (s[2] * s[2] + s[3] * s[3] + s[0] * s[0] + s[1] * s[1]) + s[0] * s[0] * s[1]
+            - s[1].powi(3) / 3.0
+    };
+    let found = points_of(HENON_HEILES, &start, &surface("x", Direction::Rising), 10, 500);
+    assert_eq!((found.points.len(), found.stopped), (500, None));
+    for Moment { state, .. } in &found.points {
+        assert!(state[0].abs() < 1e-12 && state[2] > 0.0, "{state:?}");
+        assert!((energy(state) - energy(&start)).abs() < 1e-10);
+    }
+}
+
+const HENON_HEILES: &str = "x'' = -x - 2 x y; y'' = -y - x^2 + y^2";
+
+#[test]
+fn no_crossing_is_missed_or_doubled() {
+    let times = |direction| {
+        let found = points_of("x'' = -x", &[1.0, 0.0], &surface("x - 0.999999", direction), 3, 2000);
+        found.points.iter().map(|point| point.time).collect::<Vec<f64>>()
+    };
+    let lag = libm::acos(0.999999);
+    for (n, time) in (4..).zip(times(Direction::Rising)) {
+        assert!((time - (f64::from(n) * TAU - lag)).abs() < 1e-6, "{n} {time}");
+    }
+    let falling = times(Direction::Falling);
+    assert!((falling[1999] - (2002.0 * TAU + lag)).abs() < 1e-6);
+    assert_eq!(times(Direction::Any).len(), 2000);
+    assert!((times(Direction::Any)[1999] - 1001.0 * TAU - lag).abs() < 1e-6);
+}
+
+#[test]
+fn a_motion_that_crosses_no_more_says_so() {
+    let found = points_of("x'' = 0", &[1.0, -4.0], &surface("x", Direction::Falling), 0, 5);
+    assert_eq!((found.points.len(), found.stopped), (1, Some(Ending::NoCrossing)));
+}
+
+#[test]
+fn interruptions_keep_what_is_done() {
+    let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)".parse().unwrap();
+    let points = Points { skipped: 5, kept: 20 };
+    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
+    let stop = |limit: usize| {
+        move |done: usize| if done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let (start, effort) = (from(&[0.2, 0.0]), Effort::to_tolerance(1e-10));
+    let values = [1.0, 1.1, 1.2, 1.3];
+    let kept = |how| -> Vec<f64> {
+        let columns = bifurcation_diagram(&family, &values, &start, how, &effort, stop(2)).unwrap();
+        assert!(columns.iter().all(|column| column.section.points.len() == 20));
+        columns.iter().map(|column| column.value).collect()
+    };
+    assert_eq!(kept(Continuation::LastState), [1.0, 1.1]);
+    // Side by side others than the first two may be done first.
+    assert_eq!(kept(Continuation::SameStart).len(), 2);
+    let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
+    let found = section(&equation, &start, &FLASH, points, &effort, stop(7)).unwrap();
+    assert_eq!(found.stopped, Some(Ending::Stopped(Cause::Interrupted)));
+    assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
+}
