@@ -172,8 +172,10 @@ fn turning_points_passages_and_levels_are_found() {
 fn rotations_pass_the_lowest_point_in_every_turn() {
     let answer = json("simulate pendulum --initial theta'=3 --times 0,20 --events crossing,turning");
     let end = sample(&answer, 1)[0];
-    let passages = events(&answer).len();
-    assert_eq!(passages, 1 + (end / std::f64::consts::TAU).floor() as usize, "{end}");
+    // The start is one of them, and no rotation turns back.
+    let turns = (1..100).take_while(|&turn| f64::from(turn) * std::f64::consts::TAU <= end).count();
+    assert!(turns > 3);
+    assert_eq!(events(&answer).len(), 1 + turns, "{end}");
 }
 
 #[test]

@@ -36,7 +36,11 @@ impl Earlier {
 
     fn of_rows(rows: Vec<Happening>, steps: usize) -> Self {
         let (samples, events): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row.kind.is_empty());
-        let samples = samples.into_iter().map(|row| Moment { time: row.time, state: row.state }).collect();
+        let samples: Vec<Moment> =
+            samples.into_iter().map(|row| Moment { time: row.time, state: row.state }).collect();
+        // Those behind the last sample will be found again.
+        let last = samples.last().map_or(0.0, |moment| moment.time.abs());
+        let events = events.into_iter().filter(|event| event.time.abs() <= last).collect();
         Self { samples, events, steps }
     }
 

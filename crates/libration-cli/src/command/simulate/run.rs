@@ -97,12 +97,8 @@ impl Motion<'_> {
         let seen = |event: &Occurrence| self.earlier.is_some() && event.contact == Contact::Start;
         let new = solution.events.iter().filter(|event| !seen(event));
         let new = new.map(|event| self.watched.happening(event));
-        let (steps, events) = self
-            .earlier
-            .iter()
-            .map(|earlier| (earlier.steps, earlier.events.clone()))
-            .next()
-            .unwrap_or_default();
+        let earlier = self.earlier.as_ref();
+        let (steps, events) = earlier.map_or((0, vec![]), |earlier| (earlier.steps, earlier.events.clone()));
         Followed { ending, steps: steps + solution.steps, events: events.into_iter().chain(new).collect() }
     }
 

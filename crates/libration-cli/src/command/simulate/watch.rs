@@ -48,7 +48,7 @@ impl<'a> Watch<'a> {
 
     /// Writes the samples that the start itself is.
     pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
-        while let Some(time) = self.times.next_if(|time| *time == start.time) {
+        while let Some(time) = self.times.next_if(|time| (time - start.time).abs() <= 0.0) {
             self.report.sample(&Moment { time, state: start.state.clone() }, self.out)?;
         }
         Ok(())
