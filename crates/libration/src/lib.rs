@@ -55,6 +55,9 @@
 //! | [`comparison`] | those series beside exact values |
 //! | [`taylor`] | the motion of any system of equations in time |
 //! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
+//! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
+//! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
+//! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
 //! | [`expression`] | formulas and equations of motion as they are typed, exactly |
@@ -78,6 +81,7 @@ pub mod pendulum;
 pub mod period_formulas;
 
 pub mod algebra;
+mod linear;
 mod series;
 
 pub mod expression;
@@ -90,8 +94,15 @@ pub mod comparison;
 
 pub mod taylor;
 
-pub mod chaos;
 pub mod systems;
+
+pub mod orbit;
+
+pub mod normal_modes;
+
+pub mod decay;
+
+pub mod chaos;
 
 pub mod derivation;
 

@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod angle_list;
+mod displacements;
 mod formulas;
 mod initial;
 mod lines;
@@ -17,11 +18,12 @@ mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use displacements::displacements;
 pub(crate) use formulas::FormulaChoice;
 pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
-pub(crate) use oscillator::{Chosen, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions, is_angle};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};

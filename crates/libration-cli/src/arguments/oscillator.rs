@@ -35,10 +35,26 @@ pub(crate) struct Chosen {
 /// Names of variables that are angles.
 const ANGLES: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
 
+/// An equation of motion with the words for it.
+#[derive(Clone, Debug)]
+pub(crate) struct Asked {
+    pub(crate) equation: Equation,
+    /// The equilibrium that is meant.
+    pub(crate) about: Option<Expression>,
+    pub(crate) key: Option<&'static str>,
+    pub(crate) title: String,
+    pub(crate) values: Vec<(String, String)>,
+}
+
+/// Whether a variable is an angle, by its name.
+pub(crate) fn is_angle(variable: &str) -> bool {
+    ANGLES.contains(&variable)
+}
+
 impl Chosen {
     /// Whether the variable is an angle, by its name.
     pub(crate) fn is_angle(&self) -> bool {
-        ANGLES.contains(&self.oscillator.variable())
+        is_angle(self.oscillator.variable())
     }
 
     /// Reads an amplitude: a number, or an angle where the variable is one.
@@ -67,6 +83,17 @@ impl OscillatorOptions {
     }
 
     pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
+        let Asked { equation, about, key, title, values } = self.asked()?;
+        let oscillator = match about {
+            None => Oscillator::new(&equation),
+            Some(place) => Oscillator::about(&equation, &place),
+        };
+        let oscillator = oscillator.map_err(|error| Failure::no_answer("oscillator", error))?;
+        Ok(Chosen { oscillator, key, title, values })
+    }
+
+    /// The equation, whether it is an oscillator or not.
+    pub(crate) fn asked(&self) -> Result<Asked, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
         let given = values(&self.set)?;
         let (equation, key, title) = match &named {
@@ -76,16 +103,9 @@ impl OscillatorOptions {
             }
             Err(_) => (self.typed(&given)?, None, "an equation of motion".to_owned()),
         };
-        let oscillator = match &self.about {
-            None => Oscillator::new(&equation),
-            Some(place) => {
-                let place: Expression = place.parse().map_err(|error| Failure::usage("--about", error))?;
-                Oscillator::about(&equation, &place)
-            }
-        };
-        let oscillator = oscillator.map_err(|error| Failure::no_answer("oscillator", error))?;
-        let values = values_used(named.ok(), &given);
-        Ok(Chosen { oscillator, key, title, values })
+        let about = self.about.as_deref().map(str::parse::<Expression>).transpose();
+        let about = about.map_err(|error| Failure::usage("--about", error))?;
+        Ok(Asked { equation, about, key, title, values: values_used(named.ok(), &given) })
     }
 
     fn typed(&self, values: &[(String, Expression)]) -> Result<Equation, Failure> {

@@ -1,7 +1,9 @@
 //! The questions that can be asked, one file each.
 
+mod backbone;
 pub(crate) mod bifurcation;
 mod completions;
+pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
@@ -9,6 +11,7 @@ pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
 pub(crate) mod lyapunov;
+mod modes;
 pub(crate) mod motion;
 mod oscillators;
 mod paper;
@@ -33,6 +36,7 @@ Examples:
   libration period 60deg                      the exact period, and every formula with its error
   libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
   libration motion 150deg --times 0:10:0.5    angle and velocity in time
+  libration decay 60deg --linear 0.1          how the swings of a damped pendulum die down
   libration formulas --amplitude 90deg --tolerance 1e-3
   libration expand duffing --order 9          perturbation series of any oscillator, exactly
   libration derive --road elliptic            how the exact period is found, step by step
@@ -48,13 +52,16 @@ enum Question {
     Motion(motion::Motion),
     Fourier(fourier::Fourier),
     Formulas(formulas::Formulas),
+    Decay(decay::Decay),
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
+    Backbone(backbone::Backbone),
     Simulate(simulate::Simulate),
     Systems(systems::Systems),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
+    Modes(modes::Modes),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -75,14 +82,17 @@ impl Libration {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),
             Question::Fourier(question) => question.answer(out),
+            Question::Decay(question) => question.answer(out),
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
+            Question::Backbone(question) => question.answer(out),
             Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),
+            Question::Modes(question) => question.answer(out),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

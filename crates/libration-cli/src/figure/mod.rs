@@ -1,7 +1,10 @@
 //! The pictures: what each one shows, and how it is drawn.
 
+pub(crate) mod backbone;
+pub(crate) mod decay;
 pub(crate) mod errors;
 pub(crate) mod lyapunov;
+pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod periods;
 pub(crate) mod phase;

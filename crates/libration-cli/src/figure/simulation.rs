@@ -9,6 +9,8 @@ use libration::taylor::{Moment, Step};
 
 /// Points of a curve, evenly spaced in time.
 const POINTS: u32 = 6000;
+/// More marks on one curve would hide it.
+const MOST_MARKS: usize = 1000;
 
 /// The coordinates at evenly spaced times, filled in as the integration goes on.
 #[derive(Debug)]
@@ -18,12 +20,15 @@ pub(crate) struct Trace {
     times: Vec<f64>,
     /// One list for each coordinate.
     values: Vec<Vec<f64>>,
+    /// Events on the curve of each coordinate.
+    marks: Vec<Vec<(f64, f64)>>,
 }
 
 impl Trace {
     /// A trace from 0 to this time.
     pub(crate) fn new(model: &Model, end: f64) -> Self {
-        Self { end, next: 0, times: vec![], values: vec![vec![]; model.coordinates().len()] }
+        let none = vec![vec![]; model.coordinates().len()];
+        Self { end, next: 0, times: vec![], values: none.clone(), marks: vec![vec![]; none.len()] }
     }
 
     fn time(&self, place: u32) -> f64 {
@@ -39,11 +44,18 @@ impl Trace {
     }
 
     /// Takes the states of a step.
-    pub(crate) fn follow(&mut self, step: &Step) {
+    pub(crate) fn follow(&mut self, step: &Step<'_>) {
         while self.next <= POINTS && self.time(self.next).abs() <= step.end().abs() {
             let time = self.time(self.next);
             self.push(&Moment { time, state: step.state_at(time) });
             self.next += 1;
+        }
+    }
+
+    /// Marks an event on the curve of a coordinate.
+    pub(crate) fn mark(&mut self, coordinate: usize, time: f64, state: &[f64]) {
+        if self.marks[coordinate].len() < MOST_MARKS {
+            self.marks[coordinate].push((time, state[coordinate]));
         }
     }
 
@@ -76,7 +88,7 @@ impl Trace {
         let shown: Vec<_> = shown.filter(|(_, (coordinate, _))| coordinate.unit == unit).collect();
         let scale = if unit == "rad" { 1_f64.to_degrees() } else { 1.0 };
         let alone = shown.len() == 1;
-        let series: Vec<Series> = shown
+        let mut series: Vec<Series> = shown
             .iter()
             .map(|(number, (coordinate, values))| {
                 let label = if alone { String::new() } else { symbol(&coordinate.name) };
@@ -84,6 +96,10 @@ impl Trace {
                 Series::line(&label, style::curve(*number), points)
             })
             .collect();
+        series.extend(shown.iter().map(|(number, _)| {
+            let points = self.marks[*number].iter().map(|(time, value)| (*time, scale * value));
+            Series::line("", style::marks(*number), points)
+        }));
         let names: Vec<String> = shown.iter().map(|(_, (coordinate, _))| symbol(&coordinate.name)).collect();
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         let y = Axis::linear(&label(&names.join(", "), unit), low, high);

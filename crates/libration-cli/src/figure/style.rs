@@ -38,9 +38,19 @@ pub(crate) fn dots(number: usize, all: usize) -> Look {
     Look { width, mark: Mark::Markers(0), ..markers(number) }
 }
 
+/// The look of marks on the curve with this number.
+pub(crate) fn marks(number: usize) -> Look {
+    Look { width: 3.6, ..markers(number) }
+}
+
 /// The look of measurements: smaller where there are many.
 pub(crate) fn measurements(count: usize) -> Look {
     Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(0) }
+}
+
+/// The look of what happens at single times of a motion, beside curves of the first colours.
+pub(crate) fn turning_points(count: usize) -> Look {
+    Look { colour: COLOURS[4], ..measurements(count) }
 }
 
 /// The thin line that joins the markers with this number.

@@ -3,7 +3,7 @@
 use crate::command::{libration, message};
 
 /// Arguments, exit status, parts of the message.
-const CASES: [(&str, i32, &[&str]); 35] = [
+const CASES: [(&str, i32, &[&str]); 51] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
     ("period -inf", 2, &["AMPLITUDE", "-inf", "60deg"]),
@@ -38,6 +38,30 @@ const CASES: [(&str, i32, &[&str]); 35] = [
     ("fourier 60deg --tolerance -1", 2, &["--tolerance", "above zero"]),
     ("formulas --amplitude 60deg", 2, &["--tolerance"]),
     ("figure errors --output errors.pdf", 2, &["--output", ".svg", ".png"]),
+    ("simulate pendulum --times 0,1", 2, &["--initial", "theta=60deg", "theta, theta'"]),
+    ("simulate pendulum --initial theta=60deg", 2, &["--times"]),
+    ("simulate penduum --initial theta=1 --times 0,1", 2, &["SYSTEM|EQUATION", "pendulum"]),
+    ("simulate pendulum --initial x=1 --times 0,1", 2, &["--initial", "`x`", "theta, theta'"]),
+    ("simulate pendulum --initial theta --times 0,1", 2, &["--initial", "NAME=VALUE"]),
+    ("simulate pendulum --initial theta=1,theta=2 --times 0,1", 2, &["--initial", "twice"]),
+    ("simulate pendulum --initial theta=60furlongs --times 0,1", 2, &["--initial", "60furlongs", "60deg"]),
+    ("simulate pendulum --initial theta=1 --times 1,0.5", 2, &["--times", "follows"]),
+    ("simulate pendulum --initial theta=1 --times 0,1 --tolerance 1", 2, &["--tolerance", "1e-18"]),
+    ("simulate pendulum --initial theta=1 --times 0,1 --set c=1", 2, &["--set", "omega0"]),
+    ("simulate x''=-k*x --initial x=1 --times 0,1", 2, &["--set", "k=0.1"]),
+    ("simulate pendulum --initial theta=1 --times 0,1 --resume /nonexistent/file", 1, &["/nonexistent/file"]),
+    ("simulate pendulum --initial theta=1 --times 0,1 --output /nonexistent/file", 1, &["/nonexistent/file"]),
+    (
+        "simulate pendulum --initial theta=1 --times 0,1 --events y-1",
+        2,
+        &["--events", "`y`", "theta, theta'"],
+    ),
+    (
+        "simulate pendulum --initial theta=1 --times 0,1 --events turn(1)",
+        2,
+        &["--events", "turning, crossing"],
+    ),
+    ("systems nothing", 2, &["KEY", "nothing"]),
     ("fit periods /nonexistent/file", 1, &["/nonexistent/file"]),
 ];
 

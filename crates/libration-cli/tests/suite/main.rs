@@ -4,12 +4,16 @@
 mod bad_input;
 mod chaos;
 mod command;
+mod decay;
 mod derive;
 mod expand;
 mod figures;
 mod files;
 mod fit;
 mod formulas;
+mod modes;
 mod motion;
 mod paper;
 mod period;
+mod simulate;
+mod systems;

@@ -5,6 +5,9 @@ mod approximant;
 mod quantity;
 mod relation;
 
+mod backbone;
+
 pub use approximant::Approximant;
+pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
 pub use quantity::{NotAQuantity, Quantity};
 pub use relation::{ExactValue, Radius, Relation, Road};

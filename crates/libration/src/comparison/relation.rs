@@ -145,8 +145,8 @@ impl<'a> Relation<'a> {
     /// # Errors
     /// There is no such motion, or it is not found.
     pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoPeriodicMotion> {
-        if is_pendulum(self.oscillator) {
-            return self.of_pendulum(amplitude);
+        if let Some(exact) = self.exact_without_motion(amplitude) {
+            return exact;
         }
         let motion = self.motion_at(amplitude)?;
         let unit = libm::sqrt(self.expansion.unit_squared.to_f64());
@@ -160,6 +160,14 @@ impl<'a> Relation<'a> {
             Quantity::Cosine(k) => (motion.cosine(k) / unit, relative * motion.x_max() / unit),
         };
         Ok(ExactValue { value, uncertainty, road: Road::Integration })
+    }
+
+    /// The value by elliptic functions; `None` for all but the pendulum.
+    pub(super) fn exact_without_motion(
+        &self,
+        amplitude: f64,
+    ) -> Option<Result<ExactValue, NoPeriodicMotion>> {
+        is_pendulum(self.oscillator).then(|| self.of_pendulum(amplitude))
     }
 
     fn motion_at(&self, amplitude: f64) -> Result<PeriodicMotion, NoPeriodicMotion> {

@@ -5,7 +5,8 @@ use super::{Expression, Function, Symbol};
 
 impl Expression {
     /// The partial derivative with respect to a symbol, in the form of [`simplified`](Self::simplified). A symbol and
-    /// its time derivatives are independent of each other. |u| has the derivative u·u′/|u|, undefined at zero, and sign(u) has 0, where it jumps too.
+    /// its time derivatives are independent of each other. |u| has the derivative sign(u)·u′ and sign(u) has zero, also where
+    /// u vanishes and neither is differentiable.
     #[must_use]
     pub fn derivative(&self, by: &Symbol) -> Self {
         self.simplified().derivative_of_simplified(by)
@@ -69,7 +70,7 @@ fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression 
         Function::Tanh => quotient(inner, square(of(Function::Cosh))),
         Function::Ln => quotient(inner, u.clone()),
         Function::Sqrt => quotient(inner, product(Expression::from(2), of(Function::Sqrt))),
-        Function::Abs => quotient(product(u.clone(), inner), of(Function::Abs)),
+        Function::Abs => product(of(Function::Sign), inner),
         Function::Sign => Expression::from(0),
         Function::Asin => quotient(inner, call(Function::Sqrt, one_minus_square())),
         Function::Acos => negative(quotient(inner, call(Function::Sqrt, one_minus_square()))),
@@ -97,7 +98,7 @@ mod tests {
             ("sqrt(1 + x^2)", "x/sqrt(1 + x^2)"),
             ("2^x", "2^x*ln(2)"),
             ("x^a", "a*x^(a - 1)"),
-            ("abs(x)", "x/abs(x)"),
+            ("abs(x)", "sign(x)"),
             ("x*sign(x)", "sign(x)"),
             ("tanh(-x)", "-1/cosh(x)^2"),
         ] {

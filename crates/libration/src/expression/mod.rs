@@ -31,8 +31,8 @@ pub(crate) use jet::{Jet, NoSeries};
 pub(crate) use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
-pub(crate) use tape::{Operation, Slope, Tape};
 pub use tape::WithoutValue;
+pub(crate) use tape::{Operation, Slope, Tape};
 
 /// A formula. The tree is what was written: nothing is reordered or simplified unless asked for.
 ///

@@ -103,6 +103,12 @@ impl Amplitude {
         Modulus::from_words(k, complementary)
     }
 
+    /// sin θ0, relatively accurate near the top too.
+    pub(crate) fn sine(&self) -> f64 {
+        let (k, complementary) = self.half_angle();
+        (k * complementary).to_f64() * 2.0
+    }
+
     /// sin(θ0/2) and cos(θ0/2), each relatively accurate.
     pub(super) fn half_angle(&self) -> (DoubleDouble, DoubleDouble) {
         half_angle(&self.angle)

@@ -1,7 +1,6 @@
 //! Why there is no such model, or no energy of it.
 
 use crate::expression::{EquationError, Symbol, WithoutValue};
-use crate::oscillator::UnknownOscillator;
 
 /// A key that no system has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -24,12 +23,12 @@ pub struct UnknownSystem {
 #[non_exhaustive]
 pub enum ModelError {
     /// A key that neither a system nor an oscillator has.
-    #[error("{system}; the oscillators {} can be given too", oscillator.known.join(", "))]
+    #[error("{system}; the oscillators {} can be given too", oscillators.join(", "))]
     Unknown {
         /// The systems there are.
-        system: UnknownSystem,
-        /// The oscillators there are.
-        oscillator: UnknownOscillator,
+        system: Box<UnknownSystem>,
+        /// The keys of the oscillators there are.
+        oscillators: Vec<&'static str>,
     },
     /// Equations or values that are not understood.
     #[error(transparent)]

@@ -49,7 +49,9 @@ impl Model {
         match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
             (Ok(named), _) => Self::named(named, values, open),
             (Err(_), Ok(oscillator)) => Self::oscillator(oscillator, values, open),
-            (Err(system), Err(oscillator)) => Err(ModelError::Unknown { system, oscillator }),
+            (Err(system), Err(oscillator)) => {
+                Err(ModelError::Unknown { system: Box::new(system), oscillators: oscillator.known })
+            }
         }
     }
 

@@ -153,7 +153,8 @@ impl Open {
         let mut numbers = BTreeMap::from([(Symbol::plain("t"), random.between(0.0, 3.0))]);
         for place in self.places() {
             // Powers that are no whole numbers want a positive velocity in (54).
-            let sign = if self.named.key == "damped_pendulum_54" || trial % 2 == 0 { 1.0 } else { -1.0 };
+            let sign =
+                if self.named.key == "damped_pendulum_54" || trial.is_multiple_of(2) { 1.0 } else { -1.0 };
             numbers.insert(place.with_primes(1), sign * random.between(0.3, 1.5));
             let from = if place.name == "r" { 1.0 } else { 0.2 };
             numbers.insert(place, from + random.between(0.0, 0.4));

@@ -114,7 +114,8 @@ impl<const N: usize> Block<N> {
         let mut ends = Ends { high: [0.0; N], low: [0.0; N] };
         for lane in 0..N {
             let base = DoubleDouble::new(series[0][lane], self.low[number][lane]);
-            let end = grown(base, series[1][lane], slope_low[lane] * self.unit[lane], higher[lane], times[lane].0);
+            let end =
+                grown(base, series[1][lane], slope_low[lane] * self.unit[lane], higher[lane], times[lane].0);
             (ends.high[lane], ends.low[lane]) = (end.hi, end.lo);
         }
         for lane in (0..N).filter(|&lane| times[lane].1 != 0.0) {

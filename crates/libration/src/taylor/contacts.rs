@@ -80,8 +80,7 @@ impl Contacts {
     pub(super) fn found(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
         let blur = stretch.blur();
         if blur == 0.0 {
-            // It vanishes throughout, which is no event.
-            return vec![];
+            return self.comes_to_rest(stretch);
         }
         let mut found = self.at_start(stretch, blur);
         if stretch.keeps_away(blur) {
@@ -94,6 +93,14 @@ impl Contacts {
             self.last = *time;
         }
         found
+    }
+
+    /// A formula that vanishes throughout a step: what counts is that it becomes zero.
+    fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+        self.begun = true;
+        let known = self.just_found(stretch);
+        let side = self.side.take().filter(|_| !known);
+        side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
     }
 
     /// What happens where the step begins.

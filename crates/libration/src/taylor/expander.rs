@@ -96,6 +96,7 @@ impl<'a> Expander<'a> {
         let rest = surroundings.parameters.iter().chain(&surroundings.signs);
         for (number, values) in (block.numbers() + 1..).zip(rest) {
             let row = block.row(number);
+            block[row].fill([0.0; N]);
             block[row][0] = *values;
         }
         self.program.begin(block);

@@ -3,9 +3,10 @@
 use super::block::{Block, Row};
 use super::branches::Branches;
 use super::expander::{Expander, Surroundings};
-use super::step_length::step_lengths;
+use super::step_length::{log2_time_scale, step_lengths};
 use super::{Cause, Effort, Moment, Step, System};
 use crate::dispatch::{Kernel, dispatch};
+use crate::elementary::rough::exp2;
 
 /// N motions under way: where they are, and the steps that lead on.
 #[derive(Debug)]
@@ -129,23 +130,19 @@ impl<'a, const N: usize> Flight<'a, N> {
         Moment { time: self.block.start[lane], state: self.block.state(lane).collect() }
     }
 
-    /// Expands the steps, at the beginning of a motion in shorter and shorter units of time until coefficients are finite.
+    /// Expands the steps; at the beginning of a motion once more, if its time scale asks for another unit.
     fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
-        const SHORTER: f64 = 1.0 / (1_u64 << 40) as f64;
-        const ATTEMPTS: usize = 24;
-        let mut outcomes = self.expand();
+        const FITS: f64 = 10.0;
+        let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
-        for _ in 0..ATTEMPTS {
-            let misfits: Vec<usize> = (0..N).filter(|&lane| fresh[lane] && !self.is_regular(lane)).collect();
-            if misfits.is_empty() {
-                break;
+        let mut fits = true;
+        for lane in (0..N).filter(|&lane| fresh[lane]) {
+            if let Some(scale) = log2_time_scale(&self.block, lane).filter(|scale| scale.abs() > FITS) {
+                self.block.unit[lane] = unit_for(exp2(scale));
+                fits = false;
             }
-            for lane in misfits {
-                self.block.unit[lane] *= SHORTER;
-            }
-            outcomes = self.expand();
         }
-        outcomes
+        if fits { outcomes } else { self.expand() }
     }
 
     fn expand(&mut self) -> [Result<(), Cause>; N] {
@@ -225,8 +222,10 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
     fn run(self) -> [f64; N] {
         let Flight { expander, surroundings, block, effort, log2_part_of_radius, .. } = self.flight;
         let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
-        let signs: Vec<Row> = moduli.map(|(modulus, _)| expander.sign(block, modulus)).collect();
-        step_lengths(block, &signs, effort.absolute / effort.relative, *log2_part_of_radius)
+        let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
+        let events = (0..expander.system.events().len()).map(|event| expander.event(event));
+        let others: Vec<Row> = signs.chain(events).collect();
+        step_lengths(block, &others, effort.absolute / effort.relative, *log2_part_of_radius)
     }
 }
 

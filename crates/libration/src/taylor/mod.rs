@@ -16,12 +16,13 @@ mod program;
 
 mod expander;
 mod step;
+mod kept;
 mod step_length;
 
 mod branches;
-mod sticking;
 mod contacts;
 mod flight;
+mod sticking;
 
 mod fleet;
 mod record;
@@ -34,6 +35,7 @@ mod tests;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
+pub use kept::KeptStep;
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;

@@ -42,22 +42,74 @@ enum Value {
 /// How the next coefficient of a row comes about. A weighted row holds n times the coefficients of another.
 #[derive(Clone, Copy, Debug)]
 enum Instruction {
-    Weight { a: Row, out: Row },
-    Negate { a: Row, out: Row },
-    Add { a: Row, b: Row, out: Row },
-    Subtract { a: Row, b: Row, out: Row },
+    Weight {
+        a: Row,
+        out: Row,
+    },
+    Negate {
+        a: Row,
+        out: Row,
+    },
+    Add {
+        a: Row,
+        b: Row,
+        out: Row,
+    },
+    Subtract {
+        a: Row,
+        b: Row,
+        out: Row,
+    },
     /// A factor that does not depend on the time.
-    Scale { factor: Row, a: Row, out: Row },
-    Multiply { a: Row, b: Row, out: Row },
+    Scale {
+        factor: Row,
+        a: Row,
+        out: Row,
+    },
+    Multiply {
+        a: Row,
+        b: Row,
+        out: Row,
+    },
     /// A divisor that does not depend on the time.
-    Unscale { a: Row, divisor: Row, out: Row },
-    Divide { a: Row, b: Row, out: Row },
-    Power { exponent: f64, a: Weighted, out: Weighted },
-    Exp { a: Row, out: Row },
+    Unscale {
+        a: Row,
+        divisor: Row,
+        out: Row,
+    },
+    Divide {
+        a: Row,
+        b: Row,
+        out: Row,
+    },
+    Power {
+        exponent: f64,
+        a: Weighted,
+        out: Weighted,
+    },
+    Exp {
+        a: Row,
+        out: Row,
+    },
     /// The derivative is `other`, with a sign, times that of a series of this degree.
-    Paired { a: Row, degree: usize, other: Row, slope: Slope, out: Row },
-    Tangent { function: Function, a: Row, square: Row, out: Row },
-    Inverse { a: Row, divisor: Row, out: Weighted },
+    Paired {
+        a: Row,
+        degree: usize,
+        other: Row,
+        slope: Slope,
+        out: Row,
+    },
+    Tangent {
+        function: Function,
+        a: Row,
+        square: Row,
+        out: Row,
+    },
+    Inverse {
+        a: Row,
+        divisor: Row,
+        out: Weighted,
+    },
 }
 
 /// A row and its weighted form.
@@ -123,9 +175,7 @@ fn zeroth<const N: usize>(value: Value, block: &Block<N>) -> [f64; N] {
         Value::Multiply(a, b) => lanes(|lane| at(a)[lane] * at(b)[lane]),
         Value::Divide(a, b) => lanes(|lane| at(a)[lane] / at(b)[lane]),
         Value::Power(a, exponent) => lanes(|lane| libm::pow(at(a)[lane], exponent)),
-        Value::Of(function, a) => {
-            lanes(|lane| Doubles.value(function, &at(a)[lane]).unwrap_or(f64::NAN))
-        }
+        Value::Of(function, a) => lanes(|lane| Doubles.value(function, &at(a)[lane]).unwrap_or(f64::NAN)),
     }
 }
 
@@ -216,7 +266,8 @@ impl Writer<'_> {
     fn write(&mut self, place: usize) {
         let operation = &self.tape.operations()[place];
         let degree = self.degree(operation);
-        let plain = if let Operation::Input(number) = *operation { Row::new(number, self.terms) } else { self.row() };
+        let plain =
+            if let Operation::Input(number) = *operation { Row::new(number, self.terms) } else { self.row() };
         let weighted = if self.tape.is_weighted(place) { self.row() } else { plain };
         self.places.push(Weighted { plain, weighted });
         self.degrees.push(degree);

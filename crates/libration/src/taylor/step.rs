@@ -40,15 +40,15 @@ impl Step<'_> {
         (0..self.numbers()).map(|number| self.component_at(number, time).to_f64()).collect()
     }
 
-    fn numbers(&self) -> usize {
+    pub(super) fn numbers(&self) -> usize {
         self.low.len() / self.lanes
     }
 
-    fn coefficient(&self, number: usize, n: usize) -> f64 {
+    pub(super) fn coefficient(&self, number: usize, n: usize) -> f64 {
         self.coefficients[(number * self.terms + n) * self.lanes + self.lane]
     }
 
-    fn low(&self, number: usize) -> f64 {
+    pub(super) fn low(&self, number: usize) -> f64 {
         self.low.get(number * self.lanes + self.lane).copied().unwrap_or(0.0)
     }
 
@@ -66,7 +66,8 @@ impl Step<'_> {
     /// The time derivative of one number of the state at a time.
     pub(super) fn slope_at(&self, number: usize, time: f64) -> f64 {
         let h = (time - self.start) / self.unit;
-        let horner = |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
+        let horner =
+            |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
         (0..self.terms).rev().fold((0.0, 0.0), horner).1 / self.unit
     }
 }

@@ -54,8 +54,7 @@ const LAST: usize = 4;
 /// How many of the first coefficients tell the size.
 const FIRST: usize = 3;
 
-/// The lengths of the steps with these series, positive; infinite where the series end. Beside the state they are those of
-/// some other rows, in which one is a large number.
+/// The lengths of the steps with the series of the state and of some other rows, positive; infinite where the series end.
 #[inline(always)]
 pub(super) fn step_lengths<const N: usize>(
     block: &Block<N>,
@@ -72,9 +71,15 @@ pub(super) fn step_lengths<const N: usize>(
         radius = smaller(&radius, &log2_radius(series, &size));
     }
     for &row in others {
-        radius = smaller(&radius, &log2_radius(&block[row], &[1.0; N]));
+        radius = smaller(&radius, &log2_radius(&block[row], &block[row][0]));
     }
-    lanes(|lane| if radius[lane] == f64::INFINITY { f64::INFINITY } else { exp2(radius[lane] + log2_part) * block.unit[lane] })
+    lanes(|lane| {
+        if radius[lane] == f64::INFINITY {
+            f64::INFINITY
+        } else {
+            exp2(radius[lane] + log2_part) * block.unit[lane]
+        }
+    })
 }
 
 #[inline(always)]
@@ -110,6 +115,22 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N]
         radius = smaller(&radius, &by);
     }
     radius
+}
+
+/// The logarithm of a time, in units of the block, in which the state changes by as much as it is, as the first
+/// coefficients tell; `None` where there are not two of them.
+pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, lane: usize) -> Option<f64> {
+    const FIRST: usize = 6;
+    let numbers = block.numbers();
+    let scale = |number: usize| {
+        let terms =
+            block.series(number).iter().take(FIRST).enumerate().skip(usize::from(number < numbers / 2));
+        let known = terms.filter(|(_, c)| c[lane] != 0.0 && c[lane].is_finite());
+        let mut logarithms = known.map(|(n, c)| (n, log2(c[lane].abs())));
+        let (n, size) = logarithms.next()?;
+        logarithms.map(|(k, c)| (size - c) / count(k - n)).reduce(f64::min)
+    };
+    (0..numbers).filter_map(scale).reduce(f64::min)
 }
 
 fn count(n: usize) -> f64 {

@@ -20,7 +20,11 @@ struct Unknown<const N: usize> {
 
 impl Expander<'_> {
     /// The series with velocities that stay zero, and of the signs that keep them there.
-    pub(super) fn expand_sticking<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+    pub(super) fn expand_sticking<const N: usize>(
+        &self,
+        block: &mut Block<N>,
+        surroundings: &Surroundings<N>,
+    ) {
         let mut surroundings = surroundings.clone();
         let unknown = self.unknown_signs(block, &mut surroundings);
         self.begin(block, &surroundings);
@@ -47,7 +51,8 @@ impl Expander<'_> {
         surroundings: &mut Surroundings<N>,
     ) -> Vec<Unknown<N>> {
         let coordinates = self.system.coordinates();
-        let moduli = (0..self.system.moduli()).filter(|&modulus| surroundings.sticks[modulus].contains(&true));
+        let moduli =
+            (0..self.system.moduli()).filter(|&modulus| surroundings.sticks[modulus].contains(&true));
         let moduli: Vec<usize> = moduli.collect();
         let mut unknown = vec![];
         for modulus in moduli {

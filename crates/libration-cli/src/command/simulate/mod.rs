@@ -1,5 +1,6 @@
 //! `libration simulate`: the motion of any system in time.
 
+mod events;
 mod report;
 mod resume;
 mod run;
@@ -11,6 +12,7 @@ use crate::failure::Failure;
 use crate::figure;
 use crate::output::FormOptions;
 use crate::output::file::NewFile;
+use events::Watched;
 use libration::taylor::Effort;
 use resume::Earlier;
 use run::Motion;
@@ -24,6 +26,7 @@ use std::path::PathBuf;
   libration simulate damped_pendulum --set c=0.1,n=2 --initial theta=60deg,theta'=0 --times 0:100:0.01 --csv
   libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:100:0.1 --figure double.svg
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 --times 0,1,10 --json
+  libration simulate pendulum --initial theta=179deg --times 0:100:1 --events turning,theta'-1 --json
   libration simulate driven_pendulum --set A=1.2,c=1/2 --initial theta=0.1 --times 0:1e5:0.01 --output long.csv
   libration simulate driven_pendulum --set A=1.2,c=1/2 --times 0:1e5:0.01 --resume long.csv --output long.csv
 
@@ -38,8 +41,11 @@ pub(crate) struct Simulate {
     #[arg(long, value_parser = arguments::times)]
     times: Times,
     /// The error that each step may make, as a part of what changes
-    #[arg(long, default_value = "1e-12", value_parser = arguments::positive)]
+    #[arg(long, default_value = "1e-12", value_parser = tolerance)]
     tolerance: f64,
+    /// Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5
+    #[arg(long, value_name = "turning|crossing|EXPR", value_delimiter = ',')]
+    events: Vec<String>,
     /// Draw the coordinates against the time to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -61,8 +67,14 @@ impl Simulate {
             (Some(earlier), false) => earlier.initial(),
             _ => self.initial.read(&model)?,
         };
-        let motion =
-            Motion::new(&model, initial, &self.times, Effort::to_tolerance(self.tolerance), earlier)?;
+        let motion = Motion {
+            model: &model,
+            initial,
+            times: &self.times,
+            effort: Effort::to_tolerance(self.tolerance),
+            watched: Watched::read(&self.events, &model)?,
+            earlier,
+        };
         let form = self.form.form_of_file(self.output.as_deref());
         let ending = match &self.output {
             None => motion.write(form, self.figure.as_deref(), out)?,
@@ -75,4 +87,10 @@ impl Simulate {
         };
         ending.into_result(self.output.as_deref())
     }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let [least, greatest] = Effort::TOLERANCES;
+    let number = text.trim().parse().ok().filter(|number| (least..=greatest).contains(number));
+    number.ok_or_else(|| format!("give a number from {least:e} to {greatest}, such as 1e-12"))
 }

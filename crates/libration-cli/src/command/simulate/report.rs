@@ -1,9 +1,10 @@
 //! The answer as JSON and CSV, sample by sample, so that long runs need no memory.
 
+use super::events::Happening;
 use super::run::{Ending, Motion};
 use super::sheet::Sheet;
 use crate::output::json::{self, Record};
-use crate::output::{Form, csv};
+use crate::output::{Form, csv, number};
 use libration::taylor::Moment;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -18,6 +19,7 @@ pub(super) trait Report {
 /// What is known when the integration has ended.
 pub(super) struct Summary {
     pub(super) steps: usize,
+    pub(super) events: Vec<Happening>,
     /// The drift of the energy, or why there is none.
     pub(super) drift: Result<f64, String>,
     pub(super) ending: Ending,
@@ -26,7 +28,7 @@ pub(super) struct Summary {
 pub(super) fn of_form(form: Form) -> Box<dyn Report> {
     match form {
         Form::Json => Box::new(Json::default()),
-        Form::Csv => Box::new(Csv),
+        Form::Csv => Box::new(Csv::default()),
         Form::Table => Box::new(Sheet::default()),
     }
 }
@@ -55,7 +57,13 @@ impl Report for Json {
 
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
         self.samples.end(out)?;
-        let tail = Record::new().with("events", Vec::<Value>::new());
+        let mut events = json::List::default();
+        events.begin(out, "events")?;
+        for event in &summary.events {
+            events.item(out, event_record(event))?;
+        }
+        events.end(out)?;
+        let tail = Record::new();
         let tail = match &summary.drift {
             Ok(drift) => tail.number("energy_drift", *drift),
             Err(reason) => tail.number_or("energy_drift", None, reason),
@@ -71,25 +79,49 @@ impl Report for Json {
 }
 
 fn record(moment: &Moment) -> Record {
-    let state: Vec<Value> = moment.state.iter().map(|&value| json::number(value)).collect();
-    Record::new().number("time", moment.time).with("state", state)
+    Record::new().number("time", moment.time).with("state", values(&moment.state))
 }
 
-/// Lines of numbers below their names.
-#[derive(Debug)]
-struct Csv;
+fn event_record(event: &Happening) -> Record {
+    Record::new()
+        .number("time", event.time)
+        .with("kind", event.kind.as_str())
+        .with("state", values(&event.state))
+}
+
+fn values(state: &[f64]) -> Vec<Value> {
+    state.iter().map(|&value| json::number(value)).collect()
+}
+
+/// Lines of numbers below their names. If events are looked for they follow the samples, their kind in a last column,
+/// which is empty in samples.
+#[derive(Debug, Default)]
+struct Csv {
+    with_events: bool,
+}
+
+impl Csv {
+    fn line(&self, time: f64, state: &[f64], kind: &str, out: &mut dyn Write) -> io::Result<()> {
+        let mut cells = vec![number::exact(time)];
+        cells.extend(state.iter().map(|&value| number::exact(value)));
+        cells.extend(self.with_events.then(|| kind.to_owned()));
+        csv::line(out, &cells)
+    }
+}
 
 impl Report for Csv {
     fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
-        let names = [vec!["time".to_owned()], motion.model.state_names()].concat();
+        self.with_events = !motion.watched.is_empty();
+        let mut names = [vec!["time".to_owned()], motion.model.state_names()].concat();
+        names.extend(self.with_events.then(|| "event".to_owned()));
         csv::line(out, &names)
     }
 
     fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
-        csv::numbers(out, &[&[moment.time], moment.state.as_slice()].concat())
+        self.line(moment.time, &moment.state, "", out)
     }
 
-    fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
-        Ok(())
+    fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
+        summary.events.iter().try_for_each(|event| self.line(event.time, &event.state, &event.kind, out))
     }
 }

@@ -1,5 +1,6 @@
 //! An earlier answer that is to be gone on from.
 
+use super::events::Happening;
 use crate::arguments::{self, Initial};
 use crate::failure::Failure;
 use libration::systems::Model;
@@ -12,6 +13,7 @@ use std::path::Path;
 pub(super) struct Earlier {
     /// At least one.
     pub(super) samples: Vec<Moment>,
+    pub(super) events: Vec<Happening>,
     /// Zero where the answer does not tell.
     pub(super) steps: usize,
 }
@@ -32,6 +34,12 @@ impl Earlier {
         earlier.map_err(|reason| Failure::no_answer(&format!("--resume {}", path.display()), reason))
     }
 
+    fn of_rows(rows: Vec<Happening>, steps: usize) -> Self {
+        let (samples, events): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row.kind.is_empty());
+        let samples = samples.into_iter().map(|row| Moment { time: row.time, state: row.state }).collect();
+        Self { samples, events, steps }
+    }
+
     /// The first sample, which stands for the start.
     pub(super) fn initial(&self) -> Initial {
         let state = self.samples.first().map(|moment| moment.state.clone()).unwrap_or_default();
@@ -45,34 +53,44 @@ fn from_json(text: &str, model: &Model) -> Result<Earlier, String> {
     let document: Value =
         serde_json::from_str(text).map_err(|error| format!("no JSON ({error}): {WHAT_WOULD_DO}"))?;
     let names: Option<Vec<String>> = serde_json::from_value(document["state"].clone()).ok();
-    check_names(&names.ok_or_else(|| format!("`state` is missing: {WHAT_WOULD_DO}"))?, model)?;
-    let samples =
-        document["samples"].as_array().ok_or_else(|| format!("`samples` is missing: {WHAT_WOULD_DO}"))?;
-    let sample = |(number, value): (usize, &Value)| {
+    check_names(&names.ok_or_else(|| missing("state"))?, model)?;
+    let list = |name: &str| document[name].as_array().ok_or_else(|| missing(name));
+    let read = |(number, value): (usize, &Value)| {
         let state: Option<Vec<f64>> =
             value["state"].as_array().and_then(|state| state.iter().map(Value::as_f64).collect());
-        moment(value["time"].as_f64(), state, model)
-            .ok_or_else(|| unreadable(&format!("sample {}", number + 1)))
+        let kind = value["kind"].as_str().unwrap_or_default();
+        row(value["time"].as_f64(), kind, state, model)
+            .ok_or_else(|| unreadable(&format!("item {}", number + 1)))
     };
-    let samples = samples.iter().enumerate().map(sample).collect::<Result<_, _>>()?;
+    let rows = list("samples")?.iter().enumerate().chain(list("events")?.iter().enumerate());
+    let rows = rows.map(read).collect::<Result<_, _>>()?;
     let steps = document["steps"].as_u64().and_then(|steps| usize::try_from(steps).ok()).unwrap_or(0);
-    Ok(Earlier { samples, steps })
+    Ok(Earlier::of_rows(rows, steps))
 }
 
 fn from_csv(text: &str, model: &Model) -> Result<Earlier, String> {
     let mut lines = text.lines();
     let header: Vec<String> = lines.next().unwrap_or_default().split(',').map(str::to_owned).collect();
     match header.as_slice() {
+        [time, names @ .., event] if time == "time" && event == "event" => check_names(names, model)?,
         [time, names @ ..] if time == "time" => check_names(names, model)?,
         _ => return Err(format!("the first line does not begin with `time`: {WHAT_WOULD_DO}")),
     }
-    let sample = |(number, line): (usize, &str)| {
-        let mut cells = line.split(',').map(|cell| cell.parse::<f64>().ok());
-        let time = cells.next().flatten();
-        moment(time, cells.collect(), model).ok_or_else(|| unreadable(&format!("line {}", number + 2)))
+    let numbers = 1 + model.state_names().len();
+    let read = |(number, line): (usize, &str)| {
+        // The kind of an event, the last cell, may hold commas.
+        let cells: Vec<&str> = line.splitn(numbers + 1, ',').collect();
+        let mut values = cells.iter().take(numbers).map(|cell| cell.parse::<f64>().ok());
+        let kind = cells.get(numbers).map_or("", |kind| kind.trim_matches('"'));
+        row(values.next().flatten(), kind, values.collect(), model)
+            .ok_or_else(|| unreadable(&format!("line {}", number + 2)))
     };
-    let samples = lines.enumerate().map(sample).collect::<Result<_, _>>()?;
-    Ok(Earlier { samples, steps: 0 })
+    let rows = lines.enumerate().map(read).collect::<Result<_, _>>()?;
+    Ok(Earlier::of_rows(rows, 0))
+}
+
+fn missing(field: &str) -> String {
+    format!("`{field}` is missing: {WHAT_WOULD_DO}")
 }
 
 fn unreadable(place: &str) -> String {
@@ -87,7 +105,9 @@ fn check_names(names: &[String], model: &Model) -> Result<(), String> {
     Err(format!("its states are of {}, those of this system of {}", names.join(", "), wanted.join(", ")))
 }
 
-fn moment(time: Option<f64>, state: Option<Vec<f64>>, model: &Model) -> Option<Moment> {
-    let state = state.filter(|state| state.len() == 2 * model.coordinates().len())?;
-    Some(Moment { time: time?, state }).filter(|moment| moment.state.iter().all(|value| value.is_finite()))
+/// A sample, or an event if it has a kind.
+fn row(time: Option<f64>, kind: &str, state: Option<Vec<f64>>, model: &Model) -> Option<Happening> {
+    let (time, state) = (time?, state?);
+    let fits = state.len() == 2 * model.coordinates().len() && state.iter().all(|value| value.is_finite());
+    fits.then(|| Happening { time, kind: kind.to_owned(), state })
 }

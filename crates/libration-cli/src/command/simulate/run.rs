@@ -1,5 +1,6 @@
 //! The integration, whose samples are written as they come.
 
+use super::events::{Happening, Watched};
 use super::report::{Summary, of_form};
 use super::resume::Earlier;
 use super::watch::Watch;
@@ -10,18 +11,27 @@ use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::Form;
 use libration::systems::Model;
-use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
+use libration::taylor::{
+    Cause, Contact, Effort, IntegrationError, Moment, Occurrence, Solution, System, integrate,
+};
 use std::io::Write;
 use std::path::Path;
 
-/// A motion to be integrated.
+/// A motion to be integrated, with what is asked about it.
 pub(super) struct Motion<'a> {
     pub(super) model: &'a Model,
     pub(super) initial: Initial,
-    pub(super) effort: Effort,
-    system: System,
     pub(super) times: &'a Times,
-    earlier: Option<Earlier>,
+    pub(super) effort: Effort,
+    pub(super) watched: Watched,
+    pub(super) earlier: Option<Earlier>,
+}
+
+/// What an integration has brought, the earlier answer included.
+struct Followed {
+    ending: Ending,
+    steps: usize,
+    events: Vec<Happening>,
 }
 
 /// How an integration ended.
@@ -34,19 +44,7 @@ pub(super) enum Ending {
     Stopped(String),
 }
 
-impl<'a> Motion<'a> {
-    pub(super) fn new(
-        model: &'a Model,
-        initial: Initial,
-        times: &'a Times,
-        effort: Effort,
-        earlier: Option<Earlier>,
-    ) -> Result<Self, Failure> {
-        let system = model.system().map_err(|error| Failure::usage("--set", error))?;
-        check_order(times)?;
-        Ok(Self { model, initial, effort, system, times, earlier })
-    }
-
+impl Motion<'_> {
     /// Writes the answer as far as the integration comes, and draws the picture.
     pub(super) fn write(
         &self,
@@ -54,6 +52,7 @@ impl<'a> Motion<'a> {
         figure: Option<&Path>,
         out: &mut dyn Write,
     ) -> Result<Ending, Failure> {
+        let system = self.system()?;
         interrupt::listen()?;
         let mut report = of_form(form);
         report.begin(self, out)?;
@@ -61,28 +60,50 @@ impl<'a> Motion<'a> {
         let balance = energy.as_ref().ok().map(|energy| energy.balance(&self.beginning()));
         let trace = figure.map(|_| Trace::new(self.model, self.times.last()));
         let mut watch = Watch::new(self, &mut *report, out, balance, trace);
-        let (ending, steps) = self.follow(&mut watch)?;
+        let Followed { ending, steps, events } = self.follow(&system, &mut watch)?;
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
-        watch.end(&Summary { steps, drift, ending: ending.clone() })?;
+        watch.end(&Summary { steps, events, drift, ending: ending.clone() })?;
         if let (Some(path), Some(trace)) = (figure, watch.trace) {
             figure::file::write(path, &trace.picture(self.model))?;
         }
         Ok(ending)
     }
 
-    /// Takes what was computed earlier and integrates the rest; how it ended, after so many steps.
-    fn follow(&self, watch: &mut Watch) -> Result<(Ending, usize), Failure> {
+    /// The system with its events, when the times can be reached.
+    fn system(&self) -> Result<System, Failure> {
+        check_order(self.times)?;
+        let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
+        system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
+    }
+
+    /// Takes what was computed earlier and integrates the rest.
+    fn follow(&self, system: &System, watch: &mut Watch) -> Result<Followed, Failure> {
         for moment in self.earlier_samples() {
             watch.earlier(moment)?;
         }
-        let last = self.times_left().last();
-        let outcome =
-            integrate(&self.system, &self.start(), last.as_slice(), &self.effort, |step| watch.follow(step));
+        let (start, last) = (self.start(), self.times_left().last());
+        watch.start(&start)?;
+        let outcome = integrate(system, &start, last.as_slice(), &self.effort, |step| watch.follow(step));
         if let Some(failure) = watch.failure.take() {
             return Err(failure.into());
         }
-        let (ending, steps) = ended(outcome)?;
-        Ok((ending, steps + self.earlier.as_ref().map_or(0, |earlier| earlier.steps)))
+        let (ending, solution) = ended(outcome)?;
+        watch.mark(&self.watched, &solution.events);
+        Ok(self.followed(ending, &solution))
+    }
+
+    fn followed(&self, ending: Ending, solution: &Solution) -> Followed {
+        // What happens where the motion is gone on from was seen when it came there.
+        let seen = |event: &Occurrence| self.earlier.is_some() && event.contact == Contact::Start;
+        let new = solution.events.iter().filter(|event| !seen(event));
+        let new = new.map(|event| self.watched.happening(event));
+        let (steps, events) = self
+            .earlier
+            .iter()
+            .map(|earlier| (earlier.steps, earlier.events.clone()))
+            .next()
+            .unwrap_or_default();
+        Followed { ending, steps: steps + solution.steps, events: events.into_iter().chain(new).collect() }
     }
 
     /// The state at t = 0.
@@ -121,18 +142,17 @@ fn check_order(times: &Times) -> Result<(), Failure> {
     Ok(())
 }
 
-/// How it ended, and after how many steps.
-fn ended(outcome: Result<Solution, IntegrationError>) -> Result<(Ending, usize), Failure> {
+/// How it ended, with what was computed.
+fn ended(outcome: Result<Solution, IntegrationError>) -> Result<(Ending, Solution), Failure> {
     match outcome {
-        Ok(solution) => Ok((Ending::Complete, solution.steps)),
+        Ok(solution) => Ok((Ending::Complete, solution)),
         Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) => {
-            Ok((Ending::Interrupted(solution.end.time), solution.steps))
+            Ok((Ending::Interrupted(solution.end.time), *solution))
         }
         Err(IntegrationError::Stopped { cause, solution }) => {
             let reason = format!("{cause} at t = {:?} s: the motion is known until there", solution.end.time);
-            Ok((Ending::Stopped(reason), solution.steps))
+            Ok((Ending::Stopped(reason), *solution))
         }
-        Err(error @ IntegrationError::Tolerance { .. }) => Err(Failure::usage("--tolerance", error)),
         Err(error) => Err(Failure::usage("--initial", error)),
     }
 }

@@ -1,5 +1,6 @@
 //! The answer to read.
 
+use super::events::Happening;
 use super::report::{Report, Summary, name};
 use super::run::Motion;
 use crate::output::number;
@@ -11,6 +12,7 @@ use std::io::{self, Write};
 #[derive(Debug, Default)]
 pub(super) struct Sheet {
     table: Option<Table>,
+    titles: Vec<String>,
 }
 
 impl Report for Sheet {
@@ -21,21 +23,23 @@ impl Report for Sheet {
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
         writeln!(out, "  tolerance  {:e} a step\n", motion.effort.relative)?;
         let numbers = model.state_names().into_iter().zip(model.state_units());
-        let columns = numbers.map(|(name, unit)| labelled(&name, &unit));
-        self.table =
-            Some(Table::new(["t / s".to_owned()].into_iter().chain(columns).map(Column::numbers).collect()));
+        self.titles = vec!["t / s".to_owned()];
+        self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
+        self.table = Some(Table::new(self.titles.iter().map(Column::numbers).collect()));
         Ok(())
     }
 
     fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
-        let mut cells = vec![number::short(moment.time, 12)];
-        cells.extend(moment.state.iter().map(|&value| number::rounded(value, 12)));
+        let cells = cells(moment.time, &moment.state);
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
         if let Some(table) = self.table.take() {
             table.finish(out)?;
+        }
+        if !summary.events.is_empty() {
+            self.write_events(&summary.events, out)?;
         }
         let drift = match &summary.drift {
             Ok(drift) => format!("{} of the largest kinetic energy", number::rounded(*drift, 2)),
@@ -44,6 +48,26 @@ impl Report for Sheet {
         writeln!(out)?;
         sheet(out, &[("energy drift", drift), ("steps", summary.steps.to_string())])
     }
+}
+
+impl Sheet {
+    fn write_events(&self, events: &[Happening], out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out)?;
+        let columns = self.titles.iter().map(Column::numbers);
+        let mut table = Table::new(columns.chain([Column::words("event")]).collect());
+        for event in events {
+            let mut cells = cells(event.time, &event.state);
+            cells[0] = number::rounded(event.time, 12);
+            cells.push(event.kind.clone());
+            table.row(out, cells)?;
+        }
+        table.finish(out)
+    }
+}
+
+fn cells(time: f64, state: &[f64]) -> Vec<String> {
+    let state = state.iter().map(|&value| number::rounded(value, 12));
+    [number::short(time, 12)].into_iter().chain(state).collect()
 }
 
 /// A name with its unit: `theta' / (rad/s)`.

@@ -1,12 +1,13 @@
 //! What is done with each step of the integration as soon as it is made.
 
+use super::events::Watched;
 use super::report::{Report, Summary};
 use super::run::Motion;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::progress::Progress;
 use libration::systems::EnergyBalance;
-use libration::taylor::{Moment, Step};
+use libration::taylor::{Moment, Occurrence, Step};
 use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
@@ -45,8 +46,16 @@ impl<'a> Watch<'a> {
         self.report.sample(moment, self.out)
     }
 
+    /// Writes the samples that the start itself is.
+    pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
+        while let Some(time) = self.times.next_if(|time| *time == start.time) {
+            self.report.sample(&Moment { time, state: start.state.clone() }, self.out)?;
+        }
+        Ok(())
+    }
+
     /// Takes a step, and says whether there should be another.
-    pub(super) fn follow(&mut self, step: &Step) -> ControlFlow<()> {
+    pub(super) fn follow(&mut self, step: &Step<'_>) -> ControlFlow<()> {
         self.account(&Moment { time: step.end(), state: step.state_at(step.end()) });
         if let Some(trace) = &mut self.trace {
             trace.follow(step);
@@ -58,6 +67,15 @@ impl<'a> Watch<'a> {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
+        }
+    }
+
+    /// Marks events in the picture.
+    pub(super) fn mark(&mut self, watched: &Watched, events: &[Occurrence]) {
+        if let Some(trace) = &mut self.trace {
+            for event in events {
+                trace.mark(watched.coordinate(event), event.time, &event.state);
+            }
         }
     }
 
@@ -78,7 +96,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn samples(&mut self, step: &Step) -> io::Result<()> {
+    fn samples(&mut self, step: &Step<'_>) -> io::Result<()> {
         let backward = step.end() < step.start();
         let inside = |time: &f64| if backward { *time >= step.end() } else { *time <= step.end() };
         while let Some(time) = self.times.next_if(inside) {

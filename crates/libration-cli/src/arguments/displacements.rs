@@ -1,0 +1,46 @@
+//! Amplitudes of any coordinate: `0.1:3:0.1` or `0.5,1`, and with units where the coordinate is an angle.
+
+use crate::failure::Failure;
+use libration::quantity::{AngleRange, RangeError, angles};
+
+/// Reads a list or a range of amplitudes above zero.
+pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Result<Vec<f64>, Failure> {
+    let refusal = |reason: String| Failure::usage(argument, reason);
+    if !is_angle
+        && text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter) || letter == '°')
+    {
+        return Err(refusal(format!(
+            "`{}`: give numbers, such as 0.5,1 or 0.1:3:0.1; units of angles are for variables named as angles are, such as theta",
+            text.trim()
+        )));
+    }
+    let values = read(text).map_err(|error| refusal(error.to_string()))?;
+    match values.iter().find(|value| **value <= 0.0) {
+        Some(value) => Err(refusal(format!("{value} is no amplitude: give numbers above zero"))),
+        None => Ok(values),
+    }
+}
+
+/// A bare number is a number of radians.
+fn read(text: &str) -> Result<Vec<f64>, RangeError> {
+    let radians = |angle: libration::quantity::Angle| angle.radians();
+    match text.contains(':') {
+        true => Ok(AngleRange::parse(text)?.iter().map(radians).collect()),
+        false => Ok(angles(text)?.into_iter().map(radians).collect()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_and_ranges_are_read() {
+        assert_eq!(displacements("", "0.1:0.3:0.1", false).unwrap(), [0.1, 0.2, 0.3]);
+        assert_eq!(displacements("", "90deg,2", true).unwrap(), [std::f64::consts::FRAC_PI_2, 2.0]);
+        assert_eq!(displacements("", "1e-3, 1e8", false).unwrap(), [1e-3, 1e8]);
+        for text in ["1deg", "0:1:0.1", "-1", "a", ""] {
+            assert!(displacements("--amplitudes", text, false).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! `libration backbone`: the frequency of an oscillator against its amplitude.
+
+mod write;
+
+use crate::arguments::{self, Asked, OscillatorOptions};
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::{Form, FormOptions};
+use libration::comparison::{Backbone as Curve, BackbonePoint};
+use libration::perturbation::MAX_ORDER;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// The frequency of an oscillator against its amplitude: by orbits, by the perturbation series, and exactly for the pendulum
+///
+/// Each orbit is a motion released from rest, integrated until it is back; its uncertainty says how well its frequency is known.
+/// Amplitudes count from the equilibrium, frequencies are in radians a unit of time.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration backbone pendulum --amplitudes 10deg:170deg:10deg
+  libration backbone duffing --amplitudes 0.1:3:0.1 --order 15 --figure duffing.svg
+  libration backbone \"x'' = -x^3\" --amplitudes 0.5,1,2 --json
+  libration backbone helmholtz_duffing --set alpha=1/2 --amplitudes 0.1:1:0.1 --csv")]
+pub(crate) struct Backbone {
+    #[command(flatten)]
+    oscillator: OscillatorOptions,
+    /// Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle
+    #[arg(long, value_name = "A")]
+    amplitudes: String,
+    /// The order of the perturbation series
+    #[arg(long, default_value = "9", value_parser = arguments::count::<MAX_ORDER>)]
+    order: usize,
+    /// Draw the curves into this file, .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// More amplitudes than this take too long.
+const MOST_AMPLITUDES: usize = 100_000;
+
+/// What is written.
+struct Answer {
+    asked: Asked,
+    curve: Curve,
+    order: usize,
+    points: Vec<BackbonePoint>,
+}
+
+impl Answer {
+    fn is_angle(&self) -> bool {
+        arguments::is_angle(&self.asked.equation.variables()[0])
+    }
+}
+
+impl Backbone {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let answer = self.computed()?;
+        if let Some(path) = &self.figure {
+            let title = match answer.asked.key {
+                Some(_) => answer.asked.title.clone(),
+                None => answer.asked.equation.to_string(),
+            };
+            let setting = figure::backbone::Setting { title, order: self.order, is_angle: answer.is_angle() };
+            figure::file::write(path, &figure::backbone::backbone(&answer.curve, &answer.points, &setting))?;
+        }
+        match self.form.form() {
+            Form::Json => write::json(out, &answer)?,
+            Form::Csv => write::csv(out, &answer)?,
+            Form::Table => write::table(out, &answer)?,
+        }
+        if answer.points.iter().any(|point| point.orbit.is_ok()) {
+            return Ok(());
+        }
+        let reason = answer.points.first().and_then(|point| point.orbit.as_ref().err());
+        let reason = reason.map_or_else(String::new, ToString::to_string);
+        Err(Failure::no_answer("--amplitudes", format!("at none of them is there an orbit: {reason}")))
+    }
+
+    fn computed(&self) -> Result<Answer, Failure> {
+        let asked = self.oscillator.asked()?;
+        let variable = asked.equation.variables().first().map_or("", String::as_str);
+        let is_angle = arguments::is_angle(variable);
+        let amplitudes = arguments::displacements("--amplitudes", &self.amplitudes, is_angle)?;
+        if amplitudes.len() > MOST_AMPLITUDES {
+            let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", amplitudes.len());
+            return Err(Failure::usage("--amplitudes", reason));
+        }
+        let curve = Curve::new(&asked.equation, asked.about.as_ref(), self.order);
+        let curve = curve.map_err(|error| Failure::no_answer("oscillator", error))?;
+        let points = amplitudes.into_iter().map(|amplitude| curve.at(amplitude)).collect();
+        Ok(Answer { asked, curve, order: self.order, points })
+    }
+}

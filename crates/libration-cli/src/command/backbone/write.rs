@@ -1,0 +1,187 @@
+//! The backbone as table, JSON and CSV.
+
+use super::Answer;
+use crate::output::csv;
+use crate::output::json::{self, Record};
+use crate::output::number::{exact, rounded, short};
+use crate::output::table::{Column, Table, sheet};
+use libration::comparison::{BackbonePoint, Radius, SeriesFrequency};
+use libration::perturbation::Certainty;
+use serde_json::Value;
+use std::io::{self, Write};
+
+pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let no_series = answer.curve.no_series().map(ToString::to_string);
+    let why = no_series.clone().unwrap_or_default();
+    let head = Record::new()
+        .with("oscillator", answer.asked.key)
+        .with("equation", answer.asked.equation.to_string())
+        .with("parameters", Value::from_iter(answer.asked.values.iter().cloned()))
+        .with("order", answer.order)
+        .number("centre", answer.curve.centre())
+        .number_or("omega0", answer.curve.omega0(), &why)
+        .with("no_series", no_series);
+    let head = match answer.curve.radius() {
+        Some(radius) => {
+            head.number("series_radius", radius.value()).with("series_radius_is", certainty(&radius))
+        }
+        None => head,
+    };
+    json::document_with_list(out, head, "points", answer.points.iter().map(record))
+}
+
+fn certainty(radius: &Radius) -> &'static str {
+    match radius {
+        Radius::Known(_) => "proven",
+        Radius::Estimated(_) => "estimated",
+    }
+}
+
+fn record(point: &BackbonePoint) -> Record {
+    let record = Record::new().number("amplitude", point.amplitude);
+    let record = match &point.orbit {
+        Ok(orbit) => record
+            .number("frequency", orbit.frequency)
+            .number("uncertainty", orbit.uncertainty)
+            .number("other_turning_point", orbit.other_side),
+        Err(reason) => record.with("frequency", Value::Null).with("no_orbit", reason.to_string()),
+    };
+    let record = match &point.series {
+        Some(SeriesFrequency { frequency, remainder }) => {
+            let record = record.number("series", *frequency);
+            let size = json::number(remainder.size);
+            record.with("series_remainder", size).with("series_remainder_is", word(remainder.certainty))
+        }
+        None => record.with("series", Value::Null),
+    };
+    record.with("exact", point.exact.map_or(Value::Null, json::number))
+}
+
+fn word(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Proven => "proven",
+        Certainty::Estimated => "estimated",
+    }
+}
+
+pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    csv::line(out, &["amplitude", "frequency", "uncertainty", "other_turning_point", "series", "exact"])?;
+    for point in &answer.points {
+        let orbit = point.orbit.as_ref().ok();
+        let cells = [
+            Some(point.amplitude),
+            orbit.map(|it| it.frequency),
+            orbit.map(|it| it.uncertainty),
+            orbit.map(|it| it.other_side),
+            point.series.as_ref().map(|it| it.frequency),
+            point.exact,
+        ];
+        csv::line(out, &cells.map(|cell| cell.map_or_else(String::new, exact)))?;
+    }
+    Ok(())
+}
+
+pub(super) fn table(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    sheet(out, &head(answer))?;
+    writeln!(out)?;
+    let pendulum = answer.points.iter().any(|point| point.exact.is_some());
+    let mut table = Table::new(columns(answer, pendulum));
+    for point in &answer.points {
+        table.row(out, cells(answer, point, pendulum))?;
+    }
+    table.finish(out)?;
+    write_reasons(out, answer)
+}
+
+fn head(answer: &Answer) -> Vec<(&'static str, String)> {
+    let mut lines =
+        vec![("oscillator", answer.asked.title.clone()), ("equation", answer.asked.equation.to_string())];
+    let shown = |amplitude: f64| amplitude_text(answer, amplitude, 6);
+    if answer.curve.centre() != 0.0 {
+        lines.push(("equilibrium", rounded(answer.curve.centre(), 13)));
+    }
+    lines.extend(answer.curve.omega0().map(|omega0| ("ω0", rounded(omega0, 13))));
+    lines.push(match (answer.curve.no_series(), answer.curve.radius()) {
+        (Some(reason), _) => ("series", format!("none: {reason}")),
+        (None, None) => ("series", format!("to order {}", answer.order)),
+        (None, Some(radius)) if radius.value().is_infinite() => {
+            ("series", format!("to order {}, perhaps convergent everywhere (estimated)", answer.order))
+        }
+        (None, Some(radius)) => {
+            let (about, word) = match radius {
+                Radius::Known(_) => ("", "proven"),
+                Radius::Estimated(_) => ("about ", "estimated"),
+            };
+            let end = shown(radius.value());
+            ("series", format!("to order {}, convergent below {about}{end} ({word})", answer.order))
+        }
+    });
+    lines
+}
+
+fn amplitude_text(answer: &Answer, amplitude: f64, digits: usize) -> String {
+    if answer.is_angle() {
+        format!("{}°", short(amplitude.to_degrees(), digits))
+    } else {
+        short(amplitude, digits)
+    }
+}
+
+fn columns(answer: &Answer, pendulum: bool) -> Vec<Column> {
+    let mut columns =
+        vec![Column::numbers("amplitude"), Column::numbers("Ω by orbit"), Column::numbers("uncertain by")];
+    if answer.curve.no_series().is_none() {
+        columns.push(Column::numbers("Ω by series"));
+        columns.push(Column::numbers("its error"));
+    }
+    if pendulum {
+        columns.push(Column::numbers("Ω exactly"));
+    }
+    columns
+}
+
+fn cells(answer: &Answer, point: &BackbonePoint, pendulum: bool) -> Vec<String> {
+    let none = || "none".to_owned();
+    let orbit = point.orbit.as_ref().ok();
+    let mut cells = vec![
+        amplitude_text(answer, point.amplitude, 10),
+        orbit.map_or_else(none, |it| rounded(it.frequency, 15)),
+        orbit.map_or_else(String::new, |it| rounded(it.uncertainty, 1)),
+    ];
+    if answer.curve.no_series().is_none() {
+        cells.push(point.series.as_ref().map_or_else(none, |it| rounded(it.frequency, 15)));
+        cells.push(error(point));
+    }
+    if pendulum {
+        cells.push(point.exact.map_or_else(none, |value| rounded(value, 15)));
+    }
+    cells
+}
+
+/// How far the series is from the exact value, or else from the orbit.
+fn error(point: &BackbonePoint) -> String {
+    let orbit = point.orbit.as_ref().ok();
+    let best = point.exact.map(|value| (value, 4.0 * f64::EPSILON * value));
+    let best = best.or_else(|| orbit.map(|it| (it.frequency, it.uncertainty)));
+    match (&point.series, best) {
+        (Some(series), Some((value, uncertainty))) if (series.frequency - value).abs() <= uncertainty => {
+            format!("below {uncertainty:.0e}")
+        }
+        (Some(series), Some((value, _))) => rounded(series.frequency - value, 2),
+        _ => "unknown".to_owned(),
+    }
+}
+
+/// Why there are no orbits, each reason once.
+fn write_reasons(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let missing: Vec<&BackbonePoint> = answer.points.iter().filter(|point| point.orbit.is_err()).collect();
+    let Some(first) = missing.first() else { return Ok(()) };
+    let reason = first.orbit.as_ref().err().map(ToString::to_string).unwrap_or_default();
+    writeln!(out)?;
+    writeln!(
+        out,
+        "No orbit at {} of the amplitudes, the first at {}: {reason}",
+        missing.len(),
+        amplitude_text(answer, first.amplitude, 10)
+    )
+}

@@ -1,0 +1,86 @@
+//! What damps the pendulum, and how far it is followed.
+
+use crate::arguments;
+use crate::failure::Failure;
+use libration::decay::{Damping, DampingTerm};
+use libration::quantity::{Dimension, parse};
+
+/// The coefficients of the damping.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct DampingOptions {
+    /// Dry friction, a constant deceleration in rad/s²
+    #[arg(long, value_name = "C0", value_parser = arguments::positive)]
+    dry: Option<f64>,
+    /// Viscous damping, in proportion to the velocity, in 1/s
+    #[arg(long, value_name = "C1", value_parser = arguments::positive)]
+    linear: Option<f64>,
+    /// Damping in proportion to the square of the velocity, in 1/rad
+    #[arg(long, value_name = "C2", value_parser = arguments::positive)]
+    quadratic: Option<f64>,
+    /// Damping in proportion to the cube of the velocity, in s/rad²
+    #[arg(long, value_name = "C3", value_parser = arguments::positive)]
+    cubic: Option<f64>,
+    /// Damping in proportion to any power of the velocity, such as 1.5:0.1; may be given several times
+    #[arg(long, value_name = "POWER:C", value_parser = term)]
+    power: Vec<DampingTerm>,
+}
+
+impl DampingOptions {
+    pub(super) fn damping(&self) -> Result<Damping, Failure> {
+        let named = [(0.0, self.dry), (1.0, self.linear), (2.0, self.quadratic), (3.0, self.cubic)];
+        let named = named.into_iter().filter_map(|(exponent, coefficient)| {
+            coefficient.map(|coefficient| DampingTerm { exponent, coefficient })
+        });
+        let terms: Vec<DampingTerm> = named.chain(self.power.iter().copied()).collect();
+        if terms.is_empty() {
+            let reason = "give --dry, --linear, --quadratic, --cubic or --power, such as --linear 0.1; \
+                          without damping ask `libration motion`";
+            return Err(Failure::usage("damping", reason));
+        }
+        Damping::new(&terms).map_err(|error| Failure::usage("damping", error))
+    }
+}
+
+fn term(text: &str) -> Result<DampingTerm, String> {
+    let numbers = text.split_once(':').and_then(|(power, c)| Some((number(power)?, number(c)?)));
+    let (exponent, coefficient) =
+        numbers.ok_or("give the power of the velocity and the coefficient, such as 1.5:0.1")?;
+    let term = DampingTerm { exponent, coefficient };
+    Damping::new(&[term]).map_err(|error| error.to_string())?;
+    Ok(term)
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok()
+}
+
+/// How far the motion is followed.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[group(multiple = false)]
+pub(super) struct Extent {
+    /// So many cycles, unless it stops before [default: 20]
+    #[arg(long, value_parser = arguments::count::<MOST_CYCLES>)]
+    cycles: Option<usize>,
+    /// All cycles that are completed by this time, such as 60s; plain numbers are seconds
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    until: Option<f64>,
+}
+
+const MOST_CYCLES: usize = 1_000_000;
+const CYCLES: usize = 20;
+
+impl Extent {
+    /// The largest number of turning points after the start.
+    pub(super) fn turns(self) -> usize {
+        2 * self.cycles.unwrap_or(if self.until.is_some() { MOST_CYCLES } else { CYCLES })
+    }
+
+    pub(super) fn last_time(self) -> f64 {
+        self.until.unwrap_or(f64::INFINITY)
+    }
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    let time = parse(text, Dimension::Time).map_err(|error| error.to_string())?.value;
+    if time > 0.0 { Ok(time) } else { Err("give a time above zero, such as 60s".to_owned()) }
+}

@@ -1,0 +1,45 @@
+//! Which equilibrium is meant: `theta=180deg`.
+
+use crate::failure::Failure;
+use libration::expression::Expression;
+use libration::quantity::Angle;
+use libration::systems::{Coordinate, Model};
+
+/// The coordinates that are given, the others where they are at rest.
+pub(super) fn guess(model: &Model, about: Option<&str>) -> Result<Vec<f64>, Failure> {
+    let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.rest).collect();
+    let items = about.unwrap_or_default().split(',').filter(|item| !item.trim().is_empty());
+    for item in items {
+        let (name, value) = item
+            .split_once('=')
+            .ok_or_else(|| refusal(format!("`{}` has no value: give NAME=VALUE, as x=1", item.trim())))?;
+        let place = place_of(name, model)?;
+        guess[place] = number(&model.coordinates()[place], value.trim())?;
+    }
+    Ok(guess)
+}
+
+fn refusal(reason: String) -> Failure {
+    Failure::usage("--about", reason)
+}
+
+fn place_of(name: &str, model: &Model) -> Result<usize, Failure> {
+    let plain =
+        name.trim().parse::<Expression>().map_or_else(|_| name.trim().to_owned(), |it| it.to_string());
+    let found = model.coordinates().iter().position(|coordinate| coordinate.name == plain);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
+        refusal(format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", ")))
+    })
+}
+
+fn number(coordinate: &Coordinate, text: &str) -> Result<f64, Failure> {
+    let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
+    let angle = || text.parse::<Angle>().ok().filter(|_| coordinate.is_angle()).map(|angle| angle.radians());
+    formula().or_else(angle).ok_or_else(|| {
+        refusal(format!(
+            "{}: `{text}` is no number: write 0.5, sqrt(2)/2, or 90deg for an angle",
+            coordinate.name
+        ))
+    })
+}

@@ -1,0 +1,61 @@
+//! `libration modes`: small oscillations of a system, and how they change with the amplitude.
+
+mod equilibrium;
+mod write;
+
+use crate::arguments::SystemOptions;
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::{Form, FormOptions};
+use libration::normal_modes::NormalModes;
+use libration::systems::Model;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Normal modes of a system about an equilibrium: frequencies and shapes, exactly where possible, and their change with the amplitude
+///
+/// The largest part of a shape is 1: a is the amplitude of that coordinate, and Ω = ω + κa² its frequency as long as a is small.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration modes double_pendulum
+  libration modes spring_pendulum --json
+  libration modes coupled_pendulums --figure shapes.svg
+  libration modes \"x'' = y - 2*x - x^3; y'' = x - 2*y\"
+  libration modes pendulum --about theta=180deg")]
+pub(crate) struct Modes {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// Coordinates near the equilibrium that is meant, as x=1,theta=180deg; those left out are at rest
+    #[arg(long, value_name = "NAME=VALUE,…")]
+    about: Option<String>,
+    /// Draw the shapes into this file, .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What is written.
+struct Answer {
+    model: Model,
+    modes: NormalModes,
+}
+
+impl Modes {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model()?;
+        let guess = equilibrium::guess(&model, self.about.as_deref())?;
+        let modes = NormalModes::about(model.equation(), &guess);
+        let modes = modes.map_err(|error| Failure::no_answer("SYSTEM|EQUATION", error))?;
+        let answer = Answer { model, modes };
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::modes::shapes(&answer.model, &answer.modes))?;
+        }
+        match self.form.form() {
+            Form::Json => write::json(out, &answer)?,
+            Form::Csv => write::csv(out, &answer)?,
+            Form::Table => write::sheets(out, &answer)?,
+        }
+        Ok(())
+    }
+}

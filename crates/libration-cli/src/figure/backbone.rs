@@ -1,0 +1,61 @@
+//! Backbones: amplitude, upwards, against frequency.
+
+use super::chart::{Axis, Panel, Picture, Series};
+use super::range::around;
+use super::style;
+use libration::comparison::{Backbone, BackbonePoint};
+
+/// What the picture is of.
+pub(crate) struct Setting {
+    pub(crate) title: String,
+    pub(crate) order: usize,
+    pub(crate) is_angle: bool,
+}
+
+/// Points between the amplitudes that are asked for, so that curves are smooth.
+const SAMPLES: u32 = 240;
+/// The series is drawn as far as it leaves the orbits by this part of their range.
+const BEYOND: f64 = 0.5;
+
+/// Orbits as markers at the amplitudes asked for, on a curve of orbits, beside the series and its radius of convergence.
+pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Setting) -> Picture {
+    let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
+    let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);
+    let sampled: Vec<BackbonePoint> =
+        (1..=SAMPLES).map(|step| curve.at(largest * f64::from(step) / f64::from(SAMPLES))).collect();
+    let orbit = |point: &BackbonePoint| Some((point.orbit.as_ref().ok()?.frequency, unit * point.amplitude));
+    let start = curve.omega0().map(|omega0| (omega0, 0.0));
+    let orbits: Vec<(f64, f64)> = start.into_iter().chain(sampled.iter().filter_map(orbit)).collect();
+    let asked: Vec<(f64, f64)> = points.iter().filter_map(orbit).collect();
+    let series: Vec<(f64, f64)> = start
+        .into_iter()
+        .chain(
+            sampled
+                .iter()
+                .filter_map(|point| Some((point.series.as_ref()?.frequency, unit * point.amplitude))),
+        )
+        .collect();
+    let x = frequencies(&orbits);
+    let mut shown = vec![Series::line("orbits", style::curve(0), orbits)];
+    if !series.is_empty() {
+        shown.push(Series::line(&format!("series, order {}", setting.order), style::curve(1), series));
+    }
+    let radius = curve.radius().map(|radius| radius.value()).filter(|radius| *radius <= largest);
+    if let Some(radius) = radius {
+        let ends = [x.from, x.to].map(|frequency| (frequency, unit * radius));
+        shown.push(Series::line("radius of convergence", style::reference(), ends));
+    }
+    shown.push(Series::line("amplitudes asked for", style::markers(0), asked));
+    let name = if setting.is_angle { "amplitude / degrees" } else { "amplitude" };
+    let (_, top) = around([0.0, unit * largest]);
+    let y = Axis::linear(name, 0.0, top);
+    let y = if setting.is_angle && top > 90.0 { y.with_tick_step(30.0) } else { y };
+    Picture::new(&format!("Backbone: {}", setting.title), vec![Panel { x, y, series: shown, share: 1.0 }])
+}
+
+/// The range of the orbits and some room for what leaves it.
+fn frequencies(orbits: &[(f64, f64)]) -> Axis {
+    let (low, high) = around(orbits.iter().map(|(frequency, _)| *frequency));
+    let low = if low > 0.0 && low < BEYOND * (high - low) { 0.0 } else { low.max(0.0) };
+    Axis::linear("frequency Ω / (rad per unit of time)", low, high)
+}

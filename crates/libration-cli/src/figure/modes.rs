@@ -1,0 +1,36 @@
+//! The shapes of normal modes: the part of each coordinate.
+
+use super::chart::{Axis, Panel, Picture, Series};
+use super::style;
+use crate::output::number::short;
+use libration::normal_modes::{Behaviour, Mode, NormalModes};
+use libration::systems::Model;
+
+/// The parts of the coordinates, one curve a mode.
+pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
+    let mut series = vec![];
+    let count = f64::from(u32::try_from(modes.variables.len()).unwrap_or(u32::MAX));
+    series.push(Series::line("", style::reference(), [(0.5, 0.0), (count + 0.5, 0.0)]));
+    for (number, mode) in modes.modes.iter().enumerate() {
+        let places = (1_u32..).map(f64::from);
+        let points: Vec<(f64, f64)> = places.zip(mode.shape.iter().map(|part| part.re)).collect();
+        series.push(Series::line("", style::thin(number), points.clone()));
+        series.push(Series::line(&label(number, mode), style::markers(number), points));
+    }
+    let names =
+        (1..).zip(&modes.variables).map(|(place, name): (usize, &String)| format!("{place} = {name}"));
+    let names = names.collect::<Vec<_>>().join(",  ");
+    let x = Axis::linear(&format!("coordinate:  {names}"), 0.5, count + 0.5).with_tick_step(1.0);
+    let y = Axis::linear("part in the mode", -1.1, 1.1).with_tick_step(0.5);
+    Picture::new(&format!("Normal modes of the {}", model.title()), vec![Panel { x, y, series, share: 1.0 }])
+}
+
+fn label(number: usize, mode: &Mode) -> String {
+    let what = match mode.behaviour {
+        Behaviour::Oscillating => format!("ω = {}", short(mode.frequency(), 6)),
+        Behaviour::Free => "free".to_owned(),
+        Behaviour::Unstable => format!("grows, rate {}", short(mode.exponent.re, 4)),
+        _ => format!("decays, rate {}", short(-mode.exponent.re, 4)),
+    };
+    format!("mode {}, {what}", number + 1)
+}

@@ -1,0 +1,88 @@
+//! `libration decay`.
+
+use crate::command::{close, directory, json, libration, message, text};
+
+#[test]
+fn the_three_laws_stand_beside_each_other() {
+    // Turning points in 30 digits, averages with exact cycle integrals, A₀/(1 + 4cA₀t/3π).
+    let answer = json("decay 1rad --quadratic 0.1 --omega0 1rad/s --cycles 4");
+    let turns = answer["turning_points"].as_array().unwrap();
+    assert_eq!(turns.len(), 9);
+    let last = &turns[8];
+    close(&last["cycle"], 4.0, 0.0);
+    close(&last["time_s"], 25.9258226061544378696740806107, 1e-14);
+    close(&last["amplitude_rad"], 0.475469880638686519348707158378, 1e-14);
+    close(&last["averaged_rad"], 0.475444, 1e-6);
+    let time = last["time_s"].as_f64().unwrap();
+    close(&last["small_amplitude_rad"], 1.0 / (1.0 + 0.4 * time / (3.0 * std::f64::consts::PI)), 1e-14);
+    close(
+        &last["duration_of_the_cycle_s"],
+        25.9258226061544378696740806107 - 19.5360787806192168477136780303,
+        1e-13,
+    );
+    assert!(turns[7]["duration_of_the_cycle_s"].is_null());
+    assert_eq!(answer["damping"][0]["exponent"], 2.0);
+    assert!(answer["ending"].is_null());
+}
+
+#[test]
+fn dry_friction_ends_it() {
+    let answer = json("decay 1rad --dry 0.05 --omega0 1 --cycles 1000");
+    assert_eq!(answer["ending"], "sticks");
+    close(&answer["sticking_amplitude_rad"], 0.05_f64.asin(), 1e-15);
+    let turns = answer["turning_points"].as_array().unwrap();
+    assert_eq!(turns.len(), 10);
+    close(&turns[9]["amplitude_rad"], 0.0457993352786800781089756367415, 1e-13);
+    assert!(text("decay 1rad --dry 0.05 --omega0 1").contains("held by dry friction from 28.905941 s on"));
+}
+
+#[test]
+fn seconds_come_from_length_and_gravity() {
+    let here = json("decay 40deg --linear 0.1 --power 1.5:0.05 --length 25cm --gravity 9.81 --until 10s");
+    let turns = here["turning_points"].as_array().unwrap();
+    let last = turns.last().unwrap()["time_s"].as_f64().unwrap();
+    assert!(last <= 10.0 && last > 9.0, "{last}");
+    close(&here["omega0_rad_per_s"], (9.81_f64 / 0.25).sqrt(), 1e-15);
+    close(&here["length_m"], 0.25, 0.0);
+}
+
+#[test]
+fn the_table_has_a_row_for_each_cycle() {
+    let table = text("decay 60deg --linear 0.1 --cycles 3");
+    assert!(table.contains("θ″ + 0.1 θ′ + ω0² sin θ = 0"), "{table}");
+    assert_eq!(table.lines().filter(|line| line.trim_start().starts_with(char::is_numeric)).count(), 4);
+    let csv = text("decay 60deg --linear 0.1 --cycles 3 --csv");
+    assert_eq!(csv.lines().count(), 8);
+    assert!(csv.lines().all(|line| line.matches(',').count() == 7), "{csv}");
+}
+
+#[test]
+fn the_picture_shows_all_laws_and_the_period() {
+    let path = directory("decay").join("decay.svg");
+    text(&format!("decay 90deg --dry 0.2 --linear 0.02 --figure {}", path.display()));
+    let svg = std::fs::read_to_string(path).unwrap();
+    for label in ["averaged", "law of small amplitudes", "turning points", "period / s", "time t / s"] {
+        assert!(svg.contains(label), "{label}");
+    }
+}
+
+#[test]
+fn what_does_not_swing_is_said() {
+    let cases: [(&str, i32, &[&str]); 9] = [
+        ("decay 40deg", 2, &["--linear", "libration motion"]),
+        ("decay 40deg --linear -1", 2, &["--linear", "above zero"]),
+        ("decay 40deg --power 1.5", 2, &["--power", "1.5:0.1"]),
+        ("decay 40deg --power -1:0.1", 2, &["--power", "zero or more"]),
+        ("decay 40deg --linear 0.1 --omega0 1 --length 1m", 2, &["--omega0", "cannot be used with"]),
+        ("decay 180deg --linear 0.1", 1, &["decay", "below pi"]),
+        ("decay 2deg --dry 1", 1, &["dry friction", "5.85"]),
+        ("decay 20deg --linear 20", 1, &["too strong"]),
+        ("decay 20deg --linear 1 --until -1s", 2, &["--until", "above zero"]),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = libration(arguments);
+        let message = message(&output);
+        assert_eq!(output.status.code(), Some(status), "{arguments}: {message}");
+        assert!(parts.iter().all(|part| message.contains(part)), "{arguments}: {message}");
+    }
+}

@@ -1,0 +1,130 @@
+//! `libration modes` and `libration backbone`.
+
+use crate::command::{close, directory, json, libration, message, run, text};
+use serde_json::Value;
+
+fn json_of(arguments: &[&str]) -> Value {
+    let output = run(&[arguments, &["--json"]].concat());
+    assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn the_double_pendulum_is_exact() {
+    let answer = json("modes double_pendulum");
+    assert_eq!(answer["coordinates"], serde_json::json!(["theta1", "theta2"]));
+    assert_eq!(answer["exact_equilibrium"], serde_json::json!(["0", "0"]));
+    let slow = &answer["modes"][0];
+    assert_eq!(slow["exact_frequency"], "sqrt(2 - sqrt(2))");
+    assert_eq!(slow["exact_shape"], serde_json::json!(["1/2*sqrt(2)", "1"]));
+    assert_eq!(slow["exact_relative_shift"], "-31/64 + 5/16*sqrt(2)");
+    close(&slow["frequency"], (2.0 - 2.0_f64.sqrt()).sqrt(), 1e-15);
+    let sheet = text("modes double_pendulum");
+    assert!(sheet.contains("mode 2: ω = sqrt(2 + sqrt(2)) = 1.84775906502257"), "{sheet}");
+    assert!(sheet.contains("Ω = ω(1 + (-31/64 - 5/16*sqrt(2)) a²)"), "{sheet}");
+}
+
+#[test]
+fn the_resonance_of_the_spring_pendulum_is_said() {
+    let answer = json("modes spring_pendulum --set kappa=3");
+    let swings = &answer["modes"][0];
+    assert_eq!(swings["resonances"][0]["multiple"], 2);
+    assert_eq!(swings["resonances"][0]["exact"], true);
+    assert_eq!(swings["shift"], Value::Null);
+    assert!(swings["no_shift"].as_str().unwrap().contains("resonance 2:1"));
+    let sheet = text("modes spring_pendulum --set kappa=3");
+    assert!(sheet.contains("1:2 with mode 2, exactly"), "{sheet}");
+}
+
+#[test]
+fn every_named_system_has_modes_or_a_reason() {
+    let systems = json("systems");
+    for system in systems["systems"].as_array().unwrap() {
+        let key = system["key"].as_str().unwrap();
+        let output = libration(&format!("modes {key}"));
+        let told = message(&output);
+        assert!(output.status.success() || told.contains("choose another equilibrium"), "{key}: {told}");
+    }
+}
+
+#[test]
+fn modes_about_another_equilibrium_are_found() {
+    let answer = json("modes pendulum --about theta=170deg");
+    assert_eq!(answer["modes"][0]["behaviour"], "unstable");
+    close(&answer["equilibrium"][0], std::f64::consts::PI, 1e-15);
+    close(&answer["modes"][0]["growth"], 1.0, 1e-15);
+    let csv = text("modes coupled_pendulums --csv");
+    assert_eq!(
+        csv.lines().next(),
+        Some("mode,behaviour,frequency,growth,exact_frequency,shape_theta1,shape_theta2,shift")
+    );
+    assert_eq!(csv.lines().nth(1), Some("1,oscillating,1.0,0.0,1,1.0,1.0,-0.0625"));
+}
+
+#[test]
+fn questions_about_modes_without_an_answer_are_refused() {
+    for (arguments, status, words) in [
+        (["modes", "x'' = -x + cos(t)"].as_slice(), 1, "time t"),
+        (&["modes", "x'' = -x^2 - 1"], 1, "no equilibrium"),
+        (&["modes", "pendulum", "--about", "phi=1"], 2, "no coordinate `phi`: it has theta"),
+        (&["modes", "pendulum", "--about", "theta"], 2, "has no value"),
+        (&["modes", "x'' = -x", "--about", "x=1deg"], 2, "no number"),
+        (&["backbone", "duffing"], 2, "--amplitudes"),
+        (&["backbone", "duffing", "--amplitudes", "1deg"], 2, "units of angles"),
+        (&["backbone", "duffing", "--amplitudes", "0:1:0.5"], 2, "above zero"),
+        (&["backbone", "van_der_pol", "--amplitudes", "1"], 1, "limit cycle"),
+        (&["backbone", "x'' = -y; y'' = -x", "--amplitudes", "1"], 1, "normal modes"),
+        (&["backbone", "x'' = -x - x'", "--amplitudes", "1"], 1, "no period"),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        assert!(message(&output).contains(words), "{arguments:?}: {}", message(&output));
+    }
+}
+
+#[test]
+fn the_backbone_of_the_pendulum_has_three_roads() {
+    let answer = json("backbone pendulum --amplitudes 40deg,90deg --order 21");
+    close(&answer["omega0"], 1.0, 1e-15);
+    close(&answer["series_radius"], std::f64::consts::PI, 1e-15);
+    let point = &answer["points"][1];
+    close(&point["exact"], 0.847_213_084_793_979_1, 1e-15);
+    close(&point["frequency"], 0.847_213_084_793_979_1, 1e-14);
+    close(&point["series"], 0.847_213_084_793_979_1, 1e-6);
+    close(&point["other_turning_point"], -std::f64::consts::FRAC_PI_2, 1e-14);
+    assert_eq!(point["series_remainder_is"], "estimated");
+    let sheet = text("backbone pendulum --amplitudes 40deg,90deg");
+    assert!(sheet.contains("90°  0.8472130847939"), "{sheet}");
+}
+
+#[test]
+fn a_force_without_a_linear_part_has_orbits_only() {
+    let answer = json_of(&["backbone", "x'' = -x^3", "--amplitudes", "0.5,2"]);
+    assert!(answer["no_series"].as_str().is_some() && answer["omega0"] == Value::Null);
+    for (place, amplitude) in [0.5, 2.0].into_iter().enumerate() {
+        // Γ(1/4)²/√π.
+        let frequency = std::f64::consts::TAU * amplitude / 7.416_298_709_205_487_7;
+        close(&answer["points"][place]["frequency"], frequency, 1e-14);
+    }
+    // Beyond the barrier there is none, and the table goes on.
+    let csv = text("backbone duffing_soft --amplitudes 0.9,1.1 --csv");
+    assert!(csv.lines().nth(2).unwrap().starts_with("1.1,,,"), "{csv}");
+}
+
+#[test]
+fn both_pictures_label_their_axes() {
+    let folder = directory("modes");
+    let picture = |arguments: &str, name: &str| {
+        let path = folder.join(name);
+        text(&format!("{arguments} --figure {}", path.display()));
+        std::fs::read_to_string(path).unwrap()
+    };
+    let shapes = picture("modes double_pendulum", "modes.svg");
+    for label in ["part in the mode", "1 = theta1", "mode 2, ω = 1.84776"] {
+        assert!(shapes.contains(label), "{label}");
+    }
+    let curve = picture("backbone pendulum --amplitudes 10deg:170deg:20deg", "backbone.svg");
+    for label in ["amplitude / degrees", "frequency Ω", "orbits", "series, order 9"] {
+        assert!(curve.contains(label), "{label}");
+    }
+}

@@ -1,0 +1,238 @@
+//! The backbone of an oscillator: its frequency against the amplitude, by orbits, by the perturbation series and, for the
+//! pendulum, exactly.
+
+use super::{Quantity, Radius, Relation};
+use crate::expression::{Equation, Expression, Symbol};
+use crate::orbit::{NoOrbit, Orbit};
+use crate::oscillator::{Kind, Oscillator, OscillatorError};
+use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
+
+/// The amplitude–frequency curve of one coordinate.
+///
+/// # Examples
+/// ```
+/// use libration::comparison::Backbone;
+/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
+/// let point = duffing.at(0.5);
+/// let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
+/// assert!((orbit.frequency - series.frequency).abs() < 1e-6);
+/// // A force without a linear part has orbits, but no series.
+/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15)?.at(2.0).series.is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Backbone {
+    equation: Equation,
+    centre: f64,
+    series: Result<Series, NoSeries>,
+}
+
+/// An oscillator with its expansion.
+#[derive(Clone, Debug)]
+struct Series {
+    oscillator: Oscillator,
+    expansion: Expansion,
+}
+
+/// Why there is no series beside the orbits.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoSeries {
+    /// No centre to expand about.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// No expansion.
+    #[error(transparent)]
+    Expansion(#[from] ExpansionError),
+}
+
+/// Why there is no amplitude–frequency curve.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoBackbone {
+    /// Several coordinates.
+    #[error("there are {0} coordinates: give one equation of motion, or ask for the normal modes")]
+    SeveralCoordinates(usize),
+    /// The time in the force.
+    #[error("the acceleration depends on t: set the strength of the driving to zero")]
+    DependsOnTime,
+    /// Parameters that have no value.
+    #[error("no value is given for {0}: give one, as {0}=0.1")]
+    WithoutValue(String),
+    /// A limit cycle in the place of a family.
+    #[error(
+        "the motion settles to a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: ask for its \
+         expansion"
+    )]
+    LimitCycle(String),
+    /// A place that is no equilibrium.
+    #[error(transparent)]
+    About(OscillatorError),
+}
+
+/// The frequencies at one amplitude, in radians a unit of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BackbonePoint {
+    /// The largest displacement above the centre.
+    pub amplitude: f64,
+    /// By an orbit.
+    pub orbit: Result<OrbitFrequency, NoOrbit>,
+    /// By the perturbation series, where there is one.
+    pub series: Option<SeriesFrequency>,
+    /// By elliptic integrals, for the pendulum.
+    pub exact: Option<f64>,
+}
+
+/// The frequency of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitFrequency {
+    /// 2π over the period.
+    pub frequency: f64,
+    /// It may be wrong by so much.
+    pub uncertainty: f64,
+    /// The displacement from the centre at the other turning point.
+    pub other_side: f64,
+}
+
+/// The frequency of a series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesFrequency {
+    /// The sum of all its terms.
+    pub frequency: f64,
+    /// What is missing, in the same unit.
+    pub remainder: Remainder,
+}
+
+impl Backbone {
+    /// The curve about the stable equilibrium nearest to zero, or about a place that is given, with the series up to an order.
+    /// Where there is no such equilibrium amplitudes count from zero and there are only orbits.
+    ///
+    /// # Errors
+    /// Several coordinates, the time in the acceleration, open parameters, or no equilibrium at the place.
+    pub fn new(equation: &Equation, about: Option<&Expression>, order: usize) -> Result<Self, NoBackbone> {
+        if equation.variables().len() != 1 {
+            return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
+        }
+        if equation.accelerations()[0].contains(&Symbol::plain("t")) {
+            return Err(NoBackbone::DependsOnTime);
+        }
+        let oscillator = match about {
+            None => Oscillator::new(equation),
+            Some(place) => Ok(Oscillator::about(equation, place).map_err(NoBackbone::About)?),
+        };
+        if let Some(open) = equation.parameters().into_iter().next() {
+            let cycle = matches!(oscillator.as_ref().map(Oscillator::kind), Ok(Kind::LimitCycle { .. }));
+            return Err(if cycle { NoBackbone::LimitCycle(open) } else { NoBackbone::WithoutValue(open) });
+        }
+        let centre = oscillator.as_ref().map_or(0.0, |oscillator| oscillator.equilibrium().to_f64());
+        let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental)?;
+            Ok(Series { oscillator, expansion })
+        });
+        Ok(Self { equation: equation.clone(), centre, series })
+    }
+
+    /// The place that amplitudes count from.
+    #[must_use]
+    pub fn centre(&self) -> f64 {
+        self.centre
+    }
+
+    /// The frequency of small oscillations, where they are harmonic.
+    #[must_use]
+    pub fn omega0(&self) -> Option<f64> {
+        let series = self.series.as_ref().ok()?;
+        Some(libm::sqrt(series.oscillator.omega0_squared().to_f64()))
+    }
+
+    /// Why there is no series; `None` when there is one.
+    #[must_use]
+    pub fn no_series(&self) -> Option<&NoSeries> {
+        self.series.as_ref().err()
+    }
+
+    /// Up to which amplitude the series converges, where that is known or can be estimated.
+    #[must_use]
+    pub fn radius(&self) -> Option<Radius> {
+        self.series.as_ref().ok().and_then(|series| series.relation().radius())
+    }
+
+    /// All frequencies at an amplitude.
+    #[must_use]
+    pub fn at(&self, amplitude: f64) -> BackbonePoint {
+        let orbit = Orbit::released(&self.equation, self.centre + amplitude);
+        let orbit = orbit.map(|orbit| OrbitFrequency {
+            frequency: orbit.frequency(),
+            uncertainty: orbit.frequency() * orbit.period_uncertainty() / orbit.period(),
+            other_side: orbit.state_at(0.5 * orbit.period())[0] - self.centre,
+        });
+        let (mut series, mut exact) = (None, None);
+        if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
+            series = own.frequency_at(amplitude, omega0);
+            exact = own.exact_at(amplitude).map(|value| value * omega0);
+        }
+        BackbonePoint { amplitude, orbit, series, exact }
+    }
+}
+
+impl Series {
+    fn relation(&self) -> Relation<'_> {
+        Relation::new(&self.oscillator, &self.expansion, Quantity::Frequency)
+    }
+
+    fn frequency_at(&self, amplitude: f64, omega0: f64) -> Option<SeriesFrequency> {
+        let evaluation = self.relation().evaluation_at(amplitude);
+        let Remainder { size, certainty } = evaluation.steps().last()?.remainder;
+        let remainder = Remainder { size: size * omega0, certainty };
+        Some(SeriesFrequency { frequency: evaluation.value() * omega0, remainder })
+    }
+
+    /// Ω/ω0 of the pendulum.
+    fn exact_at(&self, amplitude: f64) -> Option<f64> {
+        self.relation().exact_without_motion(amplitude)?.ok().map(|exact| exact.value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn backbone(equation: &str) -> Backbone {
+        Backbone::new(&equation.parse().unwrap(), None, 15).unwrap()
+    }
+
+    #[test]
+    fn three_roads_meet_for_the_pendulum() {
+        let pendulum = backbone("theta'' + 4*sin(theta) = 0");
+        for amplitude in [0.05, 0.5, 1.5, 3.0] {
+            let point = pendulum.at(amplitude);
+            let (orbit, series, exact) = (point.orbit.unwrap(), point.series.unwrap(), point.exact.unwrap());
+            assert!((orbit.frequency - exact).abs() <= orbit.uncertainty + 4e-16 * exact, "{amplitude}");
+            // What is estimated to be missing is missing, but for a factor of some units.
+            let missing = (series.frequency - exact).abs();
+            assert!(missing <= 5.0 * series.remainder.size + 1e-14, "{amplitude}: {missing:e}");
+            assert!((orbit.other_side + amplitude).abs() < 1e-10);
+        }
+    }
+
+    #[test]
+    fn amplitudes_count_from_the_centre() {
+        let well = backbone("x'' - x + x^3 = 0");
+        assert!(
+            (well.centre() - 1.0).abs() < 1e-15 && (well.omega0().unwrap() - 2.0_f64.sqrt()).abs() < 1e-15
+        );
+        let point = well.at(0.1);
+        let series = point.series.unwrap();
+        let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
+        assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
+    }
+
+    #[test]
+    fn what_has_no_family_of_orbits_is_refused_for_a_reason() {
+        let refusal = |text: &str| Backbone::new(&text.parse().unwrap(), None, 9).unwrap_err();
+        assert_eq!(refusal("x'' = -y; y'' = -x"), NoBackbone::SeveralCoordinates(2));
+        assert_eq!(refusal("x'' = -x + cos(t)"), NoBackbone::DependsOnTime);
+        assert_eq!(refusal("x'' = mu*(1 - x^2)*x' - x"), NoBackbone::LimitCycle("mu".to_owned()));
+        assert_eq!(refusal("x'' = -k*sin(x)"), NoBackbone::WithoutValue("k".to_owned()));
+    }
+}

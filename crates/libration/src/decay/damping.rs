@@ -1,0 +1,94 @@
+//! What slows the pendulum down: sums of powers of the velocity.
+
+use super::DecayError;
+
+/// The damping c·θ′|θ′|ⁿ⁻¹.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DampingTerm {
+    /// n, zero or more: 0 is dry friction, 1 is viscous damping, 2 the drag of a fast flow.
+    pub exponent: f64,
+    /// c in radⁿ⁻¹… per unit of mass and length: rad/s² for n = 0, 1/s for n = 1, 1/rad for n = 2, s/rad² for n = 3.
+    pub coefficient: f64,
+}
+
+/// A sum of powers of the velocity, each with a coefficient above zero and a power of its own, the lowest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Damping {
+    terms: Vec<DampingTerm>,
+}
+
+impl Damping {
+    /// More different powers than this are refused.
+    pub const MOST_TERMS: usize = 16;
+
+    /// The sum of these terms; terms of one power become one.
+    ///
+    /// # Errors
+    /// A power below zero, a coefficient below zero, numbers that are not finite, no coefficient above zero, or too many
+    /// powers.
+    pub fn new(terms: &[DampingTerm]) -> Result<Self, DecayError> {
+        let mut sums: Vec<DampingTerm> = vec![];
+        for &DampingTerm { exponent, coefficient } in terms {
+            if !(0.0..f64::INFINITY).contains(&exponent) {
+                return Err(DecayError::Exponent(exponent));
+            }
+            if !(0.0..f64::INFINITY).contains(&coefficient) {
+                return Err(DecayError::Coefficient { coefficient, exponent });
+            }
+            match sums.iter_mut().find(|sum| sum.exponent.total_cmp(&exponent).is_eq()) {
+                Some(sum) => sum.coefficient += coefficient,
+                None => sums.push(DampingTerm { exponent, coefficient }),
+            }
+        }
+        if sums.len() > Self::MOST_TERMS {
+            return Err(DecayError::TooManyTerms(sums.len()));
+        }
+        sums.retain(|term| term.coefficient > 0.0);
+        sums.sort_by(|a, b| a.exponent.total_cmp(&b.exponent));
+        if sums.is_empty() { Err(DecayError::NoDamping) } else { Ok(Self { terms: sums }) }
+    }
+
+    /// One power of the velocity alone.
+    ///
+    /// # Errors
+    /// As [`Damping::new`].
+    pub fn of_degree(exponent: f64, coefficient: f64) -> Result<Self, DecayError> {
+        Self::new(&[DampingTerm { exponent, coefficient }])
+    }
+
+    /// The terms, the lowest power first.
+    #[must_use]
+    pub fn terms(&self) -> &[DampingTerm] {
+        &self.terms
+    }
+
+    /// The coefficient of a power; zero where there is none.
+    #[must_use]
+    pub fn coefficient_of(&self, exponent: f64) -> f64 {
+        let own = self.terms.iter().find(|term| term.exponent.total_cmp(&exponent).is_eq());
+        own.map_or(0.0, |term| term.coefficient)
+    }
+
+    /// The deceleration at a velocity of zero or more.
+    pub(super) fn at(&self, velocity: f64) -> f64 {
+        self.terms.iter().map(|term| term.coefficient * libm::pow(velocity, term.exponent)).sum()
+    }
+
+    /// Whether it is analytic in the velocity on each side of zero, that is, all powers are whole.
+    pub(super) fn is_analytic(&self) -> bool {
+        self.terms.iter().all(|term| term.exponent.fract() == 0.0)
+    }
+
+    /// The same with 1/ω0 as the unit of time: cₙ ω0ⁿ⁻².
+    pub(super) fn scaled(&self, angular_frequency: f64) -> Result<Self, DecayError> {
+        let scaled = |term: &DampingTerm| {
+            let exponent = term.exponent;
+            let value = term.coefficient * libm::pow(angular_frequency, exponent - 2.0);
+            let usable = value.is_normal();
+            usable
+                .then_some(DampingTerm { exponent, coefficient: value })
+                .ok_or(DecayError::OutOfRange { exponent, value })
+        };
+        Ok(Self { terms: self.terms.iter().map(scaled).collect::<Result<_, _>>()? })
+    }
+}

@@ -1,0 +1,152 @@
+//! One swing from rest to rest.
+//!
+//! Its velocity has one sign, so that it is one analytic piece: mirrored where it goes down, x″ = −Σ cₙ x′ⁿ − sin x with
+//! x′ > 0. From above a right angle y = x + π is integrated, so that the distance from the top is not lost.
+
+use std::f64::consts::FRAC_PI_2;
+use std::ops::ControlFlow;
+
+use super::turning::{self, arrival, departure};
+use super::{Damping, Ending, LEAST_AMPLITUDE};
+use crate::double_double::{DoubleDouble, two_sum};
+use crate::pendulum::Amplitude;
+use crate::quantity::Angle;
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
+
+/// Swings of a pendulum with some damping, ω0 = 1.
+#[derive(Clone, Debug)]
+pub(super) struct HalfSwing {
+    damping: Damping,
+    from_bottom: Frame,
+    from_top: Frame,
+}
+
+/// A coordinate that grows during the swing, with its equation of motion.
+#[derive(Clone, Debug)]
+struct Frame {
+    system: System,
+    /// The coordinate of the bottom: zero or π.
+    bottom: DoubleDouble,
+}
+
+/// The duration of a swing and the amplitude at its end, or why it has none.
+pub(super) type Turn = Result<(f64, Amplitude), Ending>;
+
+/// A swing that takes longer than this, beside the half period without damping, is none.
+const LONGEST: f64 = 1e3;
+const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };
+
+impl HalfSwing {
+    pub(super) fn new(damping: &Damping) -> Self {
+        let frame = |gravity: &str, bottom| Frame { system: system(gravity, damping), bottom };
+        Self {
+            damping: damping.clone(),
+            from_bottom: frame("-sin(x)", DoubleDouble::ZERO),
+            from_top: frame("sin(x)", DoubleDouble::PI),
+        }
+    }
+
+    /// How long the swing from this amplitude takes, and the amplitude it arrives at.
+    pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Turn, IntegrationError> {
+        if amplitude.sine() <= self.damping.coefficient_of(0.0) {
+            return Ok(Err(Ending::Sticks));
+        }
+        let high = amplitude.radians() > FRAC_PI_2;
+        let (frame, start) = match high {
+            true => (&self.from_top, amplitude.complement()),
+            false => (&self.from_bottom, -amplitude.radians()),
+        };
+        let start = self.release(start, amplitude.sine());
+        let longest = 2.0 * amplitude.modulus().first() + LONGEST;
+        let Some((time, coordinate)) = self.turn(frame, &start, longest)? else {
+            return Ok(Err(Ending::Creeps));
+        };
+        Ok(frame.amplitude(coordinate).map(|amplitude| (time, amplitude)))
+    }
+
+    /// When and where the pendulum comes to rest, if it does so in time.
+    fn turn(
+        &self,
+        frame: &Frame,
+        start: &Moment,
+        longest: f64,
+    ) -> Result<Option<(f64, f64)>, IntegrationError> {
+        let mut turn = None;
+        let outcome = integrate(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
+            turn = self.turn_in(step, frame);
+            if turn.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        match outcome {
+            Err(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) | Ok(_) => {
+                Ok(turn)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// A state with which the integration can begin: at rest, or a little later where rest has no Taylor series.
+    fn release(&self, coordinate: f64, gravity: f64) -> Moment {
+        if self.damping.is_analytic() {
+            return Moment { time: 0.0, state: vec![coordinate, 0.0] };
+        }
+        let (passage, speed) = departure(gravity, &self.damping);
+        Moment { time: passage.duration, state: vec![coordinate + passage.distance, speed] }
+    }
+
+    /// When and where the pendulum comes to rest, if it does so in this step or is about to.
+    fn turn_in(&self, step: &Step, frame: &Frame) -> Option<(f64, f64)> {
+        let end = step.state_at(step.end());
+        if end[1] <= 0.0 {
+            let time = zero_of_velocity(step);
+            return Some((time, step.state_at(time)[0]));
+        }
+        let gravity = frame.gravity(end[0]);
+        if self.damping.is_analytic() || !turning::is_close(end[1], gravity) {
+            return None;
+        }
+        let passage = arrival(end[1], gravity, &self.damping);
+        Some((step.end() + passage.duration, end[0] + passage.distance))
+    }
+}
+
+impl Frame {
+    /// The deceleration by gravity, positive behind the bottom.
+    fn gravity(&self, coordinate: f64) -> f64 {
+        libm::sin(self.angle(coordinate))
+    }
+
+    fn angle(&self, coordinate: f64) -> f64 {
+        (two_sum(coordinate, -self.bottom.hi) + DoubleDouble::from(-self.bottom.lo)).to_f64()
+    }
+
+    /// The amplitude of a turning point, which is behind the bottom.
+    fn amplitude(&self, coordinate: f64) -> Result<Amplitude, Ending> {
+        let angle = self.angle(coordinate);
+        if angle <= LEAST_AMPLITUDE {
+            return Err(if angle > 0.0 { Ending::Vanishes } else { Ending::Creeps });
+        }
+        let amplitude = Angle::from_radians(angle).ok().and_then(|angle| Amplitude::new(angle).ok());
+        amplitude.ok_or(Ending::Creeps)
+    }
+}
+
+/// x″ = gravity − Σ cₙ x′ⁿ.
+fn system(gravity: &str, damping: &Damping) -> System {
+    let terms =
+        damping.terms().iter().map(|term| format!(" - {:e}*(x')^{:e}", term.coefficient, term.exponent));
+    let equation = format!("x'' = {gravity}{}", terms.collect::<String>());
+    let equation = equation.parse().expect("finite numbers can be read, and there are few terms");
+    System::new(&equation).expect("no parameter is left")
+}
+
+/// Where the velocity, positive inside the step and not at its end, becomes zero.
+fn zero_of_velocity(step: &Step) -> f64 {
+    let (mut before, mut after) = (step.start(), step.end());
+    loop {
+        let middle = 0.5 * (before + after);
+        if middle <= before || middle >= after {
+            return after;
+        }
+        *(if step.state_at(middle)[1] > 0.0 { &mut before } else { &mut after }) = middle;
+    }
+}

@@ -1,0 +1,45 @@
+//! Why there are no normal modes.
+
+use crate::expression::WithoutValue;
+
+/// Why a system has no normal modes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoModes {
+    /// A parameter that is left open.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// Accelerations that change in time.
+    #[error("the accelerations depend on the time t: set the strength of the driving to zero")]
+    DependsOnTime,
+    /// A guess of the wrong length.
+    #[error("the guess {guess:?} does not fit: give a finite number for each of {wanted} coordinates")]
+    Guess {
+        /// What was given.
+        guess: Vec<f64>,
+        /// How many numbers there should be.
+        wanted: usize,
+    },
+    /// No place where the accelerations at rest vanish.
+    #[error(
+        "no equilibrium is found near {from:?}, where the search came to {to:?}: give a guess nearer to one"
+    )]
+    NoEquilibrium {
+        /// The guess.
+        from: Vec<f64>,
+        /// Where Newton's method ended.
+        to: Vec<f64>,
+    },
+    /// Accelerations without derivatives.
+    #[error(
+        "at the equilibrium {at:?} the accelerations or their derivatives have no value, or jump, so that small motions are \
+         not linear there: choose another equilibrium, or other coordinates"
+    )]
+    NotSmooth {
+        /// The equilibrium.
+        at: Vec<f64>,
+    },
+    /// Eigenvalues that are not found.
+    #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
+    NoEigenvalues,
+}

@@ -1,0 +1,44 @@
+//! Absolute values and signs whose argument vanishes at the equilibrium.
+
+use crate::algebra::Doubles;
+use crate::expression::{Expression, Function, Jet, Symbol, Tape};
+
+/// What is nearer to zero than this is zero at an equilibrium that is known in digits.
+const ZERO: f64 = 1e-12;
+
+/// A state, and how formulas look on one side of it.
+pub(super) struct Side<'a> {
+    pub(super) symbols: &'a [Symbol],
+    pub(super) state: &'a [f64],
+    /// The sign of everything that vanishes there.
+    pub(super) sign: i64,
+}
+
+impl Side<'_> {
+    /// The formula with s·u and s in the place of |u| and sign(u), where u vanishes.
+    pub(super) fn seen(&self, formula: &Expression) -> Expression {
+        let part = |a: &Expression| Box::new(self.seen(a));
+        match formula {
+            Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
+            Expression::Negate(a) => Expression::Negate(part(a)),
+            Expression::Add(a, b) => Expression::Add(part(a), part(b)),
+            Expression::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
+            Expression::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
+            Expression::Divide(a, b) => Expression::Divide(part(a), part(b)),
+            Expression::Power(a, b) => Expression::Power(part(a), part(b)),
+            Expression::Call(Function::Abs, a) if self.vanishes(a) => {
+                Expression::Multiply(Box::new(self.sign.into()), part(a))
+            }
+            Expression::Call(Function::Sign, a) if self.vanishes(a) => self.sign.into(),
+            Expression::Call(function, a) => Expression::Call(*function, part(a)),
+        }
+    }
+
+    fn vanishes(&self, formula: &Expression) -> bool {
+        let value = Tape::new(&[formula], self.symbols).ok().and_then(|tape| {
+            let jet = Jet::new(&Doubles, &tape, self.state).ok()?;
+            jet.result(0).first().copied()
+        });
+        value.is_some_and(|value| value.abs() < ZERO)
+    }
+}

@@ -1,0 +1,30 @@
+//! Small oscillations of systems of equations about an equilibrium, and how their frequencies change with the amplitude.
+//!
+//! About an equilibrium x″ = −A·x + G·x′. Where the entries are fractions the frequencies are roots of an exact
+//! polynomial, written with square roots when its factors allow it. The next terms of the forces change the frequency
+//! of a mode by κa²: Lindstedt's expansion in several coordinates, to the third order.
+
+mod error;
+mod mode;
+
+mod equilibrium;
+mod kinks;
+mod linearisation;
+
+mod polynomial;
+mod roots;
+mod spectrum;
+
+mod shapes;
+
+mod lindstedt;
+mod resonance;
+mod shift;
+
+mod modes;
+
+pub use error::NoModes;
+pub use mode::{Behaviour, Mode, Shift};
+pub use modes::NormalModes;
+pub use resonance::Resonance;
+pub use shift::NoShift;

@@ -1,0 +1,139 @@
+//! Limit cycles: what a motion settles to.
+
+use super::closing::Rounds;
+use super::error::{Lost, NoOrbit};
+use super::path::sign_change;
+use super::periodic::Orbit;
+use super::released::depends_on_time;
+use super::shooting::{Near, Unknowns, closed};
+use crate::expression::Equation;
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
+use std::ops::ControlFlow;
+
+/// Maxima of the first coordinate that are waited for.
+const MOST_MAXIMA: usize = 3000;
+/// Steps of the search.
+const MOST_STEPS: usize = 300_000;
+/// So many maxima may lie between a state and its return.
+const LONGEST: usize = 8;
+/// Swings below this part of the largest one are rest.
+const VANISHED: f64 = 1e-9;
+/// A state has returned when it differs by less than this part of the swing.
+const RETURNED: f64 = 1e-3;
+
+impl Orbit {
+    /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate.
+    ///
+    /// # Accuracy
+    /// As [`period_uncertainty`](Self::period_uncertainty) says.
+    ///
+    /// # Errors
+    /// The time in the equation; a motion that comes to rest, leads to infinity, or does not repeat itself.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::{Orbit, Stability};
+    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0])?;
+    /// assert!((orbit.period() - 6.66328685932313).abs() < 1e-13);
+    /// assert_eq!(orbit.floquet().ok_or("no multipliers")?.stability, Stability::Attracting);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn limit_cycle(equation: &Equation, start: &[f64]) -> Result<Self, NoOrbit> {
+        if depends_on_time(equation) {
+            return Err(NoOrbit::DependsOnTime);
+        }
+        let rounds = Rounds::new(equation)?;
+        let guess = settled(&System::new(equation)?, start)?;
+        let coordinates = rounds.coordinates;
+        let free = (0..2 * coordinates).filter(|number| *number != coordinates).collect();
+        closed(equation, &rounds, &guess, &Unknowns { free, period: true })
+    }
+}
+
+/// The motion followed from maximum to maximum until it repeats itself.
+fn settled(system: &System, start: &[f64]) -> Result<Near, NoOrbit> {
+    const FAR: f64 = 1e300;
+    let mut maxima = Maxima::new(system.coordinates());
+    let mut guess = None;
+    let start = Moment { time: 0.0, state: start.to_vec() };
+    let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-12) };
+    let outcome = integrate(system, &start, &[FAR], &effort, |step| {
+        guess = maxima.watch(step);
+        if guess.is_some() || maxima.found.len() >= MOST_MAXIMA || maxima.vanish() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    match (guess, outcome) {
+        (Some(guess), _) => Ok(guess),
+        (None, outcome) => Err(lost(outcome.err(), &maxima)),
+    }
+}
+
+fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
+    let end = maxima.found.last().map_or(0.0, |moment| moment.time);
+    match error {
+        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) if !maxima.vanish() => {
+            NoOrbit::NoCycle(Lost::Irregular(end))
+        }
+        Some(IntegrationError::Stopped {
+            cause: Cause::StepLimit | Cause::NoWayOn | Cause::Interrupted,
+            ..
+        })
+        | None => NoOrbit::NoCycle(Lost::Rest),
+        Some(error @ IntegrationError::Stopped { .. }) => NoOrbit::NoCycle(Lost::Stopped(error)),
+        Some(error) => error.into(),
+    }
+}
+
+/// The maxima of the first coordinate so far.
+struct Maxima {
+    coordinates: usize,
+    found: Vec<Moment>,
+    /// How far each number of the state has moved since the last one.
+    moved: Vec<f64>,
+    /// And had moved between the last two.
+    swing: Vec<f64>,
+    /// The largest swing of the first coordinate.
+    largest: f64,
+}
+
+impl Maxima {
+    fn new(coordinates: usize) -> Self {
+        let none = vec![0.0; 2 * coordinates];
+        Self { coordinates, found: vec![], moved: none.clone(), swing: none, largest: 0.0 }
+    }
+
+    /// Takes a step into account; a guess of the cycle when one shows.
+    fn watch(&mut self, step: &Step<'_>) -> Option<Near> {
+        self.widen(&step.state_at(step.end()));
+        let rises = step.state_at(step.start())[self.coordinates] > 0.0;
+        let time = sign_change(step, self.coordinates).filter(|_| rises)?;
+        let state = step.state_at(time);
+        self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
+        self.largest = self.largest.max(self.swing[0]);
+        let recent = self.found.iter().rev().take(LONGEST);
+        let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
+        let guess = earlier.map(|earlier| Near { state: state.clone(), period: time - earlier.time });
+        self.found.push(Moment { time, state });
+        guess
+    }
+
+    fn widen(&mut self, state: &[f64]) {
+        let Some(last) = self.found.last() else { return };
+        for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
+            *moved = moved.max((now - then).abs());
+        }
+    }
+
+    fn is_return(&self, state: &[f64], earlier: &[f64]) -> bool {
+        let differences = state.iter().zip(earlier).zip(&self.swing);
+        differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
+    }
+
+    /// Whether the last swing is nothing beside the largest.
+    fn vanish(&self) -> bool {
+        self.found.len() > 1 && self.swing[0] < VANISHED * self.largest
+    }
+}

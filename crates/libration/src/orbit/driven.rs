@@ -1,0 +1,55 @@
+//! Answers to a periodic force.
+
+use super::closing::Rounds;
+use super::error::NoOrbit;
+use super::periodic::Orbit;
+use super::released::depends_on_time;
+use super::shooting::{Near, Unknowns, closed};
+use crate::expression::Equation;
+
+impl Orbit {
+    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
+    /// one period to the next. The period is that of the force, or a multiple of it for subharmonic answers.
+    ///
+    /// Newton's method is tried at the start, and again after the motion has been followed for 10, 20, … periods, which leads to
+    /// what attracts.
+    ///
+    /// # Errors
+    /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
+    /// [`NoOrbit::NoConvergence`].
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::Orbit;
+    /// // x = cos(t/2)/(1 − 1/4) is the answer of the oscillator without damping.
+    /// let orbit = Orbit::driven(&"x'' = -x + cos(t/2)".parse()?, 4.0 * std::f64::consts::PI, &[1.0, 0.2])?;
+    /// assert!((orbit.start()[0] - 4.0 / 3.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn driven(equation: &Equation, period: f64, start: &[f64]) -> Result<Self, NoOrbit> {
+        const TRIES: u32 = 5;
+        if !depends_on_time(equation) {
+            return Err(NoOrbit::NotDriven);
+        }
+        let rounds = Rounds::new(equation)?;
+        let unknowns = Unknowns { free: (0..2 * rounds.coordinates).collect(), period: false };
+        let mut guess = Near { state: start.to_vec(), period };
+        let mut outcome = closed(equation, &rounds, &guess, &unknowns);
+        for _ in 1..TRIES {
+            if !matches!(outcome, Err(NoOrbit::NoConvergence { .. })) {
+                break;
+            }
+            guess.state = later(&rounds, &guess)?;
+            outcome = closed(equation, &rounds, &guess, &unknowns);
+        }
+        outcome
+    }
+}
+
+/// The state after ten periods; each begins at t = 0 again, where the force is the same.
+fn later(rounds: &Rounds, guess: &Near) -> Result<Vec<f64>, NoOrbit> {
+    const PERIODS: u32 = 10;
+    (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
+        Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))
+    })
+}

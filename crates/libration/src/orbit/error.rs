@@ -1,0 +1,107 @@
+//! Why there is no periodic orbit, or why it is not found.
+
+use crate::expression::WithoutValue;
+use crate::taylor::IntegrationError;
+
+/// Why there is no periodic orbit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoOrbit {
+    /// A parameter that is left open.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// A release of more or less than one coordinate.
+    #[error("a release from rest is for one coordinate, but there are {0}: give a guess of the whole orbit")]
+    SeveralCoordinates(usize),
+    /// A release where the force changes in time.
+    #[error(
+        "the force depends on the time t, which has no release from rest: ask for the answer to a period of driving"
+    )]
+    DependsOnTime,
+    /// A cycle of its own where the force sets the beat.
+    #[error("the force does not depend on the time t: no period of driving belongs to it")]
+    NotDriven,
+    /// A state of the wrong length, or with numbers that are not finite.
+    #[error(
+        "the start {state:?} does not fit: give {wanted} finite numbers, coordinates and then velocities"
+    )]
+    Start {
+        /// What was given.
+        state: Vec<f64>,
+        /// How many numbers there should be.
+        wanted: usize,
+    },
+    /// A period that cannot be.
+    #[error("{0:?} is no period: give a finite number above zero")]
+    Period(f64),
+    /// A start in equilibrium.
+    #[error("the accelerations vanish at {0:?}: what is released there stays there")]
+    AtRest(Vec<f64>),
+    /// A motion that comes to rest no more.
+    #[error("released at {start} the motion does not come back: {why}")]
+    NoReturn {
+        /// The place of the release.
+        start: f64,
+        /// What it does instead.
+        why: Lost,
+    },
+    /// A motion that comes to rest elsewhere than it began.
+    #[error(
+        "released at {start} the motion comes to rest at {end} after one oscillation: it is damped or excited and has \
+         no period"
+    )]
+    NotClosed {
+        /// The place of the release.
+        start: f64,
+        /// Where the next maximum or minimum on the same side is.
+        end: f64,
+    },
+    /// A motion that nearly stops on the way.
+    #[error(
+        "released at {start} the motion comes so near an unstable equilibrium that rounding errors decide its period, \
+         {period:.3} or infinite: the release is on the separatrix to all digits"
+    )]
+    Unsure {
+        /// The place of the release.
+        start: f64,
+        /// The period that was found.
+        period: f64,
+        /// How wrong it may be.
+        uncertainty: f64,
+    },
+    /// A motion that does not settle.
+    #[error("the motion settles to no cycle: {0}")]
+    NoCycle(Lost),
+    /// Newton's method at its end.
+    #[error(
+        "no periodic orbit is found near the start: after {rounds} rounds of Newton's method it misses itself by \
+         {defect:.1e} of its size; give a better guess"
+    )]
+    NoConvergence {
+        /// Rounds of Newton's method.
+        rounds: usize,
+        /// The distance between start and end, in sizes of the orbit.
+        defect: f64,
+    },
+    /// An orbit that cannot be followed to its end.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+}
+
+/// What a motion does instead of coming back.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Lost {
+    /// A singularity, or infinity in a finite time.
+    #[error("{0}")]
+    Stopped(IntegrationError),
+    /// Rest that is approached for ever, or a way out without end.
+    #[error("it moves on in one direction as far as it was followed, to t = {0}")]
+    OneWay(f64),
+    /// Rest.
+    #[error("it comes to rest in an equilibrium")]
+    Rest,
+    /// Neither.
+    #[error("it does not repeat itself up to t = {0}")]
+    Irregular(f64),
+}

@@ -1,0 +1,50 @@
+//! What becomes of small deviations from a periodic orbit in one period.
+
+use crate::algebra::Complex;
+use crate::linear::eigenvalues;
+
+/// The Floquet multipliers of a periodic orbit: the eigenvalues of the matrix that maps a deviation to what it is one
+/// period later.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Floquet {
+    /// By descending magnitude.
+    ///
+    /// # Accuracy
+    /// A multiplier of 1 that occurs twice, as for every orbit of a conservative system, is right to half the digits only.
+    pub multipliers: Vec<Complex>,
+    /// What they say.
+    pub stability: Stability,
+}
+
+/// What small deviations do. A shift along an orbit that no force beats time for stays, and does not count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// All die out.
+    Attracting,
+    /// None grows exponentially, some stay, as in conservative systems.
+    Neutral,
+    /// Some grow exponentially.
+    Unstable,
+}
+
+/// Multipliers nearer to the unit circle than this are taken to be on it.
+const ON_THE_CIRCLE: f64 = 1e-5;
+
+impl Floquet {
+    /// `None` when the eigenvalues are not found.
+    pub(super) fn new(monodromy: &[Vec<f64>], autonomous: bool) -> Option<Self> {
+        let multipliers = eigenvalues(monodromy)?;
+        let one = Complex::from(1.0);
+        let distance = |&k: &usize| (multipliers[k] - one).abs();
+        let places = || 0..multipliers.len();
+        let trivial = places().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
+        let largest = places().filter(|k| Some(*k) != trivial).map(|k| multipliers[k].abs());
+        let largest = largest.fold(0.0, f64::max);
+        let stability = match largest {
+            size if size > 1.0 + ON_THE_CIRCLE => Stability::Unstable,
+            size if size < 1.0 - ON_THE_CIRCLE => Stability::Attracting,
+            _ => Stability::Neutral,
+        };
+        Some(Self { multipliers, stability })
+    }
+}

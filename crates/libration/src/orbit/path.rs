@@ -1,0 +1,97 @@
+//! A motion as the steps of its integration.
+
+use crate::taylor::{Effort, IntegrationError, KeptStep, Moment, Solution, Step, System, integrate};
+use std::ops::ControlFlow;
+
+/// Steps one behind the other, from a state to a state.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    steps: Vec<KeptStep>,
+    end: f64,
+}
+
+impl Path {
+    /// The motion from a moment to a time.
+    pub(super) fn to_time(
+        system: &System,
+        start: &Moment,
+        end: f64,
+        effort: &Effort,
+    ) -> Result<Self, IntegrationError> {
+        let mut steps = vec![];
+        integrate(system, start, &[end], effort, |step| {
+            steps.push(step.kept());
+            ControlFlow::Continue(())
+        })?;
+        Ok(Self { steps, end })
+    }
+
+    pub(super) fn start_time(&self) -> f64 {
+        self.steps.first().map_or(self.end, |kept| kept.step().start())
+    }
+
+    pub(super) fn end_time(&self) -> f64 {
+        self.end
+    }
+
+    /// The states at the ends of all steps.
+    pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
+        self.steps.iter().map(|kept| kept.step().state_at(kept.step().end().min(self.end)))
+    }
+
+    /// Coordinates, then velocities.
+    pub(super) fn state_at(&self, time: f64) -> Vec<f64> {
+        let place = self.steps.partition_point(|kept| kept.step().end() < time);
+        let kept = self.steps.get(place).or(self.steps.last());
+        kept.map_or_else(Vec::new, |kept| kept.step().state_at(time))
+    }
+
+    /// The end of this one is the start of the other.
+    pub(super) fn followed_by(self, other: Self) -> Self {
+        Self { steps: self.steps.into_iter().chain(other.steps).collect(), end: other.end }
+    }
+}
+
+/// The motion from a moment until something happens, which is told of each step with its time; `None` when it does not up to
+/// the horizon.
+pub(super) fn until(
+    system: &System,
+    start: &Moment,
+    horizon: f64,
+    effort: &Effort,
+    mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
+) -> Result<Option<Path>, IntegrationError> {
+    let (mut steps, mut found) = (vec![], None);
+    let outcome = integrate(system, start, &[horizon], effort, |step| {
+        steps.push(step.kept());
+        found = happens(step);
+        if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    match (found, outcome) {
+        (Some(end), _) => Ok(Some(Path { steps, end })),
+        (None, Ok(Solution { .. })) => Ok(None),
+        (None, Err(error)) => Err(error),
+    }
+}
+
+/// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.
+/// A step that begins with zero has the sign that it takes soon after.
+pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
+    const SOON: f64 = 1e-3;
+    let value = |time: f64| step.state_at(time)[number];
+    let (mut before, mut after) = (step.start(), step.end());
+    if value(before) == 0.0 {
+        before += SOON * (after - before);
+    }
+    let sign = value(before);
+    if value(after) * sign > 0.0 {
+        return None;
+    }
+    loop {
+        let middle = 0.5 * (before + after);
+        if middle <= before || middle >= after {
+            return Some(after);
+        }
+        if value(middle) * sign > 0.0 { before = middle } else { after = middle }
+    }
+}

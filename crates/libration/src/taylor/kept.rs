@@ -1,0 +1,73 @@
+//! A step that is kept when the integration has gone on.
+
+use super::Step;
+
+/// A step with numbers of its own.
+#[derive(Clone, Debug)]
+pub struct KeptStep {
+    start: f64,
+    end: f64,
+    unit: f64,
+    terms: usize,
+    coefficients: Vec<f64>,
+    low: Vec<f64>,
+}
+
+impl Step<'_> {
+    /// The step to be kept.
+    #[must_use]
+    pub fn kept(&self) -> KeptStep {
+        let numbers = 0..self.numbers();
+        let series = numbers.clone().flat_map(|number| (0..self.terms).map(move |n| (number, n)));
+        KeptStep {
+            start: self.start,
+            end: self.end,
+            unit: self.unit,
+            terms: self.terms,
+            coefficients: series.map(|(number, n)| self.coefficient(number, n)).collect(),
+            low: numbers.map(|number| self.low(number)).collect(),
+        }
+    }
+}
+
+impl KeptStep {
+    /// The step as it was.
+    #[must_use]
+    pub fn step(&self) -> Step<'_> {
+        Step {
+            start: self.start,
+            end: self.end,
+            unit: self.unit,
+            coefficients: &self.coefficients,
+            low: &self.low,
+            terms: self.terms,
+            lanes: 1,
+            lane: 0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::taylor::{Effort, Moment, System, integrate};
+    use std::ops::ControlFlow;
+
+    #[test]
+    fn a_kept_step_is_the_step_bit_for_bit() {
+        let system = System::new(&"x'' = -sin(x) - y; y'' = x - y^3".parse().unwrap()).unwrap();
+        let start = Moment { time: 0.0, state: vec![1.0, 0.3, 0.0, -0.2] };
+        let mut steps = 0;
+        integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-15), |step| {
+            let kept = step.kept();
+            for part in [0.0, 0.3, 1.0] {
+                let time = step.start() + part * (step.end() - step.start());
+                assert_eq!(step.state_at(time), kept.step().state_at(time));
+            }
+            steps += 1;
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        assert!(steps > 10);
+    }
+}

@@ -1,0 +1,278 @@
+//! Events on the way of a motion, friction that holds, and many motions side by side.
+
+use crate::random::Random;
+use libration::pendulum::Pendulum;
+use libration::quantity::Angle;
+use libration::taylor::{
+    Cause, Contact, Direction, Effort, Event, IntegrationError, Launch, Moment, Solution, System, integrate,
+    integrate_many,
+};
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+fn watched(equation: &str, events: &[(&str, Direction, bool)]) -> System {
+    let event = |&(formula, direction, terminal): &(&str, Direction, bool)| Event {
+        formula: formula.parse().unwrap(),
+        direction,
+        terminal,
+    };
+    let events: Vec<Event> = events.iter().map(event).collect();
+    System::new(&equation.parse().unwrap()).unwrap().with_events(&events).unwrap()
+}
+
+fn run(system: &System, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
+    let start = Moment { time: 0.0, state: state.to_vec() };
+    integrate(system, &start, times, &Effort::to_tolerance(tolerance), |_| ControlFlow::Continue(())).unwrap()
+}
+
+/// Thresholds at 0.999 and 0.999999 of the amplitude, from anywhere on the orbit, for random amplitudes, tolerances and
+/// durations: the crossings of each motion, which the exact motion knows, each found once and at its time.
+#[test]
+fn crossings_next_to_the_amplitude_are_neither_missed_nor_doubled() {
+    let mut random = Random::seeded(11);
+    let unit = Pendulum::from_angular_frequency(1.0).unwrap();
+    let mut crossings = 0;
+    for case in 0..1000 {
+        let amplitude = random.between(0.05, 3.0);
+        let part = if case % 2 == 0 { 0.999 } else { 0.999999 };
+        let threshold = part * amplitude;
+        let exact = unit.released_from(Angle::from_radians(amplitude).unwrap()).unwrap();
+        let period = exact.period();
+        // When the pendulum, released at zero, passes the threshold downward.
+        let passes = time_at_angle(|t| exact.state_at(t).angle, threshold, 0.25 * period);
+        let phase = random.between(0.0, 1.0) * period;
+        let begin = exact.state_at(phase);
+        let duration = random.between(1.0, 6.0) * period;
+        let system = watched(
+            &format!("theta'' = -sin(theta) + 0*{case}"),
+            &[(&format!("theta - {threshold:?}"), Direction::Any, false)],
+        );
+        let tolerance = if case % 3 == 0 { 1e-9 } else { 1e-13 };
+        let found = run(&system, &[begin.angle, begin.velocity], &[duration], tolerance).events;
+        let wanted: Vec<f64> = (0..8)
+            .flat_map(|turn| [turn as f64 * period - passes, turn as f64 * period + passes])
+            .map(|time| time - phase)
+            .filter(|&time| time > 0.0 && time < duration)
+            .collect();
+        assert_eq!(found.len(), wanted.len(), "{case}: {amplitude} from {phase}: {found:?} {wanted:?}");
+        for (found, wanted) in found.iter().zip(&wanted) {
+            // Next to the amplitude a small error of the angle is a larger one of the time.
+            let bound = 1e4 * tolerance / (1.0 - part).sqrt() + 1e-11 / (1.0 - part).sqrt();
+            assert!((found.time - wanted).abs() < bound, "{case}: {} not {wanted}", found.time);
+        }
+        crossings += wanted.len();
+    }
+    assert!(crossings > 5000, "{crossings}");
+}
+
+/// The time in a falling stretch of a motion at which it is at an angle.
+fn time_at_angle(angle: impl Fn(f64) -> f64, wanted: f64, end: f64) -> f64 {
+    let (mut before, mut behind) = (0.0, end);
+    for _ in 0..100 {
+        let middle = 0.5 * (before + behind);
+        if angle(middle) > wanted { before = middle } else { behind = middle }
+    }
+    0.5 * (before + behind)
+}
+
+#[test]
+fn turning_points_have_their_times() {
+    let system = watched("theta'' = -sin(theta)", &[("theta'", Direction::Any, false)]);
+    let exact = Pendulum::from_angular_frequency(1.0).unwrap();
+    let period = exact.released_from(Angle::from_radians(2.0).unwrap()).unwrap().period();
+    let events = run(&system, &[2.0, 0.0], &[20.25 * period], 1e-15).events;
+    assert_eq!(events.len(), 41);
+    assert_eq!(events[0].contact, Contact::Start);
+    for (n, event) in events.iter().enumerate().skip(1) {
+        let wanted = 0.5 * n as f64 * period;
+        assert!((event.time - wanted).abs() < 1e-12, "{n}: {} not {wanted}", event.time);
+        let contact = if n % 2 == 1 { Contact::Rising } else { Contact::Falling };
+        assert_eq!(event.contact, contact);
+        assert!((event.state[0].abs() - 2.0).abs() < 1e-13 && event.state[1].abs() < 1e-13);
+    }
+}
+
+#[test]
+fn directions_are_told_apart() {
+    let count = |direction| {
+        let system = watched("x'' = -x", &[("x", direction, false)]);
+        run(&system, &[1.0, 0.0], &[10.0 * PI], 1e-12).events.len()
+    };
+    assert_eq!([Direction::Any, Direction::Rising, Direction::Falling].map(count), [10, 5, 5]);
+}
+
+#[test]
+fn an_event_may_end_the_motion() {
+    let system = watched("x'' = -x", &[("x'", Direction::Any, false), ("x - 1/2", Direction::Falling, true)]);
+    let times: Vec<f64> = (0..100).map(|n| 0.1 * f64::from(n)).collect();
+    let solution = run(&system, &[1.0, 0.0], &times, 1e-15);
+    assert!((solution.end.time - PI / 3.0).abs() < 1e-15, "{}", solution.end.time);
+    assert_eq!(solution.samples.len(), 11);
+    assert_eq!(solution.events.iter().map(|event| event.event).collect::<Vec<_>>(), [0, 1]);
+    assert!((solution.end.state[0] - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn touching_is_told_from_crossing() {
+    let contacts = |equation: &str, formula: &str, state: &[f64], end: f64| {
+        let system = watched(equation, &[(formula, Direction::Any, false)]);
+        run(&system, state, &[end], 1e-12)
+            .events
+            .into_iter()
+            .map(|event| (event.time, event.contact))
+            .collect::<Vec<_>>()
+    };
+    // x = (t − 1)² touches zero, x = (t − 1)³ crosses it flatly.
+    let touched = contacts("x'' = 2", "x", &[1.0, -2.0], 3.0);
+    assert!(matches!(touched[..], [(time, Contact::Grazing)] if (time - 1.0).abs() < 1e-5), "{touched:?}");
+    let flat = contacts("x'' = 6 (t - 1)", "x", &[-1.0, 3.0], 3.0);
+    assert!(matches!(flat[..], [(time, Contact::Rising)] if (time - 1.0).abs() < 1e-3), "{flat:?}");
+    // cos t reaches −1 and 1 at steps that begin and end anywhere.
+    let both = contacts("x'' = -x", "x - 1", &[0.0, 1.0], 20.0);
+    assert_eq!(both.len(), 3, "{both:?}");
+    for (n, (time, contact)) in both.iter().enumerate() {
+        assert!(
+            (time - (0.5 + 2.0 * n as f64) * PI).abs() < 1e-5 && *contact == Contact::Grazing,
+            "{both:?}"
+        );
+    }
+    // The end of a sample is no end of a contact.
+    let split = contacts("x'' = -x", "x - 1", &[0.0, 1.0], 0.5 * PI);
+    assert!(split.len() <= 1, "{split:?}");
+    assert_eq!(contacts("x'' = -x", "x", &[0.0, 0.0], 5.0), []);
+}
+
+#[test]
+fn formulas_of_time_and_jumps_are_events_too() {
+    let system = watched(
+        "x'' = 0",
+        &[("sin(2 t)", Direction::Rising, false), ("sign(x) - 1/2", Direction::Any, false)],
+    );
+    let events = run(&system, &[-1.0, 0.5], &[10.0], 1e-14).events;
+    let times: Vec<f64> = events.iter().map(|event| event.time).collect();
+    let wanted = [2.0, PI, 2.0 * PI, 3.0 * PI];
+    assert_eq!(times.len(), wanted.len(), "{events:?}");
+    assert!(times.iter().zip(wanted).all(|(time, wanted)| (time - wanted).abs() < 1e-14), "{times:?}");
+}
+
+#[test]
+fn dry_friction_stops_the_motion() {
+    // x'' = −x − c·sign(x′): half swings about ±c, which end where |x| ≤ c.
+    let system = watched("x'' = -x - 0.3 sign(x')", &[("x'", Direction::Any, false)]);
+    let times: Vec<f64> = (0..=40).map(|n| 0.5 * f64::from(n)).collect();
+    let solution = run(&system, &[2.0, 0.0], &times, 1e-15);
+    let turning: Vec<f64> = solution.events.iter().map(|event| event.state[0]).collect();
+    let wanted = [2.0, -1.4, 0.8, -0.2];
+    assert_eq!(turning.len(), wanted.len(), "{turning:?}");
+    assert!(turning.iter().zip(wanted).all(|(x, wanted)| (x - wanted).abs() < 1e-14), "{turning:?}");
+    assert!((solution.events[3].time - 3.0 * PI).abs() < 1e-14);
+    let end = &solution.end;
+    assert!((end.state[0] + 0.2).abs() < 1e-14 && end.state[1] == 0.0 && end.time == 20.0, "{end:?}");
+}
+
+#[test]
+fn a_driven_block_sticks_and_slips() {
+    // x'' = F sin t − c·sign(x′), F > c: at rest until F sin t = c.
+    let (force, friction) = (1.0, 0.6);
+    let system = System::new(&"x'' = sin(t) - 0.6 sign(x')".parse().unwrap()).unwrap();
+    let released = libm::asin(friction / force);
+    let times = [0.5, released, released + 0.5];
+    let solution = run(&system, &[0.0, 0.0], &times, 1e-15);
+    assert_eq!(solution.samples[0].state, [0.0, 0.0]);
+    let t = released + 0.5;
+    let velocity = libm::cos(released) - libm::cos(t) - friction * 0.5;
+    assert!((solution.samples[2].state[1] - velocity).abs() < 1e-14, "{:?}", solution.samples);
+    // With more friction than force it never moves.
+    let held = System::new(&"x'' = sin(t) - 1.2 sign(x')".parse().unwrap()).unwrap();
+    assert_eq!(run(&held, &[0.3, 0.0], &[1000.0], 1e-12).end.state, [0.3, 0.0]);
+}
+
+fn orbits(count: u32) -> Vec<Moment> {
+    (0..count)
+        .map(|n| Moment { time: 0.1 * f64::from(n), state: vec![0.17 * f64::from(n) - 2.0, 0.3] })
+        .collect()
+}
+
+#[test]
+fn many_motions_side_by_side_are_bit_for_bit_those_alone() {
+    let equations = [
+        ("theta'' = -sin(theta) - c theta' + a cos(2 t/3)", 37),
+        ("theta'' = -sin(theta) - c sign(theta') - theta' abs(theta') + a cos(t)", 19),
+        ("x'' = -x/(1 + x^2)^1.5 - c x' + a tanh(y); y'' = -exp(y/7) + ln(2 + x^2) - c y", 11),
+        ("x'' = 2 x^3 - c x' + a", 9),
+    ];
+    for (equation, count) in equations {
+        let equation = equation.parse().unwrap();
+        let event = Event::zero_of(libration::expression::Expression::Symbol(
+            libration::expression::Symbol::plain(equation_variable(&equation)).with_primes(1),
+        ));
+        let system = System::with_parameters(&equation, &["a", "c"]).unwrap().with_events(&[event]).unwrap();
+        let times: Vec<f64> = (0..30).map(|n| 5.0 + 1.3 * f64::from(n)).collect();
+        let starts = orbits(count);
+        let launches: Vec<Launch<'_>> = starts
+            .iter()
+            .enumerate()
+            .map(|(n, start)| {
+                let mut state = start.state[..1].to_vec();
+                state.resize(system.coordinates(), 0.4);
+                state.push(start.state[1]);
+                state.resize(2 * system.coordinates(), -0.1);
+                Launch {
+                    start: Moment { time: start.time, state },
+                    parameters: vec![0.04 * n as f64, 0.5 / (1.0 + n as f64)],
+                    times: &times[..10 + n % 20],
+                }
+            })
+            .collect();
+        let effort = Effort { most_steps: 3000, ..Effort::to_tolerance(1e-11) };
+        let together = integrate_many(&system, &launches, &effort, |_, _| ControlFlow::Continue(()));
+        for (launch, together) in launches.iter().zip(together) {
+            let alone = launch.integrate(&system, &effort, |_| ControlFlow::Continue(()));
+            assert_eq!(together, alone);
+        }
+    }
+}
+
+fn equation_variable(equation: &libration::expression::Equation) -> &str {
+    &equation.variables()[0]
+}
+
+#[test]
+fn interrupting_many_motions_keeps_what_is_done() {
+    let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
+    let times = [1.0, 100.0];
+    let launches: Vec<Launch<'_>> =
+        orbits(20).into_iter().map(|start| Launch { start, parameters: vec![], times: &times }).collect();
+    let launches: Vec<Launch<'_>> = launches
+        .into_iter()
+        .map(|mut launch| {
+            launch.start.time = 0.0;
+            launch
+        })
+        .collect();
+    let mut steps = 0;
+    let outcomes = integrate_many(&system, &launches, &Effort::to_tolerance(1e-9), |_, _| {
+        steps += 1;
+        if steps > 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!(outcomes.len(), 20);
+    let begun = outcomes.iter().filter(|outcome| {
+        let Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) = outcome else {
+            panic!("{outcome:?}")
+        };
+        solution.steps > 0
+    });
+    assert_eq!(begun.count(), 8);
+}
+
+#[test]
+fn units_of_time_do_not_matter() {
+    for unit in [1e-15, 1e-9, 1e9, 1e15] {
+        let system = System::new(&format!("x'' = -sin(x)/({unit:e})^2").parse().unwrap()).unwrap();
+        let got = run(&system, &[2.0, 0.0], &[10.0 * unit], 1e-15).end.state;
+        let exact = Pendulum::from_angular_frequency(1.0).unwrap();
+        let wanted = exact.released_from(Angle::from_radians(2.0).unwrap()).unwrap().state_at(10.0);
+        let errors = [got[0] - wanted.angle, got[1] * unit - wanted.velocity];
+        assert!(errors.iter().all(|error| error.abs() < 1e-13), "{unit:e}: {errors:?}");
+    }
+}

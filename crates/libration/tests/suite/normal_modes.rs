@@ -1,0 +1,261 @@
+//! Normal modes beside textbooks, exact numbers, and periodic orbits found by integration.
+
+use libration::expression::Equation;
+use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes};
+use libration::orbit::{Near, Orbit};
+use std::f64::consts::{PI, TAU};
+
+fn equation(text: &str) -> Equation {
+    text.parse().unwrap()
+}
+
+fn modes(text: &str) -> Vec<Mode> {
+    NormalModes::new(&equation(text)).unwrap().modes
+}
+
+/// The frequency, the shape and κ/ω as they are written.
+fn written(mode: &Mode) -> (String, String, String) {
+    let frequency = mode.frequency_squared.as_ref().map(|square| square.square_root_text());
+    let shape = mode
+        .exact_shape
+        .as_ref()
+        .map(|shape| shape.iter().map(ToString::to_string).collect::<Vec<_>>().join(" : "));
+    let shift = mode.shift.as_ref().ok().and_then(|shift| shift.relative.as_ref()).map(ToString::to_string);
+    (frequency.unwrap_or_default(), shape.unwrap_or_default(), shift.unwrap_or_default())
+}
+
+fn texts(mode: &Mode) -> [String; 3] {
+    let (frequency, shape, shift) = written(mode);
+    [frequency, shape, shift]
+}
+
+/// Two pendulums of equal length and mass, one below the other.
+const DOUBLE: &str = "
+    a'' = (-3*sin(a) - sin(a - 2*b) - 2*sin(a - b)*(b'^2 + a'^2*cos(a - b)))/(3 - cos(2*a - 2*b));
+    b'' = 2*sin(a - b)*(2*a'^2 + 2*cos(a) + b'^2*cos(a - b))/(3 - cos(2*a - 2*b))";
+
+/// A pendulum on a spring: r is the elongation from the equilibrium, in lengths.
+const SPRING: &str = "
+    r'' = (1 + r)*theta'^2 - s*r + cos(theta) - 1;
+    theta'' = -(2*r'*theta' + sin(theta))/(1 + r)";
+
+fn spring(square: &str) -> Vec<Mode> {
+    let equation = equation(SPRING).with(&[("s", square.parse().unwrap())]).unwrap();
+    NormalModes::new(&equation).unwrap().modes
+}
+
+#[test]
+fn one_coordinate_has_the_known_shifts() {
+    assert_eq!(texts(&modes("theta'' + sin(theta) = 0")[0]), ["1", "1", "-1/16"]);
+    assert_eq!(texts(&modes("x'' + 4*x + x^3 = 0")[0]), ["2", "1", "3/32"]);
+    // −5α²/12 and 3β/8.
+    assert_eq!(texts(&modes("x'' + x + x^2 + x^3 = 0")[0]), ["1", "1", "-1/24"]);
+    // x″ = −x(1 − x′²)^{3/2}: Ω = 1 − 3A²/16.
+    assert_eq!(texts(&modes("x'' = -x*(1 - x'^2)^(3/2)")[0]), ["1", "1", "-3/16"]);
+    assert_eq!(texts(&modes("x'' = -3*x - x'^2*x")[0]), ["sqrt(3)", "1", "1/8"]);
+}
+
+#[test]
+fn the_double_pendulum_is_exact() {
+    let modes = modes(DOUBLE);
+    let [frequency, shape, shift] = texts(&modes[0]);
+    assert_eq!([frequency, shape], ["sqrt(2 - sqrt(2))", "1/2*sqrt(2) : 1"].map(str::to_owned));
+    assert!(!shift.is_empty());
+    let [frequency, shape, _] = texts(&modes[1]);
+    assert_eq!([frequency, shape], ["sqrt(2 + sqrt(2))", "-1/2*sqrt(2) : 1"].map(str::to_owned));
+    for (number, mode) in modes.iter().enumerate() {
+        assert_meets_orbits(DOUBLE, mode, number);
+    }
+}
+
+/// (Ω(a) − ω)/a² of orbits, taken to a = 0, is κ. The orbit begins at the largest value of the leading coordinate.
+fn assert_meets_orbits(text: &str, mode: &Mode, number: usize) {
+    let shift = mode.shift.as_ref().unwrap().coefficient;
+    let slope = |amplitude: f64| {
+        let orbit = nonlinear_mode(text, mode, amplitude);
+        // The fundamental harmonic is what the shift is about.
+        let first = orbit.harmonics(mode.leading()).terms[1].amplitude();
+        (orbit.frequency() - mode.frequency()) / (first * first)
+    };
+    let (coarse, fine) = (slope(0.02), slope(0.01));
+    let found = (4.0 * fine - coarse) / 3.0;
+    assert!((found - shift).abs() < 2e-5 * shift.abs().max(1.0), "mode {number}: {found} is not {shift}");
+}
+
+fn nonlinear_mode(text: &str, mode: &Mode, amplitude: f64) -> Orbit {
+    let equation = equation(text);
+    let n = mode.shape.len();
+    let mut state = vec![0.0; 2 * n];
+    for (place, part) in state.iter_mut().zip(&mode.shape) {
+        *place = amplitude * part.re;
+    }
+    let guess = Near { state, period: TAU / mode.frequency() };
+    Orbit::near(&equation, &guess, &[mode.leading(), n + mode.leading()]).unwrap()
+}
+
+#[test]
+fn coupled_pendulums_swing_together_as_one() {
+    let coupled = "x'' = -sin(x) - k*(x - y); y'' = -sin(y) + k*(x - y)";
+    let quarter = equation(coupled).with(&[("k", "5/8".parse().unwrap())]).unwrap();
+    let modes = NormalModes::new(&quarter).unwrap().modes;
+    assert_eq!(texts(&modes[0]), ["1", "1 : 1", "-1/16"]);
+    // In opposite phase x″ = −sin x − 2kx: κ/ω = −1/(16ω²).
+    assert_eq!(texts(&modes[1]), ["3/2", "1 : -1", "-1/36"]);
+    assert_meets_orbits(&quarter.to_string(), &modes[1], 1);
+}
+
+#[test]
+fn chains_have_frequencies_with_square_roots() {
+    let chain = "x'' = y - 2*x; y'' = x - 2*y + z; z'' = y - 2*z + w; w'' = z - 2*w";
+    let squares: Vec<String> =
+        modes(chain).iter().map(|mode| mode.frequency_squared.as_ref().unwrap().to_string()).collect();
+    let expected = ["3/2 - 1/2*sqrt(5)", "5/2 - 1/2*sqrt(5)", "3/2 + 1/2*sqrt(5)", "5/2 + 1/2*sqrt(5)"];
+    assert_eq!(squares, expected);
+    // 2 sin(kπ/14) is no square root of anything simple.
+    let six = "a''=b-2*a; b''=a-2*b+c; c''=b-2*c+d; d''=c-2*d+e; e''=d-2*e+f; f''=e-2*f";
+    for (k, mode) in (1..).zip(modes(six)) {
+        let exact = 2.0 * libm::sin(f64::from(k) * PI / 14.0);
+        assert!(mode.frequency_squared.is_none());
+        assert!((mode.frequency() / exact - 1.0).abs() < 1e-13, "{k}: {:e}", mode.frequency() / exact - 1.0);
+    }
+}
+
+#[test]
+fn the_spring_pendulum_is_in_resonance_at_two_to_one() {
+    let modes = spring("4");
+    assert_eq!(modes[0].shift, Err(NoShift::Resonance(2)));
+    let resonance = modes[0].resonances[0];
+    assert!(resonance.exact && resonance.multiple == 2 && resonance.other_is_faster && resonance.other == 1);
+    // The spring alone is linear, though its swings are not stable.
+    assert_eq!(texts(&modes[1]), ["2", "1 : 0", "0"]);
+    assert!(modes[1].resonances[0].exact);
+}
+
+/// Nayfeh and Mook, section 6.2 in other letters; here against orbits on both sides of the resonance.
+#[test]
+fn away_from_resonance_the_swings_of_the_spring_pendulum_have_their_shift() {
+    for square in ["2", "3", "6", "20"] {
+        let modes = spring(square);
+        let swings = modes.iter().position(|mode| mode.leading() == 1).unwrap();
+        let text = equation(SPRING).with(&[("s", square.parse().unwrap())]).unwrap().to_string();
+        assert!(modes[swings].shift.as_ref().unwrap().relative.is_some(), "{square}");
+        assert_meets_orbits(&text, &modes[swings], swings);
+    }
+    // A stiff spring is a rod.
+    let stiff = spring("1000000");
+    assert!((stiff[0].shift.as_ref().unwrap().coefficient + 1.0 / 16.0).abs() < 1e-5);
+}
+
+#[test]
+fn resonances_that_nothing_drives_do_no_harm() {
+    // Odd forces make no second harmonic.
+    let found = modes("x'' = -x - x*y^2; y'' = -4*y - x^2*y");
+    assert!(found[0].resonances[0].exact && found[0].shift.as_ref().unwrap().coefficient == 0.0);
+    // x³ drives y at its own frequency.
+    let found = modes("x'' = -x - x^3; y'' = -9*y - x^3");
+    assert_eq!(found[0].shift, Err(NoShift::Resonance(3)));
+    // Near by it does not, but is said.
+    let found = modes("x'' = -x - x^3; y'' = -9.1*y - x^3");
+    let resonance = found[0].resonances[0];
+    assert!(!resonance.exact && (resonance.detuning - ((9.1_f64).sqrt() / 3.0 - 1.0)).abs() < 1e-15);
+    assert_eq!(found[0].shift.as_ref().unwrap().relative.as_ref().unwrap().to_string(), "3/8");
+}
+
+#[test]
+fn modes_of_one_frequency_are_given_together() {
+    let found = modes("x'' = -sin(x); y'' = -sin(y)");
+    assert_eq!(found.len(), 2);
+    for mode in &found {
+        assert_eq!((mode.multiplicity, &mode.shift), (2, &Err(NoShift::Degenerate)));
+    }
+    assert!(found[0].shape != found[1].shape);
+}
+
+#[test]
+fn free_unstable_and_damped_modes_are_told_apart() {
+    let behaviours = |text: &str| modes(text).iter().map(|mode| mode.behaviour).collect::<Vec<_>>();
+    assert_eq!(behaviours("x'' = y - x; y'' = x - y"), [Behaviour::Free, Behaviour::Oscillating]);
+    assert_eq!(behaviours("x'' = 2*x - x^3"), [Behaviour::Unstable]);
+    assert_eq!(behaviours("x'' = -x - x'/2"), [Behaviour::Damped]);
+    assert_eq!(behaviours("x'' = -x - 3*x'"), [Behaviour::Damped; 2]);
+    let damped = &modes("x'' = -x - x'/2")[0];
+    assert!(
+        (damped.exponent.re + 0.25).abs() < 1e-15
+            && (damped.exponent.im - (15.0_f64 / 16.0).sqrt()).abs() < 1e-15
+    );
+    // Ziegler's follower force: flutter.
+    let flutter = modes("x'' = -x - 2*y; y'' = 2*x - y");
+    assert_eq!(flutter[0].behaviour, Behaviour::Damped);
+    assert_eq!(flutter[1].behaviour, Behaviour::Unstable);
+}
+
+/// Foucault's pendulum: ω± = √(ω² + Ω²) ± Ω, circles in opposite senses.
+#[test]
+fn a_pendulum_in_a_turning_frame_moves_in_circles() {
+    let turning = "x'' = -2*x + 2*y'; y'' = -2*y - 2*x'";
+    let found = modes(turning);
+    for (mode, sign) in found.iter().zip([-1.0, 1.0]) {
+        assert!((mode.frequency() - (3.0_f64.sqrt() + sign)).abs() < 1e-14);
+        assert!(
+            (mode.shape[1].im - sign).abs() < 1e-14 && mode.shape[1].re.abs() < 1e-14,
+            "{:?}",
+            mode.shape
+        );
+        assert_eq!(mode.behaviour, Behaviour::Oscillating);
+    }
+    assert_eq!(found[0].frequency_squared.as_ref().unwrap().to_string(), "4 - 2*sqrt(3)");
+}
+
+/// Circles of radius a in x″ = −(1 + βr²)x + 2Ωy′ turn with s² + 2Ωs = 1 + βa².
+#[test]
+fn shifts_of_gyroscopic_modes_are_those_of_circles() {
+    let found = modes("x'' = -x*(1 + (x^2 + y^2)/3) + y'; y'' = -y*(1 + (x^2 + y^2)/3) - x'");
+    for (mode, sign) in found.iter().zip([1.0, -1.0]) {
+        // d(s² + sign·s)/ds·κ = β.
+        let shift = 1.0 / 3.0 / (2.0 * mode.frequency() + sign);
+        assert!((mode.shift.as_ref().unwrap().coefficient - shift).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn damping_that_grows_with_the_amplitude_is_no_frequency() {
+    assert_eq!(modes("x'' = -x - x'^3")[0].shift, Err(NoShift::NotPeriodic { grows: false }));
+    assert_eq!(modes("x'' = -x + x^2*x'")[0].shift, Err(NoShift::NotPeriodic { grows: true }));
+}
+
+#[test]
+fn equilibria_are_found_from_a_guess() {
+    let wells = equation("x'' = x - x^3 + y; y'' = -y*x");
+    let found = NormalModes::about(&wells, &[0.9, 0.1]).unwrap();
+    assert_eq!(found.exact_equilibrium.unwrap(), [1, 0].map(libration::algebra::Rational::from));
+    assert_eq!(found.modes[0].frequency_squared.as_ref().unwrap().to_string(), "1");
+    let hoop = NormalModes::about(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), &[1.0]).unwrap();
+    assert!((hoop.equilibrium[0] - PI / 3.0).abs() < 1e-15);
+    // ω² = 2 sin²(π/3), and both forces are smooth there.
+    assert!((hoop.modes[0].frequency() - 1.5_f64.sqrt()).abs() < 1e-15);
+    let shift = hoop.modes[0].shift.as_ref().unwrap();
+    let orbit = Orbit::released(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), PI / 3.0 + 0.01).unwrap();
+    let first = orbit.harmonics(0).terms[1].amplitude();
+    let slope = (orbit.frequency() - 1.5_f64.sqrt()) / (first * first);
+    assert!((slope - shift.coefficient).abs() < 1e-4, "{slope} {}", shift.coefficient);
+}
+
+#[test]
+fn what_has_no_modes_is_refused_for_a_reason() {
+    let refusal = |text: &str, guess: &[f64]| NormalModes::about(&equation(text), guess).unwrap_err();
+    assert!(matches!(refusal("x'' = -k*x", &[0.0]), NoModes::WithoutValue(_)));
+    assert_eq!(refusal("x'' = -x + cos(t)", &[0.0]), NoModes::DependsOnTime);
+    assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), NoModes::Guess { wanted: 1, .. }));
+    assert!(matches!(refusal("x'' = -x^2 - 1", &[0.3]), NoModes::NoEquilibrium { .. }));
+    assert!(matches!(refusal("x'' = -sqrt(x)", &[0.0]), NoModes::NotSmooth { .. }));
+    // Kinks and dry friction are no linear forces, though both vanish at rest.
+    assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), NoModes::NotSmooth { .. }));
+    assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), NoModes::NotSmooth { .. }));
+}
+
+#[test]
+fn quadratic_drag_does_not_change_small_oscillations() {
+    let mode = &modes("x'' = -4*x - x'*abs(x')")[0];
+    assert_eq!((mode.frequency(), mode.behaviour), (2.0, Behaviour::Oscillating));
+    assert_eq!(mode.shift, Err(NoShift::NotSmooth));
+}

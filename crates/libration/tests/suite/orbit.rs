@@ -1,0 +1,242 @@
+//! Periodic orbits beside elliptic functions, closed forms, and perturbation series, none of which knows integration.
+
+use libration::elliptic::Modulus;
+use libration::expression::Equation;
+use libration::orbit::{Lost, Near, NoOrbit, Orbit, Stability};
+use libration::oscillator::{Kind, NamedOscillator, catalogue};
+use libration::pendulum::{Motion, Pendulum};
+use libration::perturbation::{Evaluation, Gauge, expand};
+use libration::quantity::Angle;
+use std::f64::consts::{PI, TAU};
+
+fn equation(text: &str) -> Equation {
+    text.parse().unwrap()
+}
+
+fn released(text: &str, place: f64) -> Orbit {
+    Orbit::released(&equation(text), place).unwrap()
+}
+
+fn assert_within(value: f64, expected: f64, tolerance: f64, what: &str) {
+    let error = (value - expected).abs();
+    assert!(error <= tolerance, "{what}: {value} is not {expected} but {error:e} off, allowed {tolerance:e}");
+}
+
+fn pendulum(amplitude: f64) -> Motion {
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+    pendulum.released_from(Angle::from_radians(amplitude).unwrap()).unwrap()
+}
+
+const PENDULUM: &str = "theta'' + sin(theta) = 0";
+
+#[test]
+fn periods_of_the_pendulum_are_exact_within_their_uncertainty() {
+    for step in 1..315 {
+        let amplitude = 0.01 * f64::from(step);
+        let orbit = released(PENDULUM, amplitude);
+        let exact = pendulum(amplitude).period();
+        assert_within(orbit.period(), exact, orbit.period_uncertainty(), &format!("from {amplitude}"));
+        // Near the top an angle, rounded, is worth less.
+        let allowed = 4e-14 * exact * (1.0 + 4e-3 / ((PI - amplitude) * (PI - amplitude)));
+        assert!(orbit.period_uncertainty() < allowed, "{amplitude}: {:e}", orbit.period_uncertainty());
+    }
+}
+
+#[test]
+fn harmonics_of_the_pendulum_are_exact() {
+    for amplitude in [0.1, 1.0, 2.0, 3.0, 3.14] {
+        let exact = pendulum(amplitude).harmonics(1e-17, 2000);
+        let found = released(PENDULUM, amplitude).harmonics(0);
+        // The last amplitude is 0.0016 below the top, of which rounding an angle to 4e-16 takes a part of 2e-13 at each turn.
+        let off = if amplitude > 3.1 { 1e-10 } else { 1e-14 };
+        for term in &exact.terms {
+            let own = found.terms.get(term.n).copied().unwrap_or_default();
+            assert_within(own.cosine, term.angle, off, &format!("a{} from {amplitude}", term.n));
+            assert_within(own.sine, 0.0, off, &format!("b{} from {amplitude}", term.n));
+        }
+        let even = found.terms.iter().step_by(2);
+        assert!(even.clone().all(|term| term.amplitude() < off), "{amplitude}");
+        assert!(found.rest < 1e-14, "{amplitude}: {:e}", found.rest);
+    }
+}
+
+#[test]
+fn duffing_oscillators_have_their_closed_form() {
+    for amplitude in [0.01, 0.3, 1.0, 7.0, 1e3] {
+        let square = amplitude * amplitude;
+        let modulus = Modulus::from_parameter(0.5 * square / (1.0 + square)).unwrap();
+        let period = 4.0 * modulus.first() / (1.0 + square).sqrt();
+        let orbit = released("x'' + x + x^3 = 0", amplitude);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), "hard");
+        assert!(orbit.period_uncertainty() < 1e-14 * period);
+    }
+}
+
+#[test]
+fn the_purely_cubic_oscillator_has_a_period_in_proportion_to_one_over_the_amplitude() {
+    // Γ(1/4)²/√π.
+    let constant = 7.416_298_709_205_487_7;
+    for amplitude in [1e-6, 0.5, 3.0, 1e8] {
+        let period = released("x'' + x^3 = 0", amplitude).period();
+        assert_within(period * amplitude, constant, 1e-14 * constant, "T·A");
+    }
+}
+
+#[test]
+fn an_asymmetric_well_has_two_turning_points_and_one_period() {
+    let well = "x'' + x + x^2 = 0";
+    let above = released(well, 0.1);
+    let half = above.state_at(0.5 * above.period());
+    // x'² = ⅔(A − x)(x − b)(x − c) vanishes at b.
+    let (p, amplitude) = (3.2_f64, 0.1);
+    let b = (-p + (p * (p - 8.0 * amplitude)).sqrt()) / 4.0;
+    assert_within(half[0], b, 1e-15, "the other turning point");
+    let below = released(well, b);
+    assert_within(below.period(), above.period(), 4e-15, "from the other side");
+    assert_within(below.state_at(0.5 * below.period())[0], 0.1, 1e-15, "back");
+}
+
+/// Series up to A¹⁵ at amplitudes where the next term is below the last digit.
+#[test]
+fn the_catalogue_agrees_with_perturbation_theory() {
+    let mut compared = 0;
+    for named in catalogue() {
+        let Ok(oscillator) = named.oscillator(&[]) else { continue };
+        if matches!(oscillator.kind(), Kind::LimitCycle { .. }) {
+            continue;
+        }
+        let expansion = expand(&oscillator, 16, &Gauge::Fundamental).unwrap();
+        let series = &expansion.of_amplitude.as_ref().unwrap().frequency_ratio;
+        let amplitude = 0.02;
+        let ratio = Evaluation::new(series, amplitude).value();
+        let omega0 = oscillator.omega0_squared().to_f64().sqrt();
+        let place = oscillator.equilibrium().to_f64() + amplitude;
+        let orbit = Orbit::released(oscillator.equation(), place).unwrap();
+        let allowed = orbit.period_uncertainty() / orbit.period() + 1e-14;
+        assert_within(orbit.frequency() / omega0, ratio, allowed * ratio, named.key);
+        compared += 1;
+    }
+    assert!(compared >= 15, "{compared}");
+}
+
+#[test]
+fn van_der_pols_cycle_agrees_with_its_series() {
+    let oscillator = NamedOscillator::by_key("van_der_pol").unwrap().oscillator(&[]).unwrap();
+    let series = expand(&oscillator, 24, &Gauge::Fundamental).unwrap().frequency_ratio;
+    for strength in ["0.01", "0.1", "0.2"] {
+        let strength_value: f64 = strength.parse().unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let ratio = Evaluation::new(&series, strength_value).value();
+        assert_within(orbit.frequency(), ratio, 3e-14, strength);
+    }
+}
+
+fn van_der_pol(strength: &str) -> Equation {
+    equation("x'' = mu*(1 - x^2)*x' - x").with(&[("mu", strength.parse().unwrap())]).unwrap()
+}
+
+/// By a Taylor method of order 55 with 260 bits.
+#[test]
+fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
+    for (strength, period) in
+        [("0.5", 6.380_675_801_773_586), ("1", 6.663_286_859_323_13), ("2", 7.629_874_479_674_842)]
+    {
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[0.01, 0.0]).unwrap();
+        let allowed = orbit.period_uncertainty();
+        assert_within(orbit.period(), period, allowed, strength);
+        assert!(allowed < 1e-13, "{allowed:e}");
+        assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
+    }
+}
+
+/// Liouville: the product of the multipliers is the exponential of the integral of the divergence μ(1 − x²).
+#[test]
+fn multipliers_have_the_product_that_the_divergence_tells() {
+    let orbit = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let spectrum = orbit.harmonics(0);
+    let squares: f64 = spectrum.terms.iter().map(|it| 0.5 * it.amplitude() * it.amplitude()).sum();
+    let divergence = orbit.period() * (1.0 - squares);
+    let [one, other] = orbit.floquet().unwrap().multipliers[..] else { panic!("two multipliers") };
+    assert_within(one.re, 1.0, 1e-11, "the shift along the orbit");
+    assert_within(other.re, libm::exp(divergence), 1e-11, "the other one");
+}
+
+#[test]
+fn repelling_cycles_are_found_from_a_guess() {
+    let guess = Near { state: vec![1.9, 0.0], period: 6.5 };
+    let orbit = Orbit::near(&van_der_pol("-1"), &guess, &[1]).unwrap();
+    assert_within(orbit.period(), 6.663_286_859_323_13, 1e-12, "the same cycle backwards");
+    assert_eq!(orbit.floquet().unwrap().stability, Stability::Unstable);
+}
+
+#[test]
+fn absolute_values_have_their_deviations() {
+    let orbit =
+        Orbit::near(&equation("x'' = -2*x*abs(x)"), &Near { state: vec![1.0, 0.0], period: 5.0 }, &[0, 1])
+            .unwrap();
+    let released = released("x'' = -2*x*abs(x)", 1.0);
+    assert_within(orbit.period(), released.period(), 1e-13, "by two roads");
+    // x′² = (4/3)(1 − |x|³): T = 4·√(3/4)·∫₀¹ dx/√(1 − x³) = 4·√(3/4)·(1/3)·B(1/3, 1/2).
+    assert_within(
+        orbit.period(),
+        4.0 * 0.75_f64.sqrt() * 4.206_546_315_976_36 / 3.0,
+        1e-13,
+        "by an integral",
+    );
+}
+
+/// x = Re(e^{iνt}/(1 − ν² + iγν)), and deviations decay by e^{−γT/2}.
+#[test]
+fn a_driven_linear_oscillator_answers_as_it_must() {
+    let driven = equation("x'' = -x - x'/5 + cos(3*t/2)");
+    let period = TAU / 1.5;
+    let orbit = Orbit::driven(&driven, period, &[3.0, 0.0]).unwrap();
+    let (real, imaginary) = (1.0 - 2.25, 0.2 * 1.5);
+    let size = real * real + imaginary * imaginary;
+    let terms = orbit.harmonics(0).terms;
+    assert_within(terms[1].cosine, real / size, 2e-15, "in phase");
+    assert_within(terms[1].sine, imaginary / size, 2e-15, "a quarter behind");
+    for multiplier in &orbit.floquet().unwrap().multipliers {
+        assert_within(multiplier.abs(), libm::exp(-0.1 * period), 1e-13, "decay");
+    }
+    assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
+}
+
+/// The inverted pendulum on a pivot that shakes fast enough stands: a²Ω² > 2gl.
+#[test]
+fn a_shaken_pendulum_stands_upside_down() {
+    let stability = |amplitude: &str| {
+        let text = "theta'' + (1 - 900*a*cos(30*t))*sin(theta) = 0";
+        let equation = equation(text).with(&[("a", amplitude.parse().unwrap())]).unwrap();
+        let orbit = Orbit::driven(&equation, TAU / 30.0, &[PI, 0.0]).unwrap();
+        orbit.floquet().unwrap().stability
+    };
+    assert_eq!(stability("0.03"), Stability::Unstable);
+    assert_eq!(stability("0.06"), Stability::Neutral);
+}
+
+#[test]
+fn motions_without_a_period_are_refused_for_a_reason() {
+    let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place).unwrap_err();
+    assert!(matches!(refusal("x'' = -x - x'/10", 1.0), NoOrbit::NotClosed { start: 1.0, .. }));
+    assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), NoOrbit::NoReturn { why: Lost::Rest, .. }));
+    assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
+    assert!(matches!(refusal("x'' = -1", 2.0), NoOrbit::NoReturn { why: Lost::OneWay(_), .. }));
+    assert!(matches!(refusal("x'' = x", 2.0), NoOrbit::NoReturn { .. }));
+    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
+    assert!(matches!(refusal("x'' = -x - x^2", 0.5), NoOrbit::Unsure { .. }));
+    assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
+    assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
+    assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));
+    assert!(matches!(refusal("x'' = -k*x", 1.0), NoOrbit::WithoutValue(_)));
+    assert!(matches!(refusal("x'' = -x", f64::NAN), NoOrbit::Start { .. }));
+    let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start).unwrap_err();
+    assert!(matches!(cycle("x'' = -x - 3*x'", &[1.0, 0.0]), NoOrbit::NoCycle(_)));
+    assert!(matches!(
+        cycle("x'' = -x - x'/10", &[1.0, 0.0]),
+        NoOrbit::NoCycle(_) | NoOrbit::NoConvergence { .. }
+    ));
+    assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), NoOrbit::DependsOnTime));
+    assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0]).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0]).is_err());
+}
