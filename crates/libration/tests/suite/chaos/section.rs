@@ -1,8 +1,7 @@
 //! Poincaré sections and bifurcation diagrams.
 
 use libration::chaos::{
-    Column, Continuation, Ending, Family, PoincareSection, Points, Section, bifurcation_diagram, folded,
-    section,
+    Column, Continuation, Ending, Family, PoincareSection, Points, Section, bifurcation_diagram, section,
 };
 use libration::taylor::{Cause, Direction, Effort, Moment};
 use std::f64::consts::{PI, TAU};
@@ -139,7 +138,7 @@ fn crossings_are_on_the_surface_and_keep_the_energy() {
     let start = [0.0, -0.15, 0.5555027734704241, 0.0];
     let energy = |s: &[f64]| {
         0.5 * (s[2] * s[2] + s[3] * s[3] + s[0] * s[0] + s[1] * s[1]) + s[0] * s[0] * s[1]
-            - s[1].powi(3) / 3.0
+            - s[1] * s[1] * s[1] / 3.0
     };
     let found = points_of(HENON_HEILES, &start, &surface("x", Direction::Rising), 10, 500);
     assert_eq!((found.points.len(), found.stopped), (500, None));
