@@ -60,8 +60,6 @@
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
-//! | [`expression`] | formulas and equations of motion as they are typed, exactly |
-//! | [`oscillator`] | an equation about its equilibrium; a catalogue of named oscillators |
 //! | [`measurement`] | an instrument's text file as columns of numbers |
 //! | [`fit`] | measured periods explained by a law: T0, its test, gravity |
 //!
@@ -94,15 +92,13 @@ pub mod comparison;
 
 pub mod taylor;
 
+pub mod chaos;
 pub mod systems;
 
 pub mod orbit;
 
-pub mod normal_modes;
-
 pub mod decay;
-
-pub mod chaos;
+pub mod normal_modes;
 
 pub mod derivation;
 

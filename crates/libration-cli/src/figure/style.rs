@@ -26,6 +26,11 @@ pub(crate) fn markers(number: usize) -> Look {
     Look { colour: COLOURS[number % COLOURS.len()], width: 5.5, mark: Mark::Markers(number) }
 }
 
+/// The look of marks on the curve with this number.
+pub(crate) fn marks(number: usize) -> Look {
+    Look { width: 3.6, ..markers(number) }
+}
+
 /// The look of one of several clouds of points, which have so many together: smaller where there are many.
 pub(crate) fn dots(number: usize, all: usize) -> Look {
     let width = if all > 20_000 {
@@ -36,11 +41,6 @@ pub(crate) fn dots(number: usize, all: usize) -> Look {
         1.5
     };
     Look { width, mark: Mark::Markers(0), ..markers(number) }
-}
-
-/// The look of marks on the curve with this number.
-pub(crate) fn marks(number: usize) -> Look {
-    Look { width: 3.6, ..markers(number) }
 }
 
 /// The look of measurements: smaller where there are many.

@@ -101,9 +101,9 @@ impl<const N: usize> Block<N> {
         let series = self.series(number);
         let slope_low = self.low.get(number + self.numbers() / 2).map_or([0.0; N], |low| *low);
         let mut times = [(0.0, 0.0); N];
-        for lane in 0..N {
-            let (time, remainder) = elapsed(self.start[lane], self.end[lane]);
-            times[lane] = (time / self.unit[lane], remainder);
+        for (lane, (units, remainder)) in times.iter_mut().enumerate() {
+            (*units, *remainder) = elapsed(self.start[lane], self.end[lane]);
+            *units /= self.unit[lane];
         }
         let mut higher = [0.0; N];
         for c in series[2..].iter().rev() {

@@ -43,10 +43,10 @@ impl<'a, const N: usize> Fleet<'a, N> {
                 break;
             }
             let ahead = self.flight.look_ahead();
-            for lane in 0..N {
+            for (lane, ahead) in ahead.into_iter().enumerate() {
                 let Some(record) = self.records[lane].take() else { continue };
                 let number = record.number;
-                match self.advance(lane, record, ahead[lane], &mut interrupted, &mut watch) {
+                match self.advance(lane, record, ahead, &mut interrupted, &mut watch) {
                     Ok(record) => self.records[lane] = Some(record),
                     Err(outcome) => {
                         self.flight.rest(lane);

@@ -160,7 +160,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     fn is_endless(&self, lane: usize, length: f64) -> bool {
-        length == f64::INFINITY && self.goal[lane] != self.block.start[lane]
+        length == f64::INFINITY && (self.goal[lane] - self.block.start[lane]).abs() > 0.0
     }
 
     /// Always at an `f64`, so that times are exact.

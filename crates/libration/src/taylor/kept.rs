@@ -49,7 +49,6 @@ impl KeptStep {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::taylor::{Effort, Moment, System, integrate};
     use std::ops::ControlFlow;
 

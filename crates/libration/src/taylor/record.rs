@@ -25,7 +25,7 @@ impl<'a> Record<'a> {
     /// The samples that need no step.
     pub(super) fn sample_start(&mut self) {
         let start = &self.launch.start;
-        let here = self.launch.times.iter().take_while(|&&time| time == start.time);
+        let here = self.launch.times.iter().take_while(|&&time| (time - start.time).abs() == 0.0);
         self.samples.extend(here.map(|_| start.clone()));
     }
 

@@ -97,20 +97,19 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N]
     const TINY: f64 = -600.0;
     let mut first = [[0.0; N]; FIRST];
     let mut largest = [LEAST; N];
-    for n in 0..FIRST {
-        let c = if n == 0 { size } else { &series[n] };
-        first[n] = lanes(|lane| log2(c[lane].abs()).max(LEAST));
-        largest = lanes(|lane| largest[lane].max(first[n][lane]));
+    for (first, c) in first.iter_mut().zip([size].into_iter().chain(&series[1..])) {
+        *first = lanes(|lane| log2(c[lane].abs()).max(LEAST));
+        largest = lanes(|lane| largest[lane].max(first[lane]));
     }
     let underflows = |lane: usize| LEAST < largest[lane] && largest[lane] < TINY;
     let least_last: [f64; N] = lanes(|lane| if underflows(lane) { LEAST } else { f64::NEG_INFINITY });
     let mut radius = [f64::INFINITY; N];
-    for k in series.len() - LAST..series.len() {
-        let last: [f64; N] = lanes(|lane| log2(series[k][lane].abs()).max(least_last[lane]));
+    for (k, last) in series.iter().enumerate().skip(series.len() - LAST) {
+        let last: [f64; N] = lanes(|lane| log2(last[lane].abs()).max(least_last[lane]));
         let mut by = [f64::NEG_INFINITY; N];
-        for n in 0..FIRST {
+        for (n, first) in first.iter().enumerate() {
             let part = 1.0 / count(k - n);
-            by = lanes(|lane| by[lane].max((first[n][lane] - last[lane]) * part));
+            by = lanes(|lane| by[lane].max((first[lane] - last[lane]) * part));
         }
         radius = smaller(&radius, &by);
     }

@@ -1,7 +1,6 @@
 //! The order of the method.
 
 use super::System;
-use super::block::Block;
 use super::expander::{Expander, Surroundings};
 use crate::pendulum::Pendulum;
 use crate::quantity::Angle;
