@@ -46,7 +46,7 @@ fn several_motions_cross_a_plane() {
     assert_eq!(lines.next(), Some("motion,time,x,y,x',y'"));
     let rows: Vec<Vec<f64>> =
         lines.map(|line| line.split(',').map(|it| it.parse().unwrap()).collect()).collect();
-    assert_eq!(rows.iter().filter(|row| row[0] == 2.0).count(), 20);
+    assert_eq!(rows.iter().filter(|row| row[0] > 1.5).count(), 20);
     assert!(rows.iter().all(|row| row[2].abs() < 1e-12 && row[4] > 0.0));
     let svg = std::fs::read_to_string(figure).unwrap();
     assert!(svg.contains("Poincaré section") && svg.contains(">y′<"), "axes y and y′");

@@ -138,7 +138,7 @@ fn crossings_are_on_the_surface_and_keep_the_energy() {
     let start = [0.0, -0.15, 0.5555027734704241, 0.0];
     let energy = |s: &[f64]| {
         0.5 * (s[2] * s[2] + s[3] * s[3] + s[0] * s[0] + s[1] * s[1]) + s[0] * s[0] * s[1]
-            - s[1].powi(3) / 3.0
+            - s[1] * s[1] * s[1] / 3.0
     };
     let found = points_of(HENON_HEILES, &start, &surface("x", Direction::Rising), 10, 500);
     assert_eq!((found.points.len(), found.stopped), (500, None));
