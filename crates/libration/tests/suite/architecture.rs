@@ -17,7 +17,7 @@ const MAP: &[(&str, &[&str])] = &[
     ("oscillator", &["expression", "algebra"]),
     ("perturbation", &["oscillator", "expression", "series", "algebra"]),
     ("comparison", &["perturbation", "oscillator", "pendulum", "orbit", "expression", "series", "algebra"]),
-    ("taylor", &["expression", "algebra"]),
+    ("taylor", &["expression", "series", "algebra"]),
     ("systems", &["taylor", "oscillator", "expression", "algebra"]),
     ("orbit", &["taylor", "expression", "linear", "algebra"]),
     ("normal_modes", &["expression", "linear", "algebra"]),

@@ -30,12 +30,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         parameters: &[
             OMEGA0,
             parameter("c", "0", "s^(n-2)", "strength of the damping by the n-th power of the speed"),
-            parameter(
-                "n",
-                "1",
-                "1",
-                "this power, a whole number: 0 dry friction, 1 linear, 2 quadratic",
-            ),
+            parameter("n", "1", "1", "this power, a whole number: 0 dry friction, 1 linear, 2 quadratic"),
             parameter("c0", "0", "1/s^2", "dry friction, which may hold the pendulum fast"),
             parameter("c1", "0", "1/s", "linear damping, as in slow viscous flow"),
             parameter("c2", "0", "1", "quadratic damping, as in fast turbulent flow"),
