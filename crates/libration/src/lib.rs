@@ -97,8 +97,8 @@ pub mod systems;
 
 pub mod orbit;
 
-pub mod normal_modes;
 pub mod decay;
+pub mod normal_modes;
 
 pub mod derivation;
 

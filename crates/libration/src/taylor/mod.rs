@@ -15,8 +15,8 @@ mod block;
 mod program;
 
 mod expander;
-mod step;
 mod kept;
+mod step;
 mod step_length;
 
 mod branches;
