@@ -62,14 +62,7 @@ pub(super) fn step_lengths<const N: usize>(
     floor: f64,
     log2_part: f64,
 ) -> [f64; N] {
-    let mut radius = [f64::INFINITY; N];
-    for number in 0..block.numbers() {
-        let series = block.series(number);
-        // Of a coordinate the zeroth coefficient only says where it is.
-        let velocity = number >= block.numbers() / 2;
-        let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
-        radius = smaller(&radius, &log2_radius(series, &size));
-    }
+    let mut radius = log2_radius_of_state(block, usize::MAX, floor);
     for &row in others {
         radius = smaller(&radius, &log2_radius(&block[row], &block[row][0]));
     }
@@ -80,6 +73,20 @@ pub(super) fn step_lengths<const N: usize>(
             exp2(radius[lane] + log2_part) * block.unit[lane]
         }
     })
+}
+
+/// The least logarithm of the radius of convergence of so many terms of the series of a state.
+#[inline(always)]
+fn log2_radius_of_state<const N: usize>(block: &Block<N>, terms: usize, floor: f64) -> [f64; N] {
+    let mut radius = [f64::INFINITY; N];
+    for number in 0..block.numbers() {
+        let series = block.series(number);
+        // Of a coordinate the zeroth coefficient only says where it is.
+        let velocity = number >= block.numbers() / 2;
+        let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
+        radius = smaller(&radius, &log2_radius(&series[..terms.min(series.len())], &size));
+    }
+    radius
 }
 
 #[inline(always)]
@@ -116,20 +123,11 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N]
     radius
 }
 
-/// The logarithm of a time, in units of the block, in which the state changes by as much as it is, as the first
-/// coefficients tell; `None` where there are not two of them.
-pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, lane: usize) -> Option<f64> {
-    const FIRST: usize = 6;
-    let numbers = block.numbers();
-    let scale = |number: usize| {
-        let terms =
-            block.series(number).iter().take(FIRST).enumerate().skip(usize::from(number < numbers / 2));
-        let known = terms.filter(|(_, c)| c[lane] != 0.0 && c[lane].is_finite());
-        let mut logarithms = known.map(|(n, c)| (n, log2(c[lane].abs())));
-        let (n, size) = logarithms.next()?;
-        logarithms.map(|(k, c)| (size - c) / count(k - n)).reduce(f64::min)
-    };
-    (0..numbers).filter_map(scale).reduce(f64::min)
+/// The logarithm of the radius of convergence, in units of the block, as the first coefficients guess it; infinite where
+/// there are too few.
+pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>) -> [f64; N] {
+    const FEW: usize = 8;
+    log2_radius_of_state(block, FEW, 0.0)
 }
 
 fn count(n: usize) -> f64 {
