@@ -34,7 +34,6 @@ const MECHANISMS: &[Mechanism] = &[
         "damped_pendulum",
         &["-(c*abs(theta')^n + c0 + c1*abs(theta') + c2*theta'^2 + c3*abs(theta')^3)*theta'/abs(theta')"],
     ),
-    one_bob("power_damped_pendulum", &["-c*theta'*(theta'^2 + epsilon^2)^((n - 1)/2)"]),
     one_bob("damped_pendulum_54", &["-c*theta'^n"]),
     Mechanism {
         // Two halves at equal distances from the centre of mass, and the fluid that moves with it and is missing in its place.
@@ -343,7 +342,6 @@ fn the_form_of_damping_follows_its_power() {
         let values = [("c", formula("0.1")), ("n", formula(n))];
         let refused = Model::by_key("damped_pendulum", &values, &[]);
         assert!(matches!(refused, Err(ModelError::NotWhole { .. })), "{n}: {refused:?}");
-        assert!(Model::by_key("power_damped_pendulum", &values, &[]).is_ok());
     }
 }
 

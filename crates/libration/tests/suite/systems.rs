@@ -155,25 +155,3 @@ fn a_driven_pendulum_comes_to_its_attractor() {
     // The time of fifty periods is rounded to 3e-14, the angle to its own ulp.
     assert!(error(&[angle - turns * TAU, velocity], &truths(row)) < 1e-13, "{angle} {velocity}");
 }
-
-/// The rounded-off power at 2 against the exact one, and at 3/2 against a rounding ten times smaller: the difference is
-/// what the catalogue says.
-#[test]
-fn rounded_off_powers_of_the_velocity_err_as_little_as_is_said() {
-    let swing = |key: &str, values: &[(&str, &str)]| {
-        let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
-        let system = Model::by_key(key, &values, &[]).unwrap().system().unwrap();
-        let start = Moment { time: 0.0, state: vec![2.0, 0.0] };
-        integrate(&system, &start, &[30.0], &Effort::to_tolerance(1e-14), |_| ControlFlow::Continue(()))
-            .unwrap()
-            .end
-            .state
-    };
-    let exact = swing("damped_pendulum", &[("c", "0.1"), ("n", "2")]);
-    let rounded = swing("power_damped_pendulum", &[("c", "0.1"), ("n", "2")]);
-    assert!(exact.iter().zip(&rounded).all(|(a, b)| (a - b).abs() < 1e-12), "{exact:?} {rounded:?}");
-    let of = |epsilon| swing("power_damped_pendulum", &[("c", "0.1"), ("n", "1/2"), ("epsilon", epsilon)]);
-    let (coarse, fine) = (of("1e-6"), of("1e-7"));
-    let error = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(error < 10.0 * 0.1 * 1e-9, "{error:e}");
-}
