@@ -1,7 +1,7 @@
 //! Amplitudes of any coordinate: `0.1:3:0.1` or `0.5,1`, and with units where the coordinate is an angle.
 
 use crate::failure::Failure;
-use libration::quantity::{AngleRange, RangeError, angles};
+use libration::quantity::{AngleRange, Dimension, RangeError, angles, numbers};
 
 /// Reads a list or a range of amplitudes above zero.
 pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Result<Vec<f64>, Failure> {
@@ -14,7 +14,12 @@ pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Resul
             text.trim()
         )));
     }
-    let values = read(text).map_err(|error| refusal(error.to_string()))?;
+    let values = match is_angle {
+        true => read(text).map_err(|error| refusal(error.to_string()))?,
+        // Units having been refused, any dimension will do.
+        false => numbers(text, Dimension::Length)
+            .map_err(|_| refusal(format!("`{}`: give numbers, such as 0.5,1 or 0.1:3:0.1", text.trim())))?,
+    };
     match values.iter().find(|value| **value <= 0.0) {
         Some(value) => Err(refusal(format!("{value} is no amplitude: give numbers above zero"))),
         None => Ok(values),
@@ -37,7 +42,7 @@ mod tests {
     #[test]
     fn lists_and_ranges_are_read() {
         assert_eq!(displacements("", "0.1:0.3:0.1", false).unwrap(), [0.1, 0.2, 0.3]);
-        assert_eq!(displacements("", "90deg,2", true).unwrap(), [std::f64::consts::FRAC_PI_2, 2.0]);
+        assert_eq!(displacements("", "90deg,2rad", true).unwrap(), [std::f64::consts::FRAC_PI_2, 2.0]);
         assert_eq!(displacements("", "1e-3, 1e8", false).unwrap(), [1e-3, 1e8]);
         for text in ["1deg", "0:1:0.1", "-1", "a", ""] {
             assert!(displacements("--amplitudes", text, false).is_err(), "{text}");

@@ -39,6 +39,7 @@ Examples:
   libration decay 60deg --linear 0.1          how the swings of a damped pendulum die down
   libration formulas --amplitude 90deg --tolerance 1e-3
   libration expand duffing --order 9          perturbation series of any oscillator, exactly
+  libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:10:0.1
   libration derive --road elliptic            how the exact period is found, step by step
   libration figure errors --output errors.svg
   libration fit periods measured.csv --length 0.57m±0.004m

@@ -21,9 +21,9 @@ impl Orbit {
     /// # Examples
     /// ```
     /// use libration::orbit::Orbit;
-    /// // x = cos(t/2)/(1 − 1/4) is the answer of the oscillator without damping.
-    /// let orbit = Orbit::driven(&"x'' = -x + cos(t/2)".parse()?, 4.0 * std::f64::consts::PI, &[1.0, 0.2])?;
-    /// assert!((orbit.start()[0] - 4.0 / 3.0).abs() < 1e-14);
+    /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
+    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2])?;
+    /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn driven(equation: &Equation, period: f64, start: &[f64]) -> Result<Self, NoOrbit> {
