@@ -16,7 +16,7 @@ const MOST_MAXIMA: usize = 3000;
 const MOST_STEPS: usize = 300_000;
 /// So many maxima may lie between a state and its return.
 const LONGEST: usize = 8;
-/// Swings below this part of the largest one are rest.
+/// Swings below this part of the whole range are rest.
 const VANISHED: f64 = 1e-9;
 /// A state has returned when it differs by less than this part of the swing.
 const RETURNED: f64 = 1e-3;
@@ -58,7 +58,7 @@ fn settled(system: &System, start: &[f64]) -> Result<Near, NoOrbit> {
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-12) };
     let outcome = integrate(system, &start, &[FAR], &effort, |step| {
-        guess = maxima.watch(step);
+        guess = maxima.watch(step).filter(|_| !maxima.vanish());
         if guess.is_some() || maxima.found.len() >= MOST_MAXIMA || maxima.vanish() {
             ControlFlow::Break(())
         } else {
@@ -95,24 +95,33 @@ struct Maxima {
     moved: Vec<f64>,
     /// And had moved between the last two.
     swing: Vec<f64>,
-    /// The largest swing of the first coordinate.
-    largest: f64,
+    /// The least and the greatest value of the first coordinate so far.
+    range: (f64, f64),
 }
 
 impl Maxima {
     fn new(coordinates: usize) -> Self {
         let none = vec![0.0; 2 * coordinates];
-        Self { coordinates, found: vec![], moved: none.clone(), swing: none, largest: 0.0 }
+        Self {
+            coordinates,
+            found: vec![],
+            moved: none.clone(),
+            swing: none,
+            range: (f64::INFINITY, f64::NEG_INFINITY),
+        }
     }
 
     /// Takes a step into account; a guess of the cycle when one shows.
     fn watch(&mut self, step: &Step<'_>) -> Option<Near> {
-        self.widen(&step.state_at(step.end()));
+        for time in [step.start(), step.end()] {
+            self.widen(&step.state_at(time));
+        }
         let rises = step.state_at(step.start())[self.coordinates] > 0.0;
         let time = sign_change(step, self.coordinates).filter(|_| rises)?;
-        let state = step.state_at(time);
+        let mut state = step.state_at(time);
+        // Of a maximum only rounding makes something that still moves.
+        state[self.coordinates] = 0.0;
         self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
-        self.largest = self.largest.max(self.swing[0]);
         let recent = self.found.iter().rev().take(LONGEST);
         let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
         let guess = earlier.map(|earlier| Near { state: state.clone(), period: time - earlier.time });
@@ -121,6 +130,7 @@ impl Maxima {
     }
 
     fn widen(&mut self, state: &[f64]) {
+        self.range = (self.range.0.min(state[0]), self.range.1.max(state[0]));
         let Some(last) = self.found.last() else { return };
         for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
             *moved = moved.max((now - then).abs());
@@ -132,8 +142,8 @@ impl Maxima {
         differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
     }
 
-    /// Whether the last swing is nothing beside the largest.
+    /// Whether the last swing is nothing beside all the way that was gone.
     fn vanish(&self) -> bool {
-        self.found.len() > 1 && self.swing[0] < VANISHED * self.largest
+        self.found.len() > 1 && self.swing[0] < VANISHED * (self.range.1 - self.range.0)
     }
 }

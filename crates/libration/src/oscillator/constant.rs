@@ -39,6 +39,14 @@ impl Constant {
         }
     }
 
+    /// To [`PRECISION`] bits.
+    pub(super) fn digits(&self) -> BigFloat {
+        match self {
+            Self::Exact(value) => BigFloat::from_rational(value, PRECISION),
+            Self::Approximate(Approximation(value)) => value.clone(),
+        }
+    }
+
     pub(super) fn is_positive(&self) -> bool {
         match self {
             Self::Exact(value) => !value.is_negative() && !value.is_zero(),

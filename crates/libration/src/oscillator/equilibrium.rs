@@ -126,6 +126,10 @@ fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
 /// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
 pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Refusal> {
     let refusal = |why| Refusal { at: at.to_string(), why };
+    let (at_rest, place) = (force.at_rest(), at.digits());
+    if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&place)) {
+        return Err(refusal(Unfit::NotSmooth));
+    }
     let stiffness = value_at(force, &force.stiffness(), &at);
     let omega0_squared = stiffness.ok_or_else(|| refusal(Unfit::NotSmooth))?;
     if !omega0_squared.is_positive() {

@@ -103,6 +103,13 @@ impl<'a> Curve<'a> {
         self.value(&Doubles, x).unwrap_or(f64::NAN)
     }
 
+    /// Whether it has a first Taylor coefficient there, as |x| has not at zero.
+    pub(super) fn is_smooth_at(&self, x: &BigFloat) -> bool {
+        let ring = Floats { precision: x.precision() };
+        let Ok(mut jet) = Jet::new(&ring, &self.tape, std::slice::from_ref(x)) else { return false };
+        ring.rational(&1.into()).is_some_and(|one| jet.extend(&[one]).is_ok())
+    }
+
     /// In the precision of the place.
     pub(super) fn precisely_at(&self, x: &BigFloat) -> Option<BigFloat> {
         self.value(&Floats { precision: x.precision() }, x.clone())

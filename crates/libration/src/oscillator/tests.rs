@@ -154,6 +154,7 @@ fn what_does_not_oscillate_is_refused_with_the_reason() {
         ("x'' = -x - 0.1*x'", "holds -0.1 times the velocity"),
         ("x'' = -x - x'^3", "not the same for the opposite velocity"),
         ("x'' = -x*abs(x)", "no derivative"),
+        ("x'' = -2*x - abs(x)", "no derivative"),
         ("x'' = -x + cos(t)", "depends on t"),
         ("x'' = -x; y'' = -y", "2 variables, x, y"),
         ("x'' = -k*x", "no value is given for k: give one, as k=0.1"),

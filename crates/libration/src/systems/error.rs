@@ -33,7 +33,7 @@ pub enum ModelError {
     /// A power that has no derivatives at rest.
     #[error(
         "n = {value} is not a whole number from 0 on, and such a power of the velocity has no derivatives at rest: \
-         power_damped_pendulum takes any n"
+         give a whole one; how the swings decay is known for any power (libration decay)"
     )]
     NotWhole {
         /// The power.

@@ -9,7 +9,7 @@ use crate::quantity::{excerpt, nearest};
 /// ```
 /// use libration::systems::{Model, NamedSystem};
 /// let named = NamedSystem::by_key("damped_pendulum")?;
-/// let model = Model::named(named, &[("c", "0.1".parse()?), ("n", "2".parse()?)])?;
+/// let model = Model::named(named, &[("c", "0.1".parse()?), ("n", "2".parse()?)], &[])?;
 /// assert_eq!(model.equation().to_string(), "theta'' + 0.1*(theta'*abs(theta')) + sin(theta) = 0");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -35,7 +35,7 @@ pub struct NamedSystem {
     pub power: &'static str,
     /// The parameter that is the angular frequency of a periodic drive.
     pub drive_frequency: Option<&'static str>,
-    /// Whether the parameter n is a power of a velocity, for which only whole numbers will do.
+    /// Whether the parameter n is a power of a velocity, which has to be whole: others have no derivatives at rest.
     pub whole_powers: bool,
     /// What it describes, and how the coordinates are measured.
     pub description: &'static str,

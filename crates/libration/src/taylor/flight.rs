@@ -131,12 +131,13 @@ impl<'a, const N: usize> Flight<'a, N> {
         const FITS: f64 = 10.0;
         let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
+        let scales = if fresh.contains(&true) { log2_time_scale(&self.block) } else { [0.0; N] };
         let mut fits = true;
-        for lane in (0..N).filter(|&lane| fresh[lane]) {
-            if let Some(scale) = log2_time_scale(&self.block, lane).filter(|scale| scale.abs() > FITS) {
-                self.block.unit[lane] = unit_for(exp2(scale));
-                fits = false;
-            }
+        for lane in
+            (0..N).filter(|&lane| fresh[lane] && scales[lane].is_finite() && scales[lane].abs() > FITS)
+        {
+            self.block.unit[lane] = unit_for(exp2(scales[lane]));
+            fits = false;
         }
         if fits { outcomes } else { self.expand() }
     }

@@ -48,7 +48,9 @@ pub struct Launch<'a> {
 /// accelerations see each coordinate rounded to one word, of which an angle of a thousand turns loses four digits.
 ///
 /// Where the argument of an absolute value changes its sign the step ends, at the nearest `f64`, and the other branch
-/// goes on. Other formulas that are not analytic, such as √(x²) at zero, stop the integration.
+/// goes on. Other formulas that are not analytic, such as √(x²) at zero, stop the integration. What is almost a kink is a
+/// trap: of √(x² + ε²) with a tiny ε the series from afar does not show that it bends at zero, and a step may go straight
+/// on; write abs(x).
 ///
 /// # Errors
 /// A start, times or tolerances that cannot be; a singularity, the step limit, or an interruption, with what was

@@ -62,17 +62,11 @@ pub(super) fn step_lengths<const N: usize>(
     floor: f64,
     log2_part: f64,
 ) -> [f64; N] {
-    let mut radius = [f64::INFINITY; N];
-    for number in 0..block.numbers() {
-        let series = block.series(number);
-        // Of a coordinate the zeroth coefficient only says where it is.
-        let velocity = number >= block.numbers() / 2;
-        let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
-        radius = smaller(&radius, &log2_radius(series, &size));
-    }
+    let mut radius = radius_of_state(block, usize::MAX, floor);
     for &row in others {
-        radius = smaller(&radius, &log2_radius(&block[row], &block[row][0]));
+        radius = radius.smaller(&log2_radius(&block[row], &block[row][0]));
     }
+    let radius = radius.known();
     lanes(|lane| {
         if radius[lane] == f64::INFINITY {
             f64::INFINITY
@@ -82,15 +76,64 @@ pub(super) fn step_lengths<const N: usize>(
     })
 }
 
+/// The logarithm of the radius of convergence, in units of the block, as the first coefficients guess it; infinite where
+/// they do not tell.
+pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>) -> [f64; N] {
+    const FEW: usize = 8;
+    radius_of_state(block, FEW, 0.0).of_sizes
+}
+
+/// The logarithm of a radius of convergence in each lane.
+#[derive(Clone, Copy, Debug)]
+struct Log2Radius<const N: usize> {
+    /// From series whose first coefficients tell their size.
+    of_sizes: [f64; N],
+    /// From others, whose size is taken to be the least number there is.
+    of_nothing: [f64; N],
+}
+
+impl<const N: usize> Log2Radius<N> {
+    #[inline(always)]
+    fn smaller(&self, other: &Self) -> Self {
+        Self {
+            of_sizes: smaller(&self.of_sizes, &other.of_sizes),
+            of_nothing: smaller(&self.of_nothing, &other.of_nothing),
+        }
+    }
+
+    #[inline(always)]
+    fn known(&self) -> [f64; N] {
+        lanes(
+            |lane| {
+                if self.of_sizes[lane] < f64::INFINITY { self.of_sizes[lane] } else { self.of_nothing[lane] }
+            },
+        )
+    }
+}
+
+/// The least radius of convergence of so many terms of the series of a state.
+#[inline(always)]
+fn radius_of_state<const N: usize>(block: &Block<N>, terms: usize, floor: f64) -> Log2Radius<N> {
+    let mut radius = Log2Radius { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
+    for number in 0..block.numbers() {
+        let series = block.series(number);
+        // Of a coordinate the zeroth coefficient only says where it is.
+        let velocity = number >= block.numbers() / 2;
+        let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
+        radius = radius.smaller(&log2_radius(&series[..terms.min(series.len())], &size));
+    }
+    radius
+}
+
 #[inline(always)]
 fn smaller<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     lanes(|lane| if b[lane] < a[lane] { b[lane] } else { a[lane] })
 }
 
-/// The logarithm of the radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite
-/// where the last vanish.
+/// The radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite where the last
+/// vanish.
 #[inline(always)]
-fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N] {
+fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radius<N> {
     /// Of the least number there is.
     const LEAST: f64 = -1074.0;
     /// Next to numbers so small others may have underflowed.
@@ -113,23 +156,10 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> [f64; N]
         }
         radius = smaller(&radius, &by);
     }
-    radius
-}
-
-/// The logarithm of a time, in units of the block, in which the state changes by as much as it is, as the first
-/// coefficients tell; `None` where there are not two of them.
-pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, lane: usize) -> Option<f64> {
-    const FIRST: usize = 6;
-    let numbers = block.numbers();
-    let scale = |number: usize| {
-        let terms =
-            block.series(number).iter().take(FIRST).enumerate().skip(usize::from(number < numbers / 2));
-        let known = terms.filter(|(_, c)| c[lane] != 0.0 && c[lane].is_finite());
-        let mut logarithms = known.map(|(n, c)| (n, log2(c[lane].abs())));
-        let (n, size) = logarithms.next()?;
-        logarithms.map(|(k, c)| (size - c) / count(k - n)).reduce(f64::min)
-    };
-    (0..numbers).filter_map(scale).reduce(f64::min)
+    Log2Radius {
+        of_sizes: lanes(|lane| if largest[lane] > LEAST { radius[lane] } else { f64::INFINITY }),
+        of_nothing: lanes(|lane| if largest[lane] > LEAST { f64::INFINITY } else { radius[lane] }),
+    }
 }
 
 fn count(n: usize) -> f64 {

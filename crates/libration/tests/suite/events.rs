@@ -286,3 +286,16 @@ fn units_of_time_do_not_matter() {
         assert!(errors.iter().all(|error| error.abs() < 1e-13), "{unit:e}: {errors:?}");
     }
 }
+
+#[test]
+fn velocities_that_are_almost_zero_do_not_matter() {
+    for velocity in [1e-17, -1e-60, 1e-300] {
+        let system = System::new(&"x'' = -x + 0.01 (1 - x^2) x'".parse().unwrap()).unwrap();
+        let got = run(&system, &[2.0, velocity], &[30.0], 1e-15).end.state;
+        let wanted = run(&system, &[2.0, 0.0], &[30.0], 1e-15).end.state;
+        assert!(
+            got.iter().zip(&wanted).all(|(a, b)| (a - b).abs() < 2e-14),
+            "{velocity:e}: {got:?} {wanted:?}"
+        );
+    }
+}
