@@ -30,7 +30,7 @@ pub(crate) struct SectionOptions {
     /// From which side the formula comes to zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: Side,
-    /// How many points pass before the first one is kept [default: 100 for driven systems, otherwise 0]
+    /// How many points pass before the first one is kept [default: 100, with --at 0]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
     /// How many points are kept

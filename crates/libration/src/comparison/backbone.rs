@@ -160,18 +160,32 @@ impl Backbone {
     /// All frequencies at an amplitude.
     #[must_use]
     pub fn at(&self, amplitude: f64) -> BackbonePoint {
-        let orbit = Orbit::released(&self.equation, self.centre + amplitude);
-        let orbit = orbit.map(|orbit| OrbitFrequency {
-            frequency: orbit.frequency(),
-            uncertainty: orbit.frequency() * orbit.period_uncertainty() / orbit.period(),
-            other_side: orbit.state_at(0.5 * orbit.period())[0] - self.centre,
-        });
+        let orbit = self.orbit_at(amplitude);
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);
             exact = own.exact_at(amplitude).map(|value| value * omega0);
         }
         BackbonePoint { amplitude, orbit, series, exact }
+    }
+
+    fn orbit_at(&self, amplitude: f64) -> Result<OrbitFrequency, NoOrbit> {
+        let start = self.centre + amplitude;
+        let orbit = Orbit::released(&self.equation, start)?;
+        let other_side = orbit.state_at(0.5 * orbit.period())[0];
+        if self.has_centre() && other_side >= self.centre {
+            return Err(NoOrbit::Elsewhere { start, other_side, centre: self.centre });
+        }
+        Ok(OrbitFrequency {
+            frequency: orbit.frequency(),
+            uncertainty: orbit.frequency() * orbit.period_uncertainty() / orbit.period(),
+            other_side: other_side - self.centre,
+        })
+    }
+
+    /// Whether amplitudes count from an equilibrium.
+    fn has_centre(&self) -> bool {
+        !matches!(self.series, Err(NoSeries::Oscillator(_)))
     }
 }
 
@@ -225,6 +239,19 @@ mod tests {
         let series = point.series.unwrap();
         let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
         assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
+    }
+
+    #[test]
+    fn orbits_about_another_equilibrium_are_none_of_this_curve() {
+        let pendulum = backbone("theta'' + sin(theta) = 0");
+        assert!(matches!(pendulum.at(3.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+        // The well at −1 ends at 0; beyond the motion is in the other well.
+        let equation = "x'' - x + x^3 = 0".parse().unwrap();
+        let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9).unwrap();
+        assert!(well.at(0.9).orbit.is_ok());
+        assert!(matches!(well.at(1.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+        // Around both wells.
+        assert!(well.at(3.0).orbit.is_ok());
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub enum DecayError {
         value: f64,
     },
     /// An amplitude that is none.
-    #[error("an amplitude of {0} rad is no motion: give at least 1e-100")]
+    #[error("an amplitude of {0:?} rad is no motion: give at least 1e-100")]
     AtRest(f64),
     /// An amplitude at or beyond the top.
     #[error(transparent)]

@@ -45,6 +45,24 @@ pub enum NoOrbit {
         /// What it does instead.
         why: Lost,
     },
+    /// A motion that conserves energy and yet comes to rest elsewhere than it began.
+    #[error(
+        "released at {0} the motion comes so near an unstable equilibrium that rounding errors decide where it goes from \
+         there: the release is on the separatrix to all digits"
+    )]
+    Separatrix(f64),
+    /// An oscillation about another equilibrium than the one that is meant.
+    #[error(
+        "released at {start} the motion goes to {other_side} and back, about another equilibrium than the one at {centre}"
+    )]
+    Elsewhere {
+        /// The place of the release.
+        start: f64,
+        /// The other turning point.
+        other_side: f64,
+        /// The equilibrium that is meant.
+        centre: f64,
+    },
     /// A motion that comes to rest elsewhere than it began.
     #[error(
         "released at {start} the motion comes to rest at {end} after one oscillation: it is damped or excited and has \

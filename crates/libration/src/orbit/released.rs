@@ -44,9 +44,15 @@ impl Orbit {
             return Err(NoOrbit::Start { state: vec![place], wanted: 1 });
         }
         let system = System::new(equation)?;
-        let path = once_around(&system, place, 1e-17)?;
+        let around = |tolerance| match once_around(&system, place, tolerance) {
+            Err(NoOrbit::NotClosed { start, .. }) if is_free_of_velocity(equation) => {
+                Err(NoOrbit::Separatrix(start))
+            }
+            other => other,
+        };
+        let path = around(1e-17)?;
         // Other orders and lengths of the steps make other rounding errors.
-        let again = once_around(&system, place, 1e-16)?;
+        let again = around(1e-16)?;
         let (period, half) = (path.full.end_time(), path.half);
         let spread = (period - again.full.end_time()).abs().max((period - 2.0 * half).abs());
         let uncertainty = 4.0 * (spread + f64::EPSILON * period);
@@ -110,6 +116,12 @@ fn why_lost(error: IntegrationError) -> Lost {
         IntegrationError::Stopped { cause: Cause::StepLimit, solution } => Lost::OneWay(solution.end.time),
         other => Lost::Stopped(other),
     }
+}
+
+/// Whether the force is one of the place only, which conserves an energy.
+fn is_free_of_velocity(equation: &Equation) -> bool {
+    let mut velocities = equation.variables().iter().map(|name| Symbol::plain(name).with_primes(1));
+    velocities.all(|velocity| equation.accelerations().iter().all(|formula| !formula.contains(&velocity)))
 }
 
 /// Whether the time stands in one of the accelerations.

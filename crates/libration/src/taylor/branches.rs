@@ -3,7 +3,7 @@
 use super::Cause;
 use super::block::Block;
 use super::expander::{Expander, Surroundings};
-use super::sign_change::first_sign_change;
+use super::sign_change::{first_sign_change, scaled};
 
 /// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
@@ -179,15 +179,4 @@ fn release(sign: impl Iterator<Item = f64>, length: f64) -> Option<f64> {
     };
     let (above, below) = (from(1.0), from(-1.0));
     above.into_iter().chain(below).reduce(f64::min)
-}
-
-/// The coefficients with the part of the step as variable.
-fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
-    let mut power = 1.0;
-    let terms = series.map(|c| {
-        let term = c * power;
-        power *= length;
-        term
-    });
-    terms.collect()
 }

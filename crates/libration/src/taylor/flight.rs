@@ -3,6 +3,7 @@
 use super::block::{Block, Row};
 use super::branches::Branches;
 use super::expander::{Expander, Surroundings};
+use super::sign_change::scaled;
 use super::step_length::{log2_time_scale, step_lengths};
 use super::{Cause, Effort, Moment, Step, System};
 use crate::dispatch::{Kernel, dispatch};
@@ -110,13 +111,8 @@ impl<'a, const N: usize> Flight<'a, N> {
     /// The series of the formula of an event, with the part of the step as variable.
     pub(super) fn event(&self, event: usize, lane: usize) -> Vec<f64> {
         let length = (self.block.end[lane] - self.block.start[lane]) / self.block.unit[lane];
-        let mut power = 1.0;
-        let scaled = |c: &[f64; N]| {
-            let term = c[lane] * power;
-            power *= length;
-            term
-        };
-        self.block[self.expander.event(event)].iter().map(scaled).collect()
+        let series = self.block[self.expander.event(event)].iter();
+        scaled(series.map(|c| c[lane]), length)
     }
 
     /// Where a step leads.
@@ -199,6 +195,9 @@ impl<'a, const N: usize> Flight<'a, N> {
     fn defect(&self, lane: usize, time: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
+        if state.iter().any(|number| !number.is_finite()) {
+            return f64::INFINITY;
+        }
         let exact = self.expander.accelerations(time, &state, &self.surroundings);
         let coordinates = exact.len();
         let parts = exact.iter().enumerate().map(|(i, exact)| {

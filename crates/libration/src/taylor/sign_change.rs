@@ -25,6 +25,17 @@ pub(super) fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
     places
 }
 
+/// The coefficients of a series in the part of a length as variable. A power that overflows makes nothing of no term.
+pub(super) fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
+    let mut power = 1.0;
+    let terms = series.map(|c| {
+        let term = if c == 0.0 { c } else { c * power };
+        power *= length;
+        term
+    });
+    terms.collect()
+}
+
 /// Below this two zeros are one.
 const NARROWEST: f64 = f64::EPSILON;
 
@@ -105,6 +116,13 @@ mod tests {
         // (x − 1/4)(x − 1/2)(x − 3/4).
         let three = sign_changes(&[-0.09375, 0.6875, -1.5, 1.0]);
         assert_eq!(three.len(), 3, "{three:?}");
+    }
+
+    #[test]
+    fn lengths_whose_powers_overflow_leave_a_polynomial_what_it_is() {
+        let fall = scaled([0.5, 0.0, -0.5, 0.0, 0.0].into_iter(), 1e100);
+        assert!(fall.iter().all(|term| term.is_finite()), "{fall:?}");
+        assert!((first_sign_change(&fall).unwrap() * 1e100 - 1.0).abs() < 1e-15);
     }
 
     #[test]

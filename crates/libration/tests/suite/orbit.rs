@@ -226,9 +226,10 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     // x = 1/2 is on the separatrix: its motion takes for ever to come to −1, and rounding errors decide what it does there.
     let separatrix = refusal("x'' = -x - x^2", 0.5);
     assert!(
-        matches!(separatrix, NoOrbit::Unsure { .. } | NoOrbit::NoReturn { .. } | NoOrbit::NotClosed { .. }),
+        matches!(separatrix, NoOrbit::Unsure { .. } | NoOrbit::NoReturn { .. } | NoOrbit::Separatrix(_)),
         "{separatrix}"
     );
+    assert_eq!(refusal("x'' = -sin(x)", std::f64::consts::PI), NoOrbit::Separatrix(std::f64::consts::PI));
     assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
     assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
     assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));

@@ -278,3 +278,14 @@ fn no_start_makes_it_panic_or_hang() {
         }
     }
 }
+
+/// Powers of such times overflow, which is no reason for friction to let go.
+#[test]
+fn what_friction_holds_it_holds_for_ever() {
+    for goal in [1e12, 1e17, 1e100, 1e200] {
+        let solution = solve("x'' + 0.1*sign(x') + sin(x) = 0", &[0.055, 0.0], &[1.0, goal], 1e-12);
+        for sample in &solution.samples {
+            assert_eq!(sample.state, [0.055, 0.0], "to {goal:e}, at {:e}", sample.time);
+        }
+    }
+}

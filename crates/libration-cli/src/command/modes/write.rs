@@ -123,7 +123,7 @@ fn summary(mode: &Mode) -> String {
                 None => format!("ω = {frequency}"),
             }
         }
-        Behaviour::Free => "free, nothing drives it back".to_owned(),
+        Behaviour::Free => "free, no force in proportion to the displacement drives it back".to_owned(),
         Behaviour::Unstable if im > 0.0 => {
             format!("UNSTABLE, growing like exp({rate} t) at the frequency {frequency}")
         }

@@ -121,7 +121,10 @@ impl Answer<'_> {
             Ending::Stopped(Cause::Interrupted) => {
                 Failure::Interrupted("interrupted: the points until then are written".to_owned())
             }
-            other => Failure::no_answer("section", format!("{other}: the points until then are written")),
+            other => Failure::no_answer(
+                "section",
+                format!("{}: the points until then are written", other.to_string().trim_end_matches(',')),
+            ),
         })
     }
 }

@@ -27,8 +27,8 @@ use std::path::PathBuf;
   libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:100:0.1 --figure double.svg
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 --times 0,1,10 --json
   libration simulate pendulum --initial theta=179deg --times 0:100:1 --events turning,theta'-1 --json
-  libration simulate driven_pendulum --set A=1.2,c=1/2 --initial theta=0.1 --times 0:1e5:0.01 --output long.csv
-  libration simulate driven_pendulum --set A=1.2,c=1/2 --times 0:1e5:0.01 --resume long.csv --output long.csv
+  libration simulate driven_pendulum --set A=1.2,c=1/2 --initial theta=0.1 --times 0:1e4:0.01 --output long.csv
+  libration simulate driven_pendulum --set A=1.2,c=1/2 --times 0:1e4:0.01 --resume long.csv --output long.csv
 
 Integration starts at t = 0. In the shell, quote what has a prime in it: --initial \"theta=60deg,theta'=0.1\".
 Ctrl-C ends a run early: what was computed is written as a complete answer, to go on from with --resume.")]

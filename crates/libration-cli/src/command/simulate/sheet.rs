@@ -42,6 +42,7 @@ impl Report for Sheet {
             self.write_events(&summary.events, out)?;
         }
         let drift = match &summary.drift {
+            Ok(drift) if drift.is_nan() => "none, as the energy has no value all along".to_owned(),
             Ok(drift) => format!("{} of the largest kinetic energy", number::rounded(*drift, 2)),
             Err(reason) => format!("none, as {reason}"),
         };
