@@ -17,7 +17,8 @@ fn a_damped_pendulum_is_that_of_the_reference() {
         "simulate damped_pendulum --set c=0.1,n=2 --initial theta=1,theta'=0 --times 0.5,30 --tolerance 1e-15",
     );
     let fields: Vec<&str> = answer.as_object().unwrap().keys().map(String::as_str).collect();
-    let expected = ["schema", "system", "state", "samples", "events", "energy_drift", "steps", "note"];
+    let expected =
+        ["schema", "system", "equations", "state", "samples", "events", "energy_drift", "steps", "note"];
     assert_eq!(fields, expected);
     assert_eq!(
         (&answer["system"], &answer["state"]),
@@ -133,6 +134,13 @@ fn an_answer_is_gone_on_from_where_it_ended() {
         }
     }
     let other = directory.join("part.csv");
+    let begun = directory.join("begun.json");
+    let question =
+        format!("simulate pendulum --initial theta=1 --times 0,1 --json --output {}", begun.display());
+    assert!(libration(&question).status.success());
+    let output =
+        libration(&format!("simulate pendulum --set omega0=2 --times 0,2 --resume {}", begun.display()));
+    assert!(message(&output).contains("its equations are"), "{}", message(&output));
     let output = libration(&format!("simulate spring_pendulum --times 0,1 --resume {}", other.display()));
     assert_eq!(output.status.code(), Some(1));
     assert!(message(&output).contains("its states are of theta, theta'"), "{}", message(&output));

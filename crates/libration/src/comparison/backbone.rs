@@ -203,6 +203,10 @@ impl Series {
 
     /// Ω/ω0 of the pendulum.
     fn exact_at(&self, amplitude: f64) -> Option<f64> {
+        // The f64 nearest to π stands for the upright position itself.
+        if amplitude >= std::f64::consts::PI {
+            return None;
+        }
         self.relation().exact_without_motion(amplitude)?.ok().map(|exact| exact.value)
     }
 }

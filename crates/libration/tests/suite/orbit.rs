@@ -229,7 +229,7 @@ fn motions_without_a_period_are_refused_for_a_reason() {
         matches!(separatrix, NoOrbit::Unsure { .. } | NoOrbit::NoReturn { .. } | NoOrbit::Separatrix(_)),
         "{separatrix}"
     );
-    assert_eq!(refusal("x'' = -sin(x)", std::f64::consts::PI), NoOrbit::Separatrix(std::f64::consts::PI));
+    assert_eq!(refusal("x'' = -sin(x)", PI), NoOrbit::Separatrix(PI));
     assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
     assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
     assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));

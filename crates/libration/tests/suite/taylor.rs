@@ -203,7 +203,9 @@ fn singularities_stop_with_what_is_known() {
     assert!((solution.end.time - 1.0).abs() < 1e-12, "{}", solution.end.time);
     assert_eq!(stop("x'' = 1/x", &[0.0, 1.0], &[1.0]).0, Cause::Singularity);
     assert_eq!(stop("x'' = -sqrt(x)", &[-1.0, 0.0], &[1.0]).0, Cause::Singularity);
-    assert_eq!(stop("x'' = 1", &[0.0, 0.0], &[1e200]).0, Cause::Singularity);
+    // x = t²/2 leaves the range of floats at 1.9e154.
+    let (_, solution) = stop("x'' = 1", &[0.0, 0.0], &[1e200]);
+    assert!(solution.end.time > 1e154 && solution.end.state[0].is_finite(), "{:?}", solution.end);
 }
 
 #[test]

@@ -46,7 +46,10 @@ struct Json {
 
 impl Report for Json {
     fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
-        let head = Record::new().with("system", name(motion)).with("state", motion.model.state_names());
+        let head = Record::new()
+            .with("system", name(motion))
+            .with("equations", motion.model.equation().to_string())
+            .with("state", motion.model.state_names());
         json::begin_document(out, head)?;
         self.samples.begin(out, "samples")
     }

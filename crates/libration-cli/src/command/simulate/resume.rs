@@ -58,6 +58,12 @@ fn from_json(text: &str, model: &Model) -> Result<Earlier, String> {
         serde_json::from_str(text).map_err(|error| format!("no JSON ({error}): {WHAT_WOULD_DO}"))?;
     let names: Option<Vec<String>> = serde_json::from_value(document["state"].clone()).ok();
     check_names(&names.ok_or_else(|| missing("state"))?, model)?;
+    let equations = document["equations"].as_str();
+    if let Some(equations) = equations.filter(|equations| *equations != model.equation().to_string()) {
+        return Err(format!(
+            "its equations are {equations}: give the system and the values it was begun with"
+        ));
+    }
     let list = |name: &str| document[name].as_array().ok_or_else(|| missing(name));
     let read = |(number, value): (usize, &Value)| {
         let state: Option<Vec<f64>> =
