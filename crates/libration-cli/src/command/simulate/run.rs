@@ -52,8 +52,8 @@ impl Motion<'_> {
         figure: Option<&Path>,
         out: &mut dyn Write,
     ) -> Result<Ending, Failure> {
-        let system = self.system()?;
         interrupt::listen()?;
+        let system = self.system()?;
         let mut report = of_form(form);
         report.begin(self, out)?;
         let energy = self.model.energy();
@@ -129,7 +129,12 @@ impl Motion<'_> {
 fn check_order(times: &Times) -> Result<(), Failure> {
     let backward = times.last() < 0.0;
     let mut before = 0.0;
-    for after in times.iter() {
+    // A range goes on as it begins.
+    let decisive: Vec<f64> = match times {
+        Times::List(times) => times.clone(),
+        Times::Range(_) => times.iter().take(2).chain([times.last()]).collect(),
+    };
+    for after in decisive {
         if if backward { after > before } else { after < before } {
             return Err(Failure::usage("--times", IntegrationError::TimesNotInOrder { before, after }));
         }
