@@ -1,5 +1,6 @@
 //! `libration oscillators`: the oscillators that are known by name.
 
+use crate::arguments::KeyOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::sheet;
@@ -18,16 +19,15 @@ use std::io::{self, Write};
 Each can be given to `libration expand` by its key, its parameters by --set NAME=VALUE. Any other oscillator can be
 given there by its equation.")]
 pub(crate) struct Oscillators {
-    /// Only these
-    #[arg(value_name = "KEY")]
-    keys: Vec<String>,
+    #[command(flatten)]
+    keys: KeyOptions,
     #[command(flatten)]
     form: FormOptions,
 }
 
 impl Oscillators {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let chosen = self.chosen()?;
+        let chosen = self.keys.chosen(catalogue(), NamedOscillator::by_key)?;
         match self.form.form() {
             Form::Json => {
                 let records = chosen.into_iter().map(record);
@@ -37,14 +37,6 @@ impl Oscillators {
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
-    }
-
-    fn chosen(&self) -> Result<Vec<&'static NamedOscillator>, Failure> {
-        if self.keys.is_empty() {
-            return Ok(catalogue().iter().collect());
-        }
-        let found = self.keys.iter().map(|key| NamedOscillator::by_key(key.trim()));
-        found.collect::<Result<_, _>>().map_err(|error| Failure::usage("KEY", error))
     }
 }
 

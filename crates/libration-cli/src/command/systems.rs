@@ -1,5 +1,6 @@
 //! `libration systems`: the systems that are known by name.
 
+use crate::arguments::KeyOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::paragraph;
@@ -19,16 +20,15 @@ Each can be given to `libration simulate` by its key, its parameters by --set NA
 damping and driving, and the angular frequency of small swings is 1. The oscillators of `libration oscillators` can be given
 there too, and any equations of motion.")]
 pub(crate) struct Systems {
-    /// Only these
-    #[arg(value_name = "KEY")]
-    keys: Vec<String>,
+    #[command(flatten)]
+    keys: KeyOptions,
     #[command(flatten)]
     form: FormOptions,
 }
 
 impl Systems {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let chosen = self.chosen()?;
+        let chosen = self.keys.chosen(catalogue(), NamedSystem::by_key)?;
         match self.form.form() {
             Form::Json => {
                 let records = chosen.into_iter().map(record);
@@ -38,14 +38,6 @@ impl Systems {
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
-    }
-
-    fn chosen(&self) -> Result<Vec<&'static NamedSystem>, Failure> {
-        if self.keys.is_empty() {
-            return Ok(catalogue().collect());
-        }
-        let found = self.keys.iter().map(|key| NamedSystem::by_key(key.trim()));
-        found.collect::<Result<_, _>>().map_err(|error| Failure::usage("KEY", error))
     }
 }
 

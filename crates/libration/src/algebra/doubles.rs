@@ -1,6 +1,6 @@
 //! Double-precision numbers as a ring, for searches and motions in time.
 
-use super::{Function, Rational, Ring};
+use super::{Function, Lanes, Rational, Ring};
 
 /// The `f64`s; NaN where there is no value.
 #[derive(Clone, Copy, Debug)]
@@ -80,18 +80,10 @@ impl Ring for Doubles {
         Some(std::f64::consts::PI)
     }
 
-    /// In four sums, which a processor forms at the same time.
+    /// That of one lane.
     fn convolution(&self, a: &[f64], b: &[f64]) -> f64 {
-        let (fours, rest) = a.as_chunks::<4>();
-        let (rest_of_b, fours_of_b) = b.as_rchunks::<4>();
-        let mut sums = [0.0; 4];
-        for (a, b) in fours.iter().zip(fours_of_b.iter().rev()) {
-            for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b.iter().rev())) {
-                *sum += a * b;
-            }
-        }
-        let rest: f64 = rest.iter().zip(rest_of_b.iter().rev()).map(|(a, b)| a * b).sum();
-        (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+        let [sum] = Lanes::<1>.convolution(a.as_chunks().0, b.as_chunks().0);
+        sum
     }
 }
 

@@ -66,9 +66,16 @@ impl Expression {
     /// their own.
     #[must_use]
     pub fn substitute(&self, symbol: &Symbol, by: &Self) -> Self {
-        let part = |a: &Self| Box::new(a.substitute(symbol, by));
         match self {
             Self::Symbol(own) if own == symbol => by.clone(),
+            _ => self.with_parts(|part| part.substitute(symbol, by)),
+        }
+    }
+
+    /// The formula with others in the places of its operands.
+    pub(crate) fn with_parts(&self, mut other: impl FnMut(&Self) -> Self) -> Self {
+        let mut part = |a: &Self| Box::new(other(a));
+        match self {
             Self::Number(_) | Self::Pi | Self::Symbol(_) => self.clone(),
             Self::Negate(a) => Self::Negate(part(a)),
             Self::Add(a, b) => Self::Add(part(a), part(b)),

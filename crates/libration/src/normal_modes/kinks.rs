@@ -17,20 +17,12 @@ pub(super) struct Side<'a> {
 impl Side<'_> {
     /// The formula with s·u and s in the place of |u| and sign(u), where u vanishes.
     pub(super) fn seen(&self, formula: &Expression) -> Expression {
-        let part = |a: &Expression| Box::new(self.seen(a));
         match formula {
-            Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
-            Expression::Negate(a) => Expression::Negate(part(a)),
-            Expression::Add(a, b) => Expression::Add(part(a), part(b)),
-            Expression::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
-            Expression::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
-            Expression::Divide(a, b) => Expression::Divide(part(a), part(b)),
-            Expression::Power(a, b) => Expression::Power(part(a), part(b)),
             Expression::Call(Function::Abs, a) if self.vanishes(a) => {
-                Expression::Multiply(Box::new(self.sign.into()), part(a))
+                Expression::Multiply(Box::new(self.sign.into()), Box::new(self.seen(a)))
             }
             Expression::Call(Function::Sign, a) if self.vanishes(a) => self.sign.into(),
-            Expression::Call(function, a) => Expression::Call(*function, part(a)),
+            _ => formula.with_parts(|part| self.seen(part)),
         }
     }
 

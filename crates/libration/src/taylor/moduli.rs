@@ -11,24 +11,16 @@ pub(super) struct Moduli {
 impl Moduli {
     /// The formula with s·u in the place of each |u|, and s in the place of sign(u).
     pub(super) fn taken_out(&mut self, formula: &Expression) -> Expression {
-        let mut part = |a: &Expression| Box::new(self.taken_out(a));
         match formula {
-            Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
-            Expression::Negate(a) => Expression::Negate(part(a)),
-            Expression::Add(a, b) => Expression::Add(part(a), part(b)),
-            Expression::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
-            Expression::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
-            Expression::Divide(a, b) => Expression::Divide(part(a), part(b)),
-            Expression::Power(a, b) => Expression::Power(part(a), part(b)),
             Expression::Call(Function::Abs, a) => {
-                let argument = part(a);
-                Expression::Multiply(Box::new(self.sign_of(&argument)), argument)
+                let argument = self.taken_out(a);
+                Expression::Multiply(Box::new(self.sign_of(&argument)), Box::new(argument))
             }
             Expression::Call(Function::Sign, a) => {
-                let argument = part(a);
+                let argument = self.taken_out(a);
                 self.sign_of(&argument)
             }
-            Expression::Call(function, a) => Expression::Call(*function, part(a)),
+            _ => formula.with_parts(|part| self.taken_out(part)),
         }
     }
 

@@ -64,8 +64,12 @@ impl Simulate {
         let model = self.system.model()?;
         let earlier = self.resume.as_deref().map(|path| Earlier::read(path, &model)).transpose()?;
         let initial = match (&earlier, self.initial.is_given()) {
+            (Some(_), true) => {
+                let reason = "the file given to --resume says where the motion begins: leave --initial out";
+                return Err(Failure::usage("--initial", reason));
+            }
             (Some(earlier), false) => earlier.initial(),
-            _ => self.initial.read(&model)?,
+            (None, _) => self.initial.read(&model)?,
         };
         let motion = Motion {
             model: &model,

@@ -81,7 +81,8 @@ impl Motion<'_> {
         for moment in self.earlier_samples() {
             watch.earlier(moment)?;
         }
-        let (start, last) = (self.start(), self.times_left().last());
+        let start = self.start();
+        let last = self.times_left().next().map(|_| self.times.last());
         watch.start(&start)?;
         let outcome = integrate(system, &start, last.as_slice(), &self.effort, |step| watch.follow(step));
         if let Some(failure) = watch.failure.take() {

@@ -1,0 +1,27 @@
+//! Some entries of a catalogue, or all of them.
+
+use crate::failure::Failure;
+use std::fmt::Display;
+
+/// The entries asked for.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct KeyOptions {
+    /// Only these
+    #[arg(value_name = "KEY")]
+    keys: Vec<String>,
+}
+
+impl KeyOptions {
+    /// The entries with these keys; all of the catalogue where none is asked for.
+    pub(crate) fn chosen<T, E: Display>(
+        &self,
+        catalogue: impl IntoIterator<Item = T>,
+        by_key: impl Fn(&str) -> Result<T, E>,
+    ) -> Result<Vec<T>, Failure> {
+        if self.keys.is_empty() {
+            return Ok(catalogue.into_iter().collect());
+        }
+        let found = self.keys.iter().map(|key| by_key(key.trim()));
+        found.collect::<Result<_, _>>().map_err(|error| Failure::usage("KEY", error))
+    }
+}
