@@ -141,6 +141,11 @@ fn an_answer_is_gone_on_from_where_it_ended() {
     let output =
         libration(&format!("simulate pendulum --set omega0=2 --times 0,2 --resume {}", begun.display()));
     assert!(message(&output).contains("its equations are"), "{}", message(&output));
+    let further = format!("simulate pendulum --times 0,2 --resume {}", begun.display());
+    assert!(libration(&format!("{further} --initial theta=1")).status.success());
+    let output = libration(&format!("{further} --initial theta=1.1"));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("does not begin there"), "{}", message(&output));
     let output = libration(&format!("simulate spring_pendulum --times 0,1 --resume {}", other.display()));
     assert_eq!(output.status.code(), Some(1));
     assert!(message(&output).contains("its states are of theta, theta'"), "{}", message(&output));

@@ -9,7 +9,9 @@ mod error;
 mod number;
 mod table;
 mod text;
+mod trace;
 
 pub use dialect::Delimiter;
 pub use error::MeasurementError;
 pub use table::{Column, Header, Options, Selection, Table};
+pub use trace::{Seen, Trace, TraceError};

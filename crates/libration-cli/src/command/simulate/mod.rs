@@ -63,13 +63,10 @@ impl Simulate {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let model = self.system.model()?;
         let earlier = self.resume.as_deref().map(|path| Earlier::read(path, &model)).transpose()?;
-        let initial = match (&earlier, self.initial.is_given()) {
-            (Some(_), true) => {
-                let reason = "the file given to --resume says where the motion begins: leave --initial out";
-                return Err(Failure::usage("--initial", reason));
-            }
-            (Some(earlier), false) => earlier.initial(),
-            (None, _) => self.initial.read(&model)?,
+        let initial = match &earlier {
+            Some(earlier) if self.initial.is_given() => earlier.begun_from(self.initial.read(&model)?)?,
+            Some(earlier) => earlier.initial(),
+            None => self.initial.read(&model)?,
         };
         let motion = Motion {
             model: &model,

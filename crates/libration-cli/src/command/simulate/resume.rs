@@ -49,6 +49,17 @@ impl Earlier {
         let state = self.samples.first().map(|moment| moment.state.clone()).unwrap_or_default();
         Initial { state, assumed: vec![] }
     }
+
+    /// The start that was asked for, if the earlier answer began there.
+    pub(super) fn begun_from(&self, asked: Initial) -> Result<Initial, Failure> {
+        let start = self.samples.first().filter(|moment| moment.time.abs() == 0.0);
+        if start.is_some_and(|start| start.state == asked.state) {
+            return Ok(asked);
+        }
+        let reason = "the file given to --resume does not begin there: leave --initial out to go on from the file, or \
+                      --resume to begin anew";
+        Err(Failure::usage("--initial", reason))
+    }
 }
 
 const WHAT_WOULD_DO: &str = "give a file that `libration simulate` wrote by --json or --csv";
