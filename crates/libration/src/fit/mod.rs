@@ -20,6 +20,7 @@ mod outliers;
 mod period_table;
 mod periods;
 mod small_angle_period;
+pub mod trace;
 
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
