@@ -219,7 +219,7 @@ fn a_release_next_to_the_top_is_fitted() {
     let fit = fit(&[truth.trace(&mut Random::seeded(3))], truth.terms(), TraceOptions::default());
     assert!(fit.rms < 0.0022, "{}", fit.rms);
     let theta0 = fit.parameter("theta0").unwrap();
-    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.uncertainty < 1e-3, "{theta0:?}");
+    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.uncertainty < 2e-3, "{theta0:?}");
 }
 
 #[test]
@@ -275,8 +275,10 @@ fn outliers_draw_a_robust_fit_by_nothing() {
     let clean = truth.trace(&mut Random::seeded(6));
     let mut random = Random::seeded(7);
     let mut values = clean.values().to_vec();
-    for value in values.iter_mut().filter(|_| random.below(20) == 0) {
-        *value += random.between(0.2, 2.0);
+    for value in values.iter_mut() {
+        if random.below(20) == 0 {
+            *value += random.between(0.2, 2.0);
+        }
     }
     let spoilt = Trace::new("spoilt", Seen::Angle, clean.times().to_vec(), values, None).unwrap();
     let robust = TraceOptions { robust: true, ..TraceOptions::default() };
@@ -335,22 +337,39 @@ fn little_data_do_not_tell_one_damping_from_another() {
     assert!(comparison.rivals().len() >= 2, "{:?}", comparison.rivals());
 }
 
+/// Noise of which each value remembers the one before.
+fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> Trace {
+    let mut error = 0.0;
+    let mut next = || {
+        error = memory * error + noise * random.normal();
+        error
+    };
+    let values = trace.values().iter().map(|value| value + next()).collect();
+    Trace::new("with memory", Seen::Angle, trace.times().to_vec(), values, None).unwrap()
+}
+
 #[test]
 fn alike_residuals_are_said_and_widen_the_uncertainties() {
-    // A lens bends the angles by what no pendulum does.
-    let truth = Truth { noise: 0.001, damping: [0.0, 0.02, 0.0], ..Truth::plain() };
-    let trace = truth.trace(&mut Random::seeded(11));
-    let bent = trace.values().iter().map(|angle| angle + 0.02 * libm::sin(3.0 * angle)).collect();
-    let bent = Trace::new("bent", Seen::Angle, trace.times().to_vec(), bent, None).unwrap();
-    let straight = fit(&[trace], truth.terms(), TraceOptions::default());
-    assert!(straight.autocorrelation.is_noise() && straight.bootstrap_block.is_none());
-    let bent = fit(&[bent], truth.terms(), TraceOptions::default());
-    assert!(!bent.autocorrelation.is_noise() && bent.bootstrap_block.is_some());
-    assert!(
-        bent.parameters[0].uncertainty > 1.5 * bent.parameters[0].formal_uncertainty,
-        "{:?}",
-        bent.parameters[0]
-    );
+    const TRACES: usize = 60;
+    let truth = Truth { damping: [0.0, 0.02, 0.0], ..Truth::plain() };
+    let exact = truth.trace(&mut Random::seeded(11));
+    let mut random = Random::seeded(12);
+    let mut squares = [0.0; 2];
+    for _ in 0..TRACES {
+        let fit =
+            fit(&[with_memory(&exact, 0.9, 0.002, &mut random)], truth.terms(), TraceOptions::default());
+        assert!(!fit.autocorrelation.is_noise() && fit.bootstrap_block.is_some());
+        let omega0 = &fit.parameters[0];
+        for (sum, uncertainty) in squares.iter_mut().zip([omega0.uncertainty, omega0.formal_uncertainty]) {
+            *sum += libm::pow((omega0.value - 3.0) / uncertainty, 2.0) / TRACES as f64;
+        }
+    }
+    // The blocks are shorter than infinite, so that a little is missing.
+    let [stated, formal] = squares.map(f64::sqrt);
+    assert!((0.7..1.5).contains(&stated) && formal > 2.0, "{stated} {formal}");
+    let noisy = with_memory(&exact, 0.0, 0.002, &mut random);
+    let fit = fit(&[noisy], truth.terms(), TraceOptions::default());
+    assert!(fit.autocorrelation.is_noise() && fit.bootstrap_block.is_none());
 }
 
 #[test]
