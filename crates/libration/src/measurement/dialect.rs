@@ -111,7 +111,7 @@ impl Dialect {
     /// The number of rows of two numbers or more, of their cells, and of rows of one number.
     fn merit(self, sample: &str) -> (usize, usize, usize) {
         let (mut rows, mut cells, mut single) = (0, 0, 0);
-        for row in self.delimiter.rows(sample) {
+        for row in self.rows(sample) {
             let is_of_numbers = row.is_of_numbers(self.mark);
             rows += usize::from(is_of_numbers && row.filled() >= 2);
             single += usize::from(is_of_numbers && row.filled() == 1);
@@ -127,17 +127,36 @@ pub(super) fn sample(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-impl Delimiter {
+impl Dialect {
     /// The rows of the text, its blank lines and comments left out.
     pub(super) fn rows(self, text: &str) -> impl Iterator<Item = Row> {
-        let rows: Box<dyn Iterator<Item = Row>> = match self {
-            Self::Tab => Box::new(delimited_rows(text, b'\t')),
-            Self::Semicolon => Box::new(delimited_rows(text, b';')),
-            Self::Comma => Box::new(delimited_rows(text, b',')),
-            Self::Whitespace => Box::new(spaced_rows(text)),
+        let rows: Box<dyn Iterator<Item = Row>> = match self.delimiter {
+            Delimiter::Tab => Box::new(delimited_rows(text, b'\t')),
+            Delimiter::Semicolon => Box::new(delimited_rows(text, b';')),
+            Delimiter::Comma if self.mark == DecimalMark::Comma => {
+                Box::new(delimited_rows(text, b',').map(with_pairs_joined))
+            }
+            Delimiter::Comma => Box::new(delimited_rows(text, b',')),
+            Delimiter::Whitespace => Box::new(spaced_rows(text)),
         };
         rows.filter(Row::is_data)
     }
+}
+
+/// Where commas are decimal commas and between cells too, a row of whole numbers is one of pairs: `0,5,1,2` is 0.5 and 1.2.
+fn with_pairs_joined(row: Row) -> Row {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_whole = |text: &str| digits(text.trim_start_matches(['-', '+', '−']));
+    let is_fraction = |text: &str| {
+        text.split_once(['e', 'E']).map_or(digits(text), |(start, power)| digits(start) && is_whole(power))
+    };
+    let cells: Vec<&str> = row.cells.iter().collect();
+    let (pairs, rest) = cells.as_chunks::<2>();
+    if !rest.is_empty() || !pairs.iter().all(|[whole, fraction]| is_whole(whole) && is_fraction(fraction)) {
+        return row;
+    }
+    let joined = pairs.iter().map(|[whole, fraction]| format!("{whole},{fraction}")).collect();
+    Row { line: row.line, cells: joined }
 }
 
 fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {

@@ -17,6 +17,12 @@ pub enum MeasurementError {
     /// Not text.
     #[error("the file is {0}, not a table as text: export it as CSV in UTF-8")]
     NotText(&'static str),
+    /// A workbook that cannot be read.
+    #[error("the workbook cannot be read, {0}: save it again, or export it as CSV")]
+    DamagedWorkbook(String),
+    /// A ZIP archive that cannot be read.
+    #[error("the ZIP archive cannot be read, {0}: export it again")]
+    DamagedArchive(String),
     /// Nothing but blank lines, comments and perhaps a header.
     #[error("the file has no rows of data: give at least one line of numbers")]
     Empty,
@@ -77,6 +83,14 @@ pub enum MeasurementError {
     /// Two columns of this name.
     #[error("several columns are named `{0}`: ask by number, counted from 1")]
     AmbiguousColumn(String),
+    /// None of several sheets has what is asked for; the first says why.
+    #[error("no sheet has what is asked for; `{name}`: {error}")]
+    OfSheet {
+        /// The sheet.
+        name: String,
+        /// Why not.
+        error: Box<Self>,
+    },
     /// No sheet or run of this name.
     #[error("there is no {what} `{asked}`: the file has {available}")]
     NoSuch {
@@ -117,6 +131,17 @@ pub enum MeasurementError {
         line: u64,
         /// As in the file.
         found: f64,
+    },
+    /// Positions that do not say where the pivot is.
+    #[error("{0}: say where the pivot is, as pivot=X,Y in the unit of the positions")]
+    PivotUnknown(String),
+    /// Horizontal and vertical positions in different units.
+    #[error("the positions are in {x} and in {y}: give both in one unit")]
+    PositionUnits {
+        /// Of the horizontal positions.
+        x: String,
+        /// Of the vertical positions.
+        y: String,
     },
     /// Values that are no trace.
     #[error(transparent)]

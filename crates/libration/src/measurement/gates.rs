@@ -27,33 +27,36 @@ impl Recording {
     /// # Errors
     /// Columns that the file does not decide, cells that are no numbers or states, no time at all.
     pub fn gate_times(&self, choices: &Choices) -> Result<Gates, MeasurementError> {
-        let sheet = self.sheet(choices)?;
-        let mut findings = Vec::new();
-        let time = time_column(sheet, choices, &mut findings)?;
-        let state = state_column(sheet, choices, &mut findings)?;
-        let unit = unit(sheet, time, choices, &mut findings)?;
-        let mut gates = Gates {
-            times: Vec::new(),
-            blocked: state.map(|_| Vec::new()),
-            lines: Vec::new(),
-            incomplete: 0,
-            findings,
-        };
-        for row in 0..sheet.rows() {
-            let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
-            match (sheet.number(time, row)?, state) {
-                (Some(time), None | Some(Some(_))) => {
-                    gates.times.push(unit.to_si(time));
-                    gates.lines.push(sheet.lines[row]);
-                    if let (Some(blocked), Some(Some(state))) = (&mut gates.blocked, state) {
-                        blocked.push(state);
-                    }
-                }
-                _ => gates.incomplete += 1,
-            }
-        }
-        if gates.times.is_empty() { Err(MeasurementError::NothingComplete(sheet.rows())) } else { Ok(gates) }
+        self.from_sheet(choices, |sheet| gates_of(sheet, choices))
     }
+}
+
+fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError> {
+    let mut findings = Vec::new();
+    let time = time_column(sheet, choices, &mut findings)?;
+    let state = state_column(sheet, choices, &mut findings)?;
+    let unit = unit(sheet, time, choices, &mut findings)?;
+    let mut gates = Gates {
+        times: Vec::new(),
+        blocked: state.map(|_| Vec::new()),
+        lines: Vec::new(),
+        incomplete: 0,
+        findings,
+    };
+    for row in 0..sheet.rows() {
+        let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
+        match (sheet.number(time, row)?, state) {
+            (Some(time), None | Some(Some(_))) => {
+                gates.times.push(unit.to_si(time));
+                gates.lines.push(sheet.lines[row]);
+                if let (Some(blocked), Some(Some(state))) = (&mut gates.blocked, state) {
+                    blocked.push(state);
+                }
+            }
+            _ => gates.incomplete += 1,
+        }
+    }
+    if gates.times.is_empty() { Err(MeasurementError::NothingComplete(sheet.rows())) } else { Ok(gates) }
 }
 
 fn time_column(

@@ -22,7 +22,10 @@ pub(super) struct Layout {
 
 impl Layout {
     pub(super) fn of(text: &str, dialect: Dialect, header: Header) -> Result<Self, MeasurementError> {
-        let mut above: Vec<Row> = dialect.delimiter.rows(text).take(SAMPLE).collect();
+        let mut above: Vec<Row> = dialect.rows(text).take(SAMPLE).collect();
+        if let Some(row) = above.iter().find(|row| row.cells.iter().any(|cell| cell.contains('\n'))) {
+            return Err(MeasurementError::UnclosedQuote { line: row.line });
+        }
         let width = width(&above, dialect.mark);
         let body = match header {
             Header::Detect => first_of_numbers(&above, width, dialect.mark),
@@ -152,7 +155,7 @@ fn units_below(above: &mut Vec<Row>) -> Option<Row> {
 fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Option<Row> {
     let lines = (1..first_line).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with(COMMENT));
     let (line, comment) = lines.last()?;
-    let row = dialect.delimiter.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
+    let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
     let row = Row { line, cells: row.cells };
     let cells = name_cells(&row, width).ok()?;
     let knows = |cell: &String| Heading::read(cell, None, None).quantity != super::Quantity::Other;

@@ -4,7 +4,9 @@
 //! between cells; a header or none; blank lines and lines that begin with `#` are skipped. Every complaint
 //! names its line.
 
+mod ambiguity;
 mod choices;
+mod container;
 mod dialect;
 mod error;
 mod gates;
@@ -19,12 +21,13 @@ mod trace;
 mod traces;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion};
+pub use container::Format;
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use gates::Gates;
 pub use heading::{Heading, Quantity, Unit, UnknownUnit};
 pub use number::DecimalMark;
-pub use recording::{Format, Recording};
+pub use recording::Recording;
 pub use sheet::{Channel, Sheet};
 pub use table::{Header, Options, Selection, Table};
 pub use text::Encoding;

@@ -1,25 +1,12 @@
 //! A file of measurements: what it is, its sheets, and what was told from it.
 
-use super::choices::{Choices, Finding};
+use super::ambiguity;
+use super::choices::{Choices, Finding, Suggestion};
+use super::container::{self, Format, Page};
 use super::dialect::Dialect;
 use super::sheet::Sheet;
 use super::table::Options;
-use super::text::{Encoding, decode};
 use super::{Choice, Column, MeasurementError};
-
-/// What kind of file it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Format {
-    /// Text in this encoding.
-    Text(Encoding),
-    /// An Excel workbook of before 2007.
-    Xls,
-    /// An Excel workbook.
-    Xlsx,
-    /// An archive of text files, as phyphox exports.
-    Zip,
-}
 
 /// A file of measurements, read and not yet interpreted.
 ///
@@ -37,6 +24,8 @@ pub enum Format {
 pub struct Recording {
     format: Format,
     sheets: Vec<Sheet>,
+    /// Tables that hold no columns of numbers, and why.
+    left_out: Vec<(String, MeasurementError)>,
 }
 
 impl Recording {
@@ -45,13 +34,19 @@ impl Recording {
     /// # Errors
     /// Too many bytes, not a known kind of file, no rows, rows of different lengths, a dialect that the file does not decide.
     pub fn read(bytes: &[u8], options: &Options) -> Result<Self, MeasurementError> {
-        if bytes.len() > options.size_limit {
-            return Err(MeasurementError::TooLarge { size: bytes.len(), limit: options.size_limit });
+        let (format, pages) = container::pages(bytes, options.size_limit)?;
+        let mut recording = Self { format, sheets: Vec::new(), left_out: Vec::new() };
+        for page in pages {
+            match read_page(&page, options) {
+                Ok(sheet) => recording.sheets.push(sheet),
+                Err(error) => recording.left_out.push((page.name, error)),
+            }
         }
-        let (text, encoding) = decode(bytes)?;
-        let dialect = Dialect::sniff(&text, options.delimiter, options.decimal);
-        let sheet = Sheet::read("", &text, dialect, options)?;
-        Ok(Self { format: Format::Text(encoding), sheets: vec![sheet] })
+        match recording.left_out.first() {
+            Some((_, error)) if recording.sheets.is_empty() => Err(error.clone()),
+            None if recording.sheets.is_empty() => Err(MeasurementError::Empty),
+            _ => Ok(recording),
+        }
     }
 
     /// What kind of file it is.
@@ -73,14 +68,36 @@ impl Recording {
     /// What was told from the file in reading it.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
-        self.sheets.iter().flat_map(Sheet::findings).collect()
+        let left_out =
+            self.left_out.iter().map(|(name, error)| Finding::fact(format!("`{name}` is left out: {error}")));
+        left_out.chain(self.sheets.iter().flat_map(Sheet::findings)).collect()
     }
 
-    /// The sheet that is chosen, or the only one.
-    pub(super) fn sheet(&self, choices: &Choices) -> Result<&Sheet, MeasurementError> {
-        match &choices.sheet {
-            None => Ok(&self.sheets[0]),
-            Some(asked) => self.sheet_named(asked),
+    /// What the chosen sheet gives, or the only one that gives anything.
+    pub(super) fn from_sheet<T>(
+        &self,
+        choices: &Choices,
+        give: impl Fn(&Sheet) -> Result<T, MeasurementError>,
+    ) -> Result<T, MeasurementError> {
+        match (&choices.sheet, &self.sheets[..]) {
+            (Some(asked), _) => give(self.sheet_named(asked)?),
+            (None, [only]) => give(only),
+            (None, sheets) => {
+                let (mut given, mut reason) = (Vec::new(), None);
+                for sheet in sheets {
+                    match give(sheet) {
+                        Ok(one) => given.push((&sheet.name, one)),
+                        Err(error) => reason = reason.or(Some((&sheet.name, error))),
+                    }
+                }
+                match (given.len(), reason) {
+                    (1, _) => Ok(given.swap_remove(0).1),
+                    (0, Some((name, error))) => {
+                        Err(MeasurementError::OfSheet { name: name.clone(), error: error.into() })
+                    }
+                    _ => Err(several_sheets(given.into_iter().map(|(name, _)| name))),
+                }
+            }
         }
     }
 
@@ -99,6 +116,24 @@ impl Recording {
             available: names.join(", "),
         })
     }
+}
+
+fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementError {
+    let question = "several sheets have what is asked for".to_owned();
+    MeasurementError::Undecided {
+        question,
+        choices: names.map(|name| Suggestion::new(Choice::Sheet, name)).collect(),
+    }
+}
+
+fn read_page(page: &Page<'_>, options: &Options) -> Result<Sheet, MeasurementError> {
+    if let Some(dialect) = page.dialect {
+        return Sheet::read(&page.name, &page.text, dialect, options);
+    }
+    let dialect = Dialect::sniff(&page.text, options.delimiter, options.decimal);
+    let sheet = Sheet::read(&page.name, &page.text, dialect, options)?;
+    ambiguity::refuse(&page.text, &sheet, options)?;
+    Ok(sheet)
 }
 
 impl Sheet {

@@ -96,7 +96,7 @@ impl Sheet {
             channels: layout.headings.into_iter().map(channel).collect(),
             lines: Vec::new(),
         };
-        for row in dialect.delimiter.rows(text).skip_while(|row| row.line < layout.first_line) {
+        for row in dialect.rows(text).skip_while(|row| row.line < layout.first_line) {
             sheet.push(&row)?;
         }
         Ok(sheet)

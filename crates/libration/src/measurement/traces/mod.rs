@@ -1,12 +1,15 @@
 //! A recording → traces: which columns, in which units, run by run.
 
+mod circle;
 mod columns;
+mod positions;
 mod rows;
 mod turns;
 mod units;
 
 use super::choices::{Choices, Finding};
 use super::recording::Recording;
+use super::sheet::Sheet;
 use super::{MeasurementError, Trace};
 use columns::Columns;
 use rows::Rows;
@@ -29,15 +32,18 @@ impl Recording {
     /// No such column, sheet or run; a column, unit or pivot that the file does not decide, with the choices that would;
     /// cells that are no numbers; times that go back.
     pub fn traces(&self, choices: &Choices) -> Result<Traces, MeasurementError> {
-        let sheet = self.sheet(choices)?;
-        let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
-        for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
-            for rows in Rows::of_runs(sheet, &columns, choices, &mut found.findings)? {
-                let (trace, lines) = rows.trace(sheet, &columns, choices, &mut found.findings)?;
-                found.traces.push(trace);
-                found.lines.push(lines);
-            }
-        }
-        Ok(found)
+        self.from_sheet(choices, |sheet| traces_of(sheet, choices))
     }
+}
+
+fn traces_of(sheet: &Sheet, choices: &Choices) -> Result<Traces, MeasurementError> {
+    let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
+    for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
+        for rows in Rows::of_runs(sheet, &columns, choices, &mut found.findings)? {
+            let (trace, lines) = rows.trace(sheet, &columns, choices, &mut found.findings)?;
+            found.traces.push(trace);
+            found.lines.push(lines);
+        }
+    }
+    Ok(found)
 }

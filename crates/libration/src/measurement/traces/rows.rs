@@ -4,7 +4,7 @@ use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
 use super::super::{MeasurementError, Seen, Trace};
 use super::columns::{Columns, Value};
-use super::{turns, units};
+use super::{positions, turns, units};
 
 /// Some rows of a sheet, as columns of what the file holds.
 #[derive(Clone, Debug, Default)]
@@ -127,12 +127,20 @@ impl Rows {
             }
         };
         units::seconds(&mut self.times, sheet, columns.time, choices, &mut tell)?;
-        let Value::Column(place, seen) = columns.value else {
-            return Err(MeasurementError::NothingComplete(0));
+        let seen = match columns.value {
+            Value::Column(place, seen) => {
+                let scale = units::of_value(&self.values, sheet, place, seen, choices, &mut tell)?;
+                self.values.iter_mut().for_each(|value| *value = scale.of(*value));
+                self.uncertainties.iter_mut().for_each(|value| *value = scale.of(*value));
+                seen
+            }
+            Value::Positions { x, y } => {
+                positions::same_unit(sheet, x, y)?;
+                self.values =
+                    positions::angles(&self.values, &self.heights, choices.pivot, &self.name, &mut tell)?;
+                Seen::Angle
+            }
         };
-        let scale = units::of_value(&self.values, sheet, place, seen, choices, &mut tell)?;
-        self.values.iter_mut().for_each(|value| *value = scale.of(*value));
-        self.uncertainties.iter_mut().for_each(|value| *value = scale.of(*value));
         if seen == Seen::Angle {
             turns::unwrap(&mut self.values, &self.name, &mut tell);
         }

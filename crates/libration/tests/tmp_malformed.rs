@@ -1,0 +1,3 @@
+//! tmp
+#[path = "suite/malformed/mod.rs"]
+mod malformed;
