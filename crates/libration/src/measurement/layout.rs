@@ -70,7 +70,8 @@ fn first_of_numbers(rows: &[Row], width: usize, mark: DecimalMark) -> Option<usi
         let is_fine = |(balance, cell): (&i64, Cell)| *balance < 0 || cell != Cell::Text;
         let numbers =
             balance.iter().zip(row.kinds(mark)).filter(|(balance, cell)| **balance >= 0 && cell.is_number());
-        row.filled() <= width && numbers.count() > 0 && balance.iter().zip(row.kinds(mark)).all(is_fine)
+        let has_all = row.filled() <= width && row.cells.len() >= width;
+        has_all && numbers.count() > 0 && balance.iter().zip(row.kinds(mark)).all(is_fine)
     })
 }
 

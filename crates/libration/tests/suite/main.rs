@@ -19,6 +19,7 @@ mod expression;
 mod fit;
 mod fourier;
 mod ledger;
+mod malformed;
 mod measurement;
 mod motion;
 mod normal_modes;

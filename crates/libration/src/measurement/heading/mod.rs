@@ -140,7 +140,8 @@ fn quantity(name: &str, unit: Option<Unit>, has_unit: bool) -> (Quantity, bool) 
         (Some(Measures::AngularVelocity), _) => Quantity::AngularVelocity,
         (Some(Measures::Length), Quantity::X | Quantity::Y) => named,
         (None, named) if !has_unit => named,
-        (None, Quantity::Gate | Quantity::Run) => named,
+        // Of a unit that is not known here it is asked later.
+        (None, Quantity::Angle | Quantity::AngularVelocity | Quantity::Gate | Quantity::Run) => named,
         _ => Quantity::Other,
     };
     (quantity, is_uncertainty)
@@ -268,7 +269,7 @@ mod tests {
             ("packet", Run, "", None),
             ("Time shift (s)", Other, "s", None),
             ("Angular Acceleration (rad/s²)", Other, "", None),
-            ("Angle (furlong)", Other, "", None),
+            ("Angle (furlong)", Angle, "", None),
         ] {
             let heading = Heading::read(text, None, None);
             let found = heading.unit.map_or(String::new(), |unit| unit.to_string());

@@ -1,5 +1,7 @@
 //! The rows of one run: complete, in the order of time, in seconds and radians.
 
+use std::collections::BTreeMap;
+
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
 use super::super::{MeasurementError, Seen, Trace};
@@ -34,12 +36,14 @@ impl Rows {
             return Ok(vec![Self::collect(sheet, columns, name, 0..sheet.rows())?]);
         };
         let mut runs: Vec<(f64, Vec<usize>)> = Vec::new();
+        let mut places: BTreeMap<u64, usize> = BTreeMap::new();
         for row in 0..sheet.rows() {
             let Some(number) = sheet.number(numbering, row)? else { continue };
-            match runs.last_mut().filter(|(last, _)| *last == number) {
-                Some((_, rows)) => rows.push(row),
-                None => runs.push((number, vec![row])),
+            let place = *places.entry(number.to_bits()).or_insert(runs.len());
+            if place == runs.len() {
+                runs.push((number, Vec::new()));
             }
+            runs[place].1.push(row);
         }
         let name = |number: f64| format!("{} {number}", sheet.channels[numbering].heading.name);
         let text = format!("{} numbers {} runs", sheet.describe(numbering), runs.len());

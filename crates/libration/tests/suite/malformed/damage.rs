@@ -132,14 +132,18 @@ impl Workbench {
         let first_line = format!("line {}", style.line_of(0) - 1);
         let has_header_words = !time.contains('"');
         self.refuse("no header", style.file("", &rows), &["nothing says", "unit=rad"]);
-        self.refuse("no units", with(&["t", "theta"]), &["nothing says", "unit=deg"]);
+        match style.degrees {
+            // No pendulum swings to and fro by several turns.
+            true => self.read("no units", with(&["t", "theta"]), style.truth()),
+            false => self.refuse("no units", with(&["t", "theta"]), &["nothing says", "unit=deg"]),
+        }
         self.refuse("an unknown unit", with(&["t/s", "theta/furlong"]), &["furlong"]);
         self.refuse(
             "an unknown unit of time",
             with(&["t/jiffies", "theta/rad"]),
             &["jiffies", "time-unit=s"],
         );
-        self.refuse("units exchanged", with(&["t/rad", "theta/s"]), &["rad"]);
+        self.refuse("units exchanged", with(&["t/rad", "theta/s"]), &["angle=2"]);
         self.refuse("two columns of time", with(&["t/s", "time/s"]), &["times", "time=1"]);
         self.refuse("names with numbers", with(&["1", "2"]), &[]);
         if style.delimiter != " " {

@@ -43,6 +43,9 @@ fn workbook(rows: &str) -> Vec<u8> {
     let book = format!(
         "<workbook xmlns=\"{SPACE}\" xmlns:r=\"{OFFICE}\"><sheets><sheet name=\"Raw Data\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"
     );
+    let office = format!(
+        "<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"rId1\" Type=\"{OFFICE}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
+    );
     let relations = format!(
         "<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"rId1\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
     );
@@ -52,6 +55,7 @@ fn workbook(rows: &str) -> Vec<u8> {
     let sheet = format!("<worksheet xmlns=\"{SPACE}\"><sheetData>{rows}</sheetData></worksheet>");
     archive(&[
         ("[Content_Types].xml", types.as_bytes()),
+        ("_rels/.rels", office.as_bytes()),
         ("xl/workbook.xml", book.as_bytes()),
         ("xl/_rels/workbook.xml.rels", relations.as_bytes()),
         ("xl/styles.xml", styles.as_bytes()),

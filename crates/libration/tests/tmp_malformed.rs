@@ -1,3 +1,0 @@
-//! tmp
-#[path = "suite/malformed/mod.rs"]
-mod malformed;
