@@ -6,6 +6,7 @@
 
 mod dialect;
 mod error;
+mod faults;
 mod number;
 mod table;
 mod text;
@@ -13,5 +14,6 @@ mod trace;
 
 pub use dialect::Delimiter;
 pub use error::MeasurementError;
+pub use faults::{Clock, Faults, Gap, Grid, Run, unwrapped};
 pub use table::{Column, Header, Options, Selection, Table};
 pub use trace::{Seen, Trace, TraceError};
