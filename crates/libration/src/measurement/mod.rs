@@ -9,6 +9,7 @@ mod choices;
 mod container;
 mod dialect;
 mod error;
+mod faults;
 mod gates;
 mod heading;
 mod layout;
@@ -24,6 +25,8 @@ pub use choices::{Choice, Choices, Column, Finding, Suggestion};
 pub use container::Format;
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
+pub use faults::{Clock, Faults, Gap, Grid, Run, unwrapped};
+
 pub use gates::Gates;
 pub use heading::{Heading, Quantity, Unit, UnknownUnit};
 pub use number::DecimalMark;

@@ -37,7 +37,7 @@ const MAP: &[(&str, &[&str])] = &[
         ],
     ),
     ("measurement", &[]),
-    ("fit", &["pendulum"]),
+    ("fit", &["pendulum", "measurement", "elliptic"]),
 ];
 
 /// Private foundations, which every module may use; what they may use themselves.

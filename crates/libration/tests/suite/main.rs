@@ -5,6 +5,7 @@
 mod golden;
 mod promises;
 mod random;
+mod synthetic_trace;
 mod ulp;
 
 mod accuracy;
@@ -17,6 +18,7 @@ mod events;
 mod expansions;
 mod expression;
 mod fit;
+mod fit_cycles;
 mod fourier;
 mod ledger;
 mod malformed;
