@@ -29,7 +29,7 @@ pub(crate) use negative::protect_negative_values;
 pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions, is_angle};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
-pub(crate) use recording::{RecordingOptions, told};
+pub(crate) use recording::{RecordingOptions, told, what_would_decide};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
 pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, not_negative, positive};

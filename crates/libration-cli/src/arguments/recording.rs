@@ -3,8 +3,8 @@
 use super::read_bytes;
 use crate::failure::Failure;
 use libration::measurement::{
-    Choice, Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options,
-    Recording, Suggestion, Traces, Unit,
+    Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options, Recording,
+    Traces, Unit,
 };
 use std::path::Path;
 
@@ -79,8 +79,12 @@ enum Mark {
 impl RecordingOptions {
     /// The file, read and not yet interpreted.
     pub(crate) fn recording(&self, path: &Path) -> Result<Recording, Failure> {
-        let bytes = read_bytes(path)?;
-        Recording::read(&bytes, &self.options()).map_err(|error| failure(path, &error))
+        self.recording_in(path, &read_bytes(path)?)
+    }
+
+    /// The same of a file whose bytes are known.
+    pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, Failure> {
+        Recording::read(bytes, &self.options()).map_err(|error| failure(path, &error))
     }
 
     /// The traces of a file with all that was told from it.
@@ -135,29 +139,24 @@ impl RecordingOptions {
 /// A finding, with the option that would override it.
 pub(crate) fn told(finding: &Finding) -> String {
     match finding.choice {
-        Some(choice) => format!("{} ({})", finding.text, option(choice)),
+        Some(choice) => format!("{} (--{choice})", finding.text),
         None => finding.text.clone(),
     }
 }
 
-/// A reason why a file is refused, with the options that would decide.
-pub(crate) fn failure(path: &Path, error: &MeasurementError) -> Failure {
-    let reason = match error {
-        MeasurementError::Undecided { question, choices } => {
-            let options: Vec<String> = choices.iter().map(suggestion).collect();
-            format!("{question}: say {}", options.join(" or "))
+fn failure(path: &Path, error: &MeasurementError) -> Failure {
+    Failure::no_answer(&path.display().to_string(), what_would_decide(error))
+}
+
+/// Why a file is refused, with the options that would decide.
+pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
+    let message = error.message(&|choice| format!("--{choice} "));
+    match error {
+        MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
+            message + " (--header)"
         }
-        other => other.to_string(),
-    };
-    Failure::no_answer(&path.display().to_string(), reason)
-}
-
-fn suggestion(suggestion: &Suggestion) -> String {
-    format!("{} {}", option(suggestion.choice), suggestion.value)
-}
-
-fn option(choice: Choice) -> String {
-    format!("--{choice}")
+        _ => message,
+    }
 }
 
 fn column(text: &str) -> Result<Column, String> {

@@ -23,6 +23,18 @@ pub enum Delimiter {
     Whitespace,
 }
 
+impl Delimiter {
+    /// In the plural, for sentences.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Tab => "tabs",
+            Self::Semicolon => "semicolons",
+            Self::Comma => "commas",
+            Self::Whitespace => "blanks",
+        }
+    }
+}
+
 impl fmt::Display for Delimiter {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {

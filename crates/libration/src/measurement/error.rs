@@ -1,6 +1,6 @@
 //! What can be wrong with a file of measurements.
 
-use super::choices::Suggestion;
+use super::choices::{Choice, Suggestion};
 
 /// Why a file is no recording, or has not what is asked of it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -104,8 +104,20 @@ pub enum MeasurementError {
     /// Not one row is complete in the columns asked for.
     #[error("none of the {0} rows has a number in every column asked for: ask for other columns")]
     NothingComplete(usize),
+    /// More than any measurement has.
+    #[error("{place} has {count} {what}, the limit is {limit}: give a part of them")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many.
+        count: usize,
+        /// Where.
+        place: String,
+        /// At most.
+        limit: usize,
+    },
     /// Something that the file does not decide.
-    #[error("{question}: say {}", listed(.choices))]
+    #[error("{question}: say {}", listed(.choices, &|choice| format!("{choice}=")))]
     Undecided {
         /// What is open, and why.
         question: String,
@@ -133,7 +145,7 @@ pub enum MeasurementError {
         found: f64,
     },
     /// Positions that do not say where the pivot is.
-    #[error("{0}: say where the pivot is, as pivot=X,Y in the unit of the positions")]
+    #[error("{0}: say where the pivot is with pivot=X,Y")]
     PivotUnknown(String),
     /// Horizontal and vertical positions in different units.
     #[error("the positions are in {x} and in {y}: give both in one unit")]
@@ -158,10 +170,45 @@ pub enum MeasurementError {
     },
 }
 
-fn listed(choices: &[Suggestion]) -> String {
-    let texts: Vec<String> = choices.iter().map(ToString::to_string).collect();
-    match texts.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => texts.concat(),
+impl MeasurementError {
+    /// The message, with choices written as a shell of the library has them: `name` gives `unit=` or `--unit `, and so on.
+    #[must_use]
+    pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
+        match self {
+            Self::Undecided { question, choices } => format!("{question}: say {}", listed(choices, name)),
+            Self::OfSheet { name: sheet, error } => {
+                format!("no sheet has what is asked for; `{sheet}`: {}", error.message(name))
+            }
+            Self::PivotUnknown(why) => {
+                format!("{why}: say where the pivot is with {}X,Y", name(Choice::Pivot))
+            }
+            other => other.to_string(),
+        }
     }
+}
+
+/// `unit=rad, deg or counts-per-turn=4000`, `angle=2 or 3 and unit=rad or deg`.
+fn listed(choices: &[Suggestion], name: &dyn Fn(Choice) -> String) -> String {
+    let mut text = String::new();
+    let mut before: Option<Choice> = None;
+    for (place, Suggestion { choice, value }) in choices.iter().enumerate() {
+        let again = choices.get(place + 1).is_some_and(|next| next.choice == *choice);
+        text += match before {
+            None => "",
+            Some(same) if same == *choice && again => ", ",
+            Some(other) if other == *choice || is_the_scale(other) && is_the_scale(*choice) => " or ",
+            Some(_) => " and ",
+        };
+        if before != Some(*choice) {
+            text += &name(*choice);
+        }
+        text += value;
+        before = Some(*choice);
+    }
+    text
+}
+
+/// One of these says what a number of the file is in radians.
+fn is_the_scale(choice: Choice) -> bool {
+    matches!(choice, Choice::Unit | Choice::CountsPerTurn)
 }

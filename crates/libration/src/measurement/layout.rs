@@ -7,6 +7,9 @@ use super::table::Header;
 use super::text::COMMENT;
 use super::{MeasurementError, Unit};
 
+/// More columns than any instrument writes.
+const MOST_COLUMNS: usize = 10_000;
+
 /// Where the parts of a text are.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Layout {
@@ -27,6 +30,14 @@ impl Layout {
             return Err(MeasurementError::UnclosedQuote { line: row.line });
         }
         let width = width(&above, dialect.mark);
+        if width > MOST_COLUMNS {
+            return Err(MeasurementError::TooMany {
+                what: "columns",
+                count: width,
+                place: "the table".into(),
+                limit: MOST_COLUMNS,
+            });
+        }
         let body = match header {
             Header::Detect => first_of_numbers(&above, width, dialect.mark),
             Header::Absent => Some(0),

@@ -7,6 +7,7 @@ use super::dialect::Dialect;
 use super::sheet::Sheet;
 use super::table::Options;
 use super::{Choice, Column, MeasurementError};
+use crate::quantity::excerpt;
 
 /// A file of measurements, read and not yet interpreted.
 ///
@@ -68,9 +69,10 @@ impl Recording {
     /// What was told from the file in reading it.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
-        let left_out =
-            self.left_out.iter().map(|(name, error)| Finding::fact(format!("`{name}` is left out: {error}")));
-        left_out.chain(self.sheets.iter().flat_map(Sheet::findings)).collect()
+        let of_text = matches!(self.format, Format::Text(_) | Format::Zip);
+        let left_out = self.left_out.iter();
+        let left_out = left_out.map(|(name, why)| Finding::fact(format!("`{name}` is left out: {why}")));
+        left_out.chain(self.sheets.iter().flat_map(|sheet| sheet.findings(of_text))).collect()
     }
 
     /// What the chosen sheet gives, or the only one that gives anything.
@@ -137,25 +139,30 @@ fn read_page(page: &Page<'_>, options: &Options) -> Result<Sheet, MeasurementErr
 }
 
 impl Sheet {
-    fn findings(&self) -> Vec<Finding> {
+    /// What was told in reading it; of a workbook there is no dialect to tell.
+    fn findings(&self, of_text: bool) -> Vec<Finding> {
         let Dialect { delimiter, mark } = self.dialect;
-        let mut findings = vec![
-            Finding::new(format!("cells are separated by {delimiter}"), Choice::Delimiter),
-            Finding::new(format!("numbers have a decimal {mark}"), Choice::Decimal),
-        ];
+        let of = if self.name.is_empty() { String::new() } else { format!("`{}`: ", self.name) };
+        let mut findings = Vec::new();
+        if of_text {
+            let text = format!("{of}cells are separated by {}", delimiter.name());
+            findings.push(Finding::new(text, Choice::Delimiter));
+            findings.push(Finding::new(format!("{of}numbers have a decimal {mark}"), Choice::Decimal));
+        }
         let header = match self.header_line {
-            Some(line) => format!("line {line} names the columns"),
-            None => "there is no header".to_owned(),
+            Some(line) => format!("{of}line {line} names the columns"),
+            None => format!("{of}there is no header"),
         };
         findings.push(Finding::new(header, Choice::Header));
         if let Some((line, text)) = self.preamble.first() {
-            let more = self.preamble.len() - 1;
-            let more = if more > 0 { format!(" and {more} more lines") } else { String::new() };
-            let text = crate::quantity::excerpt(text);
-            findings.push(Finding::new(
-                format!("line {line} (`{text}`){more} above the header are left out"),
-                Choice::Header,
-            ));
+            let (more, verb) = match self.preamble.len() - 1 {
+                0 => (String::new(), "is"),
+                1 => (" and another line".to_owned(), "are"),
+                more => (format!(" and {more} more lines"), "are"),
+            };
+            let text =
+                format!("{of}line {line} (`{}`){more} above the header {verb} left out", excerpt(text));
+            findings.push(Finding::new(text, Choice::Header));
         }
         findings
     }

@@ -124,9 +124,12 @@ impl<'a> Group<'a> {
     }
 
     fn undecided(&self, question: &str, choice: Choice, places: &[usize]) -> MeasurementError {
-        let columns: Vec<String> = places.iter().map(|&place| self.sheet.describe(place)).collect();
+        const SHOWN: usize = 8;
+        let shown = &places[..places.len().min(SHOWN)];
+        let mut columns: Vec<String> = shown.iter().map(|&place| self.sheet.describe(place)).collect();
+        columns.extend((places.len() > SHOWN).then(|| "…".to_owned()));
         let question = question.replace("{}", &columns.join(", "));
-        let choices = places.iter().map(|place| Suggestion::new(choice, (place + 1).to_string())).collect();
+        let choices = shown.iter().map(|place| Suggestion::new(choice, (place + 1).to_string())).collect();
         MeasurementError::Undecided { question, choices }
     }
 
@@ -289,13 +292,12 @@ impl<'a> Group<'a> {
                 ))
             }
             _ => {
-                let MeasurementError::Undecided { question, mut choices } =
-                    self.undecided("nothing says which of these is the angle: {}", Choice::Angle, &open)
-                else {
-                    unreachable!("this is what it makes")
-                };
-                choices.extend(what_it_holds().into_iter().take(2));
-                Err(MeasurementError::Undecided { question, choices })
+                let question = "nothing says which of these is the angle, nor in which unit: {}";
+                let mut error = self.undecided(question, Choice::Angle, &open);
+                if let MeasurementError::Undecided { choices, .. } = &mut error {
+                    choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));
+                }
+                Err(error)
             }
         }
     }

@@ -7,7 +7,7 @@ mod rows;
 mod turns;
 mod units;
 
-use super::choices::{Choices, Finding};
+use super::choices::{Choice, Choices, Finding};
 use super::recording::Recording;
 use super::sheet::Sheet;
 use super::{MeasurementError, Trace};
@@ -32,7 +32,14 @@ impl Recording {
     /// No such column, sheet or run; a column, unit or pivot that the file does not decide, with the choices that would;
     /// cells that are no numbers; times that go back.
     pub fn traces(&self, choices: &Choices) -> Result<Traces, MeasurementError> {
-        self.from_sheet(choices, |sheet| traces_of(sheet, choices))
+        self.from_sheet(choices, |sheet| {
+            let mut found = traces_of(sheet, choices)?;
+            if self.sheets().len() > 1 {
+                let text = format!("the traces are those of `{}`", sheet.name);
+                found.findings.insert(0, Finding::new(text, Choice::Sheet));
+            }
+            Ok(found)
+        })
     }
 }
 

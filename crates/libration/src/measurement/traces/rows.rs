@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
-use super::super::{MeasurementError, Seen, Trace};
+use super::super::{Faults, MeasurementError, Seen, Trace};
 use super::columns::{Columns, Value};
 use super::{positions, turns, units};
+
+/// A column with more numbers than this numbers no runs.
+const MOST_RUNS: usize = 1000;
 
 /// Some rows of a sheet, as columns of what the file holds.
 #[derive(Clone, Debug, Default)]
@@ -20,7 +23,6 @@ pub(super) struct Rows {
     heights: Vec<f64>,
     uncertainties: Vec<f64>,
     incomplete: usize,
-    repeated: usize,
 }
 
 impl Rows {
@@ -44,6 +46,15 @@ impl Rows {
                 runs.push((number, Vec::new()));
             }
             runs[place].1.push(row);
+        }
+        if runs.len() > MOST_RUNS {
+            let column = sheet.describe(numbering);
+            return Err(MeasurementError::TooMany {
+                what: "runs",
+                count: runs.len(),
+                place: column,
+                limit: MOST_RUNS,
+            });
         }
         let name = |number: f64| format!("{} {number}", sheet.channels[numbering].heading.name);
         let text = format!("{} numbers {} runs", sheet.describe(numbering), runs.len());
@@ -102,12 +113,8 @@ impl Rows {
         else {
             return Ok(if is_blank { Taken::Blank } else { Taken::Part });
         };
-        if let Some(&before) = self.times.last().filter(|&&before| time <= before) {
-            if time < before {
-                return Err(MeasurementError::TimeGoesBack { line: sheet.lines[row], before, after: time });
-            }
-            self.repeated += 1;
-            return Ok(Taken::Whole);
+        if let Some(&before) = self.times.last().filter(|&&before| time < before) {
+            return Err(MeasurementError::TimeGoesBack { line: sheet.lines[row], before, after: time });
         }
         self.rows.push(row);
         self.times.push(time);
@@ -131,40 +138,60 @@ impl Rows {
             }
         };
         units::seconds(&mut self.times, sheet, columns.time, choices, &mut tell)?;
-        let seen = match columns.value {
-            Value::Column(place, seen) => {
-                let scale = units::of_value(&self.values, sheet, place, seen, choices, &mut tell)?;
-                self.values.iter_mut().for_each(|value| *value = scale.of(*value));
-                self.uncertainties.iter_mut().for_each(|value| *value = scale.of(*value));
-                seen
-            }
-            Value::Positions { x, y } => {
-                positions::same_unit(sheet, x, y)?;
-                self.values =
-                    positions::angles(&self.values, &self.heights, choices.pivot, &self.name, &mut tell)?;
-                Seen::Angle
-            }
-        };
+        let seen = self.to_radians(sheet, columns, choices, &mut tell)?;
         if seen == Seen::Angle {
             turns::unwrap(&mut self.values, &self.name, &mut tell);
         }
-        self.tell_of_rows(&mut tell);
-        let uncertainties = columns.uncertainty.map(|_| self.uncertainties);
-        let lines = self.rows.iter().map(|&row| sheet.lines[row]).collect();
-        Ok((Trace::new(&self.name, seen, self.times, self.values, uncertainties)?, lines))
+        let faults = self.faults(sheet, seen, &mut tell);
+        let repeated = faults.left_out();
+        let kept: Vec<usize> =
+            (0..self.rows.len()).filter(|row| repeated.binary_search(row).is_err()).collect();
+        let of_kept = |column: &[f64]| kept.iter().map(|&row| column[row]).collect::<Vec<f64>>();
+        let uncertainties = columns.uncertainty.map(|_| of_kept(&self.uncertainties));
+        let trace = Trace::new(&self.name, seen, of_kept(&self.times), of_kept(&self.values), uncertainties)?;
+        Ok((trace, kept.iter().map(|&row| sheet.lines[self.rows[row]]).collect()))
     }
 
-    fn tell_of_rows(&self, tell: &mut impl FnMut(Finding)) {
+    fn to_radians(
+        &mut self,
+        sheet: &Sheet,
+        columns: &Columns,
+        choices: &Choices,
+        tell: &mut impl FnMut(Finding),
+    ) -> Result<Seen, MeasurementError> {
+        let (place, seen) = match columns.value {
+            Value::Column(place, seen) => (place, seen),
+            Value::Positions { x, y } => {
+                positions::same_unit(sheet, x, y)?;
+                self.values =
+                    positions::angles(&self.values, &self.heights, choices.pivot, &self.name, tell)?;
+                return Ok(Seen::Angle);
+            }
+        };
+        let scale = units::of_value(&self.values, sheet, place, seen, choices, tell)?;
+        self.values.iter_mut().for_each(|value| *value = scale.of(*value));
+        if let Some(place) = columns.uncertainty {
+            let scale = units::of_uncertainty(sheet, place, scale, choices);
+            self.uncertainties.iter_mut().for_each(|value| *value = scale.of(*value));
+        }
+        Ok(seen)
+    }
+
+    /// Tells of the rows that are left out and of what is strange in the others.
+    fn faults(&self, sheet: &Sheet, seen: Seen, tell: &mut impl FnMut(Finding)) -> Faults {
         let run = if self.name.is_empty() { String::new() } else { format!("{}: ", self.name) };
         if self.incomplete > 0 {
-            tell(Finding::fact(format!("{run}{} incomplete rows left out", self.incomplete)));
+            let rows = if self.incomplete == 1 { "row" } else { "rows" };
+            tell(Finding::fact(format!("{run}{} incomplete {rows} left out", self.incomplete)));
         }
-        if self.repeated > 0 {
-            tell(Finding::fact(format!(
-                "{run}{} rows left out that repeat the time before them",
-                self.repeated
-            )));
-        }
+        let faults = Faults::find(&self.times, &self.values, None);
+        let lines: Vec<u64> = self.rows.iter().map(|&row| sheet.lines[row]).collect();
+        let unit = if seen == Seen::Angle { "rad" } else { "rad/s" };
+        faults
+            .sentences(&lines, unit)
+            .into_iter()
+            .for_each(|text| tell(Finding::fact(format!("{run}{text}"))));
+        faults
     }
 }
 

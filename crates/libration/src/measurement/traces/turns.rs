@@ -16,8 +16,10 @@ pub(super) fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Findi
     let turns = (sorted[sorted.len() / 2] / TAU).round();
     if turns != 0.0 {
         angles.iter_mut().for_each(|angle| *angle -= turns * TAU);
+        let (count, word) = (turns.abs(), if turns.abs() > 1.0 { "turns" } else { "turn" });
+        let how = if turns > 0.0 { "taken off" } else { "added" };
         tell(Finding::fact(format!(
-            "{run}{turns} whole turns taken off, so that the angle of rest is near zero"
+            "{run}{count} whole {word} {how}, so that the angle of rest is near zero"
         )));
     }
 }

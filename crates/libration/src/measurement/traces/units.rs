@@ -115,6 +115,17 @@ pub(super) fn of_value(
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
 }
 
+/// Uncertainties are in the unit of their values, unless their header names another.
+pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choices: &Choices) -> Scale {
+    let own = sheet.channels[place].heading.unit.filter(|unit| *unit != Unit::Count);
+    match (own, of_values) {
+        (Some(own), Scale::Unit(unit)) if choices.unit.is_none() && own.measures() == unit.measures() => {
+            Scale::Unit(own)
+        }
+        _ => of_values,
+    }
+}
+
 fn in_unit(unit: Unit, sheet: &Sheet, place: usize, seen: Seen) -> Result<Scale, MeasurementError> {
     match (unit.measures(), seen) {
         (Measures::Angle, Seen::Angle) if unit == Unit::Count => {
