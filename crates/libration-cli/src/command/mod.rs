@@ -10,6 +10,7 @@ mod figure;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+mod inspect;
 pub(crate) mod lyapunov;
 mod modes;
 pub(crate) mod motion;
@@ -66,6 +67,7 @@ enum Question {
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
+    Inspect(inspect::Inspect),
     #[command(subcommand)]
     Fit(Fit),
     Completions(completions::Completions),
@@ -97,6 +99,7 @@ impl Libration {
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
+            Question::Inspect(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }

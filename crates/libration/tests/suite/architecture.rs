@@ -38,6 +38,7 @@ const MAP: &[(&str, &[&str])] = &[
     ),
     ("measurement", &[]),
     ("fit", &["measurement", "pendulum", "taylor", "expression", "linear"]),
+    ("fit", &["pendulum", "measurement", "elliptic"]),
 ];
 
 /// Private foundations, which every module may use; what they may use themselves.

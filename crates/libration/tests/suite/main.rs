@@ -5,6 +5,7 @@
 mod golden;
 mod promises;
 mod random;
+mod synthetic_trace;
 mod ulp;
 
 mod accuracy;
@@ -17,8 +18,10 @@ mod events;
 mod expansions;
 mod expression;
 mod fit;
+mod fit_cycles;
 mod fourier;
 mod ledger;
+mod malformed;
 mod measurement;
 mod motion;
 mod normal_modes;

@@ -1,0 +1,223 @@
+//! From the landmarks of all stretches to cycles and what they say.
+
+use std::f64::consts::{PI, TAU};
+
+use super::centre::Centre;
+use super::extreme::Extreme;
+use super::landmarks::{Landmarks, landmarks};
+use super::local_fit::median;
+use super::passage::Passage;
+use super::period_law::{self, Row};
+use super::shape::{amplitude_of_velocity, slope_of_amplitude};
+use super::swings::swings;
+use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
+use crate::measurement::{Seen, Trace};
+
+/// With fewer rows in a period nothing can be placed.
+const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
+/// Extremes below so many standard deviations of a value end the analysis.
+const FAINTEST: f64 = 4.0;
+
+/// The cycles of a trace.
+///
+/// # Errors
+/// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
+pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
+    let swings = swings(trace)?;
+    let stretches: Vec<Landmarks> =
+        swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch)).collect();
+    let turning_points = swings.stretches.iter().map(|stretch| stretch.turns.len().saturating_sub(2)).max();
+    let too_short = CyclesError::TooShort { turning_points: turning_points.unwrap_or(0) };
+    let longest = stretches.iter().max_by_key(|stretch| stretch.passages.len()).ok_or(too_short.clone())?;
+    let period = longest.period().ok_or(too_short.clone())?;
+    let rows_per_period = rows_per_period(trace, period);
+    if rows_per_period < FEWEST_ROWS_PER_PERIOD {
+        return Err(CyclesError::TooCoarse { rows_per_period });
+    }
+    let found = Found::new(&stretches);
+    let (half_swings, rows) = settled(&found, trace.seen(), period);
+    if rows.is_empty() {
+        return Err(too_short);
+    }
+    let outliers = period_law::outliers(&rows, options.outlier_threshold);
+    let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
+    let law = period_law::exact(&kept).ok_or(too_short)?;
+    let cycles = rows.iter().enumerate().map(|(k, row)| Cycle::of(row, outliers.contains(&k))).collect();
+    Ok(Cycles {
+        cycles,
+        half_swings: half_swings.into_iter().flatten().collect(),
+        offset: longest.centre.value,
+        offset_uncertainty: longest.centre.uncertainty,
+        offset_wander: longest.centre.wander,
+        noise: longest.noise,
+        t0: law.t0,
+        t0_uncertainty: law.t0_uncertainty,
+        chi2_per_dof: law.chi2_per_dof,
+        beta: period_law::beta(&kept),
+        warnings: warnings(
+            &found,
+            &rows,
+            outliers.len(),
+            swings.rotations,
+            &longest.centre,
+            unit(trace.seen()),
+        ),
+    })
+}
+
+fn rows_per_period(trace: &Trace, period: f64) -> f64 {
+    let steps = trace.times().windows(2).map(|pair| pair[1] - pair[0]).collect();
+    median(steps).map_or(f64::INFINITY, |step| period / step)
+}
+
+impl Landmarks {
+    fn period(&self) -> Option<f64> {
+        let periods = self.passages.windows(3).filter_map(|three| Some(three[2]?.time - three[0]?.time));
+        median(periods.collect())
+    }
+}
+
+/// What all stretches show together; passages and extremes are numbered through.
+#[derive(Default)]
+struct Found {
+    passages: Vec<Option<Passage>>,
+    extremes: Vec<Option<Extreme>>,
+    /// Numbers of the first passage and of the first extreme of each possible cycle.
+    cycles: Vec<(usize, usize)>,
+}
+
+impl Found {
+    fn new(stretches: &[Landmarks]) -> Self {
+        let mut found = Self::default();
+        for stretch in stretches {
+            let (passage, extreme) = (found.passages.len(), found.extremes.len());
+            let cycles = stretch.passages.len().saturating_sub(2);
+            found.cycles.extend((0..cycles).map(|k| (passage + k, extreme + k)));
+            found.passages.extend(&stretch.passages);
+            let bright = |extreme: &Extreme| extreme.value.abs() >= FAINTEST * stretch.noise;
+            found.extremes.extend(stretch.extremes.iter().map(|extreme| extreme.filter(bright)));
+        }
+        found
+    }
+
+    /// The half swings by number, where they are known and do not lead over the top.
+    fn half_swings(&self, seen: Seen, omega0: f64) -> Vec<Option<HalfSwing>> {
+        let half_swing = |extreme: &Extreme| {
+            let (time, size) = (extreme.time, extreme.value.abs());
+            let (amplitude, slope) = match seen {
+                Seen::Angle => (size, 1.0),
+                Seen::AngularVelocity => {
+                    let amplitude = amplitude_of_velocity(size, omega0)?;
+                    (amplitude, slope_of_amplitude(amplitude, omega0))
+                }
+            };
+            (amplitude < PI).then_some(HalfSwing {
+                time,
+                amplitude,
+                uncertainty: slope * extreme.uncertainty,
+            })
+        };
+        self.extremes.iter().map(|extreme| half_swing(extreme.as_ref()?)).collect()
+    }
+
+    /// The cycles that are complete.
+    fn rows(&self, half_swings: &[Option<HalfSwing>]) -> Vec<Row> {
+        let row = |&(passage, extreme): &(usize, usize)| {
+            let ends = [passage, passage + 2].map(|k| self.passages[k].map(|found| (k, found)));
+            let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|found| (k, found)));
+            let ([Some(begin), Some(end)], [Some(one), Some(two)]) = (ends, sides) else { return None };
+            let square = |x: f64| x * x;
+            Some(Row {
+                time: 0.5 * (begin.1.time + end.1.time),
+                period: end.1.time - begin.1.time,
+                passages: [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
+                extremes: [one, two].map(|(k, side)| (k, side.amplitude, square(side.uncertainty))),
+            })
+        };
+        self.cycles.iter().filter_map(row).collect()
+    }
+}
+
+/// The half swings and the cycles; of a trace of velocities with the ω0 that goes with both.
+fn settled(found: &Found, seen: Seen, longest: f64) -> (Vec<Option<HalfSwing>>, Vec<Row>) {
+    let t0 = match seen {
+        Seen::Angle => longest,
+        Seen::AngularVelocity => t0_of_velocities(found, longest),
+    };
+    let half_swings = found.half_swings(seen, TAU / t0);
+    let rows = found.rows(&half_swings);
+    (half_swings, rows)
+}
+
+/// The T0 that the cycles have by the amplitudes that the fastest velocities have by this T0. With a larger T0 the
+/// amplitudes are larger and the cycles say a smaller one, so that there is one answer between 0 and the period.
+fn t0_of_velocities(found: &Found, period: f64) -> f64 {
+    let complete = found.rows(&found.half_swings(Seen::AngularVelocity, f64::INFINITY)).len();
+    let (mut below, mut above) = (0.1 * period, period);
+    while above - below > 1e-12 * period {
+        let middle = 0.5 * (below + above);
+        let half_swings = found.half_swings(Seen::AngularVelocity, TAU / middle);
+        let rows = found.rows(&half_swings);
+        // Cycles that would lead over the top say that T0 is smaller, whatever their number.
+        let beyond = vec![0.0; complete.saturating_sub(rows.len())];
+        let said = rows.iter().map(|row| row.period / row.ratio()).chain(beyond).collect();
+        let larger = median(said).is_some_and(|said| said > middle);
+        *(if larger { &mut below } else { &mut above }) = middle;
+    }
+    below
+}
+
+impl Cycle {
+    fn of(row: &Row, outlier: bool) -> Self {
+        let [begin, end] = row.passages.map(|passage| passage.1);
+        let [one, two] = row.extremes;
+        Self {
+            time: row.time,
+            period: row.period,
+            period_uncertainty: (begin + end).sqrt(),
+            amplitude: 0.5 * (one.1 + two.1),
+            amplitude_uncertainty: 0.5 * (one.2 + two.2).sqrt(),
+            period_ratio: row.ratio(),
+            outlier,
+        }
+    }
+}
+
+/// What a reader should know about how the cycles were come by.
+fn warnings(
+    found: &Found,
+    rows: &[Row],
+    outliers: usize,
+    rotations: usize,
+    centre: &Centre,
+    unit: &str,
+) -> Vec<String> {
+    let mut warnings = vec![];
+    let mut say = |count: usize, what: &str| {
+        if count > 0 {
+            warnings.push(format!("{count} {what}"));
+        }
+    };
+    say(rotations, "swings lead over the top and do not count");
+    say(
+        found.cycles.len() - rows.len(),
+        "cycles are incomplete (gaps, too few rows, or too faint) and are left out",
+    );
+    say(outliers, "cycles have a period far from the law and are left out");
+    if centre.wander > 0.0 {
+        warnings.push(format!(
+            "the centre of the swing wanders by {:.2e} {unit} (standard deviation), more than the noise explains; it was \
+             followed from swing to swing",
+            centre.wander
+        ));
+    }
+    warnings
+}
+
+/// Of what is seen.
+fn unit(seen: Seen) -> &'static str {
+    match seen {
+        Seen::Angle => "rad",
+        Seen::AngularVelocity => "rad/s",
+    }
+}

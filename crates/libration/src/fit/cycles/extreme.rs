@@ -1,0 +1,62 @@
+//! How far the pendulum goes between two passages: the shape of a swing times a curve of a few coefficients.
+
+use super::local_fit::Points;
+use super::shape::Shape;
+use super::window::Window;
+
+/// The part of the quarter periods before and after the extreme that is used.
+const REACH: f64 = 0.75;
+/// From so many points on the swing may be askew, and from so many longer or shorter than the passages say.
+const POINTS_FOR_SKEWNESS: usize = 4;
+const POINTS_FOR_LENGTH: usize = 6;
+
+/// A turning point of the value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extreme {
+    /// In seconds.
+    pub(super) time: f64,
+    /// From the centre, with its sign.
+    pub(super) value: f64,
+    /// From the noise.
+    pub(super) uncertainty: f64,
+}
+
+/// The extreme between the passages at these two times, with the residuals in units of the noise.
+pub(super) fn extreme(
+    window: &Window<'_>,
+    shape: &Shape,
+    passages: [f64; 2],
+    noise: Option<f64>,
+) -> Option<(Extreme, Vec<f64>)> {
+    let (middle, quarter) = (0.5 * (passages[0] + passages[1]), 0.5 * (passages[1] - passages[0]));
+    let near: Vec<(f64, f64, f64)> =
+        window.rows(middle - REACH * quarter, middle + REACH * quarter).collect();
+    let order = match near.len() {
+        POINTS_FOR_LENGTH.. => 2,
+        POINTS_FOR_SKEWNESS.. => 1,
+        _ => 0,
+    };
+    let both_sides = near.iter().any(|row| row.0 <= middle) && near.iter().any(|row| row.0 >= middle);
+    if near.len() < 2 || !both_sides {
+        return None;
+    }
+    let mut points = Points::default();
+    for &(time, value, deviation) in &near {
+        let x = (time - middle) / quarter;
+        let form = shape.near_extreme(x);
+        points.push(
+            (0..=order).map(|power| form * libm::pow(x, f64::from(power))).collect(),
+            value,
+            deviation,
+        );
+    }
+    let fit = points.fit(noise)?;
+    let coefficient = |power: usize| fit.coefficients.get(power).copied().unwrap_or(0.0);
+    // (1 − κx²/2)(a + bx + cx²) is highest at x = b/(κa − 2c).
+    let [height, skewness, length] = [0, 1, 2].map(coefficient);
+    let bend = shape.curvature() * height - 2.0 * length;
+    let place = if bend * height > 0.0 { (skewness / bend).clamp(-0.3, 0.3) } else { 0.0 };
+    let value = shape.near_extreme(place) * (height + place * (skewness + place * length));
+    let uncertainty = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt();
+    Some((Extreme { time: middle + place * quarter, value, uncertainty }, fit.residuals))
+}

@@ -1,0 +1,111 @@
+//! Cycles of a measured swing, one by one: when, how long, how far; what they say about the law of the period and about
+//! the damping, of which nothing is assumed beforehand.
+//!
+//! Passages of the centre and extremes are placed by local fits whose shape is that of a swing without damping, with
+//! corrections to it where there are points enough. The noise is what the local fits leave. A cycle reaches from a
+//! passage to the next but one, so that it begins and ends in one direction and a wrong centre hardly matters; there is one
+//! from each passage on, those upwards and those downwards in turn.
+
+mod error;
+
+mod shape;
+
+mod local_fit;
+
+mod swings;
+
+mod centre;
+mod window;
+
+mod passage;
+
+mod extreme;
+
+mod landmarks;
+
+mod period_law;
+
+mod analysis;
+
+pub use analysis::cycles;
+pub use error::CyclesError;
+pub use period_law::Beta;
+
+/// How cycles are analysed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Cycles whose period is further from the law than this many robust standard deviations do not count.
+    pub outlier_threshold: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { outlier_threshold: super::DEFAULT_OUTLIER_THRESHOLD }
+    }
+}
+
+/// A full cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cycle {
+    /// Of its middle, in seconds.
+    pub time: f64,
+    /// From one passage of the centre to the next in the same direction, in seconds.
+    pub period: f64,
+    /// From the noise of the values, in seconds.
+    pub period_uncertainty: f64,
+    /// The mean of the two extremes in it, in radians.
+    pub amplitude: f64,
+    /// From the noise of the values, in radians.
+    pub amplitude_uncertainty: f64,
+    /// T/T0 that the exact law gives: the mean of what it gives for the two half swings.
+    pub period_ratio: f64,
+    /// Whether its period is so far from the law that it does not count.
+    pub outlier: bool,
+}
+
+/// How far the pendulum went on one side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSwing {
+    /// In seconds; for a trace of angular velocities, when the pendulum is fastest.
+    pub time: f64,
+    /// In radians.
+    pub amplitude: f64,
+    /// From the noise of the values, in radians.
+    pub uncertainty: f64,
+}
+
+/// The cycles of a trace and what they say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cycles {
+    /// In the order of time.
+    pub cycles: Vec<Cycle>,
+    /// The extremes on both sides, in the order of time.
+    pub half_swings: Vec<HalfSwing>,
+    /// About what the values swing: rad, or rad/s.
+    pub offset: f64,
+    /// Of the offset.
+    pub offset_uncertainty: f64,
+    /// How far the centres of single swings are from the offset, as a standard deviation, where that is more than the noise
+    /// explains (they are then followed); else zero.
+    pub offset_wander: f64,
+    /// The standard deviation of a value that the local fits leave: rad, or rad/s. Where the trace has uncertainties of its
+    /// own, as a part of these.
+    pub noise: f64,
+    /// The period of small swings under the exact law, in seconds.
+    pub t0: f64,
+    /// Of T0, in seconds; from the scatter of the cycles where that is larger than their uncertainties say.
+    pub t0_uncertainty: f64,
+    /// How much larger than its uncertainty the scatter about the exact law is: χ² per degree of freedom.
+    pub chi2_per_dof: Option<f64>,
+    /// The test of the exact law, or why there is none.
+    pub beta: Result<Beta, CyclesError>,
+    /// What a reader should know.
+    pub warnings: Vec<String>,
+}
+
+impl Cycles {
+    /// T/R(A) of each cycle: what the period of small swings is by this cycle alone, in seconds.
+    pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
+        self.cycles.iter().map(|cycle| cycle.period / cycle.period_ratio)
+    }
+}

@@ -1,0 +1,68 @@
+//! When the centre is passed: the values near it, through the inverse of the shape of a swing, lie on a line in time, or
+//! on a curve that is nearly one.
+
+use super::local_fit::Points;
+use super::shape::Shape;
+use super::window::Window;
+
+/// Rows are used while the value should be within this part of the extreme; beyond it their noise would be stretched.
+const REACH: f64 = 0.8;
+/// From so many points on the curve has a term of second order, and from so many one of third.
+const POINTS_FOR_SQUARE: usize = 6;
+const POINTS_FOR_CUBE: usize = 10;
+
+/// A passage of the centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passage {
+    /// In seconds.
+    pub(super) time: f64,
+    /// From the noise, in seconds.
+    pub(super) uncertainty: f64,
+}
+
+/// The passage between two turning points, with the residuals in units of the noise that is known or is to be found.
+///
+/// `extreme` is how far the value goes on the side it comes from and on the one it goes to; `about` is when it passes,
+/// roughly, and `quarter` a quarter of the period.
+pub(super) fn passage(
+    window: &Window<'_>,
+    shape: &Shape,
+    extreme: f64,
+    about: f64,
+    quarter: f64,
+    noise: Option<f64>,
+) -> Option<(Passage, Vec<f64>)> {
+    let reach = quarter * shape.time_since_zero(REACH);
+    let near: Vec<(f64, f64, f64)> = window.rows(about - reach, about + reach).collect();
+    let both_sides = near.iter().any(|row| row.0 <= about) && near.iter().any(|row| row.0 >= about);
+    if near.len() < 2 || !both_sides {
+        return None;
+    }
+    let order = match near.len() {
+        POINTS_FOR_CUBE.. => 3,
+        POINTS_FOR_SQUARE.. => 2,
+        _ => 1,
+    };
+    let mut centre = about;
+    let mut found = None;
+    // The curve is read where it is zero, so it is drawn again about that place.
+    for _ in 0..3 {
+        let mut points = Points::default();
+        for &(time, value, deviation) in &near {
+            let x = (time - centre) / quarter;
+            // Noise counts as it does where the value should be, not where it is.
+            let slope = shape.slope_of_time(shape.near_extreme((1.0 - x.abs()).max(0.1)));
+            let row = (0..=order).map(|power| libm::pow(x, f64::from(power))).collect();
+            points.push(row, shape.time_since_zero(value / extreme), deviation * slope / extreme);
+        }
+        let fit = points.fit(noise)?;
+        let slope = fit.coefficients[1];
+        if slope.abs() < 0.2 {
+            return None;
+        }
+        centre -= quarter * (fit.coefficients[0] / slope).clamp(-0.5, 0.5);
+        let spread = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt() * quarter / slope.abs();
+        found = Some((Passage { time: centre, uncertainty: spread }, fit.residuals));
+    }
+    found
+}

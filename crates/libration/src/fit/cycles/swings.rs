@@ -1,0 +1,221 @@
+//! Which rows belong to which swing: turning points, roughly, and where the pendulum goes over the top.
+
+use std::f64::consts::TAU;
+
+use super::CyclesError;
+use super::local_fit::median;
+use crate::measurement::{Seen, Trace};
+
+/// A turn counts when the value has gone back by this part of the last swing.
+const RETURN: f64 = 0.3;
+/// At the beginning, by this part of the range of all values.
+const FIRST_RETURN: f64 = 0.2;
+/// Swings shorter than this part of the median one are disturbances.
+const SHORTEST: f64 = 0.35;
+
+/// Successive swings to and fro about one centre, by the rows of their turning points.
+#[derive(Clone, Debug)]
+pub(super) struct Stretch {
+    pub(super) turns: Vec<usize>,
+    pub(super) centre: f64,
+}
+
+/// The stretches of a trace, and how many swings lead over the top.
+#[derive(Clone, Debug)]
+pub(super) struct Swings {
+    pub(super) stretches: Vec<Stretch>,
+    pub(super) rotations: usize,
+}
+
+/// The swings of a trace.
+pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
+    const FEWEST_ROWS: usize = 12;
+    if trace.len() < FEWEST_ROWS {
+        return Err(CyclesError::TooFewRows(trace.len()));
+    }
+    let calm = without_spikes(trace.values());
+    let turns = without_disturbances(turns(&calm)?, trace.times());
+    let swings = match trace.seen() {
+        Seen::Angle => of_angles(&calm, &turns),
+        Seen::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
+    };
+    match swings {
+        Swings { stretches, rotations } if stretches.is_empty() && (rotations > 0 || turns_over(trace)) => {
+            Err(CyclesError::OnlyRotations)
+        }
+        Swings { stretches, .. } if stretches.is_empty() => Err(CyclesError::TooShort { turning_points: 0 }),
+        swings => Ok(swings),
+    }
+}
+
+/// Whether the angle goes a whole turn without turning back.
+fn turns_over(trace: &Trace) -> bool {
+    trace.seen() == Seen::Angle && range(trace.values()) >= TAU
+}
+
+/// Each value replaced by the middle one of itself and its neighbours.
+fn without_spikes(values: &[f64]) -> Vec<f64> {
+    let middle = |row: usize| {
+        let (before, after) = (values[row.saturating_sub(1)], values[(row + 1).min(values.len() - 1)]);
+        values[row].clamp(before.min(after), before.max(after))
+    };
+    let inner = (1..values.len() - 1).map(middle);
+    [values[0]].into_iter().chain(inner).chain(values.last().copied()).collect()
+}
+
+/// The rows where the values turn by more than a part of the last swing, highest and lowest in turns.
+fn turns(values: &[f64]) -> Result<Vec<usize>, CyclesError> {
+    let range = range(values);
+    if range <= 0.0 {
+        return Err(CyclesError::NothingSwings(values[0]));
+    }
+    let (mut turns, mut needed) = (vec![], FIRST_RETURN * range);
+    // The highest and the lowest row since the last turn; a rise and a fall are told by which one is left.
+    let (mut highest, mut lowest) = (0, 0);
+    let mut rising: Option<bool> = None;
+    for row in 0..values.len() {
+        highest = if values[row] > values[highest] { row } else { highest };
+        lowest = if values[row] < values[lowest] { row } else { lowest };
+        let fell = rising != Some(false) && values[highest] - values[row] > needed;
+        let rose = rising != Some(true) && values[row] - values[lowest] > needed;
+        if !fell && !rose {
+            continue;
+        }
+        let turn = if fell { highest } else { lowest };
+        if let Some(&last) = turns.last() {
+            let swing: f64 = values[turn] - values[last];
+            needed = RETURN * swing.abs();
+        }
+        turns.push(turn);
+        rising = Some(rose);
+        (highest, lowest) = (row, row);
+    }
+    Ok(turns)
+}
+
+fn range(values: &[f64]) -> f64 {
+    let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    highest - lowest
+}
+
+/// Without the pairs of turns between which hardly any time passes.
+fn without_disturbances(mut turns: Vec<usize>, times: &[f64]) -> Vec<usize> {
+    let durations = |turns: &[usize]| -> Vec<f64> {
+        turns.windows(2).map(|pair| times[pair[1]] - times[pair[0]]).collect()
+    };
+    let Some(usual) = median(durations(&turns)) else { return turns };
+    while let Some(short) = durations(&turns).iter().position(|&duration| duration < SHORTEST * usual) {
+        turns.drain(short..short + 2);
+    }
+    turns
+}
+
+/// Turning points between which the angle goes less than a turn, about centres that are whole turns apart.
+fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
+    let over = |pair: &[usize]| (values[pair[1]] - values[pair[0]]).abs() >= TAU;
+    let rotations = turns.windows(2).filter(|pair| over(pair)).count();
+    let middles = turns.windows(2).filter(|pair| !over(pair));
+    let middles: Vec<f64> = middles.map(|pair| f64::midpoint(values[pair[0]], values[pair[1]])).collect();
+    let Some(first) = middles.first().copied() else { return Swings { stretches: vec![], rotations } };
+    let whole_turns = |middle: f64| TAU * libm::round((middle - first) / TAU);
+    let centre =
+        median(middles.iter().map(|&middle| middle - whole_turns(middle)).collect()).unwrap_or(first);
+    let mut stretches: Vec<Stretch> = vec![];
+    let mut last = None;
+    for pair in turns.windows(2).filter(|pair| !over(pair)) {
+        let own = centre + whole_turns(f64::midpoint(values[pair[0]], values[pair[1]]));
+        match stretches.last_mut() {
+            Some(stretch) if last == Some(pair[0]) && (stretch.centre - own).abs() < 1.0 => {
+                stretch.turns.push(pair[1]);
+            }
+            _ => stretches.push(Stretch { turns: pair.to_vec(), centre: own }),
+        }
+        last = Some(pair[1]);
+    }
+    Swings { stretches, rotations }
+}
+
+/// Fastest points in alternating directions, between which the pendulum goes less than a turn.
+fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
+    let apart = |pair: &[usize]| values[pair[0]] * values[pair[1]] < 0.0;
+    let (mut stretches, mut rotations): (Vec<Stretch>, usize) = (vec![], 0);
+    let mut last = None;
+    for (place, pair) in turns.windows(2).enumerate() {
+        if !apart(pair) || furthest_way(values, times, pair) >= TAU {
+            // A trace may begin and end at rest, which is no rotation.
+            rotations += usize::from(place > 0 && place + 2 < turns.len());
+            continue;
+        }
+        match stretches.last_mut() {
+            Some(stretch) if last == Some(pair[0]) => stretch.turns.push(pair[1]),
+            _ => stretches.push(Stretch { turns: pair.to_vec(), centre: 0.0 }),
+        }
+        last = Some(pair[1]);
+    }
+    Swings { stretches, rotations }
+}
+
+/// Twice the longer way between a fastest point and the rest between two of them, in radians: what a whole swing goes.
+fn furthest_way(values: &[f64], times: &[f64], pair: &[usize]) -> f64 {
+    let ways =
+        (pair[0]..pair[1]).map(|row| 0.5 * (values[row] + values[row + 1]) * (times[row + 1] - times[row]));
+    let (forwards, backwards) =
+        ways.fold((0.0, 0.0), |(up, down), way| if way > 0.0 { (up + way, down) } else { (up, down - way) });
+    2.0 * f64::max(forwards, backwards)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave(rows: u32, value: impl Fn(f64) -> f64) -> Trace {
+        let times: Vec<f64> = (0..rows).map(|row| 0.05 * f64::from(row)).collect();
+        let values = times.iter().map(|&t| value(t)).collect();
+        Trace::new("wave", Seen::Angle, times, values, None).unwrap()
+    }
+
+    #[test]
+    fn turns_alternate_and_spikes_make_none() {
+        let mut values: Vec<f64> = wave(200, |t| 0.7 + libm::cos(3.0 * t)).values().to_vec();
+        values[50] = 9.0;
+        let times = (0..200).map(|row| 0.05 * f64::from(row)).collect();
+        let trace = Trace::new("spike", Seen::Angle, times, values, None).unwrap();
+        let swings = swings(&trace).unwrap();
+        assert_eq!((swings.stretches.len(), swings.rotations), (1, 0));
+        // 10 s hold 9.55 half periods of π/3: the first turn is the start, the last one at 9π/3.
+        assert_eq!(swings.stretches[0].turns.len(), 10);
+        assert!((swings.stretches[0].centre - 0.7).abs() < 0.01);
+    }
+
+    #[test]
+    fn centres_on_both_sides_of_a_rotation_are_a_turn_apart() {
+        let swing = |t: f64| libm::cos(3.0 * t);
+        let whole_swings = 2.0 * TAU;
+        let trace = wave(500, |t| {
+            if t < whole_swings { swing(t) } else { (1.0 + 3.0 * (t - whole_swings)).min(TAU - 1.0) }
+        });
+        let trace = {
+            let values: Vec<f64> = trace.values().to_vec();
+            let times: Vec<f64> = (0..900).map(|row| 0.05 * f64::from(row)).collect();
+            let extended = |row: usize| match values.get(row) {
+                Some(&value) => value,
+                None => TAU - swing(times[row] - times[499]),
+            };
+            let values = (0..900).map(extended).collect();
+            Trace::new("over the top", Seen::Angle, times, values, None).unwrap()
+        };
+        let swings = swings(&trace).unwrap();
+        let centres: Vec<f64> = swings.stretches.iter().map(|stretch| stretch.centre).collect();
+        assert!(centres.len() >= 2 && centres[0].abs() < 0.05, "{centres:?}");
+        assert!((centres[centres.len() - 1] - TAU).abs() < 0.05, "{centres:?}");
+    }
+
+    #[test]
+    fn what_does_not_swing_is_refused() {
+        let refused = |trace: Trace| swings(&trace).unwrap_err();
+        assert_eq!(refused(wave(100, |_| 1.5)), CyclesError::NothingSwings(1.5));
+        assert_eq!(refused(wave(5, libm::sin)), CyclesError::TooFewRows(5));
+        assert_eq!(refused(wave(100, |t| t)), CyclesError::TooShort { turning_points: 0 });
+    }
+}
