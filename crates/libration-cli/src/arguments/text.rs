@@ -11,7 +11,7 @@ pub(super) fn length(text: &str) -> Result<f64, String> {
 }
 
 /// A length above zero with the uncertainty it was given.
-pub(super) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
+pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
     length(text)?;
     parse(text, Dimension::Length).map_err(|error| error.to_string())
 }

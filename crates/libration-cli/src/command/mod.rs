@@ -7,6 +7,7 @@ pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
+pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
@@ -75,6 +76,7 @@ enum Question {
 #[derive(Debug, clap::Subcommand)]
 enum Fit {
     Periods(fit_periods::FitPeriods),
+    Lengths(fit_lengths::FitLengths),
 }
 
 impl Libration {
@@ -98,6 +100,7 @@ impl Libration {
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
+            Question::Fit(Fit::Lengths(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

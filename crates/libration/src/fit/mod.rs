@@ -19,10 +19,12 @@ mod error;
 mod excess_scale;
 mod gravity;
 mod law;
+mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
 mod small_angle_period;
+mod student;
 
 pub use budget::{
     AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,
@@ -32,6 +34,7 @@ pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{Gravity, gravity};
 pub use law::Law;
+pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, lengths};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{Options, PeriodFit, periods};
