@@ -12,6 +12,8 @@ const SAMPLES: u32 = 400;
 pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {
     let offset = fit.offset.map_or(0.0, |offset| offset.value);
     let (from, to) = around(measured.lengths.iter().copied().chain([0.0, -offset]));
+    // Margins below zero would show lengths that nothing has.
+    let from = from.max((-offset).min(0.0));
     let squares = measured.table.small_angle_periods().enumerate();
     let data: Vec<Point> = squares.map(|(row, t0)| square(measured, row, t0)).collect();
     let residuals: Vec<Point> = (0..measured.lengths.len()).map(|row| residual(measured, row, fit)).collect();
@@ -19,7 +21,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let squares = around(data.iter().map(|point| point.y).chain([0.0]));
     let above = Panel {
         x: Axis { label: String::new(), ..x.clone() },
-        y: Axis::linear("T₀² / s²", squares.0, squares.1),
+        y: Axis::linear("T₀² / s²", squares.0.max(0.0), squares.1),
         series: vec![markers("measured", data), line(fit, radius, from, to)],
         share: 0.62,
     };

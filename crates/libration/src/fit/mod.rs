@@ -17,12 +17,14 @@ pub mod cycles;
 mod damping_terms;
 mod error;
 mod excess_scale;
+pub mod gates;
 mod gravity;
 mod law;
 mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
+mod robust;
 mod small_angle_period;
 mod student;
 

@@ -6,12 +6,12 @@ use super::centre::Centre;
 use super::envelope::envelope;
 use super::extreme::Extreme;
 use super::landmarks::{Landmarks, landmarks};
-use super::local_fit::median;
 use super::passage::Passage;
 use super::period_law::{self, Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::swings;
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
+use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
 
 /// With fewer rows in a period nothing can be placed.

@@ -10,8 +10,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::decay_rates::DecayRates;
-use super::local_fit::{median, robust_deviation};
 use super::{CyclesError, HalfSwing};
+use crate::fit::robust::{median, robust_deviation};
 use crate::fit::{DampingTerm, DampingTerms};
 
 /// Laws whose AICc differ by less than this are not separated by the data.

@@ -24,7 +24,7 @@ mod extreme;
 mod landmarks;
 
 mod generalised;
-mod period_law;
+pub(super) mod period_law;
 
 mod decay_rates;
 mod envelope;

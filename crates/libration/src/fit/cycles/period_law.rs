@@ -3,15 +3,15 @@
 
 use super::CyclesError;
 use super::generalised::{Generalised, fit};
-use super::local_fit::{median, robust_deviation};
 use crate::fit::Law;
+use crate::fit::robust::{median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
 const ROUNDS: usize = 5;
 
 /// A cycle with what its errors come from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
+pub(in crate::fit) struct Row {
     /// Of its middle.
     pub(super) time: f64,
     pub(super) period: f64,
@@ -20,12 +20,12 @@ pub(super) struct Row {
     /// Its two extremes.
     pub(super) sides: [Side; 2],
     /// The mean of T/T0 for the two half swings.
-    pub(super) ratio: f64,
+    pub(in crate::fit) ratio: f64,
 }
 
 /// An extreme.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(in crate::fit) struct Side {
     pub(super) number: usize,
     pub(super) amplitude: f64,
     pub(super) variance: f64,
@@ -35,13 +35,13 @@ pub(super) struct Side {
 
 /// T0 under the exact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PeriodLaw {
+pub(in crate::fit) struct PeriodLaw {
     /// The period of small swings, in seconds.
-    pub(super) t0: f64,
+    pub(in crate::fit) t0: f64,
     /// In seconds, by the scatter of the cycles where that is larger than the noise explains.
-    pub(super) t0_uncertainty: f64,
+    pub(in crate::fit) t0_uncertainty: f64,
     /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
-    pub(super) chi2_per_dof: Option<f64>,
+    pub(in crate::fit) chi2_per_dof: Option<f64>,
 }
 
 /// The test of the exact law: T = T0·[1 + β(R − 1)].
@@ -63,14 +63,14 @@ pub struct Beta {
 }
 
 impl Side {
-    pub(super) fn new(number: usize, amplitude: f64, uncertainty: f64) -> Self {
+    pub(in crate::fit) fn new(number: usize, amplitude: f64, uncertainty: f64) -> Self {
         let slope = 0.5 * Law::exact().slope_at(amplitude);
         Self { number, amplitude, variance: uncertainty * uncertainty, slope }
     }
 }
 
 impl Row {
-    pub(super) fn new(times: [f64; 2], passages: [(usize, f64); 2], sides: [Side; 2]) -> Self {
+    pub(in crate::fit) fn new(times: [f64; 2], passages: [(usize, f64); 2], sides: [Side; 2]) -> Self {
         let ratio = 0.5 * sides.iter().map(|side| Law::exact().ratio_at(side.amplitude)).sum::<f64>();
         let [begin, end] = times;
         Self { time: 0.5 * (begin + end), period: end - begin, passages, sides, ratio }
@@ -109,7 +109,7 @@ impl Row {
 }
 
 /// T0 under the exact law.
-pub(super) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
+pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0)?;
     let [t0, variance] = [found.coefficients[0], found.covariance[0][0]];
@@ -117,7 +117,7 @@ pub(super) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
 }
 
 /// The test of the exact law.
-pub(super) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
+pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     let excess: Vec<f64> = rows.iter().map(|row| row.ratio - 1.0).collect();
     let high = excess.iter().copied().fold(0.0, f64::max);
     let low = excess.iter().copied().fold(f64::INFINITY, f64::min);

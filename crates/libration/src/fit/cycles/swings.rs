@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::CyclesError;
-use super::local_fit::median;
+use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
 
 /// A turn counts when the value has gone back by this part of the last swing.
