@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::decay::{cycle_integral, small_cycle_integral};
-use crate::fit::DampingTerm;
+use crate::fit::trace::DampingTerm;
 use crate::pendulum::{Amplitude, period_ratio};
 use crate::quantity::Angle;
 

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use super::decay_rates::DecayRates;
 use super::{CyclesError, HalfSwing};
 use crate::fit::robust::{median, robust_deviation};
-use crate::fit::{DampingTerm, DampingTerms};
+use crate::fit::trace::{DampingTerm, DampingTerms};
 
 /// Laws whose AICc differ by less than this are not separated by the data.
 pub const SEPARATED: f64 = 4.0;
