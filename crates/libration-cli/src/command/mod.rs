@@ -7,6 +7,7 @@ pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
+pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
@@ -77,6 +78,7 @@ enum Question {
 #[derive(Debug, clap::Subcommand)]
 enum Fit {
     Periods(fit_periods::FitPeriods),
+    Lengths(fit_lengths::FitLengths),
 }
 
 impl Libration {
@@ -101,6 +103,7 @@ impl Libration {
             Question::Figure(question) => question.answer(out),
             Question::Inspect(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
+            Question::Fit(Fit::Lengths(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

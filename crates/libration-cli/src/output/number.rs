@@ -38,6 +38,18 @@ pub(crate) fn short(value: f64, digits: usize) -> String {
     format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
+/// `1.637 ± 0.002 s`, to two digits of the uncertainty.
+pub(crate) fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
+    let uncertain = rounded(uncertainty, 2);
+    let places = uncertain.split_once('.').map_or(0, |(_, places)| places.len());
+    let text = match uncertainty > 0.0 && !uncertain.contains('e') {
+        true => format!("{value:.places$} ± {uncertain} {unit}"),
+        false if uncertainty > 0.0 => format!("{} ± {uncertain} {unit}", rounded(value, 12)),
+        false => format!("{} {unit}", short(value, 12)),
+    };
+    text.trim_end().to_owned()
+}
+
 fn non_finite(value: f64) -> &'static str {
     match value {
         value if value.is_nan() => "nan",
