@@ -11,9 +11,29 @@ pub(super) fn length(text: &str) -> Result<f64, String> {
 }
 
 /// A length above zero with the uncertainty it was given.
-pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
+pub(super) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
     length(text)?;
     parse(text, Dimension::Length).map_err(|error| error.to_string())
+}
+
+/// A mass above zero with the uncertainty it was given.
+pub(super) fn mass_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Mass)?;
+    parse(text, Dimension::Mass).map_err(|error| error.to_string())
+}
+
+/// A density above zero with the uncertainty it was given.
+pub(super) fn density_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Density)?;
+    parse(text, Dimension::Density).map_err(|error| error.to_string())
+}
+
+/// A part of one, such as 0.01 or 1%.
+pub(super) fn part(text: &str) -> Result<f64, String> {
+    let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number, 0.01));
+    let part = number.trim().parse::<f64>().ok().map(|number| number * unit);
+    part.filter(|part| (0.0..1.0).contains(part))
+        .ok_or_else(|| "give a part of one, such as 0.01 or 1%".to_owned())
 }
 
 pub(super) fn gravity(text: &str) -> Result<f64, String> {

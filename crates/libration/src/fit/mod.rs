@@ -12,7 +12,9 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+mod budget;
 pub mod cycles;
+mod damping_terms;
 mod error;
 mod excess_scale;
 mod gravity;
@@ -22,6 +24,10 @@ mod period_table;
 mod periods;
 mod small_angle_period;
 
+pub use budget::{
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,
+};
+pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{Gravity, gravity};
