@@ -23,6 +23,7 @@ mod outliers;
 mod period_table;
 mod periods;
 mod small_angle_period;
+pub mod trace;
 
 pub use budget::{
     AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,

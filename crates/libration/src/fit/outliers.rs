@@ -32,7 +32,7 @@ pub fn outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Ve
 }
 
 /// The middle value; NaN of none.
-fn median(mut values: Vec<f64>) -> f64 {
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {

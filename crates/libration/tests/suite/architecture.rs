@@ -37,7 +37,7 @@ const MAP: &[(&str, &[&str])] = &[
         ],
     ),
     ("measurement", &[]),
-    ("fit", &["pendulum", "measurement", "elliptic", "decay"]),
+    ("fit", &["measurement", "pendulum", "taylor", "expression", "linear", "elliptic", "decay"]),
 ];
 
 /// Private foundations, which every module may use; what they may use themselves.

@@ -34,4 +34,5 @@ mod series;
 mod series_evaluation;
 mod systems;
 mod taylor;
+mod trace_fits;
 mod truncated_system;
