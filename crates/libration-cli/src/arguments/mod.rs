@@ -34,5 +34,5 @@ pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
-pub(crate) use text::{angle, angular_velocity, count, not_negative, positive};
+pub(crate) use text::{angle, angular_velocity, count, finite_time, not_negative, positive};
 pub(crate) use times::{TimeOptions, Times, times};

@@ -119,12 +119,12 @@ impl Answer<'_> {
         let mut lines = vec![
             ("rows", self.rows_line()),
             ("weights", weighting(self.fit.weighting).to_owned()),
-            ("T₀, exact law", with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
+            ("T₀, exact law", number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
             ("β", self.beta_line()),
         ];
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
-            let length = with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
-            let value = with_uncertainty(budget.g, budget.uncertainty, "m/s²");
+            let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
+            let value = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
             lines.push(("gravity", format!("{value}  (length {length})")));
         }
         lines
@@ -148,7 +148,10 @@ impl Answer<'_> {
     fn beta_line(&self) -> String {
         match &self.fit.beta {
             Ok(beta) => {
-                format!("{}  (1 is the exact law)", with_uncertainty(beta.beta, beta.beta_uncertainty, ""))
+                format!(
+                    "{}  (1 is the exact law)",
+                    number::with_uncertainty(beta.beta, beta.beta_uncertainty, "")
+                )
             }
             Err(error) => format!("none: {error}"),
         }
@@ -176,16 +179,4 @@ fn weighting(weighting: Weighting) -> &'static str {
         Weighting::Periods => "uncertainties of periods",
         Weighting::Scatter => "none: uncertainties from the scatter",
     }
-}
-
-/// `1.637 ± 0.002 s`, to two digits of the uncertainty.
-fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
-    let uncertain = number::rounded(uncertainty, 2);
-    let places = uncertain.split_once('.').map_or(0, |(_, places)| places.len());
-    let text = match uncertainty > 0.0 && !uncertain.contains('e') {
-        true => format!("{value:.places$} ± {uncertain} {unit}"),
-        false if uncertainty > 0.0 => format!("{} ± {uncertain} {unit}", number::rounded(value, 12)),
-        false => format!("{} {unit}", number::short(value, 12)),
-    };
-    text.trim_end().to_owned()
 }
