@@ -9,19 +9,23 @@ use std::io::{self, Write};
 
 /// The budget as a table: name, correction, contribution, kind, formula.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
-    let mut table = Table::new(vec![
-        Column::words("effect"),
-        Column::numbers("correction of g"),
-        Column::numbers("u(g) / m/s²"),
-        Column::words("type"),
-        Column::words("formula; with"),
-    ]);
+    let mut table = Table::new(columns());
     for row in &budget.rows {
         table.row(out, cells(row).to_vec())?;
     }
     let total = number::rounded(budget.uncertainty, 2);
     table.row(out, vec!["together".to_owned(), String::new(), total, String::new(), String::new()])?;
     table.finish(out)
+}
+
+pub(crate) fn columns() -> Vec<Column> {
+    vec![
+        Column::words("effect"),
+        Column::numbers("correction of g"),
+        Column::numbers("u(g) / m/s²"),
+        Column::words("type"),
+        Column::words("formula; with"),
+    ]
 }
 
 /// The cells of a row, as text for people; what is not corrected is in brackets.
