@@ -94,7 +94,8 @@ impl Truth {
         );
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let step = TAU / self.omega0 / self.rows_per_cycle;
-        let all = (0..(self.cycles * self.rows_per_cycle) as u32).map(|row| step * f64::from(row));
+        let span = self.cycles * TAU / self.omega0;
+        let all = (0..).map(|row| step * f64::from(row)).take_while(|&time| time < span);
         let times: Vec<f64> = all.filter(|_| random.between(0.0, 1.0) >= self.lost).collect();
         let start = Moment { time: 0.0, state: self.state.to_vec() };
         let effort = Effort::to_tolerance(1e-13);
@@ -141,7 +142,7 @@ fn deviation(fit: &TraceFit, name: &str, truth: f64) -> f64 {
 /// How often the intervals held the truth: of each parameter by name, the number of intervals, and how many at 68 % and
 /// at 95 %.
 #[derive(Debug, Default)]
-struct Coverage(Vec<(&'static str, [usize; 3])>);
+struct Coverage(Vec<(&'static str, [u32; 3])>);
 
 impl Coverage {
     fn count(&mut self, parameter: &Parameter, truth: f64) {
@@ -150,7 +151,7 @@ impl Coverage {
             [parameter.value - half, parameter.value + half]
         };
         let intervals = parameter.intervals.unwrap_or([around(1.0), around(1.959964)]);
-        let held = intervals.map(|[low, high]| usize::from((low..=high).contains(&truth)));
+        let held = intervals.map(|[low, high]| u32::from((low..=high).contains(&truth)));
         let place = self.0.iter().position(|(name, _)| *name == parameter.name).unwrap_or_else(|| {
             self.0.push((parameter.name, [0; 3]));
             self.0.len() - 1
@@ -163,7 +164,7 @@ impl Coverage {
     /// The parts of all intervals that held the truth.
     fn parts(&self) -> [f64; 2] {
         let all = self.0.iter().fold([0; 3], |sum, (_, one)| [0, 1, 2].map(|place| sum[place] + one[place]));
-        [1, 2].map(|place| all[place] as f64 / all[0] as f64)
+        [1, 2].map(|place| f64::from(all[place]) / f64::from(all[0]))
     }
 }
 
@@ -282,8 +283,8 @@ fn outliers_draw_a_robust_fit_by_nothing() {
     }
     let spoilt = Trace::new("spoilt", Seen::Angle, clean.times().to_vec(), values, None).unwrap();
     let robust = TraceOptions { robust: true, ..TraceOptions::default() };
-    let [plain, robust] =
-        [TraceOptions::default(), robust].map(|options| fit(&[spoilt.clone()], truth.terms(), options));
+    let [plain, robust] = [TraceOptions::default(), robust]
+        .map(|options| fit(std::slice::from_ref(&spoilt), truth.terms(), options));
     let undisturbed = fit(&[clean], truth.terms(), TraceOptions::default());
     let [spoilt, held, best] = [&plain, &robust, &undisturbed].map(|fit| &fit.parameters[0]);
     assert!(
@@ -350,7 +351,7 @@ fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> T
 
 #[test]
 fn alike_residuals_are_said_and_widen_the_uncertainties() {
-    const TRACES: usize = 60;
+    const TRACES: u32 = 60;
     let truth = Truth { damping: [0.0, 0.02, 0.0], ..Truth::plain() };
     let exact = truth.trace(&mut Random::seeded(11));
     let mut random = Random::seeded(12);
@@ -361,7 +362,7 @@ fn alike_residuals_are_said_and_widen_the_uncertainties() {
         assert!(!fit.autocorrelation.is_noise() && fit.bootstrap_block.is_some());
         let omega0 = &fit.parameters[0];
         for (sum, uncertainty) in squares.iter_mut().zip([omega0.uncertainty, omega0.formal_uncertainty]) {
-            *sum += libm::pow((omega0.value - 3.0) / uncertainty, 2.0) / TRACES as f64;
+            *sum += libm::pow((omega0.value - 3.0) / uncertainty, 2.0) / f64::from(TRACES);
         }
     }
     // The blocks are shorter than infinite, so that a little is missing.
