@@ -64,7 +64,7 @@ impl Problem<'_> {
         }
         let search = Search { problem: self, evaluation, interrupted: false };
         let method =
-            LevenbergMarquardt::new().with_stepbound(1.0).with_ftol(1e-9).with_xtol(1e-9).with_gtol(0.0);
+            LevenbergMarquardt::new().with_stepbound(10.0).with_ftol(1e-11).with_xtol(1e-11).with_gtol(0.0);
         let (search, report) = method.with_patience(patience).minimize(search);
         if search.interrupted {
             return Err(NoMinimum::Interrupted);
