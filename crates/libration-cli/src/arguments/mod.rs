@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod angle_list;
+mod apparatus;
 mod displacements;
 mod formulas;
 mod initial;
@@ -14,12 +15,14 @@ mod pendulum;
 mod recording;
 mod section;
 mod system;
+mod table;
 mod text;
 mod times;
 mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
+pub(crate) use apparatus::ApparatusOptions;
 pub(crate) use displacements::displacements;
 pub(crate) use formulas::FormulaChoice;
 pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};
@@ -32,5 +35,6 @@ pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told, what_would_decide};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
-pub(crate) use text::{angle, angular_velocity, count, length_with_uncertainty, not_negative, positive};
+pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
+pub(crate) use text::{angle, angular_velocity, count, finite_time, length_with_uncertainty, not_negative, positive};
 pub(crate) use times::{TimeOptions, Times, times};

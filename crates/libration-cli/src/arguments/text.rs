@@ -16,12 +16,37 @@ pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
     parse(text, Dimension::Length).map_err(|error| error.to_string())
 }
 
+/// A mass above zero with the uncertainty it was given.
+pub(super) fn mass_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Mass)?;
+    parse(text, Dimension::Mass).map_err(|error| error.to_string())
+}
+
+/// A density above zero with the uncertainty it was given.
+pub(super) fn density_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Density)?;
+    parse(text, Dimension::Density).map_err(|error| error.to_string())
+}
+
+/// A part of one, such as 0.01 or 1%.
+pub(super) fn part(text: &str) -> Result<f64, String> {
+    let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number, 0.01));
+    let part = number.trim().parse::<f64>().ok().map(|number| number * unit);
+    part.filter(|part| (0.0..1.0).contains(part))
+        .ok_or_else(|| "give a part of one, such as 0.01 or 1%".to_owned())
+}
+
 pub(super) fn gravity(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Acceleration)
 }
 
 pub(crate) fn angular_velocity(text: &str) -> Result<f64, QuantityError> {
     Ok(parse(text, Dimension::AngularVelocity)?.value)
+}
+
+/// A time in seconds, negative ones included.
+pub(crate) fn finite_time(text: &str) -> Result<f64, QuantityError> {
+    Ok(parse(text, Dimension::Time)?.value)
 }
 
 /// A plain number above zero.

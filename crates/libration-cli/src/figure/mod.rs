@@ -3,6 +3,7 @@
 pub(crate) mod backbone;
 pub(crate) mod decay;
 pub(crate) mod errors;
+pub(crate) mod lengths;
 pub(crate) mod lyapunov;
 pub(crate) mod modes;
 pub(crate) mod motion;
@@ -12,6 +13,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
+pub(crate) mod trace;
 
 pub(crate) mod chart;
 pub(crate) mod file;
@@ -19,7 +21,7 @@ pub(crate) mod file;
 mod clip;
 mod cusps;
 mod dashes;
-mod draw;
+pub(crate) mod draw;
 mod legend;
 pub(crate) mod names;
 mod range;

@@ -1,5 +1,6 @@
 //! How answers are written: as a table to read, as JSON, as CSV, or as a file.
 
+pub(crate) mod budget;
 pub(crate) mod csv;
 pub(crate) mod file;
 pub(crate) mod json;

@@ -76,4 +76,15 @@ pub enum FitError {
         /// In metres.
         uncertainty: f64,
     },
+    /// A length in a table that is not a positive finite number.
+    #[error("row {row}: the length {length} m is not a positive number: remove the row")]
+    LengthOfRow {
+        /// Counted from one.
+        row: usize,
+        /// In metres.
+        length: f64,
+    },
+    /// Lengths that do not tell g from their offset.
+    #[error("the lengths are all the same, which leaves their offset open: measure with different lengths")]
+    EqualLengths,
 }

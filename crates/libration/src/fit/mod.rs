@@ -12,20 +12,32 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+mod budget;
 pub mod cycles;
+mod damping_terms;
 mod error;
 mod excess_scale;
+pub mod gates;
 mod gravity;
 mod law;
+mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
+mod robust;
 mod small_angle_period;
+mod student;
+pub mod trace;
 
+pub use budget::{
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,
+};
+pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{Gravity, gravity};
 pub use law::Law;
+pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, lengths};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{Options, PeriodFit, periods};

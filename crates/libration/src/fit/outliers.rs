@@ -1,14 +1,12 @@
 //! Rows that do not belong to the others, told without being drawn by them.
 
 use super::law::Law;
+use super::robust::{self, deviation_by_median};
 use super::{FitError, PeriodTable, Weighting};
 
 /// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
 /// one in 1700 has such a row.
 pub const DEFAULT_OUTLIER_THRESHOLD: f64 = 5.0;
-
-/// The median absolute deviation of a normal distribution is its standard deviation over this.
-const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
 
 /// The rows, counted from zero, that lie more than `threshold` robust standard deviations from the law.
 ///
@@ -25,19 +23,13 @@ pub fn outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Ve
         if table.weighting() == Weighting::Scatter { residual } else { residual / point.variance(t0).sqrt() }
     };
     let deviations: Vec<f64> = points.iter().map(deviation).collect();
-    let sigma = NORMAL_PER_MEDIAN_DEVIATION * median(deviations.clone());
+    let sigma = deviation_by_median(&deviations).unwrap_or(f64::NAN);
     // More than half of the rows exactly on the law leave no scale to tell the others by.
     let beyond = |deviation: f64| sigma > 0.0 && deviation > threshold * sigma;
     Ok((0..deviations.len()).filter(|&row| beyond(deviations[row])).collect())
 }
 
 /// The middle value; NaN of none.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => f64::NAN,
-        even if even % 2 == 0 => f64::midpoint(values[middle - 1], values[middle]),
-        _ => values[middle],
-    }
+pub(super) fn median(values: Vec<f64>) -> f64 {
+    robust::median(values).unwrap_or(f64::NAN)
 }

@@ -103,6 +103,11 @@ impl PeriodTable {
         self.rows.is_empty()
     }
 
+    /// The amplitudes, in radians, in the order of the rows.
+    pub fn amplitudes(&self) -> impl Iterator<Item = f64> {
+        self.rows.iter().map(|row| row.amplitude)
+    }
+
     /// Where the weights come from.
     #[must_use]
     pub fn weighting(&self) -> Weighting {

@@ -97,7 +97,7 @@ fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static U
     if name.is_empty() {
         return Ok(Unit::si(dimension));
     }
-    let Some(unit) = Unit::named(name) else {
+    let Some(unit) = Unit::named(name, dimension) else {
         return Err(QuantityError::UnknownUnit { text: excerpt(text), unit: excerpt(name), dimension });
     };
     if unit.dimension != dimension {

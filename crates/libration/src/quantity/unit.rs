@@ -20,6 +20,10 @@ pub enum Dimension {
     AngularVelocity,
     /// In metres per second.
     Velocity,
+    /// In kilograms.
+    Mass,
+    /// In kilograms per cubic metre.
+    Density,
 }
 
 impl Dimension {
@@ -32,6 +36,8 @@ impl Dimension {
             Self::Acceleration => "9.81m/s^2, 981 cm/s^2 or 9.81 ± 0.02 m/s^2 (a bare number is in m/s^2)",
             Self::AngularVelocity => "0.3rad/s, 30deg/s or 33 rpm (a bare number is in rad/s)",
             Self::Velocity => "0.3m/s, 20 cm/s or 5 km/h (a bare number is in m/s)",
+            Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
+            Self::Density => "7850kg/m^3, 7.85 g/cm^3 or 1.20(2) kg/m^3 (a bare number is in kg/m^3)",
         }
     }
 }
@@ -44,6 +50,8 @@ impl fmt::Display for Dimension {
             Self::Acceleration => "an acceleration",
             Self::AngularVelocity => "an angular velocity",
             Self::Velocity => "a velocity",
+            Self::Mass => "a mass",
+            Self::Density => "a density",
         })
     }
 }
@@ -63,8 +71,10 @@ enum Factor {
 }
 
 impl Unit {
-    pub(super) fn named(name: &str) -> Option<&'static Self> {
-        UNITS.iter().find(|unit| unit.names.contains(&name))
+    /// The unit of this name; where several bear it (g), the one of this dimension.
+    pub(super) fn named(name: &str, dimension: Dimension) -> Option<&'static Self> {
+        let mut bearers = UNITS.iter().filter(|unit| unit.names.contains(&name));
+        bearers.clone().find(|unit| unit.dimension == dimension).or_else(|| bearers.next())
     }
 
     pub(super) fn si(dimension: Dimension) -> &'static Self {
@@ -98,8 +108,9 @@ const fn half_turns_per_second(names: &'static [&'static str], numerator: i64, d
 }
 
 /// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
-/// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901).
-static UNITS: [Unit; 26] = [
+/// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg
+/// (international, 1959).
+static UNITS: [Unit; 32] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),
     unit(Dimension::Length, &["dm"], 1, 10),
@@ -126,4 +137,15 @@ static UNITS: [Unit; 26] = [
     unit(Dimension::Velocity, &["cm/s"], 1, 100),
     unit(Dimension::Velocity, &["mm/s"], 1, 1000),
     unit(Dimension::Velocity, &["ft/s"], 3048, 10_000),
+    unit(Dimension::Mass, &["kg"], 1, 1),
+    unit(Dimension::Mass, &["g", "gram", "grams"], 1, 1000),
+    unit(Dimension::Mass, &["mg"], 1, 1_000_000),
+    unit(Dimension::Mass, &["lb"], 45_359_237, 100_000_000),
+    unit(Dimension::Density, &["kg/m^3", "kg/m³", "kg/m3", "kg m^-3", "kg m⁻³", "g/l", "g/L"], 1, 1),
+    unit(
+        Dimension::Density,
+        &["g/cm^3", "g/cm³", "g/cm3", "g cm^-3", "g/ml", "g/mL", "kg/l", "kg/L"],
+        1000,
+        1,
+    ),
 ];

@@ -37,7 +37,9 @@ const MAP: &[(&str, &[&str])] = &[
         ],
     ),
     ("measurement", &[]),
+    ("fit", &["measurement", "pendulum", "taylor", "expression", "linear"]),
     ("fit", &["pendulum", "measurement", "elliptic"]),
+    ("fit", &["measurement", "pendulum", "taylor", "expression", "linear", "elliptic", "decay"]),
 ];
 
 /// Private foundations, which every module may use; what they may use themselves.

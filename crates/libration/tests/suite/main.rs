@@ -35,4 +35,5 @@ mod series;
 mod series_evaluation;
 mod systems;
 mod taylor;
+mod trace_fits;
 mod truncated_system;

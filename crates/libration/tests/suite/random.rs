@@ -31,4 +31,10 @@ impl Random {
     pub(crate) fn log_between(&mut self, low: f64, high: f64) -> f64 {
         libm::exp(LN_10 * self.between(low, high))
     }
+
+    /// Normally distributed, with mean 0 and variance 1 (G. E. P. Box and M. E. Muller, doi:10.1214/aoms/1177706645).
+    pub(crate) fn normal(&mut self) -> f64 {
+        let radius = libm::sqrt(-2.0 * libm::log(1.0 - self.between(0.0, 1.0)));
+        radius * libm::cos(self.between(0.0, core::f64::consts::TAU))
+    }
 }

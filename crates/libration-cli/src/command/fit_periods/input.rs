@@ -1,10 +1,9 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
-use crate::arguments::read_bytes;
+use crate::arguments::{AmplitudeUnit, DialectOptions, optional_column};
 use crate::failure::Failure;
 use libration::fit::{PeriodTable, Uncertainties};
-use libration::measurement::{Column, Delimiter, Header, Options, Selection, Table};
-use libration::quantity::{Angle, QuantityError};
+use libration::measurement::{Column, Selection};
 use std::path::PathBuf;
 
 /// Which file, and how to read it.
@@ -18,33 +17,8 @@ pub(super) struct Input {
     /// Unit of the amplitudes and of their uncertainties
     #[arg(long, value_enum, default_value = "rad")]
     amplitude_unit: AmplitudeUnit,
-    /// What separates the columns [default: found in the file]
-    #[arg(long, value_enum)]
-    delimiter: Option<Separator>,
-    /// Whether the first row names the columns
-    #[arg(long, value_enum, default_value = "detect")]
-    header: FirstRow,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum AmplitudeUnit {
-    Rad,
-    Deg,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Separator {
-    Comma,
-    Semicolon,
-    Tab,
-    Space,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum FirstRow {
-    Detect,
-    Present,
-    Absent,
+    #[command(flatten)]
+    dialect: DialectOptions,
 }
 
 /// What was measured, as columns (rad and s) and as the table to fit.
@@ -79,27 +53,11 @@ impl Input {
     }
 
     pub(super) fn read(&self) -> Result<Measured, Failure> {
-        let bytes = read_bytes(&self.file)?;
-        let table = Table::read(&bytes, &self.options()).map_err(|error| self.no_answer(error))?;
+        let table = self.dialect.read(&self.file)?;
         let columns = self.columns(table.width())?;
         let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
         self.measured(&columns, selection)
-    }
-
-    fn options(&self) -> Options {
-        let delimiter = self.delimiter.map(|separator| match separator {
-            Separator::Comma => Delimiter::Comma,
-            Separator::Semicolon => Delimiter::Semicolon,
-            Separator::Tab => Delimiter::Tab,
-            Separator::Space => Delimiter::Whitespace,
-        });
-        let header = match self.header {
-            FirstRow::Detect => Header::Detect,
-            FirstRow::Present => Header::Present,
-            FirstRow::Absent => Header::Absent,
-        };
-        Options { delimiter, header, ..Options::default() }
     }
 
     /// The columns of amplitude, period and their uncertainties.
@@ -108,7 +66,7 @@ impl Input {
         let columns: Vec<Option<Column>> = match (self.columns.len(), width) {
             (0, 2) => first(2),
             (0, 4..) => first(4),
-            (2..=4, _) => self.columns.iter().map(|text| column(text)).collect(),
+            (2..=4, _) => self.columns.iter().map(|text| optional_column(text)).collect(),
             (0, _) => {
                 return Err(self.no_answer(format!(
                     "the table has {width} columns, not 2 or 4: say which with --columns"
@@ -152,23 +110,10 @@ impl Input {
     }
 
     fn radians(&self, values: &[f64]) -> Result<Vec<f64>, Failure> {
-        let radians = |&value: &f64| match self.amplitude_unit {
-            AmplitudeUnit::Rad => Ok(value),
-            AmplitudeUnit::Deg => Angle::from_degrees(value).map(|angle| angle.radians()),
-        };
-        values
-            .iter()
-            .map(radians)
-            .collect::<Result<_, QuantityError>>()
-            .map_err(|error| self.no_answer(error))
+        self.amplitude_unit.radians(values).map_err(|error| self.no_answer(error))
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
         Failure::no_answer(&self.name(), reason)
     }
-}
-
-fn column(text: &str) -> Option<Column> {
-    let text = text.trim();
-    (text != "-").then(|| text.parse().unwrap_or_else(|never| match never {}))
 }

@@ -3,13 +3,14 @@
 mod input;
 mod write;
 
-use crate::arguments::{FormulaChoice, length_with_uncertainty, positive};
+use crate::arguments::{ApparatusOptions, FormulaChoice, positive};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::FormOptions;
 use input::Input;
 pub(crate) use input::Measurement;
-use libration::fit::{self, Law};
+use libration::fit::{self, Law, MeasuredPeriod, PeriodFit};
+use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
 use std::io::Write;
 use std::path::PathBuf;
@@ -27,9 +28,8 @@ fits T = T0·[1 + β(R − 1)], with R = T/T0 of the exact law: β = 1 is the ex
 pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: Input,
-    /// Length of the pendulum with its uncertainty, such as 0.57m±0.004m: gives gravity
-    #[arg(long, value_parser = length_with_uncertainty)]
-    length: Option<Quantity>,
+    #[command(flatten)]
+    apparatus: ApparatusOptions,
     /// Leave out the rows further than this many robust standard deviations from the exact law
     #[arg(long, value_name = "N", value_parser = positive)]
     reject_outliers: Option<f64>,
@@ -53,13 +53,31 @@ impl FitPeriods {
             formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
         let options = fit::Options { reject_outliers: self.reject_outliers };
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
-        let gravity = self.length.map(|length| fit::gravity(&fit.exact, length)).transpose();
-        let gravity = gravity.map_err(|error| Failure::no_answer("--length", error))?;
+        let budget = self.apparatus.apparatus().map(|apparatus| fit::budget(&apparatus, &self.period(&fit)));
+        let budget = budget.transpose().map_err(|error| Failure::no_answer("gravity", error))?;
         if let Some(path) = &self.figure {
             let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };
             figure::file::write(path, &figure::periods::fitted(&measured.without(left_out), &fit))?;
         }
-        let answer = write::Answer { measured: &measured, fit: &fit, gravity, length: self.length };
+        let answer = write::Answer {
+            measured: &measured,
+            fit: &fit,
+            budget: budget.as_ref(),
+            length: self.apparatus.length(),
+        };
         answer.write(out, self.form.form())
+    }
+
+    /// T0 with the amplitude whose T/T0 is the mean of those measured.
+    fn period(&self, fit: &PeriodFit) -> MeasuredPeriod {
+        let ratios = fit.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
+        let (count, sum) = ratios.fold((0.0, 0.0), |(count, sum), ratio| (count + 1.0, sum + ratio));
+        let amplitude = Amplitude::from_period_ratio(sum / count).ok().map(|amplitude| amplitude.radians());
+        MeasuredPeriod {
+            t0: Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) },
+            amplitude,
+            angle_scale: self.apparatus.angle_scale(),
+            linear_damping: None,
+        }
     }
 }

@@ -4,8 +4,8 @@ use super::input::Measured;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{Column, Table, sheet};
-use crate::output::{Form, csv, number};
-use libration::fit::{FitError, Gravity, LawFit, PeriodFit, Weighting};
+use crate::output::{self, Form, csv, number};
+use libration::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 use libration::quantity::Quantity;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -14,7 +14,7 @@ use std::io::{self, Write};
 pub(super) struct Answer<'a> {
     pub(super) measured: &'a Measured,
     pub(super) fit: &'a PeriodFit,
-    pub(super) gravity: Option<Gravity>,
+    pub(super) budget: Option<&'a Budget>,
     pub(super) length: Option<Quantity>,
 }
 
@@ -61,12 +61,17 @@ impl Answer<'_> {
 
     fn gravity_fields(&self, record: Record) -> Record {
         let why_none = "give --length to have gravity";
-        let gravity = self.gravity.as_ref();
-        record.number_or("gravity_m_per_s2", gravity.map(|gravity| gravity.value), why_none).number_or(
+        let gravity = self.budget.map(|budget| budget.g);
+        let uncertainty = self.budget.map(|budget| budget.uncertainty);
+        let record = record.number_or("gravity_m_per_s2", gravity, why_none).number_or(
             "gravity_uncertainty_m_per_s2",
-            gravity.map(|gravity| gravity.uncertainty),
+            uncertainty,
             why_none,
-        )
+        );
+        match self.budget {
+            Some(budget) => record.with("budget", output::budget::records(budget)),
+            None => record,
+        }
     }
 
     fn outlier_lines(&self) -> Vec<u64> {
@@ -103,7 +108,10 @@ impl Answer<'_> {
             );
             table.row(out, [vec![key.to_owned()], cells.to_vec()].concat())?;
         }
-        table.finish(out)
+        table.finish(out)?;
+        let Some(budget) = self.budget else { return Ok(()) };
+        writeln!(out)?;
+        output::budget::write_table(out, budget)
     }
 
     fn lines(&self) -> Vec<(&'static str, String)> {
@@ -111,12 +119,12 @@ impl Answer<'_> {
         let mut lines = vec![
             ("rows", self.rows_line()),
             ("weights", weighting(self.fit.weighting).to_owned()),
-            ("T₀, exact law", with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
+            ("T₀, exact law", number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
             ("β", self.beta_line()),
         ];
-        if let (Some(gravity), Some(length)) = (&self.gravity, self.length) {
-            let length = with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
-            let value = with_uncertainty(gravity.value, gravity.uncertainty, "m/s²");
+        if let (Some(budget), Some(length)) = (self.budget, self.length) {
+            let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
+            let value = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
             lines.push(("gravity", format!("{value}  (length {length})")));
         }
         lines
@@ -140,7 +148,10 @@ impl Answer<'_> {
     fn beta_line(&self) -> String {
         match &self.fit.beta {
             Ok(beta) => {
-                format!("{}  (1 is the exact law)", with_uncertainty(beta.beta, beta.beta_uncertainty, ""))
+                format!(
+                    "{}  (1 is the exact law)",
+                    number::with_uncertainty(beta.beta, beta.beta_uncertainty, "")
+                )
             }
             Err(error) => format!("none: {error}"),
         }
@@ -168,16 +179,4 @@ fn weighting(weighting: Weighting) -> &'static str {
         Weighting::Periods => "uncertainties of periods",
         Weighting::Scatter => "none: uncertainties from the scatter",
     }
-}
-
-/// `1.637 ± 0.002 s`, to two digits of the uncertainty.
-fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
-    let uncertain = number::rounded(uncertainty, 2);
-    let places = uncertain.split_once('.').map_or(0, |(_, places)| places.len());
-    let text = match uncertainty > 0.0 && !uncertain.contains('e') {
-        true => format!("{value:.places$} ± {uncertain} {unit}"),
-        false if uncertainty > 0.0 => format!("{} ± {uncertain} {unit}", number::rounded(value, 12)),
-        false => format!("{} {unit}", number::short(value, 12)),
-    };
-    text.trim_end().to_owned()
 }

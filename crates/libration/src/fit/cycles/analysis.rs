@@ -3,14 +3,15 @@
 use std::f64::consts::{PI, TAU};
 
 use super::centre::Centre;
+use super::envelope::envelope;
 use super::extreme::Extreme;
 use super::landmarks::{Landmarks, landmarks};
-use super::local_fit::median;
 use super::passage::Passage;
-use super::period_law::{self, Row};
+use super::period_law::{self, Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::swings;
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
+use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
 
 /// With fewer rows in a period nothing can be placed.
@@ -43,9 +44,11 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
     let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
     let law = period_law::exact(&kept).ok_or(too_short)?;
     let cycles = rows.iter().enumerate().map(|(k, row)| Cycle::of(row, outliers.contains(&k))).collect();
+    let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
-        half_swings: half_swings.into_iter().flatten().collect(),
+        envelope: envelope(&half_swings, TAU / law.t0),
+        half_swings,
         offset: longest.centre.value,
         offset_uncertainty: longest.centre.uncertainty,
         offset_wander: longest.centre.wander,
@@ -127,12 +130,11 @@ impl Found {
             let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|found| (k, found)));
             let ([Some(begin), Some(end)], [Some(one), Some(two)]) = (ends, sides) else { return None };
             let square = |x: f64| x * x;
-            Some(Row {
-                time: 0.5 * (begin.1.time + end.1.time),
-                period: end.1.time - begin.1.time,
-                passages: [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
-                extremes: [one, two].map(|(k, side)| (k, side.amplitude, square(side.uncertainty))),
-            })
+            Some(Row::new(
+                [begin.1.time, end.1.time],
+                [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
+                [one, two].map(|(k, side)| Side::new(k, side.amplitude, side.uncertainty)),
+            ))
         };
         self.cycles.iter().filter_map(row).collect()
     }
@@ -160,7 +162,7 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
         let rows = found.rows(&half_swings);
         // Cycles that would lead over the top say that T0 is smaller, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
-        let said = rows.iter().map(|row| row.period / row.ratio()).chain(beyond).collect();
+        let said = rows.iter().map(Row::small_angle_period).chain(beyond).collect();
         let larger = median(said).is_some_and(|said| said > middle);
         *(if larger { &mut below } else { &mut above }) = middle;
     }
@@ -170,14 +172,14 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
 impl Cycle {
     fn of(row: &Row, outlier: bool) -> Self {
         let [begin, end] = row.passages.map(|passage| passage.1);
-        let [one, two] = row.extremes;
+        let [one, two] = row.sides;
         Self {
             time: row.time,
             period: row.period,
             period_uncertainty: (begin + end).sqrt(),
-            amplitude: 0.5 * (one.1 + two.1),
-            amplitude_uncertainty: 0.5 * (one.2 + two.2).sqrt(),
-            period_ratio: row.ratio(),
+            amplitude: 0.5 * (one.amplitude + two.amplitude),
+            amplitude_uncertainty: 0.5 * (one.variance + two.variance).sqrt(),
+            period_ratio: row.ratio,
             outlier,
         }
     }

@@ -42,4 +42,12 @@ pub enum CyclesError {
         /// How many there are.
         cycles: usize,
     },
+    /// Too few extremes to tell how the amplitude falls.
+    #[error("{found} turning points tell nothing about the damping: record at least {needed}")]
+    TooFewHalfSwings {
+        /// How many there are.
+        found: usize,
+        /// How many would do.
+        needed: usize,
+    },
 }

@@ -2,11 +2,11 @@
 
 use super::centre::Centre;
 use super::extreme::{Extreme, extreme};
-use super::local_fit::{median, robust_deviation};
 use super::passage::{Passage, passage};
 use super::shape::{LARGEST_AMPLITUDE, Shape};
 use super::swings::Stretch;
 use super::window::Window;
+use crate::fit::robust::{median, robust_deviation};
 use crate::measurement::{Seen, Trace};
 use crate::pendulum::period_ratio;
 use std::f64::consts::FRAC_PI_2;

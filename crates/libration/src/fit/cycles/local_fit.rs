@@ -92,33 +92,6 @@ fn bisquare(size: f64) -> f64 {
     if size < 1.0 { (1.0 - size * size) * (1.0 - size * size) } else { 0.0 }
 }
 
-/// 1 for a normal distribution over its median absolute deviation.
-const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
-
-/// The standard deviation of these residuals without their outliers; none of no residuals.
-pub(super) fn robust_deviation(residuals: &[f64]) -> Option<f64> {
-    let sizes: Vec<f64> = residuals.iter().map(|x| x.abs()).collect();
-    let first = NORMAL_PER_MEDIAN_DEVIATION * median(sizes)?;
-    let kept = |cut: f64| residuals.iter().filter(move |x| x.abs() <= cut);
-    // With more than half of the residuals exactly zero all of them tell the size.
-    let cut = if first > 0.0 { 4.0 * first } else { f64::INFINITY };
-    let sum: f64 = kept(cut).map(|x| x * x).sum();
-    #[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
-    let count = kept(cut).count() as f64;
-    Some((sum / count).sqrt())
-}
-
-/// The middle value; none of none.
-pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => None,
-        even if even % 2 == 0 => Some(f64::midpoint(values[middle - 1], values[middle])),
-        _ => Some(values[middle]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -139,13 +112,5 @@ mod tests {
         assert!((clean.coefficients[0] - 0.5).abs() < 0.01 && (clean.coefficients[1] - 2.0).abs() < 0.02);
         assert!((clean.coefficients[0] - spoilt.coefficients[0]).abs() < 0.003, "{spoilt:?}");
         assert!((clean.coefficients[1] - spoilt.coefficients[1]).abs() < 0.005, "{spoilt:?}");
-    }
-
-    #[test]
-    fn the_deviation_is_that_of_the_many() {
-        let mut residuals: Vec<f64> = (0..100).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        residuals.push(1000.0);
-        assert!((robust_deviation(&residuals).unwrap() - 1.0).abs() < 1e-12);
-        assert_eq!(robust_deviation(&[]), None);
     }
 }

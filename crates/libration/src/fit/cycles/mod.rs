@@ -23,11 +23,16 @@ mod extreme;
 
 mod landmarks;
 
-mod period_law;
+mod generalised;
+pub(super) mod period_law;
+
+mod decay_rates;
+mod envelope;
 
 mod analysis;
 
 pub use analysis::cycles;
+pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
 pub use period_law::Beta;
 
@@ -93,12 +98,14 @@ pub struct Cycles {
     pub noise: f64,
     /// The period of small swings under the exact law, in seconds.
     pub t0: f64,
-    /// Of T0, in seconds; from the scatter of the cycles where that is larger than their uncertainties say.
+    /// Of T0, in seconds; by the scatter of the cycles where that is larger than the noise explains.
     pub t0_uncertainty: f64,
-    /// How much larger than its uncertainty the scatter about the exact law is: χ² per degree of freedom.
+    /// How much larger the scatter about the exact law is than the noise explains: χ² per degree of freedom.
     pub chi2_per_dof: Option<f64>,
     /// The test of the exact law, or why there is none.
     pub beta: Result<Beta, CyclesError>,
+    /// Which damping the falling amplitude prefers, or why that cannot be said.
+    pub envelope: Result<Envelope, CyclesError>,
     /// What a reader should know.
     pub warnings: Vec<String>,
 }

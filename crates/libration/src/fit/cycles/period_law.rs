@@ -2,32 +2,46 @@
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
 use super::CyclesError;
-use super::local_fit::robust_deviation;
+use super::generalised::{Generalised, fit};
 use crate::fit::Law;
+use crate::fit::robust::{median, robust_deviation};
 
-const MOST_ROUNDS: usize = 50;
+/// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
+const ROUNDS: usize = 5;
 
 /// A cycle with what its errors come from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
+pub(in crate::fit) struct Row {
     /// Of its middle.
     pub(super) time: f64,
     pub(super) period: f64,
     /// Numbers and variances of the passages it begins and ends with.
     pub(super) passages: [(usize, f64); 2],
-    /// Numbers, amplitudes and variances of its two extremes.
-    pub(super) extremes: [(usize, f64, f64); 2],
+    /// Its two extremes.
+    pub(super) sides: [Side; 2],
+    /// The mean of T/T0 for the two half swings.
+    pub(in crate::fit) ratio: f64,
+}
+
+/// An extreme.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::fit) struct Side {
+    pub(super) number: usize,
+    pub(super) amplitude: f64,
+    pub(super) variance: f64,
+    /// What the ratio of the cycle changes by with this amplitude.
+    slope: f64,
 }
 
 /// T0 under the exact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PeriodLaw {
+pub(in crate::fit) struct PeriodLaw {
     /// The period of small swings, in seconds.
-    pub(super) t0: f64,
-    /// In seconds; enlarged by √(χ²/dof) where the cycles scatter more than their uncertainties say.
-    pub(super) t0_uncertainty: f64,
-    /// χ² per degree of freedom; none where there is no degree of freedom.
-    pub(super) chi2_per_dof: Option<f64>,
+    pub(in crate::fit) t0: f64,
+    /// In seconds, by the scatter of the cycles where that is larger than the noise explains.
+    pub(in crate::fit) t0_uncertainty: f64,
+    /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
+    pub(in crate::fit) chi2_per_dof: Option<f64>,
 }
 
 /// The test of the exact law: T = T0·[1 + β(R − 1)].
@@ -35,71 +49,96 @@ pub(super) struct PeriodLaw {
 pub struct Beta {
     /// 1 for the exact law, 0 for a constant period.
     pub beta: f64,
-    /// With the uncertainties of the amplitudes, and enlarged by √(χ²/dof) where the cycles scatter more than they say.
+    /// With the uncertainties of the amplitudes, and by the scatter of the cycles where that is larger than the noise
+    /// explains.
     pub uncertainty: f64,
     /// The period of small swings that goes with β, in seconds.
     pub t0: f64,
-    /// In seconds, enlarged as the other.
+    /// In seconds, likewise.
     pub t0_uncertainty: f64,
     /// Of T0 and β.
     pub correlation: f64,
-    /// χ² per degree of freedom; none where there is no degree of freedom.
+    /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
     pub chi2_per_dof: Option<f64>,
 }
 
+impl Side {
+    pub(in crate::fit) fn new(number: usize, amplitude: f64, uncertainty: f64) -> Self {
+        let slope = 0.5 * Law::exact().slope_at(amplitude);
+        Self { number, amplitude, variance: uncertainty * uncertainty, slope }
+    }
+}
+
 impl Row {
-    /// The mean of T/T0 for the two half swings.
-    pub(super) fn ratio(&self) -> f64 {
-        0.5 * self.extremes.iter().map(|extreme| Law::exact().ratio_at(extreme.1)).sum::<f64>()
+    pub(in crate::fit) fn new(times: [f64; 2], passages: [(usize, f64); 2], sides: [Side; 2]) -> Self {
+        let ratio = 0.5 * sides.iter().map(|side| Law::exact().ratio_at(side.amplitude)).sum::<f64>();
+        let [begin, end] = times;
+        Self { time: 0.5 * (begin + end), period: end - begin, passages, sides, ratio }
     }
 
-    fn slope(&self, side: usize) -> f64 {
-        0.5 * Law::exact().slope_at(self.extremes[side].1)
+    /// What the period of small swings is by this row.
+    pub(super) fn small_angle_period(&self) -> f64 {
+        self.period / self.ratio
+    }
+
+    /// The covariance that the noise gives two rows, when the period changes by `slope`·R′ with the amplitude.
+    pub(super) fn noise_with(&self, other: &Self, slope: f64) -> f64 {
+        let mut sum = 0.0;
+        for (i, (passage, variance)) in self.passages.iter().enumerate() {
+            for (j, (shared, _)) in other.passages.iter().enumerate() {
+                if passage == shared {
+                    sum += if i == j { *variance } else { -variance };
+                }
+            }
+        }
+        for (own, shared) in self.shared_sides(other) {
+            sum += slope * slope * own.slope * shared.slope * own.variance;
+        }
+        sum
+    }
+
+    /// The part of the half swings of one row that are half swings of the other too.
+    pub(super) fn half_swings_with(&self, other: &Self) -> f64 {
+        self.shared_sides(other).map(|_| 0.5).sum()
+    }
+
+    fn shared_sides(&self, other: &Self) -> impl Iterator<Item = (Side, Side)> {
+        let pairs = self.sides.into_iter().flat_map(|own| other.sides.map(|shared| (own, shared)));
+        pairs.filter(|(own, shared)| own.number == shared.number)
     }
 }
 
 /// T0 under the exact law.
-pub(super) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
-    let mut t0 = rows.iter().map(|row| row.period / row.ratio()).sum::<f64>() / count(rows.len());
-    let columns = vec![rows.iter().map(Row::ratio).collect::<Vec<f64>>()];
-    let mut fit = None;
-    for _ in 0..MOST_ROUNDS {
-        let renewed = Generalised::fit(rows, t0, &columns)?;
-        let step = renewed.coefficients[0] - t0;
-        t0 = renewed.coefficients[0];
-        fit = Some(renewed);
-        if step.abs() <= 1e-13 * t0.abs() {
-            break;
-        }
-    }
-    let fit = fit?;
-    let t0_uncertainty = (fit.scale() * fit.covariance[0][0]).sqrt();
-    Some(PeriodLaw { t0, t0_uncertainty, chi2_per_dof: fit.chi2_per_dof() })
+pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
+    let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
+    let found = settled(rows, &columns, 0)?;
+    let [t0, variance] = [found.coefficients[0], found.covariance[0][0]];
+    Some(PeriodLaw { t0, t0_uncertainty: variance.sqrt(), chi2_per_dof: found.chi2_per_dof })
 }
 
 /// The test of the exact law.
-pub(super) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
-    let excess: Vec<f64> = rows.iter().map(|row| row.ratio() - 1.0).collect();
-    let (low, high) =
-        excess.iter().fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), &x| (low.min(x), high.max(x)));
+pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
+    let excess: Vec<f64> = rows.iter().map(|row| row.ratio - 1.0).collect();
+    let high = excess.iter().copied().fold(0.0, f64::max);
+    let low = excess.iter().copied().fold(f64::INFINITY, f64::min);
+    let open = CyclesError::EqualAmplitudes { cycles: rows.len() };
     if rows.len() < 3 || high - low <= 1e-9 {
-        return Err(CyclesError::EqualAmplitudes { cycles: rows.len() });
+        return Err(open);
     }
     let columns = vec![vec![1.0; rows.len()], excess];
-    let mut slope = rows.iter().map(|row| row.period / row.ratio()).sum::<f64>() / count(rows.len());
-    let mut fit = None;
-    for _ in 0..MOST_ROUNDS {
-        let renewed = Generalised::fit(rows, slope, &columns)
-            .ok_or(CyclesError::EqualAmplitudes { cycles: rows.len() })?;
-        let step = renewed.coefficients[1] - slope;
-        slope = renewed.coefficients[1];
-        let settled = step.abs() <= 1e-9 * renewed.covariance[1][1].sqrt();
-        fit = Some(renewed);
-        if settled {
-            break;
-        }
+    settled(rows, &columns, 1).map(|found| Beta::of(&found)).ok_or(open)
+}
+
+/// The fit with the weights that belong to one of its coefficients.
+fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize) -> Option<Generalised> {
+    let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
+    let mut found = None;
+    for _ in 0..ROUNDS {
+        let renewed = fit(rows, slope, columns)?;
+        slope = renewed.coefficients[coefficient];
+        found = Some(renewed);
     }
-    fit.map(|fit| Beta::of(&fit)).ok_or(CyclesError::EqualAmplitudes { cycles: rows.len() })
+    found
 }
 
 impl Beta {
@@ -110,11 +149,11 @@ impl Beta {
         let variance = (slope - 2.0 * beta * both + beta * beta * own) / (t0 * t0);
         Self {
             beta,
-            uncertainty: (fit.scale() * variance).sqrt(),
+            uncertainty: variance.sqrt(),
             t0,
-            t0_uncertainty: (fit.scale() * own).sqrt(),
+            t0_uncertainty: own.sqrt(),
             correlation: (both - beta * own) / t0 / (own * variance).sqrt(),
-            chi2_per_dof: fit.chi2_per_dof(),
+            chi2_per_dof: fit.chi2_per_dof,
         }
     }
 }
@@ -125,130 +164,12 @@ const FEWEST_TO_JUDGE: usize = 8;
 /// The rows that lie further from the exact law than `threshold` robust standard deviations, or than that many of their
 /// own uncertainties where those are larger.
 pub(super) fn outliers(rows: &[Row], threshold: f64) -> Vec<usize> {
-    let periods: Vec<f64> = rows.iter().map(|row| row.period / row.ratio()).collect();
-    let Some(middle) = super::local_fit::median(periods.clone()) else { return vec![] };
+    let periods: Vec<f64> = rows.iter().map(|row| row.small_angle_period()).collect();
+    let Some(middle) = median(periods.clone()) else { return vec![] };
     let deviations: Vec<f64> = periods.iter().map(|period| period - middle).collect();
     let Some(scatter) = robust_deviation(&deviations).filter(|_| rows.len() >= FEWEST_TO_JUDGE) else {
         return vec![];
     };
-    let own = |row: usize| scatter.max(covariance(&rows[row], &rows[row], middle).sqrt());
+    let own = |row: usize| scatter.max(rows[row].noise_with(&rows[row], middle).sqrt());
     (0..rows.len()).filter(|&row| deviations[row].abs() > threshold * own(row)).collect()
-}
-
-/// Least squares with the covariance of the rows.
-struct Generalised {
-    coefficients: Vec<f64>,
-    covariance: [[f64; 2]; 2],
-    chi2: f64,
-    dof: usize,
-}
-
-impl Generalised {
-    /// Coefficients of these columns when the period changes by `slope`·R′ with the amplitude.
-    fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Self> {
-        let factor = Factor::of(rows, slope)?;
-        let columns: Vec<Vec<f64>> = columns.iter().map(|column| factor.whitened(column)).collect();
-        let right = factor.whitened(&rows.iter().map(|row| row.period).collect::<Vec<_>>());
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let (coefficients, covariance) = match &columns[..] {
-            [only] => {
-                let square = product(only, only);
-                (vec![product(only, &right) / square], [[1.0 / square, 0.0], [0.0; 2]])
-            }
-            [first, second] => {
-                let [a, b, c] = [product(first, first), product(first, second), product(second, second)];
-                let [p, q] = [product(first, &right), product(second, &right)];
-                let determinant = a * c - b * b;
-                let inverse = [[c / determinant, -b / determinant], [-b / determinant, a / determinant]];
-                let solution = inverse.map(|line| line[0] * p + line[1] * q);
-                (solution.to_vec(), inverse)
-            }
-            _ => return None,
-        };
-        let residual = |row: usize| {
-            let fitted: f64 = columns.iter().zip(&coefficients).map(|(column, c)| column[row] * c).sum();
-            right[row] - fitted
-        };
-        let chi2 = (0..rows.len()).map(|row| residual(row) * residual(row)).sum();
-        let usable = coefficients.iter().all(|x| x.is_finite());
-        usable.then_some(Self {
-            coefficients,
-            covariance,
-            chi2,
-            dof: rows.len().saturating_sub(columns.len()),
-        })
-    }
-
-    fn chi2_per_dof(&self) -> Option<f64> {
-        (self.dof > 0).then(|| self.chi2 / count(self.dof))
-    }
-
-    /// By what the variances are enlarged.
-    fn scale(&self) -> f64 {
-        self.chi2_per_dof().unwrap_or(1.0).max(1.0)
-    }
-}
-
-/// The lower triangle L of the covariance `L·Lᵀ`, in which a row has entries with itself and the two rows before.
-struct Factor(Vec<[f64; 3]>);
-
-impl Factor {
-    fn of(rows: &[Row], slope: f64) -> Option<Self> {
-        let mut factor: Vec<[f64; 3]> = Vec::with_capacity(rows.len());
-        for (n, row) in rows.iter().enumerate() {
-            let before = |back: usize| n.checked_sub(back).map(|m| covariance(&rows[m], row, slope));
-            let with = |back: usize| n.checked_sub(back).map(|m| factor[m]);
-            // Entries with the row two before, the row before, and itself.
-            let second = match (before(2), with(2)) {
-                (Some(covariance), Some(other)) => covariance / other[2],
-                _ => 0.0,
-            };
-            let first = match (before(1), with(1)) {
-                (Some(covariance), Some(other)) => (covariance - second * other[1]) / other[2],
-                _ => 0.0,
-            };
-            let own = covariance(row, row, slope) - first * first - second * second;
-            if own <= 0.0 || !own.is_finite() {
-                return None;
-            }
-            factor.push([second, first, own.sqrt()]);
-        }
-        Some(Self(factor))
-    }
-
-    /// L⁻¹ of a column.
-    fn whitened(&self, column: &[f64]) -> Vec<f64> {
-        let mut white: Vec<f64> = Vec::with_capacity(column.len());
-        for (n, &value) in column.iter().enumerate() {
-            let [second, first, own] = self.0[n];
-            let before = |back: usize| n.checked_sub(back).map_or(0.0, |m| white[m]);
-            white.push((value - second * before(2) - first * before(1)) / own);
-        }
-        white
-    }
-}
-
-/// The covariance of the residuals of two rows.
-fn covariance(one: &Row, other: &Row, slope: f64) -> f64 {
-    let mut sum = 0.0;
-    for (i, (passage, variance)) in one.passages.iter().enumerate() {
-        for (j, (shared, _)) in other.passages.iter().enumerate() {
-            if passage == shared {
-                sum += if i == j { *variance } else { -variance };
-            }
-        }
-    }
-    for (i, (extreme, _, variance)) in one.extremes.iter().enumerate() {
-        for (j, (shared, ..)) in other.extremes.iter().enumerate() {
-            if extreme == shared {
-                sum += slope * slope * one.slope(i) * other.slope(j) * variance;
-            }
-        }
-    }
-    sum
-}
-
-#[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
-fn count(rows: usize) -> f64 {
-    rows as f64
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::CyclesError;
-use super::local_fit::median;
+use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
 
 /// A turn counts when the value has gone back by this part of the last swing.
@@ -34,7 +34,7 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
         return Err(CyclesError::TooFewRows(trace.len()));
     }
     let calm = without_spikes(trace.values());
-    let turns = without_disturbances(turns(&calm)?, trace.times());
+    let turns = without_disturbances(turns(&calm, whole_turn(trace.seen()))?, trace.times());
     let swings = match trace.seen() {
         Seen::Angle => of_angles(&calm, &turns),
         Seen::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
@@ -45,6 +45,14 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
         }
         Swings { stretches, .. } if stretches.is_empty() => Err(CyclesError::TooShort { turning_points: 0 }),
         swings => Ok(swings),
+    }
+}
+
+/// A change that leads over the top.
+fn whole_turn(seen: Seen) -> f64 {
+    match seen {
+        Seen::Angle => TAU,
+        Seen::AngularVelocity => f64::INFINITY,
     }
 }
 
@@ -64,12 +72,12 @@ fn without_spikes(values: &[f64]) -> Vec<f64> {
 }
 
 /// The rows where the values turn by more than a part of the last swing, highest and lowest in turns.
-fn turns(values: &[f64]) -> Result<Vec<usize>, CyclesError> {
+fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, CyclesError> {
     let range = range(values);
     if range <= 0.0 {
         return Err(CyclesError::NothingSwings(values[0]));
     }
-    let (mut turns, mut needed) = (vec![], FIRST_RETURN * range);
+    let (mut turns, mut needed) = (vec![], FIRST_RETURN * range.min(whole_turn));
     // The highest and the lowest row since the last turn; a rise and a fall are told by which one is left.
     let (mut highest, mut lowest) = (0, 0);
     let mut rising: Option<bool> = None;
@@ -83,8 +91,8 @@ fn turns(values: &[f64]) -> Result<Vec<usize>, CyclesError> {
         }
         let turn = if fell { highest } else { lowest };
         if let Some(&last) = turns.last() {
-            let swing: f64 = values[turn] - values[last];
-            needed = RETURN * swing.abs();
+            let swing = f64::abs(values[turn] - values[last]);
+            needed = if swing < whole_turn { RETURN * swing } else { needed };
         }
         turns.push(turn);
         rising = Some(rose);

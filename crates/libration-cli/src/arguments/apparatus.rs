@@ -1,0 +1,64 @@
+//! The pendulum as a laboratory knows it: lengths and masses with their uncertainties.
+
+use super::text;
+use libration::fit::{AIR_DENSITY, Apparatus};
+use libration::quantity::Quantity;
+
+/// The options that give g and the budget of its uncertainty.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
+pub(crate) struct ApparatusOptions {
+    /// From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity
+    #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty)]
+    length: Option<Quantity>,
+    /// Radius of the bob, a ball, such as 20.0(1)mm
+    #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "length")]
+    bob_radius: Option<Quantity>,
+    /// Mass of the bob, such as 42.0g±0.5g
+    #[arg(long, value_name = "MASS", value_parser = text::mass_with_uncertainty, requires = "length")]
+    bob_mass: Option<Quantity>,
+    /// Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius]
+    #[arg(long, value_name = "DENSITY", value_parser = text::density_with_uncertainty, requires = "length")]
+    bob_density: Option<Quantity>,
+    /// Mass of the rod or string
+    #[arg(long, value_name = "MASS", value_parser = text::mass_with_uncertainty, requires = "bob_mass")]
+    rod_mass: Option<Quantity>,
+    /// From the pivot to the end of the rod [default: to the surface of the bob]
+    #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "rod_mass")]
+    rod_length: Option<Quantity>,
+    /// Density of the air [default: 1.20(2)kg/m^3]
+    #[arg(long, value_name = "DENSITY", value_parser = text::density_with_uncertainty, requires = "length")]
+    air_density: Option<Quantity>,
+    /// By how much the bob at rest stretches the string
+    #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "length")]
+    stretch: Option<Quantity>,
+    /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%
+    #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
+    angle_scale: Option<f64>,
+}
+
+impl ApparatusOptions {
+    /// The length; none when gravity is not asked for.
+    pub(crate) fn length(&self) -> Option<Quantity> {
+        self.length
+    }
+
+    /// The relative uncertainty of the angles.
+    pub(crate) fn angle_scale(&self) -> Option<f64> {
+        self.angle_scale
+    }
+
+    /// The apparatus; none when no length is given, without which there is no gravity.
+    pub(crate) fn apparatus(&self) -> Option<Apparatus> {
+        Some(Apparatus {
+            length: self.length?,
+            bob_radius: self.bob_radius,
+            bob_mass: self.bob_mass,
+            bob_density: self.bob_density,
+            rod_mass: self.rod_mass,
+            rod_length: self.rod_length,
+            air_density: self.air_density.unwrap_or(AIR_DENSITY),
+            stretch: self.stretch,
+        })
+    }
+}

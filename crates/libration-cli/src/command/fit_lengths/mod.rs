@@ -1,0 +1,49 @@
+//! `libration fit lengths`: measured periods against length, with an offset of the lengths.
+
+mod input;
+mod write;
+
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::FormOptions;
+use input::Input;
+pub(crate) use input::Measured;
+use libration::fit;
+use libration::quantity::Quantity;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Measured periods against length: gravity, and by how much all lengths are off
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit lengths measured.csv
+  libration fit lengths measured.txt --amplitude 10deg --figure lengths.svg
+  libration fit lengths measured.csv --columns L,T,-,error --length-unit cm
+  libration fit lengths measured.csv --half-periods --bob-radius 25mm --json
+
+T² = 4π²R²(L + δ)/g is fitted by weighted least squares, R = T/T0 being that of the amplitude:
+a string that was measured without its bob makes δ, and leaves g as it is.")]
+pub(crate) struct FitLengths {
+    #[command(flatten)]
+    input: Input,
+    /// Radius of the bob, a ball, which then bends the line by a known amount; without it the bend is fitted
+    #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
+    bob_radius: Option<Quantity>,
+    /// Draw the data, the line and the residuals to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl FitLengths {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let measured = self.input.read()?;
+        let radius = self.bob_radius.map(|radius| radius.value);
+        let fit = fit::lengths(&measured.table, radius).map_err(|error| self.input.no_answer(error))?;
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::lengths::fitted(&measured, fit.best(), radius))?;
+        }
+        write::Answer { measured: &measured, fit: &fit }.write(out, self.form.form())
+    }
+}

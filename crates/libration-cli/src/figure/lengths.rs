@@ -1,0 +1,83 @@
+//! Measured periods against length: T² with the line that is fitted, and the residuals.
+
+use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::range::around;
+use super::style;
+use crate::command::fit_lengths::Measured;
+use libration::fit::LengthFit;
+
+const SAMPLES: u32 = 400;
+
+/// The measurements with a law through them; the radius of the bob where it is known.
+pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {
+    let offset = fit.offset.map_or(0.0, |offset| offset.value);
+    let (from, to) = around(measured.lengths.iter().copied().chain([0.0, -offset]));
+    // Margins below zero would show lengths that nothing has.
+    let from = from.max((-offset).min(0.0));
+    let squares = measured.table.small_angle_periods().enumerate();
+    let data: Vec<Point> = squares.map(|(row, t0)| square(measured, row, t0)).collect();
+    let residuals: Vec<Point> = (0..measured.lengths.len()).map(|row| residual(measured, row, fit)).collect();
+    let x = Axis::linear("length L / m", from, to);
+    let squares = around(data.iter().map(|point| point.y).chain([0.0]));
+    let above = Panel {
+        x: Axis { label: String::new(), ..x.clone() },
+        y: Axis::linear("T₀² / s²", squares.0.max(0.0), squares.1),
+        series: vec![markers("measured", data), line(fit, radius, from, to)],
+        share: 0.62,
+    };
+    let arms = residuals.iter().flat_map(|point| {
+        let arm = point.y_uncertainty.unwrap_or(0.0);
+        [point.y - arm, point.y + arm]
+    });
+    let (low, high) = around(arms);
+    let zero = Series::line("", style::exact_law(), [(from, 0.0), (to, 0.0)]);
+    let below = Panel {
+        x,
+        y: Axis::linear("residual / s", low, high),
+        series: vec![markers("", residuals), zero],
+        share: 0.38,
+    };
+    Picture::new("Period against length", vec![above, below])
+}
+
+/// T² of small swings, from where it is zero.
+fn line(fit: &LengthFit, radius: Option<f64>, from: f64, to: f64) -> Series {
+    let offset = fit.offset.map_or(0.0, |offset| offset.value);
+    let gyration =
+        fit.gyration.map_or(radius.map_or(0.0, |radius| 0.4 * radius * radius), |found| found.value);
+    let turn = std::f64::consts::TAU;
+    let points = (0..=SAMPLES).filter_map(|step| {
+        let length = from + (to - from) * f64::from(step) / f64::from(SAMPLES);
+        let whole = length + offset;
+        // Where the bob would reach beyond the pivot the law is of no use.
+        let usable = whole > 0.0 && whole * whole > gyration.abs();
+        usable.then(|| (length, turn * turn * (whole + gyration / whole) / fit.g.value))
+    });
+    let law = if fit.offset.is_some() { "4π²(L + δ)/g" } else { "4π²L/g" };
+    Series::line(law, style::exact_law(), points.collect::<Vec<_>>())
+}
+
+fn markers(label: &str, points: Vec<Point>) -> Series {
+    Series { label: label.to_owned(), look: style::measurements(points.len()), points }
+}
+
+fn square(measured: &Measured, row: usize, t0: f64) -> Point {
+    Point {
+        x: measured.lengths[row],
+        y: t0 * t0,
+        x_uncertainty: measured.length_uncertainties.as_ref().map(|column| column[row]),
+        y_uncertainty: measured
+            .period_uncertainties
+            .as_ref()
+            .map(|column| 2.0 * t0 * column[row] * t0 / measured.periods[row]),
+    }
+}
+
+fn residual(measured: &Measured, row: usize, fit: &LengthFit) -> Point {
+    Point {
+        x: measured.lengths[row],
+        y: fit.residuals[row],
+        x_uncertainty: None,
+        y_uncertainty: Some(fit.standard_deviations[row]),
+    }
+}

@@ -1,0 +1,70 @@
+//! The budget of the uncertainty of g, as a table and as JSON.
+
+use super::json::Record;
+use super::number;
+use super::table::{Column, Table};
+use libration::fit::{Budget, BudgetRow, Correction};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// The budget as a table: name, correction, contribution, kind, formula.
+pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
+    let mut table = Table::new(columns());
+    for row in &budget.rows {
+        table.row(out, cells(row).to_vec())?;
+    }
+    let total = number::rounded(budget.uncertainty, 2);
+    table.row(out, vec!["together".to_owned(), String::new(), total, String::new(), String::new()])?;
+    table.finish(out)
+}
+
+pub(crate) fn columns() -> Vec<Column> {
+    vec![
+        Column::words("effect"),
+        Column::numbers("correction of g"),
+        Column::numbers("u(g) / m/s²"),
+        Column::words("type"),
+        Column::words("formula; with"),
+    ]
+}
+
+/// The cells of a row, as text for people; what is not corrected is in brackets.
+pub(crate) fn cells(row: &BudgetRow) -> [String; 5] {
+    let percent =
+        |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
+    let correction = match row.correction {
+        Correction::Applied(part) => percent(part),
+        Correction::Usually(part) => format!("(about {})", percent(part)),
+        Correction::Unknown => "(not known)".to_owned(),
+        Correction::Input => String::new(),
+    };
+    let uncertainty = row.uncertainty.map_or("–".to_owned(), |value| number::rounded(value, 2));
+    let note = match row.correction {
+        Correction::Usually(_) => format!("not corrected; {}", row.note),
+        _ => row.note.clone(),
+    };
+    let formula = if note.is_empty() { row.formula.to_owned() } else { format!("{}; {note}", row.formula) };
+    [row.name.to_owned(), correction, uncertainty, row.evaluation.letter().to_string(), formula]
+}
+
+/// The rows as JSON: `correction` is null where none is applied, `usual_size` says how large it would be.
+pub(crate) fn records(budget: &Budget) -> Vec<Value> {
+    let record = |row: &BudgetRow| {
+        let optional = |value: Option<f64>| value.map_or(Value::Null, super::json::number);
+        let (applied, usual) = match row.correction {
+            Correction::Applied(part) => (Some(part), None),
+            Correction::Usually(part) => (None, Some(part)),
+            Correction::Unknown | Correction::Input => (None, None),
+        };
+        Record::new()
+            .with("name", row.name)
+            .with("formula", row.formula)
+            .with("correction", optional(applied))
+            .with("usual_size", optional(usual))
+            .with("uncertainty_m_per_s2", optional(row.uncertainty))
+            .with("type", row.evaluation.letter().to_string())
+            .with("with", row.note.as_str())
+            .into()
+    };
+    budget.rows.iter().map(record).collect()
+}

@@ -1,0 +1,177 @@
+//! Least squares with rows whose errors hang together: neighbours share passages, with the opposite sign, and extremes.
+//!
+//! The covariance has two parts of unknown size: what the noise of the values does to passages and extremes, and real
+//! fluctuations of the half swings, where the cycles scatter more than the noise can explain. Their ratio is that of
+//! the greatest restricted likelihood.
+//!
+//! Reference: H. D. Patterson and R. Thompson, *Recovery of inter-block information when block sizes are unequal*,
+//! Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
+
+use super::period_law::Row;
+
+/// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
+const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
+/// With fewer degrees of freedom the fluctuations cannot be told from the noise.
+const FEWEST_TO_TELL: usize = 6;
+
+/// One or two coefficients.
+#[derive(Clone, Debug)]
+pub(super) struct Generalised {
+    pub(super) coefficients: Vec<f64>,
+    /// With the size of the errors that the data show.
+    pub(super) covariance: [[f64; 2]; 2],
+    /// χ² by the noise alone.
+    pub(super) chi2_per_dof: Option<f64>,
+}
+
+/// Entries of a symmetric matrix next to its diagonal: with the row two before, the row before, and itself.
+type Bands = Vec<[f64; 3]>;
+
+/// Periods, and the columns that are to explain them.
+struct Equations<'a> {
+    rows: &'a [Row],
+    columns: &'a [Vec<f64>],
+    noise: Bands,
+    fluctuation: Bands,
+}
+
+/// Coefficients of one or two columns, when the period changes by `slope`·R′ with the amplitude.
+pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Generalised> {
+    let noise = bands(rows, |one, other| one.noise_with(other, slope));
+    let typical = noise.iter().map(|entries| entries[2]).sum::<f64>() / count(rows.len());
+    let fluctuation = bands(rows, |one, other| typical * one.half_swings_with(other));
+    let equations = Equations { rows, columns, noise, fluctuation };
+    let dof = rows.len().saturating_sub(columns.len());
+    let by_noise = equations.solve(0.0)?;
+    let chi2_per_dof = (dof > 0).then(|| by_noise.chi2 / count(dof));
+    let enlarged = chi2_per_dof.unwrap_or(1.0).max(1.0);
+    if dof < FEWEST_TO_TELL || enlarged <= 1.0 {
+        return Some(by_noise.with(enlarged, chi2_per_dof));
+    }
+    let ratios = RATIOS.map(|eighths| libm::exp10(f64::from(eighths) / 8.0));
+    let solutions = [0.0].into_iter().chain(ratios).filter_map(|ratio| equations.solve(ratio));
+    let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood))?;
+    let scale = best.chi2 / count(dof);
+    Some(best.with(scale, chi2_per_dof))
+}
+
+/// The solution for one ratio of the variances.
+struct Solution {
+    coefficients: Vec<f64>,
+    inverse: [[f64; 2]; 2],
+    chi2: f64,
+    /// The restricted likelihood: its logarithm less what is the same for all ratios.
+    likelihood: f64,
+}
+
+impl Solution {
+    fn with(self, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
+        let covariance = self.inverse.map(|line| line.map(|entry| entry * scale));
+        Generalised { coefficients: self.coefficients, covariance, chi2_per_dof }
+    }
+}
+
+impl Equations<'_> {
+    fn solve(&self, ratio: f64) -> Option<Solution> {
+        let factor = Factor::of(&self.noise, &self.fluctuation, ratio)?;
+        let columns: Vec<Vec<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();
+        let right = factor.whitened(&self.rows.iter().map(|row| row.period).collect::<Vec<_>>());
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let (coefficients, inverse, determinant) = match &columns[..] {
+            [only] => {
+                let square = product(only, only);
+                (vec![product(only, &right) / square], [[1.0 / square, 0.0], [0.0; 2]], square)
+            }
+            [first, second] => {
+                let [a, b, c] = [product(first, first), product(first, second), product(second, second)];
+                let [p, q] = [product(first, &right), product(second, &right)];
+                let determinant = a * c - b * b;
+                let inverse = [[c / determinant, -b / determinant], [-b / determinant, a / determinant]];
+                (inverse.map(|line| line[0] * p + line[1] * q).to_vec(), inverse, determinant)
+            }
+            _ => return None,
+        };
+        let residual = |row: usize| {
+            let fitted: f64 = columns.iter().zip(&coefficients).map(|(column, c)| column[row] * c).sum();
+            right[row] - fitted
+        };
+        let chi2: f64 = (0..self.rows.len()).map(|row| residual(row) * residual(row)).sum();
+        let dof = count(self.rows.len().saturating_sub(columns.len()));
+        let likelihood = -0.5 * (factor.log_determinant() + libm::log(determinant) + dof * libm::log(chi2));
+        let usable = coefficients.iter().all(|x| x.is_finite());
+        usable.then_some(Solution { coefficients, inverse, chi2, likelihood })
+    }
+}
+
+/// The lower triangle L of a covariance `L·Lᵀ`.
+struct Factor(Bands);
+
+impl Factor {
+    /// Of the first matrix and `ratio` times the second.
+    fn of(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
+        let mut factor: Bands = Vec::with_capacity(noise.len());
+        for (n, (noise, fluctuation)) in noise.iter().zip(fluctuation).enumerate() {
+            let [second, first, own] = [0, 1, 2].map(|k| noise[k] + ratio * fluctuation[k]);
+            let before = |back: usize| n.checked_sub(back).map_or([0.0, 0.0, 1.0], |m| factor[m]);
+            let second = second / before(2)[2];
+            let first = (first - second * before(1)[1]) / before(1)[2];
+            let own = own - first * first - second * second;
+            if own <= 0.0 || !own.is_finite() {
+                return None;
+            }
+            factor.push([second, first, own.sqrt()]);
+        }
+        Some(Self(factor))
+    }
+
+    /// L⁻¹ of a column.
+    fn whitened(&self, column: &[f64]) -> Vec<f64> {
+        let mut white: Vec<f64> = Vec::with_capacity(column.len());
+        for (n, (&value, [second, first, own])) in column.iter().zip(&self.0).enumerate() {
+            let before = |back: usize| n.checked_sub(back).map_or(0.0, |m| white[m]);
+            white.push((value - second * before(2) - first * before(1)) / own);
+        }
+        white
+    }
+
+    fn log_determinant(&self) -> f64 {
+        self.0.iter().map(|entries| 2.0 * libm::log(entries[2])).sum()
+    }
+}
+
+fn bands(rows: &[Row], covariance: impl Fn(&Row, &Row) -> f64) -> Bands {
+    let entry = |n: usize, back: usize| n.checked_sub(back).map_or(0.0, |m| covariance(&rows[m], &rows[n]));
+    (0..rows.len()).map(|n| [entry(n, 2), entry(n, 1), entry(n, 0)]).collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
+fn count(rows: usize) -> f64 {
+    rows as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the inverse of the whole matrix.
+    #[test]
+    fn the_bands_give_what_the_whole_covariance_gives() {
+        let entries = |n: usize| [if n > 1 { -0.3 } else { 0.0 }, if n > 0 { 0.2 } else { 0.0 }, 1.5];
+        let noise: Bands = (0..6).map(entries).collect();
+        let none = vec![[0.0; 3]; 6];
+        let factor = Factor::of(&noise, &none, 1.0).unwrap();
+        let matrix = nalgebra::DMatrix::from_fn(6, 6, |i: usize, j: usize| match i.abs_diff(j) {
+            0 => 1.5,
+            1 => 0.2,
+            2 => -0.3,
+            _ => 0.0,
+        });
+        let column = [1.0, -2.0, 0.5, 3.0, 0.0, 1.0];
+        let white = factor.whitened(&column);
+        let square: f64 = white.iter().map(|x| x * x).sum();
+        let vector = nalgebra::DVector::from_row_slice(&column);
+        let whole = (vector.transpose() * matrix.clone().try_inverse().unwrap() * &vector)[(0, 0)];
+        assert!((square - whole).abs() < 1e-12 * whole);
+        assert!((factor.log_determinant() - libm::log(matrix.determinant())).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,148 @@
+//! Times at which a gate becomes blocked and free → passages of the bob.
+
+use super::{GateSignals, GatesError};
+use crate::fit::robust::median;
+use crate::fit::small_angle_period::count;
+
+/// Intervals between edges that alternate between short and long ones, the short ones below this part of the long ones, are
+/// those of a bob that blocks and frees the gate; a gate off the centre makes a smaller difference.
+const BLOCKED_PART: f64 = 0.2;
+
+/// A passage of the bob.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Passage {
+    /// When its middle passes, in seconds.
+    pub(super) time: f64,
+    /// How long the gate is blocked, where both edges are known.
+    pub(super) blocked: Option<f64>,
+}
+
+/// The passages, and edges whose other one is missing.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Passages {
+    pub(super) passages: Vec<Passage>,
+    pub(super) unpaired: usize,
+    /// Whether the times are edges.
+    pub(super) edges: bool,
+}
+
+/// Passages from the times, in order.
+pub(super) fn passages(
+    times: &[f64],
+    blocked: Option<&[bool]>,
+    signals: Option<GateSignals>,
+) -> Result<Passages, GatesError> {
+    if let Some(states) = blocked.filter(|states| states.len() != times.len()) {
+        return Err(GatesError::Lengths { times: times.len(), states: states.len() });
+    }
+    if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+        return Err(GatesError::NotFinite(time));
+    }
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
+    let sorted: Vec<f64> = order.iter().map(|&row| times[row]).collect();
+    if let Some(states) = blocked {
+        return Ok(paired(&sorted, &order.iter().map(|&row| states[row]).collect::<Vec<_>>()));
+    }
+    let edges = signals.map_or_else(|| alternate(&sorted), |signals| signals == GateSignals::Edges);
+    Ok(if edges { by_duration(&sorted) } else { bare(&sorted) })
+}
+
+fn bare(times: &[f64]) -> Passages {
+    let passages = times.iter().map(|&time| Passage { time, blocked: None }).collect();
+    Passages { passages, unpaired: 0, edges: false }
+}
+
+/// A gate that is blocked, and then free.
+fn paired(times: &[f64], states: &[bool]) -> Passages {
+    let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
+    let mut since = None;
+    for (&time, &blocked) in times.iter().zip(states) {
+        match (since, blocked) {
+            (None, true) => since = Some(time),
+            // Blocked twice without having been free: the edge between is missing.
+            (Some(_), true) => {
+                found.unpaired += 1;
+                since = Some(time);
+            }
+            (Some(start), false) => {
+                found.push(start, time);
+                since = None;
+            }
+            (None, false) => found.unpaired += 1,
+        }
+    }
+    found.unpaired += usize::from(since.is_some());
+    found
+}
+
+/// Whether short and long intervals alternate as they do when a bob blocks and frees the gate.
+fn alternate(times: &[f64]) -> bool {
+    let mut intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    intervals.sort_by(f64::total_cmp);
+    let quarter = intervals.len() / 4;
+    // A lower and an upper quartile; alternating intervals have half of theirs on either side.
+    match (intervals.get(quarter), intervals.get(intervals.len().saturating_sub(1 + quarter))) {
+        (Some(short), Some(long)) if intervals.len() >= 4 => *short < BLOCKED_PART * long,
+        _ => false,
+    }
+}
+
+/// Edges without states: an interval much shorter than the long ones is one of a blocked gate.
+fn by_duration(times: &[f64]) -> Passages {
+    let intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mean = intervals.iter().sum::<f64>() / count(intervals.len().max(1));
+    let long = median(intervals.into_iter().filter(|&interval| interval >= mean).collect()).unwrap_or(0.0);
+    let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
+    let mut row = 0;
+    while row < times.len() {
+        match times.get(row + 1) {
+            Some(&next) if next - times[row] < 0.5 * long => {
+                found.push(times[row], next);
+                row += 2;
+            }
+            _ => {
+                found.unpaired += 1;
+                row += 1;
+            }
+        }
+    }
+    found
+}
+
+impl Passages {
+    fn push(&mut self, from: f64, to: f64) {
+        self.passages.push(Passage { time: 0.5 * (from + to), blocked: Some(to - from) });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_are_told_from_a_gate_off_the_centre() {
+        let edges: Vec<f64> = (0..10).flat_map(|k| [f64::from(k), f64::from(k) + 0.05]).collect();
+        let found = passages(&edges, None, None).unwrap();
+        assert!(found.edges && found.passages.len() == 10 && found.unpaired == 0);
+        assert!((found.passages[3].time - 3.025).abs() < 1e-12);
+        let off_centre: Vec<f64> = (0..10).flat_map(|k| [f64::from(k), f64::from(k) + 0.3]).collect();
+        let found = passages(&off_centre, None, None).unwrap();
+        assert!(!found.edges && found.passages.len() == 20);
+    }
+
+    #[test]
+    fn edges_without_their_other_one_are_counted() {
+        let times = [0.0, 0.05, 1.0, 2.0, 2.05, 3.05];
+        let states = [true, false, true, true, false, false];
+        let found = passages(&times, Some(&states), None).unwrap();
+        assert_eq!((found.passages.len(), found.unpaired), (2, 2));
+    }
+
+    #[test]
+    fn times_out_of_order_are_put_in_order() {
+        let found = passages(&[2.0, 0.0, 1.0, 3.0], None, Some(GateSignals::Passages)).unwrap();
+        assert_eq!(found.passages.iter().map(|p| p.time).collect::<Vec<_>>(), [0.0, 1.0, 2.0, 3.0]);
+        assert!(matches!(passages(&[f64::NAN], None, None), Err(GatesError::NotFinite(_))));
+    }
+}

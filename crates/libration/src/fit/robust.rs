@@ -1,0 +1,44 @@
+//! The middle and the spread of numbers among which some may be wrong.
+
+/// The median absolute deviation of a normal distribution is its standard deviation over this.
+const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
+
+/// The middle value; none of none.
+pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.len() {
+        0 => None,
+        even if even % 2 == 0 => Some(f64::midpoint(values[middle - 1], values[middle])),
+        _ => Some(values[middle]),
+    }
+}
+
+/// The standard deviation of residuals by the middle one of their sizes; none of none.
+pub(super) fn deviation_by_median(residuals: &[f64]) -> Option<f64> {
+    let sizes = residuals.iter().map(|x| x.abs()).collect();
+    median(sizes).map(|size| NORMAL_PER_MEDIAN_DEVIATION * size)
+}
+
+/// The standard deviation of residuals without their outliers; none of none.
+pub(super) fn robust_deviation(residuals: &[f64]) -> Option<f64> {
+    let first = deviation_by_median(residuals)?;
+    let kept = |cut: f64| residuals.iter().filter(move |x| x.abs() <= cut);
+    // With more than half of the residuals exactly zero all of them tell the size.
+    let cut = if first > 0.0 { 4.0 * first } else { f64::INFINITY };
+    let sum: f64 = kept(cut).map(|x| x * x).sum();
+    Some((sum / super::small_angle_period::count(kept(cut).count())).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_deviation_is_that_of_the_many() {
+        let mut residuals: Vec<f64> = (0..100).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        residuals.push(1000.0);
+        assert!((robust_deviation(&residuals).unwrap() - 1.0).abs() < 1e-12);
+        assert_eq!(robust_deviation(&[]), None);
+    }
+}

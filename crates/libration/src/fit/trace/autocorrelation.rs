@@ -1,0 +1,91 @@
+//! Whether residuals are noise.
+
+use super::count;
+
+/// How alike residuals are that follow each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Autocorrelation {
+    /// Of residuals so many rows apart as the place counted from zero says; the first is 1.
+    pub correlations: Vec<f64>,
+    /// After how many rows residuals are independent: 1 + 2 Σ ρₖ up to a window of six such times, at least 1 (A. Sokal,
+    /// *Monte Carlo Methods in Statistical Mechanics*, doi:10.1007/978-1-4899-0319-8_6).
+    pub time: f64,
+    /// Ljung's and Box's n(n + 2) Σ ρₖ²/(n − k) over the first lags, less its mean for noise, over its standard deviation
+    /// (Biometrika 65, 297 (1978), doi:10.1093/biomet/65.2.297).
+    pub excess: f64,
+}
+
+const LAGS: usize = 20;
+const LONGEST_LAG: usize = 1000;
+
+impl Autocorrelation {
+    /// Of some series of residuals, each by itself.
+    #[must_use]
+    pub fn of(series: &[Vec<f64>]) -> Self {
+        let rows: usize = series.iter().map(Vec::len).sum();
+        let sum = |lag: usize| -> f64 {
+            let products = series.iter().flat_map(|one| one.iter().zip(one.iter().skip(lag)));
+            products.map(|(a, b)| a * b).sum()
+        };
+        let variance = sum(0);
+        let longest = series.iter().map(Vec::len).max().unwrap_or(0).saturating_sub(1);
+        let mut correlations = vec![1.0];
+        let mut time: f64 = 1.0;
+        for lag in 1..=longest.min(LONGEST_LAG) {
+            let correlation = if variance > 0.0 { sum(lag) / variance } else { 0.0 };
+            correlations.push(correlation);
+            if count(lag) <= 6.0 * time {
+                time = (time + 2.0 * correlation).max(1.0);
+            } else if lag >= LAGS {
+                break;
+            }
+        }
+        let n = count(rows);
+        let lags = LAGS.min(rows / 5).min(correlations.len() - 1);
+        let terms = (1..=lags).map(|lag| correlations[lag] * correlations[lag] / (n - count(lag)));
+        let statistic = n * (n + 2.0) * terms.sum::<f64>();
+        let degrees = count(lags.max(1));
+        Self { correlations, time, excess: (statistic - degrees) / (2.0 * degrees).sqrt() }
+    }
+
+    /// Whether nothing speaks against independent residuals: among noise one in some ten thousand fails.
+    #[must_use]
+    pub fn is_noise(&self) -> bool {
+        self.excess < 5.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noise(rows: usize) -> Vec<f64> {
+        // Sums of twelve have a variance of one, and little is missing of a normal distribution.
+        let mut random = super::super::random::Random::new(7);
+        let mut uniform = || count(random.below(1 << 30)) / count(1 << 30) - 0.5;
+        (0..rows).map(|_| (0..12).map(|_| uniform()).sum()).collect()
+    }
+
+    #[test]
+    fn noise_is_noise() {
+        let found = Autocorrelation::of(&[noise(2000)]);
+        assert!(found.is_noise() && found.time < 1.2, "{found:?}");
+    }
+
+    #[test]
+    fn a_moving_average_is_not() {
+        let noise = noise(4000);
+        let smooth: Vec<f64> = noise.windows(4).map(|four| four.iter().sum()).collect();
+        let found = Autocorrelation::of(&[smooth]);
+        // Triangular correlations 3/4, 1/2, 1/4.
+        assert!(!found.is_noise() && (found.time - 4.0).abs() < 0.8, "{}", found.time);
+        assert!((found.correlations[1] - 0.75).abs() < 0.05);
+    }
+
+    #[test]
+    fn little_is_no_reason_to_doubt() {
+        assert!(Autocorrelation::of(&[]).is_noise());
+        assert!(Autocorrelation::of(&[vec![0.0; 30]]).is_noise());
+        assert!(Autocorrelation::of(&[vec![1.0, -1.0]]).is_noise());
+    }
+}

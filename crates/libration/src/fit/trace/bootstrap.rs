@@ -1,0 +1,51 @@
+//! By how much formal uncertainties are too small where residuals are not noise.
+//!
+//! Residuals are laid out anew in blocks that begin at random rows (H. R. Künsch, Ann. Statist. 17, 1217 (1989),
+//! doi:10.1214/aos/1176347265), so that within a block they stay as alike as they are. The parameters answer linearly,
+//! by the pseudo-inverse of the derivatives.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::count;
+use super::random::Random;
+
+const REPLICAS: usize = 500;
+
+/// The standard deviation of each parameter over replicas; `response` has a row for each parameter, and `lengths` are
+/// those of the series of residuals.
+pub(super) fn deviations(
+    response: &DMatrix<f64>,
+    residuals: &DVector<f64>,
+    lengths: &[usize],
+    block: usize,
+) -> Vec<f64> {
+    let mut random = Random::new(1);
+    let mut sums = vec![[0.0; 2]; response.nrows()];
+    let mut drawn = DVector::zeros(residuals.len());
+    for _ in 0..REPLICAS {
+        let mut first = 0;
+        for &length in lengths {
+            let series = residuals.rows(first, length);
+            fill(drawn.rows_mut(first, length).as_mut_slice(), series.as_slice(), block, &mut random);
+            first += length;
+        }
+        let answer = response * &drawn;
+        for (sum, answer) in sums.iter_mut().zip(answer.iter()) {
+            sum[0] += answer;
+            sum[1] += answer * answer;
+        }
+    }
+    let replicas = count(REPLICAS);
+    sums.iter()
+        .map(|[sum, squares]| ((squares - sum * sum / replicas) / (replicas - 1.0)).max(0.0).sqrt())
+        .collect()
+}
+
+/// Blocks of the series, one behind the other, until the place is full.
+fn fill(place: &mut [f64], series: &[f64], block: usize, random: &mut Random) {
+    let block = block.clamp(1, series.len().max(1));
+    for part in place.chunks_mut(block) {
+        let first = random.below(series.len() - part.len() + 1);
+        part.copy_from_slice(&series[first..first + part.len()]);
+    }
+}

@@ -1,0 +1,109 @@
+//! Which kinds of damping the data tell apart.
+
+use std::ops::ControlFlow;
+
+use super::problem::Minimum;
+use super::search::Search;
+use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, uncertainty};
+use crate::measurement::Trace;
+
+/// The same traces under several models.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// One for each model that could be fitted, simpler ones first.
+    pub fits: Vec<TraceFit>,
+    /// Akaike's criterion of each, less the least.
+    pub excess_information: Vec<f64>,
+    /// The place of the model that the data prefer among those whose terms [all damp](TraceFit::damps_by_each_term); or
+    /// among those that [take energy](TraceFit::takes_energy) in all, where one of them is better by [`Self::DECISIVE`].
+    pub preferred: usize,
+    /// After how many rows residuals of the largest model are independent.
+    pub correlation_time: f64,
+}
+
+impl Comparison {
+    /// Models whose criterion differs by less explain the data nearly as well (Burnham and Anderson 2002, section 2.6).
+    pub const INDISTINGUISHABLE: f64 = 4.0;
+
+    /// A coefficient is believed to be negative where the criterion differs by more.
+    pub const DECISIVE: f64 = 20.0;
+
+    /// The model that the data prefer.
+    #[must_use]
+    pub fn best(&self) -> &TraceFit {
+        &self.fits[self.preferred]
+    }
+
+    /// The other possible models that the data cannot tell from the preferred one.
+    #[must_use]
+    pub fn rivals(&self) -> Vec<DampingTerms> {
+        let least = self.excess_information[self.preferred];
+        let close = (0..self.fits.len()).filter(|&place| {
+            place != self.preferred
+                && self.fits[place].takes_energy()
+                && (self.excess_information[place] - least).abs() < Self::INDISTINGUISHABLE
+        });
+        close.map(|place| self.fits[place].damping).collect()
+    }
+
+    fn new(fits: Vec<TraceFit>) -> Option<Self> {
+        let correlation_time = fits.last()?.autocorrelation.time;
+        let information: Vec<f64> = fits.iter().map(|fit| fit.information(correlation_time)).collect();
+        let least = information.iter().copied().fold(f64::INFINITY, f64::min);
+        let best_of = |possible: fn(&TraceFit) -> bool| {
+            let places = (0..fits.len()).filter(|&place| possible(&fits[place]));
+            places.min_by(|&a, &b| information[a].total_cmp(&information[b]))
+        };
+        let [plain, any] = [TraceFit::damps_by_each_term, TraceFit::takes_energy].map(best_of);
+        let preferred = match (plain, any) {
+            (Some(plain), Some(any)) if information[plain] - information[any] > Self::DECISIVE => any,
+            (plain, any) => plain.or(any).unwrap_or(0),
+        };
+        let excess_information = information.iter().map(|value| value - least).collect();
+        Some(Self { fits, excess_information, preferred, correlation_time })
+    }
+}
+
+/// Fits every combination of dry friction, linear and quadratic drag to traces.
+///
+/// # Errors
+/// Those of [`fit_traces`](super::fit_traces), if not even one model can be fitted.
+pub fn compare(
+    traces: &[Trace],
+    options: &TraceOptions,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Comparison, TraceFitError> {
+    let mut search = Search::new(traces, DampingTerms::UNDAMPED, *options, watch)?;
+    let mut found: Vec<(DampingTerms, Minimum)> = vec![];
+    let mut fits = vec![];
+    let mut reason = None;
+    for terms in DampingTerms::all() {
+        search.set_terms(terms);
+        let fit = minimum(&mut search, &found).and_then(|minimum| {
+            let fit = uncertainty::fit(&mut search, &minimum);
+            found.push((terms, minimum));
+            fit
+        });
+        match fit {
+            Err(TraceFitError::Interrupted) => return Err(TraceFitError::Interrupted),
+            Err(error) => reason = Some(error),
+            Ok(fit) => fits.push(fit),
+        }
+    }
+    Comparison::new(fits).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))
+}
+
+/// The minimum that is found from the first swings on; if a model that is a part of this one does better, the one near that.
+fn minimum(search: &mut Search<'_>, found: &[(DampingTerms, Minimum)]) -> Result<Minimum, TraceFitError> {
+    let terms = search.layout.terms();
+    let parts = found.iter().filter(|(part, _)| part.is_part_of(terms));
+    let best_part = parts.min_by(|a, b| a.1.sum_of_squares().total_cmp(&b.1.sum_of_squares()));
+    let minimum_from_scratch = search.minimum_from_scratch();
+    let Some((part, minimum)) = best_part else { return minimum_from_scratch };
+    let grown = minimum_from_scratch?;
+    if grown.sum_of_squares() <= minimum.sum_of_squares() {
+        return Ok(grown);
+    }
+    let near_part = search.minimum_near(search.layout.with_terms_of(*part, &minimum.parameters))?;
+    Ok(if near_part.sum_of_squares() < grown.sum_of_squares() { near_part } else { grown })
+}

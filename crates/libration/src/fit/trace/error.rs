@@ -1,0 +1,46 @@
+//! What can be wrong with a fit of traces.
+
+/// Why traces cannot be fitted; traces and rows are counted from one.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TraceFitError {
+    /// No trace at all.
+    #[error("there is no trace: give at least one")]
+    NoTrace,
+    /// Fewer rows than the parameters ask for.
+    #[error("{rows} rows cannot determine {parameters} parameters: give at least {needed} rows of {name}")]
+    TooFewRows {
+        /// Whose.
+        name: String,
+        /// How many there are.
+        rows: usize,
+        /// How many are to be found.
+        parameters: usize,
+        /// How many rows would do.
+        needed: usize,
+    },
+    /// No window of the trace obeys the equation of a pendulum.
+    #[error(
+        "{name} does not look like a pendulum: the equation of motion holds in no part of it; check the columns and the \
+         units of angle and time, and give at least one whole swing"
+    )]
+    NoPendulum {
+        /// Whose.
+        name: String,
+    },
+    /// The motion cannot be computed from where the search began.
+    #[error("the motion cannot be followed from omega0 = {omega0} rad/s: check the units of angle and time")]
+    NoMotion {
+        /// In rad/s.
+        omega0: f64,
+    },
+    /// The data say nothing about a parameter.
+    #[error("the data do not determine {parameter}: choose a model without it, or measure more of the swing")]
+    Undetermined {
+        /// Its name.
+        parameter: &'static str,
+    },
+    /// The callback said so.
+    #[error("the fit was interrupted")]
+    Interrupted,
+}

@@ -1,0 +1,155 @@
+//! What a fit of traces has found.
+
+use std::f64::consts::PI;
+
+use super::{Autocorrelation, DampingTerms};
+
+/// A fitted number with its uncertainty.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parameter {
+    /// `omega0`, `dry`, `linear`, `quadratic`, `scale`, or of one trace `offset`, `theta0`, `velocity0`.
+    pub name: &'static str,
+    /// `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` where there is none.
+    pub unit: &'static str,
+    /// The trace that alone has it, counted from zero; none if all share it.
+    pub trace: Option<usize>,
+    /// The value.
+    pub value: f64,
+    /// Its standard uncertainty: the formal one, times the inflation where residuals are not noise.
+    pub uncertainty: f64,
+    /// The standard uncertainty if the residuals were independent.
+    pub formal_uncertainty: f64,
+    /// Where the profile likelihood leaves 68.3 % and 95 %, inflated likewise; of the shared parameters when asked for.
+    pub intervals: Option<[[f64; 2]; 2]>,
+}
+
+/// What the model says of one trace.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedTrace {
+    /// What should have been seen, in the unit of the trace, row by row.
+    pub fitted: Vec<f64>,
+    /// What was seen less that.
+    pub residuals: Vec<f64>,
+    /// Rows whose residuals are beyond five robust standard deviations, counted from zero.
+    pub outliers: Vec<usize>,
+}
+
+impl FittedTrace {
+    /// Root mean square of its residuals, in the unit of the trace.
+    #[must_use]
+    pub fn rms(&self) -> f64 {
+        let squares: f64 = self.residuals.iter().map(|residual| residual * residual).sum();
+        (squares / super::count(self.residuals.len())).sqrt()
+    }
+}
+
+/// The best motion of a model through traces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TraceFit {
+    /// The kinds of damping of the model.
+    pub damping: DampingTerms,
+    /// Those that all traces share, then those of each trace. A scale that was not free is not among them.
+    pub parameters: Vec<Parameter>,
+    /// Of the parameters, in their order.
+    pub correlations: Vec<Vec<f64>>,
+    /// Trace by trace.
+    pub traces: Vec<FittedTrace>,
+    /// Rows less parameters.
+    pub degrees_of_freedom: usize,
+    /// The weighted sum of squares over its degrees of freedom; none without uncertainties of the rows.
+    pub chi2_per_dof: Option<f64>,
+    /// Root mean square of the residuals, in the unit of the traces.
+    pub rms: f64,
+    /// Whether the residuals are noise.
+    pub autocorrelation: Autocorrelation,
+    /// The number of rows that one block of the bootstrap has, where it was called for.
+    pub bootstrap_block: Option<usize>,
+    /// Whether the search ended at a minimum.
+    pub converged: bool,
+    /// Weighted sum of squares.
+    pub(super) sum_of_squares: f64,
+}
+
+impl TraceFit {
+    /// The first parameter of that name.
+    #[must_use]
+    pub fn parameter(&self, name: &str) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| parameter.name == name)
+    }
+
+    /// 2π/ω0, the period of the smallest swings, in s, with its standard uncertainty.
+    #[must_use]
+    pub fn small_angle_period(&self) -> (f64, f64) {
+        let omega0 = &self.parameters[0];
+        let period = 2.0 * PI / omega0.value;
+        (period, period * omega0.uncertainty / omega0.value)
+    }
+
+    /// Whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
+    /// coefficient may be negative: the friction of a bearing can become less at higher speed.
+    #[must_use]
+    pub fn takes_energy(&self) -> bool {
+        const SPEEDS: usize = 9;
+        let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
+        (0..SPEEDS).all(|n| {
+            let (force, uncertainty) = self.damping_at(fastest * super::count(n) / super::count(SPEEDS - 1));
+            force >= -2.0 * uncertainty
+        })
+    }
+
+    /// Whether no coefficient of damping is negative by more than two standard uncertainties.
+    #[must_use]
+    pub fn damps_by_each_term(&self) -> bool {
+        let of_damping = |name| self.damping.iter().any(|term| term.name() == name);
+        let mut coefficients = self.parameters.iter().filter(|parameter| of_damping(parameter.name));
+        coefficients.all(|parameter| parameter.value >= -2.0 * parameter.uncertainty)
+    }
+
+    /// d + b·v + c·v² at a speed, in rad/s², with its standard uncertainty.
+    fn damping_at(&self, speed: f64) -> (f64, f64) {
+        let power = |parameter: &Parameter| match parameter.name {
+            "dry" => 1.0,
+            "linear" => speed,
+            "quadratic" => speed * speed,
+            _ => 0.0,
+        };
+        let powers: Vec<f64> = self.parameters.iter().map(power).collect();
+        let force =
+            self.parameters.iter().zip(&powers).map(|(parameter, power)| parameter.value * power).sum();
+        let parts =
+            self.parameters.iter().zip(&powers).map(|(parameter, power)| parameter.uncertainty * power);
+        let parts: Vec<f64> = parts.collect();
+        let rows = self.correlations.iter().zip(&parts);
+        let variance =
+            |row: &[f64]| row.iter().zip(&parts).map(|(correlation, part)| correlation * part).sum::<f64>();
+        let variance: f64 = rows.map(|(row, part)| part * variance(row)).sum();
+        (force, variance.max(0.0).sqrt())
+    }
+
+    /// The speed at the bottom by the energy at the beginning of a trace.
+    fn greatest_speed(&self, trace: usize) -> f64 {
+        let own = |name| self.parameters.iter().find(|it| it.trace == Some(trace) && it.name == name);
+        let value = |name| own(name).map_or(0.0, |parameter| parameter.value);
+        let height = 2.0 * libm::sin(0.5 * value("theta0"));
+        libm::hypot(value("velocity0"), self.parameters[0].value * height)
+    }
+
+    /// How many rows there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.traces.iter().map(|trace| trace.residuals.len()).sum()
+    }
+
+    /// Akaike's criterion with its correction for few data, a row counting as much less as the residuals are alike:
+    /// K. P. Burnham and D. R. Anderson, *Model Selection and Multimodel Inference*, Springer 2002,
+    /// doi:10.1007/b97636. `time` is the correlation time of the residuals in rows, the same for all models compared.
+    #[must_use]
+    pub fn information(&self, time: f64) -> f64 {
+        let count = super::count(self.rows());
+        let rows = (count / time.max(1.0)).max(1.0);
+        // The variance of the residuals is a parameter too.
+        let parameters = super::count(self.parameters.len() + 1);
+        let correction = 2.0 * parameters * (parameters + 1.0) / (rows - parameters - 1.0).max(1.0);
+        rows * libm::log(self.sum_of_squares.max(f64::MIN_POSITIVE) / count) + 2.0 * parameters + correction
+    }
+}

@@ -1,0 +1,78 @@
+//! Where each parameter of a fit stands.
+
+use super::{DampingTerms, Parameter};
+use crate::measurement::{Seen, Trace};
+
+/// The places of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
+/// first angle and first velocity of each trace.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    terms: DampingTerms,
+    traces: usize,
+}
+
+impl Layout {
+    pub(super) const OMEGA0: usize = 0;
+    const OWN: usize = 3;
+
+    pub(super) fn new(terms: DampingTerms, traces: usize) -> Self {
+        Self { terms, traces }
+    }
+
+    pub(super) fn terms(&self) -> DampingTerms {
+        self.terms
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.scale() + 1 + Self::OWN * self.traces
+    }
+
+    pub(super) fn coefficients(&self) -> std::ops::Range<usize> {
+        1..1 + self.terms.count()
+    }
+
+    /// How many radians are seen for each.
+    pub(super) fn scale(&self) -> usize {
+        1 + self.terms.count()
+    }
+
+    pub(super) fn offset(&self, trace: usize) -> usize {
+        self.scale() + 1 + Self::OWN * trace
+    }
+
+    /// First angle and first velocity.
+    pub(super) fn first_state(&self, trace: usize) -> [usize; 2] {
+        [1, 2].map(|place| self.offset(trace) + place)
+    }
+
+    /// The places by which the motion of a trace is derived, in the order of [`Sample`](super::swing::Sample).
+    pub(super) fn of_motion(&self, trace: usize) -> impl Iterator<Item = usize> {
+        [Self::OMEGA0].into_iter().chain(self.coefficients()).chain(self.first_state(trace))
+    }
+
+    /// The parameters of a model that is a part of this one, with coefficients that are zero for the rest.
+    pub(super) fn with_terms_of(&self, part: DampingTerms, parameters: &[f64]) -> Vec<f64> {
+        let given: Vec<_> = part.iter().zip(&parameters[1..]).collect();
+        let coefficient =
+            |term| given.iter().find(|(other, _)| *other == term).map_or(0.0, |(_, value)| **value);
+        let coefficients = self.terms.iter().map(coefficient);
+        let others = parameters[1 + part.count()..].iter().copied();
+        [parameters[Self::OMEGA0]].into_iter().chain(coefficients).chain(others).collect()
+    }
+
+    /// Name, unit and trace of a parameter.
+    pub(super) fn described(&self, place: usize, traces: &[Trace]) -> Parameter {
+        let of_trace = place.checked_sub(self.offset(0)).map(|own| (own / Self::OWN, own % Self::OWN));
+        let term = place.checked_sub(1).and_then(|number| self.terms.iter().nth(number));
+        let (name, unit) = match (of_trace, term) {
+            (None, _) if place == Self::OMEGA0 => ("omega0", "rad/s"),
+            (None, Some(term)) => (term.name(), term.unit()),
+            (None, None) => ("scale", "1"),
+            (Some((trace, 0)), _) if traces[trace].seen() == Seen::AngularVelocity => ("offset", "rad/s"),
+            (Some((_, 0)), _) => ("offset", "rad"),
+            (Some((_, 1)), _) => ("theta0", "rad"),
+            (Some(_), _) => ("velocity0", "rad/s"),
+        };
+        Parameter { name, unit, trace: of_trace.map(|(trace, _)| trace), ..Parameter::default() }
+    }
+}

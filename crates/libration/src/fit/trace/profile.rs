@@ -1,0 +1,100 @@
+//! Intervals of the profile likelihood: how far a parameter may be moved, all others following it, until the sum of squares
+//! has grown by as much as the level says (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
+//! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
+
+use super::problem::Minimum;
+use super::search::Search;
+use super::{Parameter, TraceFitError, count};
+
+/// Standard deviations within which a normal distribution has 68.27 % and 95 %.
+const LEVELS: [f64; 2] = [1.0, 1.959963984540054];
+const TRIES: usize = 6;
+
+/// Puts the intervals of all shared parameters in.
+pub(super) fn intervals(
+    search: &mut Search<'_>,
+    minimum: &Minimum,
+    variance: f64,
+    parameters: &mut [Parameter],
+) -> Result<(), TraceFitError> {
+    let free = search.free();
+    let degrees = minimum.residuals.len().saturating_sub(free.len()).max(1);
+    for (place, parameter) in
+        parameters.iter_mut().enumerate().filter(|(_, parameter)| parameter.trace.is_none())
+    {
+        let inflation = parameter.uncertainty / parameter.formal_uncertainty;
+        let mut found = [[0.0; 2]; 2];
+        for (interval, level) in found.iter_mut().zip(LEVELS) {
+            for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {
+                let wanted = students(level, degrees) * inflation;
+                let profile = Profile { minimum, free: &free, place, variance };
+                *end = profile.end(search, side * wanted, parameter.formal_uncertainty)?;
+            }
+        }
+        parameter.intervals = Some(found);
+    }
+    Ok(())
+}
+
+/// One parameter as it is moved away from the minimum.
+struct Profile<'a> {
+    minimum: &'a Minimum,
+    free: &'a [usize],
+    /// Of the parameter among the free ones.
+    place: usize,
+    variance: f64,
+}
+
+impl Profile<'_> {
+    /// The value at so many standard deviations; as if the model were linear where the profile does not reach so far.
+    fn end(&self, search: &mut Search<'_>, deviations: f64, uncertainty: f64) -> Result<f64, TraceFitError> {
+        let centre = self.minimum.parameters[self.free[self.place]];
+        let mut distance = deviations * uncertainty;
+        for _ in 0..TRIES {
+            let reached = match self.deviations(search, centre + distance) {
+                Err(TraceFitError::Interrupted) => return Err(TraceFitError::Interrupted),
+                Err(_) => return Ok(centre + deviations * uncertainty),
+                Ok(reached) => reached,
+            };
+            let ratio = deviations.abs() / reached;
+            if (ratio - 1.0).abs() < 0.005 {
+                return Ok(centre + distance);
+            }
+            distance *= if ratio.is_finite() { ratio.clamp(0.3, 3.0) } else { 3.0 };
+        }
+        Ok(centre + distance)
+    }
+
+    /// By how many standard deviations the data contradict a value.
+    fn deviations(&self, search: &mut Search<'_>, value: f64) -> Result<f64, TraceFitError> {
+        let mut parameters = self.minimum.parameters.clone();
+        parameters[self.free[self.place]] = value;
+        let others: Vec<usize> =
+            self.free.iter().copied().filter(|&other| other != self.free[self.place]).collect();
+        let moved = search.minimum_within(parameters, &others)?;
+        let growth = moved.sum_of_squares() - self.minimum.sum_of_squares();
+        Ok((growth.max(0.0) / self.variance).sqrt())
+    }
+}
+
+/// Student's quantile of so many degrees of freedom at a normal one, by the first terms of Cornish and Fisher
+/// (Abramowitz and Stegun 26.7.5).
+fn students(z: f64, degrees: usize) -> f64 {
+    let (square, degrees) = (z * z, count(degrees));
+    let first = z * (square + 1.0) / 4.0;
+    let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
+    z + first / degrees + second / (degrees * degrees)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_of_student() {
+        // Two-sided 95 % of 10 and 30 degrees of freedom, Abramowitz and Stegun table 26.10.
+        for (degrees, quantile) in [(10, 2.228), (30, 2.042)] {
+            assert!((students(LEVELS[1], degrees) - quantile).abs() < 2e-3);
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! The way to the minimum.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use super::layout::Layout;
+use super::problem::{Minimum, NoMinimum, Problem};
+use super::swing::Swing;
+use super::{DampingTerms, TraceFitError, TraceOptions, robust, weak_form};
+use crate::fit::outliers::median;
+use crate::measurement::Trace;
+
+/// Traces and a model, and the weights of the rows.
+pub(super) struct Search<'a> {
+    pub(super) traces: &'a [Trace],
+    pub(super) layout: Layout,
+    pub(super) options: TraceOptions,
+    swing: Swing,
+    /// Of each row; with outliers turned down once a robust minimum is found.
+    pub(super) weights: Vec<Vec<f64>>,
+    watch: &'a mut dyn FnMut() -> ControlFlow<()>,
+}
+
+/// Evaluations for each parameter, as MINPACK counts them.
+const PATIENCE: usize = 30;
+const ROBUST_ROUNDS: usize = 30;
+
+/// How more and more of the traces is taken, in small periods.
+struct Growth {
+    first: f64,
+    factor: f64,
+    /// Below it damping is not looked for.
+    damped_from: f64,
+}
+
+/// Quick, and careful: near the top a little damping decides whether the pendulum goes over it.
+const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
+const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
+/// Residuals above this part of the scatter of the data themselves are those of no fit.
+const NO_FIT: f64 = 0.05;
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        traces: &'a [Trace],
+        terms: DampingTerms,
+        options: TraceOptions,
+        watch: &'a mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, TraceFitError> {
+        if traces.is_empty() {
+            return Err(TraceFitError::NoTrace);
+        }
+        let layout = Layout::new(terms, traces.len());
+        let parameters = layout.len();
+        if let Some(trace) = traces.iter().find(|trace| trace.len() < 2 * parameters / traces.len() + 4) {
+            let (name, rows, needed) =
+                (trace.name().to_owned(), trace.len(), 2 * parameters / traces.len() + 4);
+            return Err(TraceFitError::TooFewRows { name, rows, parameters, needed });
+        }
+        let weights = stated_weights(traces);
+        Ok(Self { traces, layout, options, swing: Swing::new(terms), weights, watch })
+    }
+
+    /// The same traces and weights with another model.
+    pub(super) fn set_terms(&mut self, terms: DampingTerms) {
+        self.layout = Layout::new(terms, self.traces.len());
+        self.swing = Swing::new(terms);
+        self.weights = stated_weights(self.traces);
+    }
+
+    /// The minimum, from the first swings on.
+    pub(super) fn minimum_from_scratch(&mut self) -> Result<Minimum, TraceFitError> {
+        let parameters = self.beginning()?;
+        let quick = self.minimum_grown(parameters.clone(), &QUICK);
+        match &quick {
+            Ok(minimum) if minimum.sum_of_squares() <= NO_FIT * NO_FIT * self.scatter() => return quick,
+            Err(TraceFitError::Interrupted) => return quick,
+            _ => {}
+        }
+        match (quick, self.minimum_grown(parameters, &CAREFUL)) {
+            (Ok(quick), Ok(careful)) if careful.sum_of_squares() < quick.sum_of_squares() => Ok(careful),
+            (Ok(quick), Err(error)) if error != TraceFitError::Interrupted => Ok(quick),
+            (Ok(quick), Ok(_)) => Ok(quick),
+            (_, careful) => careful,
+        }
+    }
+
+    fn minimum_grown(&mut self, mut parameters: Vec<f64>, growth: &Growth) -> Result<Minimum, TraceFitError> {
+        let period = 2.0 * PI / parameters[Layout::OMEGA0];
+        let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
+        let longest = self.traces.iter().map(span).fold(0.0, f64::max);
+        let mut cycles = growth.first;
+        while cycles * period < longest {
+            let rows = self.rows_within(cycles * period);
+            let free = self.free_at_first(cycles >= growth.damped_from);
+            parameters = self.minimum_of(rows, free, parameters)?.parameters;
+            cycles *= growth.factor;
+        }
+        self.minimum_near(parameters)
+    }
+
+    /// The weighted sum of squares about the mean of each trace.
+    fn scatter(&self) -> f64 {
+        let of_trace = |(trace, weights): (&Trace, &Vec<f64>)| {
+            let mean = trace.values().iter().sum::<f64>() / super::count(trace.len());
+            let deviations =
+                trace.values().iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
+            deviations.map(|deviation| deviation * deviation).sum::<f64>()
+        };
+        self.traces.iter().zip(&self.weights).map(of_trace).sum()
+    }
+
+    /// The minimum near some parameters, robust if asked for.
+    pub(super) fn minimum_near(&mut self, parameters: Vec<f64>) -> Result<Minimum, TraceFitError> {
+        let mut minimum = self.minimum_within(parameters, &self.free())?;
+        if !self.options.robust {
+            return Ok(minimum);
+        }
+        for _ in 0..ROBUST_ROUNDS {
+            let residuals = self.unweighted(&minimum);
+            self.turn_outliers_down(&residuals);
+            let next = self.minimum_within(minimum.parameters.clone(), &self.free())?;
+            let change =
+                (next.sum_of_squares() / minimum.sum_of_squares().max(f64::MIN_POSITIVE) - 1.0).abs();
+            minimum = next;
+            if change < 1e-8 {
+                break;
+            }
+        }
+        Ok(minimum)
+    }
+
+    /// The minimum near some parameters with these free, at the weights as they are.
+    pub(super) fn minimum_within(
+        &mut self,
+        parameters: Vec<f64>,
+        free: &[usize],
+    ) -> Result<Minimum, TraceFitError> {
+        self.minimum_of(self.traces.iter().map(Trace::len).collect(), free.to_vec(), parameters)
+    }
+
+    /// The parameters that are varied.
+    pub(super) fn free(&self) -> Vec<usize> {
+        (0..self.layout.len())
+            .filter(|&place| self.options.free_scale || place != self.layout.scale())
+            .collect()
+    }
+
+    /// Residuals in units of the stated uncertainties, outliers at their full size.
+    pub(super) fn unweighted(&self, minimum: &Minimum) -> Vec<f64> {
+        let stated = stated_weights(self.traces).into_iter().flatten();
+        let weights = self.weights.iter().flatten().zip(stated);
+        minimum
+            .residuals
+            .iter()
+            .zip(weights)
+            .map(|(residual, (weight, stated))| residual / weight * stated)
+            .collect()
+    }
+
+    fn turn_outliers_down(&mut self, residuals: &[f64]) {
+        let scale = robust::scale(residuals);
+        let factors = residuals.iter().map(|&residual| robust::factor(residual, scale));
+        let stated = stated_weights(self.traces).into_iter().flatten();
+        let mut weights = stated.zip(factors).map(|(weight, factor)| weight * factor);
+        self.weights = self.traces.iter().map(|trace| weights.by_ref().take(trace.len()).collect()).collect();
+    }
+
+    /// The parameters at which the search begins, without damping.
+    fn beginning(&self) -> Result<Vec<f64>, TraceFitError> {
+        let mut parameters = vec![0.0; self.layout.len()];
+        parameters[self.layout.scale()] = 1.0;
+        let mut omega0 = vec![];
+        for (number, trace) in self.traces.iter().enumerate() {
+            let name = || trace.name().to_owned();
+            let begin =
+                weak_form::beginning(trace).ok_or_else(|| TraceFitError::NoPendulum { name: name() })?;
+            omega0.push(begin.omega0);
+            parameters[self.layout.offset(number)] = begin.offset;
+            for (place, value) in self.layout.first_state(number).into_iter().zip(begin.state) {
+                parameters[place] = value;
+            }
+        }
+        parameters[Layout::OMEGA0] = median(omega0);
+        Ok(parameters)
+    }
+
+    fn rows_within(&self, span: f64) -> Vec<usize> {
+        let least = |trace: &Trace| trace.len().min(self.layout.len() + 2);
+        let within = |trace: &Trace| trace.times().partition_point(|&time| time <= trace.times()[0] + span);
+        self.traces.iter().map(|trace| within(trace).max(least(trace))).collect()
+    }
+
+    /// The parameters that a part of the traces determines: one kind of damping is as good as another.
+    fn free_at_first(&self, damped: bool) -> Vec<usize> {
+        let damping = self.layout.coefficients();
+        let first = damping.start;
+        let is_free = |place: &usize| match damping.contains(place) {
+            true => damped && *place == first,
+            false => *place != self.layout.scale(),
+        };
+        (0..self.layout.len()).filter(is_free).collect()
+    }
+
+    fn minimum_of(
+        &mut self,
+        rows: Vec<usize>,
+        free: Vec<usize>,
+        parameters: Vec<f64>,
+    ) -> Result<Minimum, TraceFitError> {
+        let omega0 = parameters[Layout::OMEGA0];
+        let (weights, swing, watch) = (&self.weights, &self.swing, &mut *self.watch);
+        let problem = Problem {
+            traces: self.traces,
+            rows,
+            weights,
+            swing,
+            layout: self.layout,
+            free,
+            parameters,
+            watch,
+        };
+        problem.minimum(PATIENCE).map_err(|reason| match reason {
+            NoMinimum::Interrupted => TraceFitError::Interrupted,
+            NoMinimum::NoMotion => TraceFitError::NoMotion { omega0 },
+        })
+    }
+}
+
+/// One over the stated uncertainty of each row, or one.
+fn stated_weights(traces: &[Trace]) -> Vec<Vec<f64>> {
+    let weights = |trace: &Trace| match trace.uncertainties() {
+        Some(uncertainties) => uncertainties.iter().map(|uncertainty| 1.0 / uncertainty).collect(),
+        None => vec![1.0; trace.len()],
+    };
+    traces.iter().map(weights).collect()
+}

@@ -1,0 +1,132 @@
+//! From the minimum to parameters with uncertainties.
+
+use nalgebra::DMatrix;
+
+use super::layout::Layout;
+use super::problem::Minimum;
+use super::search::Search;
+use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
+use super::{bootstrap, count, profile, robust};
+use crate::measurement::Trace;
+
+/// The fit with its uncertainties.
+pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit, TraceFitError> {
+    let (free, traces) = (search.free(), search.traces);
+    let described = |place: &usize| search.layout.described(*place, traces);
+    let mut parameters: Vec<Parameter> = free.iter().map(described).collect();
+    let response = response(minimum, &parameters)?;
+    let covariance = &response * response.transpose();
+    let all = search.unweighted(minimum);
+    let degrees_of_freedom = all.len().saturating_sub(free.len()).max(1);
+    let chi2 = all.iter().map(|residual| residual * residual).sum::<f64>() / count(degrees_of_freedom);
+    let has_uncertainties = traces.iter().any(|trace| trace.uncertainties().is_some());
+    let variance = match search.options.robust {
+        true => robust::variance(&all, free.len()),
+        false => chi2,
+    };
+    let variance = if has_uncertainties { variance.max(1.0) } else { variance };
+    let series = split(&all, traces);
+    let autocorrelation = Autocorrelation::of(&series);
+    let block = (!autocorrelation.is_noise()).then(|| block(&autocorrelation, minimum, traces));
+    let inflations = block.map(|block| {
+        let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
+        let correction = (count(all.len()) / count(degrees_of_freedom)).sqrt();
+        bootstrap::deviations(&response, &minimum.residuals, &lengths, block)
+            .into_iter()
+            .map(move |it| it * correction)
+    });
+    for (place, parameter) in parameters.iter_mut().enumerate() {
+        parameter.value = minimum.parameters[free[place]];
+        parameter.formal_uncertainty = (variance * covariance[(place, place)]).sqrt();
+        parameter.uncertainty = parameter.formal_uncertainty;
+    }
+    for (parameter, deviation) in parameters.iter_mut().zip(inflations.into_iter().flatten()) {
+        parameter.uncertainty = parameter.uncertainty.max(deviation);
+    }
+    if search.options.profile {
+        profile::intervals(search, minimum, variance, &mut parameters)?;
+    }
+    Ok(TraceFit {
+        damping: search.layout.terms(),
+        correlations: correlations(&covariance),
+        traces: fitted(search, &all),
+        degrees_of_freedom,
+        chi2_per_dof: has_uncertainties.then_some(chi2),
+        rms: rms(search, &all),
+        autocorrelation,
+        bootstrap_block: block,
+        converged: minimum.converged,
+        sum_of_squares: minimum.sum_of_squares(),
+        parameters,
+    })
+}
+
+/// The pseudo-inverse of the derivatives, by which parameters answer to residuals.
+fn response(minimum: &Minimum, parameters: &[Parameter]) -> Result<DMatrix<f64>, TraceFitError> {
+    let sizes: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
+    let factored = minimum.jacobian.clone().qr();
+    let triangle = factored.r();
+    for (place, size) in sizes.iter().enumerate() {
+        // What is left of a column that the others span is rounding errors.
+        if triangle[(place, place)].abs() <= 1e-11 * size || *size <= 0.0 {
+            return Err(TraceFitError::Undetermined { parameter: parameters[place].name });
+        }
+    }
+    let undetermined = TraceFitError::Undetermined { parameter: parameters[0].name };
+    triangle.solve_upper_triangular(&factored.q().transpose()).ok_or(undetermined)
+}
+
+fn correlations(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    let deviation = |place: usize| covariance[(place, place)].sqrt();
+    let correlation = |i: usize, j: usize| covariance[(i, j)] / (deviation(i) * deviation(j));
+    let row =
+        |i: usize| (0..covariance.ncols()).map(|j| if i == j { 1.0 } else { correlation(i, j) }).collect();
+    (0..covariance.nrows()).map(row).collect()
+}
+
+/// A block holds one swing, and the longer the more there is to choose from.
+fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
+    let longest = traces.iter().max_by_key(|trace| trace.len());
+    let swing = longest.map_or(1, |trace| {
+        let period = 2.0 * std::f64::consts::PI / minimum.parameters[Layout::OMEGA0];
+        trace.times().partition_point(|&time| time < trace.times()[0] + period)
+    });
+    let rows = longest.map_or(1, Trace::len);
+    let time = autocorrelation.time;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "it is below the number of rows"
+    )]
+    let grown = (time * libm::cbrt(count(rows) / time)) as usize;
+    swing.max(grown).min(rows / 3).max(1)
+}
+
+/// A column cut into those of the traces.
+fn split(column: &[f64], traces: &[Trace]) -> Vec<Vec<f64>> {
+    let mut rest = column.iter().copied();
+    traces.iter().map(|trace| rest.by_ref().take(trace.len()).collect()).collect()
+}
+
+/// What was seen less what should have been, from residuals in units of the uncertainties.
+fn fitted(search: &Search<'_>, all: &[f64]) -> Vec<FittedTrace> {
+    let scale = robust::scale(all);
+    let one = |(trace, column): (&Trace, Vec<f64>)| {
+        let uncertainty = |row: usize| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]);
+        let residuals: Vec<f64> = column.iter().enumerate().map(|(row, r)| -r * uncertainty(row)).collect();
+        let fitted =
+            trace.values().iter().zip(&residuals).map(|(value, residual)| value - residual).collect();
+        let outliers = (0..column.len()).filter(|&row| robust::is_outlier(column[row], scale)).collect();
+        FittedTrace { fitted, residuals, outliers }
+    };
+    search.traces.iter().zip(split(all, search.traces)).map(one).collect()
+}
+
+fn rms(search: &Search<'_>, all: &[f64]) -> f64 {
+    let uncertainties = search.traces.iter().flat_map(|trace| {
+        (0..trace.len()).map(|row| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]))
+    });
+    let size =
+        all.iter().zip(uncertainties).fold(0.0, |size, (r, uncertainty)| libm::hypot(size, r * uncertainty));
+    size / count(all.len()).sqrt()
+}
