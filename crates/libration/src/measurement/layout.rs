@@ -120,8 +120,9 @@ fn refuse_numbers(above: &[Row], mark: DecimalMark) -> Result<(), MeasurementErr
 }
 
 fn all_begin_with_digits(row: &Row) -> bool {
-    let begins =
-        |cell: &str| cell.trim_start_matches(['-', '+', '.', '−']).starts_with(|c: char| c.is_ascii_digit());
+    let begins = |cell: &str| {
+        cell.trim_start_matches(['-', '+', '.', '−', '"', '\'']).starts_with(|c: char| c.is_ascii_digit())
+    };
     row.cells.iter().filter(|cell| !cell.is_empty()).all(begins)
 }
 

@@ -162,6 +162,7 @@ fn units() -> Vec<Case> {
 fn quotes() -> Vec<Case> {
     vec![
         Case::refused("a quote that is not closed", "t/s,θ/rad\n0,0.5\n0.1,\"0.4\n0.2,0.3\n", &["line 3"]),
+        Case::refused("a quote among whole numbers", "t/s,θ/deg\n\"0,180\n1,90\n2,0\n3,90\n", &["line 2"]),
         Case::refused(
             "a quote in a remark",
             "t/s,θ/rad,remark\n0,0.5,a\n0.1,0.4,\"b\n0.2,0.3,c\n0.3,0.2,d\n",
