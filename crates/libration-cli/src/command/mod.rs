@@ -70,7 +70,7 @@ enum Question {
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
-    Inspect(inspect::Inspect),
+    Inspect(Box<inspect::Inspect>),
     #[command(subcommand)]
     Fit(Fit),
     Completions(completions::Completions),

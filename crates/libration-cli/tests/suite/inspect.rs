@@ -65,6 +65,12 @@ fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
 }
 
 #[test]
+fn a_table_of_periods_is_sent_to_its_own_command() {
+    let path = file("inspect-periods", "0.5,2.01\n0.4,1.99\n0.6,2.02\n");
+    assert!(text(&format!("inspect {}", path.display())).contains("libration fit periods"));
+}
+
+#[test]
 fn times_of_a_photogate_are_recognised() {
     let path = file("inspect-gate", "Latest: Time (s),Latest: GateState\n0.5,1\n0.52,0\n1.5,1\n1.52,0\n");
     let answer = json(&format!("inspect {}", path.display()));
@@ -78,7 +84,7 @@ fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
         ("ragged", "t/s,θ/rad\n0,1\n1\n", "", "line 3 has 1 cells"),
         ("commas", "0,5,1,2\n1,0,1,3\n", "", "--decimal point or comma"),
         ("columns", "t/s,θ/rad\n0,0.1,5\n1,0.2,5\n", "", "(--header)"),
-        ("header", "t/s,θ/rad\n0,0.1\n", "--header 9", "no rows of data"),
+        ("header", "t/s,θ/rad\n0,0.1\n", "--header 9", "no line of cells `9`"),
     ] {
         let path = file(&format!("inspect-{name}"), text);
         let output = libration(&format!("inspect {} {options}", path.display()));

@@ -32,7 +32,7 @@ impl Layout {
             Header::Detect => first_of_numbers(&above, filled, dialect.mark),
             Header::Absent => Some(0),
             Header::Present => Some(1),
-            Header::Line(line) => above.iter().position(|row| row.line == line).map(|header| header + 1),
+            Header::Line(line) => Some(row_at(&above, line)? + 1),
         };
         let body = body.filter(|&body| body < above.len()).ok_or(MeasurementError::Empty)?;
         let first_line = above[body].line;
@@ -46,6 +46,19 @@ impl Layout {
         let names = Names::of(text, above, width, dialect, header, first_line)?;
         Ok(Self { headings: names.headings, header_line: names.line, first_line, preamble: names.preamble })
     }
+}
+
+fn row_at(rows: &[Row], line: u64) -> Result<usize, MeasurementError> {
+    let found = rows.iter().position(|row| row.line == line);
+    found.ok_or_else(|| MeasurementError::NoSuch {
+        what: "line of cells",
+        asked: line.to_string(),
+        available: format!(
+            "{} of them, the first with number {}",
+            rows.len(),
+            rows.first().map_or(1, |row| row.line)
+        ),
+    })
 }
 
 /// A quote that is not closed makes one cell of all that follows.
