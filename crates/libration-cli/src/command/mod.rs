@@ -81,7 +81,7 @@ enum Question {
 enum Fit {
     Periods(fit_periods::FitPeriods),
     Lengths(fit_lengths::FitLengths),
-    Trace(fit_trace::FitTrace),
+    Trace(Box<fit_trace::FitTrace>),
 }
 
 impl Libration {
