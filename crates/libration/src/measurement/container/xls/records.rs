@@ -28,6 +28,11 @@ impl Record<'_> {
     pub(super) const RESULT_STRING: u16 = 0x0207;
     const CONTINUED: u16 = 0x003c;
 
+    /// Row and column, with which the data of every cell begin.
+    pub(super) fn place(&self) -> Option<(u32, u32)> {
+        Some((u32::from(self.u16(0)?), u32::from(self.u16(2)?)))
+    }
+
     pub(super) fn u16(&self, at: usize) -> Option<u16> {
         u16_at(self.data, at)
     }
@@ -97,10 +102,9 @@ mod tests {
 
     #[test]
     fn small_numbers_are_whole_or_halves_of_doubles_or_hundredths_of_these() {
-        assert_eq!(small_number(0x3ff0_0000), 1.0);
-        assert_eq!(small_number(0x3ff0_0001), 0.01);
-        assert_eq!(small_number((-12345_i32 << 2 | 2).cast_unsigned()), -12345.0);
-        assert_eq!(small_number(12345 << 2 | 3), 123.45);
+        let whole = |number: i32| (number << 2 | 2).cast_unsigned();
+        let found = [0x3ff0_0000, 0x3ff0_0001, whole(-12345), whole(12345) | 1].map(small_number);
+        assert_eq!(found.map(f64::to_bits), [1.0, 0.01, -12345.0, 123.45].map(f64::to_bits));
     }
 
     #[test]
