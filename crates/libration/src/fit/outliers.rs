@@ -1,7 +1,7 @@
 //! Rows that do not belong to the others, told without being drawn by them.
 
 use super::law::Law;
-use super::robust::{self, deviation_by_median};
+use super::robust::{deviation_by_median, median};
 use super::{FitError, PeriodTable, Weighting};
 
 /// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
@@ -17,7 +17,7 @@ pub const DEFAULT_OUTLIER_THRESHOLD: f64 = 5.0;
 /// A law without a value at one of the amplitudes.
 pub fn outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Vec<usize>, FitError> {
     let points = law.points(&table.rows)?;
-    let t0 = median(points.iter().map(|point| point.row.period / point.ratio).collect());
+    let t0 = median(points.iter().map(|point| point.row.period / point.ratio).collect()).unwrap_or(f64::NAN);
     let deviation = |point: &super::law::Point| {
         let residual = (point.row.period - t0 * point.ratio).abs();
         if table.weighting() == Weighting::Scatter { residual } else { residual / point.variance(t0).sqrt() }
@@ -27,9 +27,4 @@ pub fn outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Ve
     // More than half of the rows exactly on the law leave no scale to tell the others by.
     let beyond = |deviation: f64| sigma > 0.0 && deviation > threshold * sigma;
     Ok((0..deviations.len()).filter(|&row| beyond(deviations[row])).collect())
-}
-
-/// The middle value; NaN of none.
-pub(super) fn median(values: Vec<f64>) -> f64 {
-    robust::median(values).unwrap_or(f64::NAN)
 }

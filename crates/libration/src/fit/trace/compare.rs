@@ -14,7 +14,7 @@ pub struct Comparison {
     pub fits: Vec<TraceFit>,
     /// Akaike's criterion of each, less the least.
     pub excess_information: Vec<f64>,
-    /// The place of the model that the data prefer among those whose terms [all damp](TraceFit::damps_by_each_term); or
+    /// The place of the model that the data prefer: the simplest of those within [`Self::SUBSTANTIAL`] of the best among those whose terms [all damp](TraceFit::damps_by_each_term); or
     /// among those that [take energy](TraceFit::takes_energy) in all, where one of them is better by [`Self::DECISIVE`].
     pub preferred: usize,
     /// After how many rows residuals of the largest model are independent.
@@ -25,6 +25,8 @@ impl Comparison {
     /// Models whose criterion differs by less explain the data nearly as well (Burnham and Anderson 2002, section 2.6).
     pub const INDISTINGUISHABLE: f64 = 4.0;
 
+    /// Of models whose criterion is within this of the least the simplest is preferred.
+    pub const SUBSTANTIAL: f64 = 2.0;
     /// A coefficient is believed to be negative where the criterion differs by more.
     pub const DECISIVE: f64 = 20.0;
 
@@ -52,7 +54,13 @@ impl Comparison {
         let least = information.iter().copied().fold(f64::INFINITY, f64::min);
         let best_of = |possible: fn(&TraceFit) -> bool| {
             let places = (0..fits.len()).filter(|&place| possible(&fits[place]));
-            places.min_by(|&a, &b| information[a].total_cmp(&information[b]))
+            let least = places.clone().map(|place| information[place]).fold(f64::INFINITY, f64::min);
+            // Simpler ones come first.
+            let mut close = places.filter(|&place| information[place] <= least + Self::SUBSTANTIAL);
+            let first = close.next()?;
+            let as_simple =
+                close.take_while(|&place| fits[place].damping.count() == fits[first].damping.count());
+            as_simple.chain([first]).min_by(|&a, &b| information[a].total_cmp(&information[b]))
         };
         let [plain, any] = [TraceFit::damps_by_each_term, TraceFit::takes_energy].map(best_of);
         let preferred = match (plain, any) {

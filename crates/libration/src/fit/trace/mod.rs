@@ -16,9 +16,9 @@ mod swing;
 
 mod weak_form;
 
+mod huber;
 mod layout;
 mod problem;
-mod robust;
 mod search;
 
 mod autocorrelation;

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use super::layout::Layout;
 use super::problem::{Minimum, NoMinimum, Problem};
 use super::swing::Swing;
-use super::{DampingTerms, TraceFitError, TraceOptions, robust, weak_form};
-use crate::fit::outliers::median;
+use super::{DampingTerms, TraceFitError, TraceOptions, huber, weak_form};
+use crate::fit::robust::median;
 use crate::measurement::Trace;
 
 /// Traces and a model, and the weights of the rows.
@@ -164,8 +164,8 @@ impl<'a> Search<'a> {
     }
 
     fn turn_outliers_down(&mut self, residuals: &[f64]) {
-        let scale = robust::scale(residuals);
-        let factors = residuals.iter().map(|&residual| robust::factor(residual, scale));
+        let scale = huber::scale(residuals);
+        let factors = residuals.iter().map(|&residual| huber::factor(residual, scale));
         let stated = stated_weights(self.traces).into_iter().flatten();
         let mut weights = stated.zip(factors).map(|(weight, factor)| weight * factor);
         self.weights = self.traces.iter().map(|trace| weights.by_ref().take(trace.len()).collect()).collect();
@@ -186,7 +186,7 @@ impl<'a> Search<'a> {
                 parameters[place] = value;
             }
         }
-        parameters[Layout::OMEGA0] = median(omega0);
+        parameters[Layout::OMEGA0] = median(omega0).ok_or(TraceFitError::NoTrace)?;
         Ok(parameters)
     }
 

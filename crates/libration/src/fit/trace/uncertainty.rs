@@ -6,7 +6,7 @@ use super::layout::Layout;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
-use super::{bootstrap, count, profile, robust};
+use super::{bootstrap, count, huber, profile};
 use crate::measurement::Trace;
 
 /// The fit with its uncertainties.
@@ -21,7 +21,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
     let chi2 = all.iter().map(|residual| residual * residual).sum::<f64>() / count(degrees_of_freedom);
     let has_uncertainties = traces.iter().any(|trace| trace.uncertainties().is_some());
     let variance = match search.options.robust {
-        true => robust::variance(&all, free.len()),
+        true => huber::variance(&all, free.len()),
         false => chi2,
     };
     let variance = if has_uncertainties { variance.max(1.0) } else { variance };
@@ -110,13 +110,13 @@ fn split(column: &[f64], traces: &[Trace]) -> Vec<Vec<f64>> {
 
 /// What was seen less what should have been, from residuals in units of the uncertainties.
 fn fitted(search: &Search<'_>, all: &[f64]) -> Vec<FittedTrace> {
-    let scale = robust::scale(all);
+    let scale = huber::scale(all);
     let one = |(trace, column): (&Trace, Vec<f64>)| {
         let uncertainty = |row: usize| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]);
         let residuals: Vec<f64> = column.iter().enumerate().map(|(row, r)| -r * uncertainty(row)).collect();
         let fitted =
             trace.values().iter().zip(&residuals).map(|(value, residual)| value - residual).collect();
-        let outliers = (0..column.len()).filter(|&row| robust::is_outlier(column[row], scale)).collect();
+        let outliers = (0..column.len()).filter(|&row| huber::is_outlier(column[row], scale)).collect();
         FittedTrace { fitted, residuals, outliers }
     };
     search.traces.iter().zip(split(all, search.traces)).map(one).collect()

@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use crate::fit::outliers::median;
+use crate::fit::robust::median;
 use crate::fit::small_angle_period::count;
 use crate::linear::least_squares;
 use crate::measurement::{Seen, Trace};
@@ -38,7 +38,7 @@ pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
         Seen::AngularVelocity => integrated(times, trace.values()),
     };
     let estimate = best_estimate(times, &angles)?;
-    let turns = libm::round((median(angles.clone()) - estimate.offset) / (2.0 * PI));
+    let turns = libm::round((median(angles.clone())? - estimate.offset) / (2.0 * PI));
     let offset = estimate.offset + 2.0 * PI * turns;
     let [angle, velocity] = first_state(times, &angles, estimate.omega0)?;
     Some(Beginning {
@@ -55,7 +55,7 @@ const LEAST_WINDOWS: usize = 12;
 /// everything away.
 fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     let span = times.last()? - times.first()?;
-    let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+    let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
     let mut estimates = vec![];
     let mut half = 8.0 * interval;
     while half <= 0.5 * span && half > 0.0 {
@@ -85,7 +85,7 @@ fn estimate(times: &[f64], angles: &[f64], half: f64, interval: f64) -> Option<E
         solution = least_squares(&matrix, &right)?;
         let explained = |row: &[f64; 4]| row[1..].iter().zip(&solution).map(|(x, p)| x * p).sum::<f64>();
         let residuals: Vec<f64> = rows.iter().map(|row| (row[0] - explained(row)).abs()).collect();
-        scale = median(residuals.clone());
+        scale = median(residuals.clone())?;
         weights =
             residuals.iter().map(|r| if *r > 2.0 * scale { (2.0 * scale / r).sqrt() } else { 1.0 }).collect();
     }

@@ -1,16 +1,15 @@
-//! Weights that turn outliers down.
+//! Huber's weights, which turn outliers down.
 
-use crate::fit::outliers::median;
+use crate::fit::robust::deviation_by_median;
 
 /// Huber's bound in standard deviations, at which 5 % of the precision is lost if there are no outliers.
 const BOUND: f64 = 1.345;
-const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
 /// Rows beyond so many robust standard deviations are called outliers.
 const OUTLIER: f64 = 5.0;
 
 /// The standard deviation of residuals, by their median size.
 pub(super) fn scale(residuals: &[f64]) -> f64 {
-    NORMAL_PER_MEDIAN_DEVIATION * median(residuals.iter().map(|residual| residual.abs()).collect())
+    deviation_by_median(residuals).unwrap_or(0.0)
 }
 
 /// The part of a residual by which a row is multiplied: the square of it is the weight.
