@@ -11,6 +11,7 @@ pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
 mod formulas;
 mod fourier;
+mod inspect;
 pub(crate) mod lyapunov;
 mod modes;
 pub(crate) mod motion;
@@ -67,6 +68,7 @@ enum Question {
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
+    Inspect(inspect::Inspect),
     #[command(subcommand)]
     Fit(Fit),
     Completions(completions::Completions),
@@ -99,6 +101,7 @@ impl Libration {
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
+            Question::Inspect(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Fit(Fit::Lengths(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),

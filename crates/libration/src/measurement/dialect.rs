@@ -1,12 +1,14 @@
-//! What stands between the cells, told from the lines themselves.
+//! What stands between the cells and within the numbers, told from the lines themselves.
+
+use std::fmt;
 
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
 
-use super::number::{Cell, DecimalComma};
-use super::text::is_blank_or_comment;
+use super::number::{Cell, DecimalMark};
+use super::text::{COMMENT, is_blank_or_comment};
 
-/// Lines looked at to tell the delimiter.
-const SAMPLE: usize = 50;
+/// Lines looked at to tell the dialect.
+pub(super) const SAMPLE: usize = 1000;
 
 /// What stands between the cells of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,75 +17,161 @@ pub enum Delimiter {
     Tab,
     /// A semicolon.
     Semicolon,
-    /// A comma; decimals then have a point.
+    /// A comma; a decimal comma then needs quotes around the number.
     Comma,
     /// Any run of spaces and tabs.
     Whitespace,
+}
+
+impl Delimiter {
+    /// In the plural, for sentences.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Tab => "tabs",
+            Self::Semicolon => "semicolons",
+            Self::Comma => "commas",
+            Self::Whitespace => "blanks",
+        }
+    }
+}
+
+impl fmt::Display for Delimiter {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Tab => "tab",
+            Self::Semicolon => "semicolon",
+            Self::Comma => "comma",
+            Self::Whitespace => "space",
+        })
+    }
+}
+
+impl fmt::Display for DecimalMark {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Point => "point",
+            Self::Comma => "comma",
+        })
+    }
+}
+
+/// How a text is cut into numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dialect {
+    /// What stands between cells.
+    pub delimiter: Delimiter,
+    /// What stands within numbers.
+    pub mark: DecimalMark,
 }
 
 /// A row that is neither blank nor a comment, with the number of its first line.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     pub(super) line: u64,
-    pub(super) cells: Vec<String>,
+    pub(super) cells: StringRecord,
 }
 
 impl Row {
     /// The cells up to the last one that is not empty.
     pub(super) fn filled(&self) -> usize {
-        self.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1)
+        let from_the_end = (0..self.cells.len()).rev().find(|&place| !self.cells[place].is_empty());
+        from_the_end.map_or(0, |last| last + 1)
+    }
+
+    pub(super) fn kinds(&self, mark: DecimalMark) -> impl Iterator<Item = Cell> {
+        self.cells.iter().map(move |cell| Cell::parse(cell, mark))
+    }
+
+    pub(super) fn numbers(&self, mark: DecimalMark) -> usize {
+        self.kinds(mark).filter(|cell| cell.is_number()).count()
+    }
+
+    /// Whether it has a number, and nothing that is none.
+    pub(super) fn is_of_numbers(&self, mark: DecimalMark) -> bool {
+        self.numbers(mark) > 0 && self.kinds(mark).all(|cell| cell != Cell::Text)
     }
 
     fn is_data(&self) -> bool {
-        self.filled() > 0 && !self.cells[0].starts_with('#')
+        self.filled() > 0 && !self.cells[0].starts_with(COMMENT)
     }
 }
 
-impl Delimiter {
-    /// The delimiter under which most sample lines are rows of at least two numbers, or failing that rows of
-    /// as many cells as the first; the earlier variant when two do equally well.
-    pub(super) fn sniff(text: &str) -> Self {
-        let sample: Vec<&str> = text.lines().filter(|line| !is_blank_or_comment(line)).take(SAMPLE).collect();
-        let sample = sample.join("\n");
-        let mut best = (Self::Whitespace, (0, 0));
-        for delimiter in [Self::Tab, Self::Semicolon, Self::Comma, Self::Whitespace] {
-            let merit = delimiter.merit(&sample);
+impl Dialect {
+    /// The dialect under which the most sample rows are rows of at least two numbers, or failing that the most cells
+    /// are numbers; of several that do equally well the first. What is given stays.
+    pub(super) fn sniff(text: &str, delimiter: Option<Delimiter>, mark: Option<DecimalMark>) -> Self {
+        let sample = sample(text);
+        let mut best = (Self { delimiter: Delimiter::Whitespace, mark: DecimalMark::Point }, None);
+        for dialect in Self::all() {
+            let is_given = delimiter.is_none_or(|given| given == dialect.delimiter)
+                && mark.is_none_or(|given| given == dialect.mark);
+            let merit = is_given.then(|| dialect.merit(&sample));
             if merit > best.1 {
-                best = (delimiter, merit);
+                best = (dialect, merit);
             }
         }
         best.0
     }
 
-    /// The number of rows of numbers, then of rows as wide as the first; rows of one cell do not count.
-    fn merit(self, sample: &str) -> (usize, usize) {
-        let mut rows = self.rows(sample);
-        rows.retain(|row| row.filled() >= 2);
-        let of_numbers =
-            |row: &&Row| row.cells.iter().all(|cell| Cell::parse(cell, self.decimal_comma()) != Cell::Text);
-        let width = rows.first().map_or(0, Row::filled);
-        (rows.iter().filter(of_numbers).count(), rows.iter().filter(|row| row.filled() == width).count())
+    /// In the order in which they are preferred.
+    fn all() -> impl Iterator<Item = Self> {
+        let delimiters = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Whitespace];
+        let marks = [DecimalMark::Point, DecimalMark::Comma];
+        delimiters.into_iter().flat_map(move |delimiter| marks.map(|mark| Self { delimiter, mark }))
     }
 
-    /// Whether a comma in a cell can be a decimal comma.
-    pub(super) fn decimal_comma(self) -> DecimalComma {
-        if self == Self::Comma { DecimalComma::Refused } else { DecimalComma::Allowed }
-    }
-
-    /// The rows of the text, its blank lines and comments left out.
-    pub(super) fn rows(self, text: &str) -> Vec<Row> {
-        let mut rows = match self {
-            Self::Tab => delimited_rows(text, b'\t'),
-            Self::Semicolon => delimited_rows(text, b';'),
-            Self::Comma => delimited_rows(text, b','),
-            Self::Whitespace => spaced_rows(text),
-        };
-        rows.retain(Row::is_data);
-        rows
+    /// The number of rows of two numbers or more, of their cells, and of rows of one number.
+    fn merit(self, sample: &str) -> (usize, usize, usize) {
+        let (mut rows, mut cells, mut single) = (0, 0, 0);
+        for row in self.rows(sample) {
+            let is_of_numbers = row.is_of_numbers(self.mark);
+            rows += usize::from(is_of_numbers && row.filled() >= 2);
+            single += usize::from(is_of_numbers && row.filled() == 1);
+            cells += if row.filled() >= 2 { row.numbers(self.mark) } else { 0 };
+        }
+        (rows, cells, single)
     }
 }
 
-fn delimited_rows(text: &str, delimiter: u8) -> Vec<Row> {
+/// The first lines that hold something.
+pub(super) fn sample(text: &str) -> String {
+    let lines = text.lines().filter(|line| !is_blank_or_comment(line)).take(SAMPLE);
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+impl Dialect {
+    /// The rows of the text, its blank lines and comments left out.
+    pub(super) fn rows(self, text: &str) -> impl Iterator<Item = Row> {
+        let rows: Box<dyn Iterator<Item = Row>> = match self.delimiter {
+            Delimiter::Tab => Box::new(delimited_rows(text, b'\t')),
+            Delimiter::Semicolon => Box::new(delimited_rows(text, b';')),
+            Delimiter::Comma if self.mark == DecimalMark::Comma => {
+                Box::new(delimited_rows(text, b',').map(with_pairs_joined))
+            }
+            Delimiter::Comma => Box::new(delimited_rows(text, b',')),
+            Delimiter::Whitespace => Box::new(spaced_rows(text)),
+        };
+        rows.filter(Row::is_data)
+    }
+}
+
+/// Where commas are decimal commas and between cells too, a row of whole numbers is one of pairs: `0,5,1,2` is 0.5 and 1.2.
+fn with_pairs_joined(row: Row) -> Row {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_whole = |text: &str| digits(text.trim_start_matches(['-', '+', '−']));
+    let is_fraction = |text: &str| {
+        text.split_once(['e', 'E']).map_or(digits(text), |(start, power)| digits(start) && is_whole(power))
+    };
+    let cells: Vec<&str> = row.cells.iter().collect();
+    let (pairs, rest) = cells.as_chunks::<2>();
+    if !rest.is_empty() || !pairs.iter().all(|[whole, fraction]| is_whole(whole) && is_fraction(fraction)) {
+        return row;
+    }
+    let joined = pairs.iter().map(|[whole, fraction]| format!("{whole},{fraction}")).collect();
+    Row { line: row.line, cells: joined }
+}
+
+fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
     let reader = ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -91,14 +179,13 @@ fn delimited_rows(text: &str, delimiter: u8) -> Vec<Row> {
         .trim(Trim::All)
         .delimiter(delimiter)
         .from_reader(text.as_bytes());
-    let row = |record: StringRecord| Row {
-        line: record.position().map_or(0, |position| first_line(text, position)),
-        cells: record.iter().map(String::from).collect(),
+    let row = |cells: StringRecord| Row {
+        line: cells.position().map_or(0, |position| first_line(text, position)),
+        cells,
     };
     reader
         .into_records()
-        .map(|record| row(record.expect("UTF-8 in memory with rows of any width is always read")))
-        .collect()
+        .map(move |record| row(record.expect("UTF-8 in memory with rows of any width is always read")))
 }
 
 /// The line of a record: its position is where the one before it ended, blank lines and comments may follow.
@@ -111,7 +198,7 @@ fn first_line(text: &str, position: &Position) -> u64 {
     line
 }
 
-fn spaced_rows(text: &str) -> Vec<Row> {
-    let cells = |line: &str| line.split_whitespace().map(String::from).collect();
-    (1..).zip(text.lines()).map(|(line, text)| Row { line, cells: cells(text) }).collect()
+fn spaced_rows(text: &str) -> impl Iterator<Item = Row> {
+    let cells = |line: &str| StringRecord::from_iter(line.split_whitespace());
+    (1..).zip(text.lines()).map(move |(line, text)| Row { line, cells: cells(text) })
 }

@@ -1,7 +1,9 @@
-//! What can be wrong with a table of measurements.
+//! What can be wrong with a file of measurements.
 
-/// Why a file is no table of numbers, or has not the columns asked for.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+use super::choices::{Choice, Suggestion};
+
+/// Why a file is no recording, or has not what is asked of it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
     /// More bytes than the limit.
@@ -12,9 +14,15 @@ pub enum MeasurementError {
         /// Bytes.
         limit: usize,
     },
-    /// Not text in UTF-8.
-    #[error("the file is {0}, not a table as UTF-8 text: export it as CSV in UTF-8")]
+    /// Not text.
+    #[error("the file is {0}, not a table as text: export it as CSV in UTF-8")]
     NotText(&'static str),
+    /// A workbook that cannot be read.
+    #[error("the workbook cannot be read, {0}: save it again, or export it as CSV")]
+    DamagedWorkbook(String),
+    /// A ZIP archive that cannot be read.
+    #[error("the ZIP archive cannot be read, {0}: export it again")]
+    DamagedArchive(String),
     /// Nothing but blank lines, comments and perhaps a header.
     #[error("the file has no rows of data: give at least one line of numbers")]
     Empty,
@@ -27,6 +35,32 @@ pub enum MeasurementError {
         found: usize,
         /// Cells in the rows before.
         expected: usize,
+    },
+    /// A header with another number of names than there are columns.
+    #[error(
+        "line {line} names {names} columns, the rows below have {columns}: complete the header, or say that there is none"
+    )]
+    HeaderWidth {
+        /// Counted from one.
+        line: u64,
+        /// Names.
+        names: usize,
+        /// Columns.
+        columns: usize,
+    },
+    /// Numbers above the first good row.
+    #[error(
+        "line {line} is neither a header nor a row of numbers like those below it: mend it, or say which line is the header"
+    )]
+    NeitherHeaderNorNumbers {
+        /// Counted from one.
+        line: u64,
+    },
+    /// A cell over several lines.
+    #[error("line {line} begins a quoted cell that goes on over the next lines: close the quote")]
+    UnclosedQuote {
+        /// Counted from one.
+        line: u64,
     },
     /// A cell that is no finite number.
     #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
@@ -49,7 +83,132 @@ pub enum MeasurementError {
     /// Two columns of this name.
     #[error("several columns are named `{0}`: ask by number, counted from 1")]
     AmbiguousColumn(String),
+    /// None of several sheets has what is asked for; the first says why.
+    #[error("no sheet has what is asked for; `{name}`: {error}")]
+    OfSheet {
+        /// The sheet.
+        name: String,
+        /// Why not.
+        error: Box<Self>,
+    },
+    /// No sheet or run of this name.
+    #[error("there is no {what} `{asked}`: the file has {available}")]
+    NoSuch {
+        /// `sheet` or `run`.
+        what: &'static str,
+        /// As asked.
+        asked: String,
+        /// What there is.
+        available: String,
+    },
     /// Not one row is complete in the columns asked for.
     #[error("none of the {0} rows has a number in every column asked for: ask for other columns")]
     NothingComplete(usize),
+    /// More than any measurement has.
+    #[error("{place} has {count} {what}, the limit is {limit}: give a part of them")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many.
+        count: usize,
+        /// Where.
+        place: String,
+        /// At most.
+        limit: usize,
+    },
+    /// Something that the file does not decide.
+    #[error("{question}: say {}", listed(.choices, &|choice| format!("{choice}=")))]
+    Undecided {
+        /// What is open, and why.
+        question: String,
+        /// What would decide it.
+        choices: Vec<Suggestion>,
+    },
+    /// A time that goes back.
+    #[error(
+        "line {line}: the time {after} follows {before}: put the rows in the order of time, or split the runs"
+    )]
+    TimeGoesBack {
+        /// Counted from one.
+        line: u64,
+        /// As in the file.
+        before: f64,
+        /// As in the file.
+        after: f64,
+    },
+    /// A number that is no state of a photogate.
+    #[error("line {line}: {found} is no state of a photogate: give 1 or blocked, 0 or unblocked")]
+    NotAState {
+        /// Counted from one.
+        line: u64,
+        /// As in the file.
+        found: f64,
+    },
+    /// Positions that do not say where the pivot is.
+    #[error("{0}: say where the pivot is with pivot=X,Y")]
+    PivotUnknown(String),
+    /// Horizontal and vertical positions in different units.
+    #[error("the positions are in {x} and in {y}: give both in one unit")]
+    PositionUnits {
+        /// Of the horizontal positions.
+        x: String,
+        /// Of the vertical positions.
+        y: String,
+    },
+    /// Values that are no trace.
+    #[error(transparent)]
+    Trace(#[from] super::TraceError),
+    /// A unit that does not fit what it is said of.
+    #[error("{unit} is no unit of {of}: give one such as {examples}")]
+    WrongUnit {
+        /// As said.
+        unit: super::Unit,
+        /// Of what.
+        of: &'static str,
+        /// What would do.
+        examples: &'static str,
+    },
+}
+
+impl MeasurementError {
+    /// The message, with choices written as a shell of the library has them: `name` gives `unit=` or `--unit `, and so on.
+    #[must_use]
+    pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
+        match self {
+            Self::Undecided { question, choices } => format!("{question}: say {}", listed(choices, name)),
+            Self::OfSheet { name: sheet, error } => {
+                format!("no sheet has what is asked for; `{sheet}`: {}", error.message(name))
+            }
+            Self::PivotUnknown(why) => {
+                format!("{why}: say where the pivot is with {}X,Y", name(Choice::Pivot))
+            }
+            other => other.to_string(),
+        }
+    }
+}
+
+/// `unit=rad, deg or counts-per-turn=4000`, `angle=2 or 3 and unit=rad or deg`.
+fn listed(choices: &[Suggestion], name: &dyn Fn(Choice) -> String) -> String {
+    let mut text = String::new();
+    let mut before: Option<Choice> = None;
+    for (place, Suggestion { choice, value }) in choices.iter().enumerate() {
+        let again = choices.get(place + 1).is_some_and(|next| next.choice == *choice);
+        text += match before {
+            None => "",
+            Some(same) if same == *choice && again => ", ",
+            Some(other) if other == *choice || is_the_scale(other) && is_the_scale(*choice) => " or ",
+            Some(_) => " and ",
+        };
+        if before != Some(*choice) {
+            text += &name(*choice);
+        }
+        text += value;
+        before = Some(*choice);
+    }
+    text
+}
+
+/// One of these says what a number of the file is in radians.
+fn is_the_scale(choice: Choice) -> bool {
+    matches!(choice, Choice::Unit | Choice::CountsPerTurn)
 }

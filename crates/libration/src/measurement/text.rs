@@ -1,32 +1,91 @@
-//! Bytes → text: UTF-8 with or without a byte order mark, and a name for whatever else it is.
+//! Bytes → text: UTF-8, UTF-16 and Windows-1252, with or without a byte order mark.
 
 use std::borrow::Cow;
+use std::fmt;
+
+use encoding_rs::{Encoding as Coding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use super::MeasurementError;
 
-/// The text, without its byte order mark and with line ends of the old Macintosh replaced.
-pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, MeasurementError> {
-    if let Some(kind) = binary_kind(bytes) {
-        return Err(MeasurementError::NotText(kind));
-    }
-    let text =
-        str::from_utf8(bytes).map_err(|_| MeasurementError::NotText("in another encoding (or binary)"))?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    Ok(if text.contains('\n') { text.into() } else { text.replace('\r', "\n").into() })
+/// How the letters of a file are written as bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// UTF-8, plain ASCII included.
+    Utf8,
+    /// UTF-16, the low byte first.
+    Utf16LittleEndian,
+    /// UTF-16, the high byte first.
+    Utf16BigEndian,
+    /// The Western European encoding of Windows, taken where a file is not UTF-8.
+    Windows1252,
 }
 
-fn binary_kind(bytes: &[u8]) -> Option<&'static str> {
-    match bytes {
-        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => Some("UTF-16"),
-        [b'P', b'K', 3, 4, ..] => Some("a ZIP archive (perhaps a spreadsheet)"),
-        [0xd0, 0xcf, 0x11, 0xe0, ..] => Some("an Excel workbook"),
-        _ if bytes.contains(&0) => Some("binary (it has NUL bytes)"),
-        _ => None,
+impl fmt::Display for Encoding {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Utf8 => "UTF-8",
+            Self::Utf16LittleEndian => "UTF-16LE",
+            Self::Utf16BigEndian => "UTF-16BE",
+            Self::Windows1252 => "Windows-1252",
+        })
     }
+}
+
+/// The text, without its byte order mark and with bare carriage returns as line ends.
+pub(super) fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), MeasurementError> {
+    let (text, encoding) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (utf16(UTF_16LE, rest)?, Encoding::Utf16LittleEndian),
+        [0xfe, 0xff, rest @ ..] => (utf16(UTF_16BE, rest)?, Encoding::Utf16BigEndian),
+        [first, 0, _, 0, ..] if *first != 0 => (utf16(UTF_16LE, bytes)?, Encoding::Utf16LittleEndian),
+        [0, first, 0, _, ..] if *first != 0 => (utf16(UTF_16BE, bytes)?, Encoding::Utf16BigEndian),
+        _ => utf8_or_windows(bytes)?,
+    };
+    if let Some(letter) =
+        text.chars().find(|&letter| letter.is_control() && !"\t\n\r\u{c}\u{1a}".contains(letter))
+    {
+        let what =
+            if letter == '\0' { "binary (it has NUL bytes)" } else { "binary (it has control characters)" };
+        return Err(MeasurementError::NotText(what));
+    }
+    Ok((with_line_feeds(text), encoding))
+}
+
+fn utf16<'a>(coding: &'static Coding, bytes: &'a [u8]) -> Result<Cow<'a, str>, MeasurementError> {
+    let text = coding.decode_without_bom_handling_and_without_replacement(bytes);
+    text.ok_or(MeasurementError::NotText("broken UTF-16"))
+}
+
+/// A file with letters of UTF-8 and bytes that are none is broken, not of another encoding.
+fn utf8_or_windows(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), MeasurementError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if let Ok(text) = str::from_utf8(bytes) {
+        return Ok((text.into(), Encoding::Utf8));
+    }
+    let has_letters = bytes.utf8_chunks().any(|chunk| !chunk.valid().is_ascii());
+    // These five bytes mean nothing in Windows-1252.
+    let means_nothing = |byte: &u8| [0x81, 0x8d, 0x8f, 0x90, 0x9d].contains(byte);
+    if has_letters || bytes.iter().any(means_nothing) {
+        return Err(MeasurementError::NotText("broken UTF-8, or in an encoding not known here"));
+    }
+    let (text, _) = WINDOWS_1252.decode_without_bom_handling(bytes);
+    Ok((text, Encoding::Windows1252))
+}
+
+/// Every line end as one line feed, or a carriage return before it.
+fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
+    let bytes = text.as_bytes();
+    let is_bare = |at: usize| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n');
+    if !(0..bytes.len()).any(is_bare) {
+        return text;
+    }
+    text.replace("\r\n", "\n").replace('\r', "\n").into()
 }
 
 /// Whether a line holds nothing to read.
 pub(super) fn is_blank_or_comment(line: &str) -> bool {
     let line = line.trim_start();
-    line.is_empty() || line.starts_with('#')
+    line.is_empty() || line.starts_with(COMMENT)
 }
+
+/// What a line of remarks begins with.
+pub(super) const COMMENT: [char; 2] = ['#', '%'];

@@ -21,6 +21,7 @@ mod fit;
 mod fit_cycles;
 mod fourier;
 mod ledger;
+mod malformed;
 mod measurement;
 mod motion;
 mod normal_modes;

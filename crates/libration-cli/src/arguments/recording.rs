@@ -1,0 +1,187 @@
+//! A recording: the options that override what is told from a file, and its reading.
+
+use super::read_bytes;
+use crate::failure::Failure;
+use libration::measurement::{
+    Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options, Recording,
+    Traces, Unit,
+};
+use std::path::Path;
+
+/// How a recording is read, where the file is not to decide it.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Reading (all told from the file where not given)")]
+pub(crate) struct RecordingOptions {
+    /// Column of times, by number or name
+    #[arg(long, value_name = "COLUMN", value_parser = column)]
+    time: Option<Column>,
+    /// Unit of times: s, ms, us, min
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    time_unit: Option<Unit>,
+    /// Column of angles, by number or name
+    #[arg(long, value_name = "COLUMN", value_parser = column)]
+    angle: Option<Column>,
+    /// Column of angular velocities, as of a gyroscope
+    #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with_all = ["angle", "x", "y"])]
+    angular_velocity: Option<Column>,
+    /// Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<Unit>,
+    /// Angles are counts of an encoder, so many to the turn
+    #[arg(long, value_name = "N", value_parser = super::positive, conflicts_with = "unit")]
+    counts_per_turn: Option<f64>,
+    /// Column of horizontal positions, instead of an angle
+    #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with = "angle")]
+    x: Option<Column>,
+    /// Column of vertical positions
+    #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with = "angle")]
+    y: Option<Column>,
+    /// Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted
+    #[arg(long, value_name = "X,Y", value_parser = pivot)]
+    pivot: Option<(f64, f64)>,
+    /// Column of uncertainties of the angles or angular velocities
+    #[arg(long, value_name = "COLUMN", value_parser = column)]
+    uncertainty: Option<Column>,
+    /// Column of the photogate's state, 1 or blocked, 0 or unblocked
+    #[arg(long, value_name = "COLUMN", value_parser = column)]
+    gate: Option<Column>,
+    /// The run: its name, or its number as in `Run #3`
+    #[arg(long)]
+    run: Option<String>,
+    /// Sheet of a workbook or file of an archive, by number or name
+    #[arg(long, value_parser = column)]
+    sheet: Option<Column>,
+    /// What separates the cells
+    #[arg(long, value_enum)]
+    delimiter: Option<Separator>,
+    /// Decimal point or decimal comma
+    #[arg(long, value_enum)]
+    decimal: Option<Mark>,
+    /// Line that names the columns: detect, present, absent, or its number
+    #[arg(long, value_parser = header, default_value = "detect", hide_default_value = true)]
+    header: Header,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Separator {
+    Comma,
+    Semicolon,
+    Tab,
+    Space,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Mark {
+    Point,
+    Comma,
+}
+
+impl RecordingOptions {
+    /// The file, read and not yet interpreted.
+    pub(crate) fn recording(&self, path: &Path) -> Result<Recording, Failure> {
+        self.recording_in(path, &read_bytes(path)?)
+    }
+
+    /// The same of a file whose bytes are known.
+    pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, Failure> {
+        Recording::read(bytes, &self.options()).map_err(|error| failure(path, &error))
+    }
+
+    /// The traces of a file with all that was told from it.
+    pub(crate) fn traces(&self, path: &Path) -> Result<Traces, Failure> {
+        let recording = self.recording(path)?;
+        let mut traces = recording.traces(&self.choices()).map_err(|error| failure(path, &error))?;
+        traces.findings.splice(0..0, recording.findings());
+        Ok(traces)
+    }
+
+    /// The times of a photogate with all that was told from the file.
+    pub(crate) fn gate_times(&self, path: &Path) -> Result<Gates, Failure> {
+        let recording = self.recording(path)?;
+        let mut gates = recording.gate_times(&self.choices()).map_err(|error| failure(path, &error))?;
+        gates.findings.splice(0..0, recording.findings());
+        Ok(gates)
+    }
+
+    pub(crate) fn choices(&self) -> Choices {
+        Choices {
+            sheet: self.sheet.clone(),
+            run: self.run.clone(),
+            time: self.time.clone(),
+            time_unit: self.time_unit,
+            angle: self.angle.clone(),
+            angular_velocity: self.angular_velocity.clone(),
+            unit: self.unit,
+            counts_per_turn: self.counts_per_turn,
+            x: self.x.clone(),
+            y: self.y.clone(),
+            pivot: self.pivot,
+            uncertainty: self.uncertainty.clone(),
+            gate: self.gate.clone(),
+        }
+    }
+
+    fn options(&self) -> Options {
+        let delimiter = self.delimiter.map(|separator| match separator {
+            Separator::Comma => Delimiter::Comma,
+            Separator::Semicolon => Delimiter::Semicolon,
+            Separator::Tab => Delimiter::Tab,
+            Separator::Space => Delimiter::Whitespace,
+        });
+        let decimal = self.decimal.map(|mark| match mark {
+            Mark::Point => DecimalMark::Point,
+            Mark::Comma => DecimalMark::Comma,
+        });
+        Options { delimiter, decimal, header: self.header, ..Options::default() }
+    }
+}
+
+/// A finding, with the option that would override it.
+pub(crate) fn told(finding: &Finding) -> String {
+    match finding.choice {
+        Some(choice) => format!("{} (--{choice})", finding.text),
+        None => finding.text.clone(),
+    }
+}
+
+fn failure(path: &Path, error: &MeasurementError) -> Failure {
+    Failure::no_answer(&path.display().to_string(), what_would_decide(error))
+}
+
+/// Why a file is refused, with the options that would decide.
+pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
+    let message = error.message(&|choice| format!("--{choice} "));
+    match error {
+        MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
+            message + " (--header)"
+        }
+        _ => message,
+    }
+}
+
+fn column(text: &str) -> Result<Column, String> {
+    Ok(text.parse().unwrap_or_else(|never| match never {}))
+}
+
+fn unit(text: &str) -> Result<Unit, String> {
+    text.parse::<Unit>().map_err(|error| error.to_string())
+}
+
+fn pivot(text: &str) -> Result<(f64, f64), String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    let pair = text.split_once(',').and_then(|(x, y)| Some((number(x)?, number(y)?)));
+    pair.ok_or_else(|| "give two numbers, such as 0.1,1.5".to_owned())
+}
+
+fn header(text: &str) -> Result<Header, String> {
+    match text.trim() {
+        "detect" => Ok(Header::Detect),
+        "present" => Ok(Header::Present),
+        "absent" => Ok(Header::Absent),
+        number => {
+            let line = number.parse().ok().filter(|&line| line > 0);
+            line.map(Header::Line)
+                .ok_or_else(|| "give detect, present, absent or the number of a line".to_owned())
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What is said of a file: its tables, what would be fitted, and why not if nothing would.
+
+use libration::measurement::{
+    Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
+};
+
+/// A file with all that is told from it.
+pub(super) struct Answer {
+    pub(super) file: String,
+    pub(super) bytes: usize,
+    pub(super) recording: Recording,
+    pub(super) traces: Result<Traces, MeasurementError>,
+    /// The times of a photogate, where the file has some.
+    pub(super) gates: Option<Gates>,
+}
+
+impl Answer {
+    pub(super) fn new(file: String, bytes: usize, recording: Recording, choices: &Choices) -> Self {
+        let traces = recording.traces(choices);
+        let gates = recording
+            .gate_times(choices)
+            .ok()
+            .filter(|gates| traces.is_err() && is_of_a_gate(&recording, gates));
+        Self { file, bytes, recording, traces, gates }
+    }
+
+    /// What was told in reading, and in finding traces or the times of a gate.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        let mut findings = self.recording.findings();
+        match (&self.traces, &self.gates) {
+            (Ok(traces), _) => findings.extend(traces.findings.clone()),
+            (Err(_), Some(gates)) => findings.extend(gates.findings.clone()),
+            (Err(_), None) => {}
+        }
+        findings
+    }
+}
+
+/// States of a gate, or nothing but times.
+fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
+    let increases = gates.times.windows(2).all(|pair| pair[0] < pair[1]);
+    let is_alone = recording.sheets().iter().any(|sheet| sheet.channels.len() == 1);
+    gates.times.len() > 1 && increases && (gates.blocked.is_some() || is_alone)
+}
+
+/// How the times of a trace follow each other.
+pub(super) fn clock(trace: &Trace) -> Option<Clock> {
+    Faults::find(trace.times(), trace.values(), None).clock
+}
+
+/// The smallest and the largest value.
+pub(super) fn range(trace: &Trace) -> (f64, f64) {
+    let values = trace.values().iter();
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)))
+}

@@ -1,0 +1,41 @@
+//! `libration inspect`: what a file of measurements holds.
+
+mod answer;
+mod write;
+
+use crate::arguments::{RecordingOptions, read_bytes};
+use crate::failure::Failure;
+use crate::output::FormOptions;
+use answer::Answer;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted
+///
+/// Everything is told from the file; each finding names the option that overrides it, and the same options are those of
+/// the fits. A file that does not decide something is described all the same, with the options that would.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration inspect swing.csv                                a table of text, in any dialect
+  libration inspect pendulum.xls --json                      a workbook, as phyphox exports
+  libration inspect encoder.csv --counts-per-turn 4000       counts of an encoder
+  libration inspect video.txt --angle 2 --unit rad           a file without a header
+  libration inspect track.txt --x x --y y --pivot 0.1,1.5    positions, with a pivot that was measured")]
+pub(crate) struct Inspect {
+    /// What the instrument wrote: text, Excel, or an archive of text files; - for the standard input
+    file: PathBuf,
+    #[command(flatten)]
+    recording: RecordingOptions,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl Inspect {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let bytes = read_bytes(&self.file)?;
+        let recording = self.recording.recording_in(&self.file, &bytes)?;
+        let answer =
+            Answer::new(self.file.display().to_string(), bytes.len(), recording, &self.recording.choices());
+        write::answer(out, &answer, self.form.form())
+    }
+}

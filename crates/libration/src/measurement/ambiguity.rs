@@ -1,0 +1,87 @@
+//! Commas that may stand between cells or within numbers: told apart where the file does it, refused where it does not.
+
+use super::MeasurementError;
+use super::choices::{Choice, Suggestion};
+use super::dialect::{Delimiter, Dialect, SAMPLE};
+use super::number::DecimalMark;
+use super::sheet::Sheet;
+use super::table::Options;
+use super::text::is_blank_or_comment;
+
+/// Refuses a text whose commas mean one thing or another, unless it is said which.
+pub(super) fn refuse(text: &str, sheet: &Sheet, options: &Options) -> Result<(), MeasurementError> {
+    let rows: Vec<&str> = text
+        .lines()
+        .zip(1..)
+        .filter(|(line, number)| {
+            sheet.lines.first().is_some_and(|first| number >= first) && !is_blank_or_comment(line)
+        })
+        .map(|(line, _)| line)
+        .take(SAMPLE)
+        .collect();
+    match sheet.dialect {
+        Dialect { delimiter: Delimiter::Comma, mark: DecimalMark::Point } if options.delimiter.is_none() => {
+            let is_open = sheet.header_line.is_none()
+                && options.decimal.is_none()
+                && rows.iter().all(|row| of_whole_numbers(row));
+            if is_open { Err(commas_between_digits(sheet)) } else { Ok(()) }
+        }
+        Dialect { mark: DecimalMark::Comma, delimiter } if options.decimal.is_none() => {
+            match only_thousands(&rows, delimiter) {
+                Some(number) => Err(thousands(&number)),
+                None => Ok(()),
+            }
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Digits and commas right between them, as in `0,5,1,2`: no blank, point, sign after a comma or quote tells what a comma is.
+fn of_whole_numbers(row: &str) -> bool {
+    let row = row.trim();
+    let digits = |cell: &str| !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
+    let cells: Vec<&str> = row.split(',').collect();
+    let first = cells[0].trim_start_matches('-');
+    let may_be_whole = |place: usize| place.is_multiple_of(2);
+    cells.len() > 1
+        && digits(first)
+        && cells.iter().enumerate().skip(1).all(|(place, cell)| {
+            digits(cell) || may_be_whole(place) && cell.strip_prefix('-').is_some_and(digits)
+        })
+}
+
+fn commas_between_digits(sheet: &Sheet) -> MeasurementError {
+    let line = sheet.lines[0];
+    MeasurementError::Undecided {
+        question: format!(
+            "from line {line} on, commas stand between whole numbers or are decimal commas: no header tells"
+        ),
+        choices: vec![Suggestion::new(Choice::Decimal, "point"), Suggestion::new(Choice::Decimal, "comma")],
+    }
+}
+
+/// A number, if every comma has just three digits after it and one to three before it that do not begin with zero.
+fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
+    let dialect = Dialect { delimiter, mark: DecimalMark::Comma };
+    let (mut found, text) = (None, rows.join("\n"));
+    for row in dialect.rows(&text) {
+        for cell in row.cells.iter().filter(|cell| cell.contains(',')) {
+            let (whole, fraction) = cell.trim_start_matches(['-', '+', '−']).split_once(',')?;
+            let grouped = fraction.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
+            if !grouped {
+                return None;
+            }
+            found.get_or_insert_with(|| cell.to_owned());
+        }
+    }
+    found
+}
+
+fn thousands(number: &str) -> MeasurementError {
+    MeasurementError::Undecided {
+        question: format!(
+            "the comma in `{number}` may be a decimal comma or a mark of thousands, which are not read"
+        ),
+        choices: vec![Suggestion::new(Choice::Decimal, "comma")],
+    }
+}

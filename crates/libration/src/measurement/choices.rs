@@ -1,0 +1,166 @@
+//! What can be said about a file instead of being told from it.
+
+use std::convert::Infallible;
+use std::fmt;
+use std::str::FromStr;
+
+use super::heading::Unit;
+
+/// A column, by its number counted from one or by its name without regard to case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// Counted from one.
+    Number(usize),
+    /// As in the header, with or without its unit.
+    Name(String),
+}
+
+/// A whole number is a number, anything else a name.
+impl FromStr for Column {
+    type Err = Infallible;
+    fn from_str(text: &str) -> Result<Self, Infallible> {
+        let text = text.trim();
+        Ok(text.parse().map_or_else(|_| Self::Name(text.into()), Self::Number))
+    }
+}
+
+/// What the columns of a recording are, where it is not to be told from the file; `None` leaves it to the file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Choices {
+    /// The sheet, by its name or its number counted from one.
+    pub sheet: Option<Column>,
+    /// The run: what follows `Run #` in the header, or the number in the column that numbers runs.
+    pub run: Option<String>,
+    /// The column of times.
+    pub time: Option<Column>,
+    /// The unit of times.
+    pub time_unit: Option<Unit>,
+    /// The column of angles.
+    pub angle: Option<Column>,
+    /// The column of angular velocities.
+    pub angular_velocity: Option<Column>,
+    /// The unit of the angles or angular velocities.
+    pub unit: Option<Unit>,
+    /// How many counts of an encoder make a turn.
+    pub counts_per_turn: Option<f64>,
+    /// The column of horizontal positions.
+    pub x: Option<Column>,
+    /// The column of vertical positions.
+    pub y: Option<Column>,
+    /// Where the pivot is, in the unit of the positions.
+    pub pivot: Option<(f64, f64)>,
+    /// The column of uncertainties of angles or angular velocities.
+    pub uncertainty: Option<Column>,
+    /// The column that says whether a photogate is blocked.
+    pub gate: Option<Column>,
+}
+
+/// The name of something that can be said, as an option has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Choice {
+    /// What stands between cells.
+    Delimiter,
+    /// Decimal point or decimal comma.
+    Decimal,
+    /// The line that names the columns.
+    Header,
+    /// The sheet.
+    Sheet,
+    /// The run.
+    Run,
+    /// The column of times.
+    Time,
+    /// The unit of times.
+    TimeUnit,
+    /// The column of angles.
+    Angle,
+    /// The column of angular velocities.
+    AngularVelocity,
+    /// The unit of angles or angular velocities.
+    Unit,
+    /// Counts of the encoder in a turn.
+    CountsPerTurn,
+    /// The column of horizontal positions.
+    X,
+    /// The column of vertical positions.
+    Y,
+    /// The pivot.
+    Pivot,
+    /// The column of uncertainties.
+    Uncertainty,
+    /// The column of the photogate's state.
+    Gate,
+}
+
+impl fmt::Display for Choice {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Delimiter => "delimiter",
+            Self::Decimal => "decimal",
+            Self::Header => "header",
+            Self::Sheet => "sheet",
+            Self::Run => "run",
+            Self::Time => "time",
+            Self::TimeUnit => "time-unit",
+            Self::Angle => "angle",
+            Self::AngularVelocity => "angular-velocity",
+            Self::Unit => "unit",
+            Self::CountsPerTurn => "counts-per-turn",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Pivot => "pivot",
+            Self::Uncertainty => "uncertainty",
+            Self::Gate => "gate",
+        })
+    }
+}
+
+/// A choice with a value that would do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// What is chosen.
+    pub choice: Choice,
+    /// A value that would do.
+    pub value: String,
+}
+
+impl Suggestion {
+    pub(super) fn new(choice: Choice, value: impl Into<String>) -> Self {
+        Self { choice, value: value.into() }
+    }
+}
+
+impl fmt::Display for Suggestion {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}={}", self.choice, self.value)
+    }
+}
+
+/// What was told from a file, as a sentence, and the choice that would override it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The sentence, without a full stop.
+    pub text: String,
+    /// What would override it, if anything does.
+    pub choice: Option<Choice>,
+}
+
+impl Finding {
+    pub(super) fn new(text: impl Into<String>, choice: Choice) -> Self {
+        Self { text: text.into(), choice: Some(choice) }
+    }
+
+    pub(super) fn fact(text: impl Into<String>) -> Self {
+        Self { text: text.into(), choice: None }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.choice {
+            Some(choice) => write!(out, "{} ({choice} says otherwise)", self.text),
+            None => out.write_str(&self.text),
+        }
+    }
+}

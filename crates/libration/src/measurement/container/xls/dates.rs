@@ -1,0 +1,71 @@
+//! Which styles of cells show numbers as dates or times of day.
+
+use std::collections::BTreeSet;
+
+use super::records::Record;
+use super::strings;
+
+/// The styles of a workbook in order, and the formats of dates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Formats {
+    styles: Vec<u16>,
+    dates: BTreeSet<u16>,
+}
+
+impl Formats {
+    pub(super) fn add_format(&mut self, record: &Record<'_>) {
+        let text = record.data.get(2..).and_then(strings::long);
+        if let (Some(number), true) = (record.u16(0), text.is_some_and(|text| shows_date(&text))) {
+            self.dates.insert(number);
+        }
+    }
+
+    pub(super) fn add_style(&mut self, record: &Record<'_>) {
+        self.styles.push(record.u16(2).unwrap_or(0));
+    }
+
+    pub(super) fn is_date(&self, style: u16) -> bool {
+        let format = self.styles.get(usize::from(style)).copied().unwrap_or(0);
+        // The formats that need not be written in the file.
+        matches!(format, 14..=22 | 27..=36 | 45..=47 | 50..=58) || self.dates.contains(&format)
+    }
+}
+
+/// A letter of years, months, days, hours or seconds outside quotes, colours and escapes.
+fn shows_date(format: &str) -> bool {
+    let mut letters = format.chars();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' => {
+                let _ = letters.by_ref().find(|&end| end == '"');
+            }
+            '[' => {
+                let inside: String = letters.by_ref().take_while(|&end| end != ']').collect();
+                if ["h", "hh", "m", "mm", "s", "ss"].contains(&inside.to_lowercase().as_str()) {
+                    return true;
+                }
+            }
+            '\\' | '_' | '*' => {
+                let _ = letters.next();
+            }
+            _ if "ymdhsYMDHS".contains(letter) => return true,
+            _ => {}
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formats_of_dates_are_known_by_their_letters() {
+        for format in ["dd.mm.yyyy", "hh:mm:ss.000", "[h]:mm", "[$-407]d. mmm"] {
+            assert!(shows_date(format), "{format}");
+        }
+        for format in ["0.000", "General", "0.00E+00", "[Red]0.0", "0.0\" s\"", "0.0\\s"] {
+            assert!(!shows_date(format), "{format}");
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Excel workbooks of before 2007 (BIFF8), as older versions of phyphox write them: their numbers and words.
+//!
+//! An own reader, because the one for newer workbooks panics on damaged older ones and makes room for sizes they announce.
+//!
+//! # References
+//! Microsoft Open Specifications MS-CFB (the compound file) and MS-XLS (the records in it).
+
+mod compound_file;
+mod dates;
+mod records;
+mod strings;
+
+use super::super::MeasurementError;
+use super::Page;
+use super::grid::Grid;
+use dates::Formats;
+use records::{Record, Records};
+
+/// A worksheet: where its records begin, and its name.
+struct Worksheet {
+    start: usize,
+    name: String,
+}
+
+/// What the worksheets have in common.
+#[derive(Default)]
+struct Workbook {
+    worksheets: Vec<Worksheet>,
+    strings: Vec<String>,
+    formats: Formats,
+}
+
+/// The worksheets as text.
+pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<Vec<Page<'static>>, MeasurementError> {
+    let stream = compound_file::stream(bytes, "Workbook")
+        .ok_or_else(|| damaged("it has no workbook that can be read here"))?;
+    let workbook = Workbook::read(&stream)?;
+    let mut left = limit;
+    let mut pages = Vec::new();
+    for worksheet in &workbook.worksheets {
+        let text = workbook.text(&stream, worksheet.start, left)?;
+        left = left.saturating_sub(text.len());
+        pages.push(Page::of_worksheet(worksheet.name.clone(), text));
+    }
+    Ok(pages)
+}
+
+impl Workbook {
+    fn read(stream: &[u8]) -> Result<Self, MeasurementError> {
+        let mut workbook = Self::default();
+        for record in Records::new(stream) {
+            let record = record.ok_or_else(cut_off)?;
+            match record.kind {
+                Record::BEGINNING if record.u16(0) != Some(0x0600) => {
+                    return Err(damaged("it is of a version before Excel 97"));
+                }
+                Record::PASSWORD => return Err(damaged("it is protected by a password")),
+                Record::WORKSHEET => workbook.worksheets.extend(worksheet(&record)),
+                Record::STRINGS => workbook.strings = strings::table(&record),
+                Record::FORMAT => workbook.formats.add_format(&record),
+                Record::CELL_STYLE => workbook.formats.add_style(&record),
+                Record::END => break,
+                _ => {}
+            }
+        }
+        Ok(workbook)
+    }
+
+    /// The cells of the worksheet whose records begin here.
+    fn text(&self, stream: &[u8], start: usize, limit: usize) -> Result<String, MeasurementError> {
+        let mut grid = Grid::new(limit);
+        let (mut depth, mut result_of) = (0_usize, None);
+        for record in Records::new(stream.get(start..).ok_or_else(cut_off)?) {
+            let record = record.ok_or_else(cut_off)?;
+            match record.kind {
+                Record::BEGINNING => depth += 1,
+                Record::END if depth <= 1 => return grid.into_text(),
+                Record::END => depth -= 1,
+                // Charts in a worksheet have records of their own.
+                _ if depth == 1 => result_of = self.cell(&record, result_of, &mut grid)?,
+                _ => {}
+            }
+        }
+        Err(cut_off())
+    }
+
+    /// Adds what a record says of a cell; gives the place of a formula whose words follow in the next record.
+    fn cell(
+        &self,
+        record: &Record<'_>,
+        result_of: Option<(u32, u32)>,
+        grid: &mut Grid,
+    ) -> Result<Option<(u32, u32)>, MeasurementError> {
+        let place = || Some((u32::from(record.u16(0)?), u32::from(record.u16(2)?)));
+        let missing = || damaged("a cell of it is cut off");
+        match record.kind {
+            Record::NUMBER => {
+                let (row, column) = place().ok_or_else(missing)?;
+                let number = record.f64(6).ok_or_else(missing)?;
+                self.number(grid, row, column, record.u16(4), number)?;
+            }
+            Record::SMALL_NUMBER => {
+                let (row, column) = place().ok_or_else(missing)?;
+                let number = record.u32(6).map(records::small_number).ok_or_else(missing)?;
+                self.number(grid, row, column, record.u16(4), number)?;
+            }
+            Record::SMALL_NUMBERS => {
+                let (row, first) = place().ok_or_else(missing)?;
+                let last = record.data.len().saturating_sub(2);
+                for (column, at) in (first..).zip((4..last).step_by(6)) {
+                    let number = record.u32(at + 2).map(records::small_number).ok_or_else(missing)?;
+                    self.number(grid, row, column, record.u16(at), number)?;
+                }
+            }
+            Record::SHARED_STRING => {
+                let (row, column) = place().ok_or_else(missing)?;
+                let index =
+                    record.u32(6).and_then(|index| usize::try_from(index).ok()).ok_or_else(missing)?;
+                let text = self
+                    .strings
+                    .get(index)
+                    .ok_or_else(|| damaged("a cell refers to a string that is missing"))?;
+                grid.text(row, column, text)?;
+            }
+            Record::LABEL => {
+                let (row, column) = place().ok_or_else(missing)?;
+                grid.text(row, column, &strings::long(&record.data[6..]).ok_or_else(missing)?)?;
+            }
+            Record::BOOLEAN_OR_ERROR => {
+                let (row, column) = place().ok_or_else(missing)?;
+                let words = match (record.data.get(6), record.data.get(7)) {
+                    (Some(0), Some(0)) => "false",
+                    (Some(1), Some(0)) => "true",
+                    _ => "error",
+                };
+                grid.text(row, column, words)?;
+            }
+            Record::FORMULA => return self.result(record, place().ok_or_else(missing)?, grid),
+            Record::RESULT_STRING => {
+                if let Some((row, column)) = result_of {
+                    grid.text(row, column, &strings::long(record.data).ok_or_else(missing)?)?;
+                }
+            }
+            _ => return Ok(result_of),
+        }
+        Ok(None)
+    }
+
+    /// The number that a formula gave when the file was saved, or where its words belong.
+    fn result(
+        &self,
+        record: &Record<'_>,
+        (row, column): (u32, u32),
+        grid: &mut Grid,
+    ) -> Result<Option<(u32, u32)>, MeasurementError> {
+        let bytes = record.data.get(6..14).ok_or_else(|| damaged("a cell of it is cut off"))?;
+        match bytes {
+            [0, .., 0xff, 0xff] => return Ok(Some((row, column))),
+            [_, .., 0xff, 0xff] => grid.text(row, column, "error")?,
+            _ => {
+                let number = record.f64(6).unwrap_or(f64::NAN);
+                self.number(grid, row, column, record.u16(4), number)?;
+            }
+        }
+        Ok(None)
+    }
+
+    /// A number, or the words that it is a date: as a plain number of days it would be taken for something else.
+    fn number(
+        &self,
+        grid: &mut Grid,
+        row: u32,
+        column: u32,
+        style: Option<u16>,
+        number: f64,
+    ) -> Result<(), MeasurementError> {
+        if style.is_some_and(|style| self.formats.is_date(style)) {
+            return grid.text(row, column, &format!("date {number}"));
+        }
+        grid.number(row, column, number)
+    }
+}
+
+fn worksheet(record: &Record<'_>) -> Option<Worksheet> {
+    const OF_CELLS: u8 = 0;
+    let start = usize::try_from(record.u32(0)?).ok()?;
+    let is_worksheet = record.data.get(5) == Some(&OF_CELLS);
+    let name = strings::short(record.data.get(6..)?)?;
+    is_worksheet.then_some(Worksheet { start, name })
+}
+
+fn damaged(why: &str) -> MeasurementError {
+    MeasurementError::DamagedWorkbook(why.to_owned())
+}
+
+fn cut_off() -> MeasurementError {
+    damaged("it is cut off")
+}

@@ -1,0 +1,59 @@
+//! Values that stay the same where the motion does not: stuck on the way, or cut off at the ends of the scale.
+
+use super::statistics::{number, smallest_step};
+
+/// Rows with one value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Its first row.
+    pub first: usize,
+    /// How many rows.
+    pub rows: usize,
+    /// The value.
+    pub value: f64,
+}
+
+/// A run at a turning point leaves its value by no more than three steps of the scale: with r ≥ 3 rows within
+/// one step of the top of a parabola the next row is (1 + 2/r)² < 3 steps below it.
+const STEPS_BESIDE_A_TURN: f64 = 5.0;
+
+/// Runs that a steady motion from the value before to the value after would have left.
+pub(super) fn stuck(values: &[f64]) -> Vec<Run> {
+    let step = smallest_step(values).unwrap_or(0.0);
+    let is_stuck = |run: &Run| {
+        let Some((before, after)) = neighbours(values, run) else { return false };
+        let goes_on = (before < run.value) == (run.value < after);
+        let each = (after - before).abs() / number(run.rows + 1);
+        run.rows > 1 && goes_on && each * number(run.rows - 1) > 2.0 * step
+    };
+    runs(values).into_iter().filter(is_stuck).collect()
+}
+
+/// Runs of three rows or more at the largest or the smallest value which the motion enters and leaves fast.
+pub(super) fn clipped(values: &[f64]) -> Vec<Run> {
+    let step = smallest_step(values).unwrap_or(0.0);
+    let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+    let is_clipped = |run: &Run| {
+        let Some((before, after)) = neighbours(values, run) else { return false };
+        let least = (run.value - before).abs().min((run.value - after).abs());
+        let is_an_end = run.value >= high || run.value <= low;
+        run.rows > 2 && is_an_end && least > STEPS_BESIDE_A_TURN * step
+    };
+    runs(values).into_iter().filter(is_clipped).collect()
+}
+
+fn runs(values: &[f64]) -> Vec<Run> {
+    let mut first = 0;
+    let pieces = values.chunk_by(|a, b| a.total_cmp(b).is_eq());
+    let run = |piece: &[f64]| {
+        let run = Run { first, rows: piece.len(), value: piece[0] };
+        first += piece.len();
+        run
+    };
+    pieces.map(run).collect()
+}
+
+fn neighbours(values: &[f64], run: &Run) -> Option<(f64, f64)> {
+    let before = run.first.checked_sub(1)?;
+    Some((values[before], *values.get(run.first + run.rows)?))
+}

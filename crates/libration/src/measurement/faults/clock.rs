@@ -1,0 +1,191 @@
+//! How the times follow each other: the usual interval, the grid they are on, gaps, and what rounding did.
+
+use super::statistics::{mean, median, number, root_mean_square};
+
+/// How the times of a table follow each other. Units are seconds.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Clock {
+    /// The usual interval between two rows.
+    pub interval: f64,
+    /// The decimal step all times are written in, such as 0.001; none where there is none down to 1e-9.
+    pub resolution: Option<f64>,
+    /// Even times which differ from those written by no more than two steps of their rounding, where there are such
+    /// and the times are not even already.
+    pub grid: Option<Grid>,
+    /// The root mean square deviation of the intervals from the usual one, gaps aside.
+    pub jitter: f64,
+    /// Where rows are missing.
+    pub gaps: Vec<Gap>,
+}
+
+/// Missing rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The row before it.
+    pub after: usize,
+    /// In seconds.
+    pub duration: f64,
+    /// About how many rows are missing.
+    pub missing: usize,
+}
+
+/// Even times: `first + interval·numbers[row]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// In seconds.
+    pub first: f64,
+    /// In seconds.
+    pub interval: f64,
+    /// The root mean square difference of the times as written from these, in seconds.
+    pub off: f64,
+    /// The largest difference, in seconds.
+    pub most_off: f64,
+    /// The place of each row on the grid, rows out of order included where their time falls.
+    pub numbers: Vec<usize>,
+}
+
+impl Grid {
+    /// The even times, one for each row.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        self.numbers.iter().map(|&place| self.interval.mul_add(number(place), self.first)).collect()
+    }
+}
+
+/// An interval beyond this many usual ones is a gap where the clock is even.
+const GAP: f64 = 1.6;
+/// The same where the intervals vary by themselves.
+const GAP_OF_UNEVEN_CLOCK: f64 = 5.0;
+/// A clock whose intervals vary by more than this part of them is uneven.
+const UNEVEN: f64 = 0.2;
+/// Rounding below this part of the interval is not worth a word.
+const NEGLIGIBLE_ROUNDING: f64 = 0.01;
+
+impl Clock {
+    /// The clock of these times, of which the kept rows increase.
+    pub(super) fn of(times: &[f64], kept: &[usize]) -> Option<Self> {
+        let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
+        let interval = usual_interval(&increasing)?;
+        let resolution = resolution(times);
+        let within = intervals(&increasing).filter(|length| *length < GAP * interval);
+        let jitter = root_mean_square(within.map(|length| length - interval));
+        // Where times are written more coarsely than they follow each other, each row is one step.
+        let repeats = times.len() - kept.len() > times.len() / 10;
+        let by_rows = || grid(times, &(0..times.len()).collect::<Vec<_>>(), resolution);
+        let by_times = || grid_of_increasing(times, kept, interval, resolution);
+        if let Some(grid) = repeats.then(by_rows).flatten() {
+            return Some(Self {
+                interval: grid.interval,
+                resolution,
+                grid: Some(grid),
+                jitter,
+                gaps: Vec::new(),
+            });
+        }
+        let grid = by_times();
+        let gaps = gaps(&increasing, kept, interval, grid.is_none() && jitter > UNEVEN * interval);
+        let interval = grid.as_ref().map_or(interval, |grid| grid.interval);
+        Some(Self { interval, resolution, grid, jitter, gaps })
+    }
+
+    /// Whether the intervals vary, and not by rounding.
+    #[must_use]
+    pub fn is_uneven(&self) -> bool {
+        self.grid.is_none() && self.jitter > 0.05 * self.interval
+    }
+
+    /// What the errors of the rounded times do to values that change as these, of the kept rows.
+    pub(super) fn rounding_noise(&self, kept: &[usize], values: &[f64]) -> Option<f64> {
+        let grid = self.grid.as_ref()?;
+        let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
+        let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(places);
+        let speeds = steps.map(|(step, places)| step / (grid.interval * number(places.max(1))));
+        let noise = grid.off * root_mean_square(speeds);
+        noise.is_finite().then_some(noise)
+    }
+}
+
+fn intervals(times: &[f64]) -> impl Iterator<Item = f64> {
+    times.windows(2).map(|pair| pair[1] - pair[0])
+}
+
+/// The mean of the intervals near their median: rounded times have two or three different ones.
+fn usual_interval(times: &[f64]) -> Option<f64> {
+    let median = median(intervals(times).collect()).filter(|_| times.len() > 2)?;
+    let near = |length: &f64| (0.4 * median..GAP * median).contains(length);
+    Some(mean(intervals(times).filter(near))).filter(|length| length.is_finite())
+}
+
+/// The decimal step of which all times are multiples, up to the rounding of their own.
+fn resolution(times: &[f64]) -> Option<f64> {
+    let steps = (0..=9).map(|places| 10_u32.pow(places)).map(f64::from);
+    let is_whole = |value: f64| (value - value.round()).abs() <= 1e-9 + 4.0 * f64::EPSILON * value.abs();
+    steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
+}
+
+/// The grid with gaps where intervals are several usual ones; the length of gaps needs a good interval, so that
+/// it is first found from the stretches between them.
+fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: Option<f64>) -> Option<Grid> {
+    let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
+    let better = slope_between_gaps(&increasing, interval);
+    let mut place = 0;
+    let mut places = vec![0];
+    for length in intervals(&increasing) {
+        place += whole(length / better).max(1);
+        places.push(place);
+    }
+    let found = grid(&increasing, &places, resolution)?;
+    let numbers = times.iter().map(|time| whole((time - found.first) / found.interval)).collect();
+    Some(Grid { numbers, ..found })
+}
+
+/// The slope of the times against their row within stretches without gaps, all stretches together.
+fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
+    let (mut products, mut squares) = (0.0, 0.0);
+    for stretch in times.chunk_by(|a, b| b - a < GAP * interval) {
+        let middle = number(stretch.len() - 1) / 2.0;
+        for (row, time) in stretch.iter().enumerate() {
+            let from_middle = number(row) - middle;
+            products += from_middle * (time - stretch[0]);
+            squares += from_middle * from_middle;
+        }
+    }
+    if squares > 0.0 { products / squares } else { interval }
+}
+
+/// The least-squares grid, if the times are on it up to their rounding, and not exactly.
+fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid> {
+    let resolution = resolution?;
+    let (x, t) = (mean(places.iter().map(|&place| number(place))), mean(times.iter().copied()));
+    let moments = places.iter().zip(times).map(|(&place, time)| {
+        let from_mean = number(place) - x;
+        (from_mean * (time - t), from_mean * from_mean)
+    });
+    let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
+    let interval = products / squares;
+    let even =
+        Grid { first: interval.mul_add(-x, t), interval, off: 0.0, most_off: 0.0, numbers: places.to_vec() };
+    let errors: Vec<f64> = even.times().iter().zip(times).map(|(even, written)| even - written).collect();
+    let off = root_mean_square(errors.iter().copied());
+    let most_off = errors.iter().fold(0.0, |largest: f64, error| largest.max(error.abs()));
+    // Half a step of the rounding itself; programs that add up rounded intervals are off by more.
+    let is_within = most_off < 2.0 * resolution && off < 0.7 * resolution;
+    let is_worth_it = resolution > NEGLIGIBLE_ROUNDING * interval && off > 0.1 * resolution;
+    (interval > 0.0 && is_within && is_worth_it).then_some(Grid { off, most_off, ..even })
+}
+
+fn gaps(times: &[f64], kept: &[usize], interval: f64, is_uneven: bool) -> Vec<Gap> {
+    let least = if is_uneven { GAP_OF_UNEVEN_CLOCK } else { GAP };
+    let gap = |(row, duration): (usize, f64)| {
+        let missing = whole(duration / interval).saturating_sub(1);
+        Gap { after: kept[row], duration, missing }
+    };
+    intervals(times).enumerate().filter(|(_, length)| *length > least * interval).map(gap).collect()
+}
+
+/// The nearest whole number, zero at least.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the conversion saturates")]
+fn whole(value: f64) -> usize {
+    value.round() as usize
+}

@@ -1,0 +1,136 @@
+//! Isolated values far off the cubic through their neighbours.
+
+use super::statistics::{NORMAL_PER_MEDIAN_DEVIATION, median, number, smallest_step};
+use std::ops::Range;
+
+/// Beyond this many robust standard deviations a value is an outlier: of normal errors one in 5e8.
+const THRESHOLD: f64 = 6.0;
+/// Neighbours on either side that give the prediction.
+const NEIGHBOURS: usize = 2;
+/// Rows on either side that say how well predictions do hereabouts.
+const SURROUNDINGS: usize = 10;
+/// Neighbours spread over this many times the usual intervals between them have a gap among them, and predict nothing.
+const WIDEST: f64 = 1.3;
+/// So many outliers may stand side by side.
+const LONGEST: usize = 3;
+/// Outliers next to each other are told one after the other.
+const PASSES: usize = 10;
+
+/// The rows, single or up to three together, that lie far off while their neighbours agree with each other once
+/// these rows are left out.
+pub(super) fn outliers(times: &[f64], values: &[f64]) -> Vec<usize> {
+    let mut curve = Curve::new(times, values);
+    let scales = curve.scales();
+    for _ in 0..PASSES {
+        let found = curve.mark(&scales);
+        if found == 0 {
+            break;
+        }
+    }
+    (0..curve.is_marked.len()).filter(|&row| curve.is_marked[row]).collect()
+}
+
+struct Curve<'a> {
+    times: &'a [f64],
+    values: &'a [f64],
+    is_marked: Vec<bool>,
+    /// The usual time between rows.
+    interval: f64,
+}
+
+impl<'a> Curve<'a> {
+    fn new(times: &'a [f64], values: &'a [f64]) -> Self {
+        let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+        Self { times, values, is_marked: vec![false; values.len()], interval: interval.unwrap_or(0.0) }
+    }
+
+    /// The unmarked rows nearest to this one on either side.
+    fn neighbours(&self, row: usize) -> Option<[usize; 2 * NEIGHBOURS]> {
+        let mut left = (0..row).rev().filter(|&row| !self.is_marked[row]);
+        let mut right = (row + 1..self.values.len()).filter(|&row| !self.is_marked[row]);
+        let (near_left, far_left) = (left.next()?, left.next()?);
+        let (near_right, far_right) = (right.next()?, right.next()?);
+        let usual = self.interval * number(far_right - far_left);
+        let is_near = self.times[far_right] - self.times[far_left] <= WIDEST * usual;
+        is_near.then_some([far_left, near_left, near_right, far_right])
+    }
+
+    /// How far the value lies off the cubic through its neighbours, over what unit errors of all five make of it.
+    fn deviation(&self, row: usize) -> Option<f64> {
+        let neighbours = self.neighbours(row)?;
+        let weights = neighbours.map(|one| self.weight(row, one, &neighbours));
+        let predicted: f64 = neighbours.iter().zip(weights).map(|(&one, w)| w * self.values[one]).sum();
+        let gain: f64 = 1.0 + weights.iter().map(|weight| weight * weight).sum::<f64>();
+        Some((self.values[row] - predicted).abs() / gain.sqrt())
+    }
+
+    /// Lagrange's polynomial of one neighbour at the time of the row.
+    fn weight(&self, row: usize, one: usize, neighbours: &[usize]) -> f64 {
+        let others = neighbours.iter().filter(|&&other| other != one).map(|&other| self.times[other]);
+        others.map(|other| (self.times[row] - other) / (self.times[one] - other)).product()
+    }
+
+    /// The standard deviation to be expected of each row: that of all rows or of its surroundings, whichever is
+    /// larger, and that of rounding to the steps of the scale.
+    fn scales(&self) -> Vec<f64> {
+        let deviations: Vec<Option<f64>> = (0..self.values.len()).map(|row| self.deviation(row)).collect();
+        let robust = |of: Vec<f64>| NORMAL_PER_MEDIAN_DEVIATION * median(of).unwrap_or(0.0);
+        let everywhere = robust(deviations.iter().copied().flatten().collect());
+        let least = everywhere.max(smallest_step(self.values).unwrap_or(0.0) / 12_f64.sqrt());
+        let around = |row: usize| {
+            let from = row.saturating_sub(SURROUNDINGS);
+            let to = deviations.len().min(row + SURROUNDINGS + 1);
+            let others = (from..to).filter(|other| other.abs_diff(row) > NEIGHBOURS);
+            robust(others.filter_map(|other| deviations[other]).collect()).max(least)
+        };
+        (0..deviations.len()).map(around).collect()
+    }
+
+    /// Marks what explains the rows beyond the threshold, the worst first; says how many outliers were found.
+    fn mark(&mut self, scales: &[f64]) -> usize {
+        let mut suspects: Vec<(usize, f64)> =
+            (0..scales.len()).filter_map(|row| Some((row, self.excess(row, scales)?))).collect();
+        suspects.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut found = 0;
+        for (row, _) in suspects {
+            let block = self.excess(row, scales).and_then(|_| self.explanation(row, scales));
+            for outlier in block.into_iter().flatten() {
+                self.is_marked[outlier] = true;
+                found += 1;
+            }
+        }
+        found
+    }
+
+    /// How many times the threshold a row that is not marked lies off, if it does.
+    fn excess(&self, row: usize, scales: &[f64]) -> Option<f64> {
+        let deviation = self.deviation(row).filter(|_| !self.is_marked[row])?;
+        Some(deviation / (THRESHOLD * scales[row])).filter(|excess| *excess > 1.0)
+    }
+
+    /// The shortest block of rows with or beside this one that stands alone.
+    fn explanation(&mut self, row: usize, scales: &[f64]) -> Option<Range<usize>> {
+        let starts = |length: usize| row.saturating_sub(length)..=row + 1;
+        let mut blocks =
+            (1..=LONGEST).flat_map(|length| starts(length).map(move |start| start..start + length));
+        blocks.find(|block| self.stands_alone(block.clone(), scales))
+    }
+
+    /// Whether every row of the block is far off its neighbours outside, and the nearest of these are not.
+    fn stands_alone(&mut self, block: Range<usize>, scales: &[f64]) -> bool {
+        if block.end > self.is_marked.len() || block.clone().any(|row| self.is_marked[row]) {
+            return false;
+        }
+        self.is_marked[block.clone()].fill(true);
+        let deviations =
+            block.clone().map(|row| self.deviation(row).filter(|d| *d > THRESHOLD * scales[row]));
+        let least = deviations.collect::<Option<Vec<f64>>>().and_then(|all| all.into_iter().reduce(f64::min));
+        let neighbours = self.neighbours(block.start);
+        let agrees = |one: usize, least: f64| self.deviation(one).is_none_or(|other| other < least / 3.0);
+        let stands_alone = least
+            .zip(neighbours)
+            .is_some_and(|(least, [_, left, right, _])| agrees(left, least) && agrees(right, least));
+        self.is_marked[block].fill(false);
+        stands_alone
+    }
+}

@@ -1,0 +1,150 @@
+//! Times at which a photogate was blocked or freed.
+
+use super::choices::{Choice, Choices, Finding, Suggestion};
+use super::heading::{Measures, Unit};
+use super::recording::Recording;
+use super::sheet::Sheet;
+use super::{MeasurementError, Quantity};
+
+/// The times of a photogate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gates {
+    /// In seconds, in the order of the file.
+    pub times: Vec<f64>,
+    /// Whether the gate became blocked at each time, where the file says it.
+    pub blocked: Option<Vec<bool>>,
+    /// The line of each time, counted from one.
+    pub lines: Vec<u64>,
+    /// Rows without a time or a state, which are left out.
+    pub incomplete: usize,
+    /// What was told from the file.
+    pub findings: Vec<Finding>,
+}
+
+impl Recording {
+    /// The times of a photogate: the column of times, or the only column, with the state of the gate beside it.
+    ///
+    /// # Errors
+    /// Columns that the file does not decide, cells that are no numbers or states, no time at all.
+    pub fn gate_times(&self, choices: &Choices) -> Result<Gates, MeasurementError> {
+        self.from_sheet(choices, |sheet| gates_of(sheet, choices))
+    }
+}
+
+fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError> {
+    let mut findings = Vec::new();
+    let time = time_column(sheet, choices, &mut findings)?;
+    let state = state_column(sheet, choices, &mut findings)?;
+    let unit = unit(sheet, time, choices, &mut findings)?;
+    let mut gates = Gates {
+        times: Vec::new(),
+        blocked: state.map(|_| Vec::new()),
+        lines: Vec::new(),
+        incomplete: 0,
+        findings,
+    };
+    for row in 0..sheet.rows() {
+        let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
+        match (sheet.number(time, row)?, state) {
+            (Some(time), None | Some(Some(_))) => {
+                gates.times.push(unit.to_si(time));
+                gates.lines.push(sheet.lines[row]);
+                if let (Some(blocked), Some(Some(state))) = (&mut gates.blocked, state) {
+                    blocked.push(state);
+                }
+            }
+            _ => gates.incomplete += 1,
+        }
+    }
+    if gates.times.is_empty() { Err(MeasurementError::NothingComplete(sheet.rows())) } else { Ok(gates) }
+}
+
+fn time_column(
+    sheet: &Sheet,
+    choices: &Choices,
+    findings: &mut Vec<Finding>,
+) -> Result<usize, MeasurementError> {
+    if let Some(column) = &choices.time {
+        return sheet.place(column);
+    }
+    let named: Vec<usize> =
+        (0..sheet.channels.len()).filter(|&place| sheet.channels[place].heading.is(Quantity::Time)).collect();
+    let all: Vec<usize> = (0..sheet.channels.len()).collect();
+    match (&named[..], &all[..]) {
+        ([time], _) | ([], [time]) => {
+            findings.push(Finding::new(
+                format!("{} holds the times of the gate", sheet.describe(*time)),
+                Choice::Time,
+            ));
+            Ok(*time)
+        }
+        (several, all) => {
+            let open = if several.is_empty() { all } else { several };
+            let question = "nothing says which column holds the times of the gate".to_owned();
+            let choices =
+                open.iter().map(|place| Suggestion::new(Choice::Time, (place + 1).to_string())).collect();
+            Err(MeasurementError::Undecided { question, choices })
+        }
+    }
+}
+
+fn state_column(
+    sheet: &Sheet,
+    choices: &Choices,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<usize>, MeasurementError> {
+    if let Some(column) = &choices.gate {
+        return sheet.place(column).map(Some);
+    }
+    let found = (0..sheet.channels.len()).find(|&place| sheet.channels[place].heading.is(Quantity::Gate));
+    if let Some(place) = found {
+        findings
+            .push(Finding::new(format!("{} is the state of the gate", sheet.describe(place)), Choice::Gate));
+    }
+    Ok(found)
+}
+
+/// Seconds where no unit is written: periods of other units would be far from those of a pendulum, which the fit sees.
+fn unit(
+    sheet: &Sheet,
+    place: usize,
+    choices: &Choices,
+    findings: &mut Vec<Finding>,
+) -> Result<Unit, MeasurementError> {
+    let heading = &sheet.channels[place].heading;
+    let (unit, why) = match (choices.time_unit, heading.unit, &heading.unit_text) {
+        (Some(unit), ..) => return of_time(unit),
+        (None, Some(unit), _) => (of_time(unit)?, "as the header says"),
+        (None, None, None) => (Unit::Second, "since no unit is written"),
+        (None, None, Some(text)) => {
+            let question = format!("`{text}` is no unit of time that is known here");
+            let choices =
+                ["s", "ms", "us", "min"].map(|unit| Suggestion::new(Choice::TimeUnit, unit)).to_vec();
+            return Err(MeasurementError::Undecided { question, choices });
+        }
+    };
+    findings.push(Finding::new(format!("times are in {unit}, {why}"), Choice::TimeUnit));
+    Ok(unit)
+}
+
+fn of_time(unit: Unit) -> Result<Unit, MeasurementError> {
+    match unit.measures() {
+        Measures::Time => Ok(unit),
+        _ => Err(MeasurementError::WrongUnit { unit, of: "time", examples: "s, ms, us, min" }),
+    }
+}
+
+/// `1`, `blocked` → blocked; `0`, `unblocked`, `open` → free.
+fn state_at(sheet: &Sheet, place: usize, row: usize) -> Result<Option<bool>, MeasurementError> {
+    match sheet.word(place, row).map(str::to_lowercase).as_deref() {
+        Some("blocked" | "closed" | "true" | "on") => return Ok(Some(true)),
+        Some("unblocked" | "open" | "free" | "false" | "off") => return Ok(Some(false)),
+        _ => {}
+    }
+    match sheet.number(place, row)? {
+        None => Ok(None),
+        Some(1.0) => Ok(Some(true)),
+        Some(0.0) => Ok(Some(false)),
+        Some(other) => Err(MeasurementError::NotAState { line: sheet.lines[row], found: other }),
+    }
+}

@@ -1,0 +1,296 @@
+//! A header cell → the quantity, the unit and the run that its words name.
+
+mod unit;
+
+pub(super) use unit::Measures;
+pub use unit::{Unit, UnknownUnit};
+
+/// What the numbers of a column are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// Time.
+    Time,
+    /// The angle of the pendulum.
+    Angle,
+    /// Its angular velocity.
+    AngularVelocity,
+    /// A horizontal position.
+    X,
+    /// A vertical position.
+    Y,
+    /// Whether a photogate is blocked.
+    Gate,
+    /// Which run a row belongs to.
+    Run,
+    /// Something else, or nothing that is known here.
+    Other,
+}
+
+/// What the header says of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heading {
+    /// The header cell as it is written; empty where there is none.
+    pub text: String,
+    /// The name without unit and run.
+    pub name: String,
+    /// What the name and the unit say the numbers are.
+    pub quantity: Quantity,
+    /// Whether the numbers are the uncertainties of the quantity.
+    pub is_uncertainty: bool,
+    /// The unit, where one is named and known.
+    pub unit: Option<Unit>,
+    /// The unit as it is written, known or not.
+    pub unit_text: Option<String>,
+    /// The run, as in `Run #3` or `Latest`.
+    pub run: Option<String>,
+}
+
+impl Heading {
+    /// What these words say; `unit` is from a line of units below, `group` from a line of titles above.
+    pub(super) fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
+        let text = text.trim();
+        let (rest, run) = split_run(text);
+        let (name, in_name, after) = split_unit(rest);
+        let unit_text = unit.map(bare).filter(|unit| !unit.is_empty()).or(in_name);
+        let run = run.or(after).or(group).map(str::trim).filter(|run| !run.is_empty());
+        let unit = unit_text.and_then(|unit| unit.parse().ok());
+        let (quantity, is_uncertainty) = quantity(name, unit, unit_text.is_some());
+        Self {
+            text: text.into(),
+            name: name.into(),
+            quantity,
+            is_uncertainty,
+            unit,
+            unit_text: unit_text.map(Into::into),
+            run: run.map(Into::into),
+        }
+    }
+
+    /// Whether the numbers are this quantity itself.
+    pub(super) fn is(&self, quantity: Quantity) -> bool {
+        self.quantity == quantity && !self.is_uncertainty
+    }
+
+    /// Whether it bears this name, with or without the unit.
+    pub(super) fn is_named(&self, asked: &str) -> bool {
+        let plain = |text: &str| text.trim().to_lowercase();
+        let asked = plain(asked);
+        !asked.is_empty() && (plain(&self.text) == asked || plain(&self.name) == asked)
+    }
+}
+
+/// A unit without the brackets or the stroke around it.
+pub(super) fn bare(unit: &str) -> &str {
+    unit.trim().trim_start_matches(['(', '[', '/', '{']).trim_end_matches([')', ']', '}']).trim()
+}
+
+/// `Latest: Time (s)`, `Data Set 1:Time(s)`, `Time (s) Run #3` → what is left, and the run.
+fn split_run(text: &str) -> (&str, Option<&str>) {
+    if let Some((run, rest)) =
+        text.split_once(':').filter(|(run, rest)| is_run(run) && !rest.trim().is_empty())
+    {
+        return (rest.trim(), Some(run.trim()));
+    }
+    let suffix = ["run #", "run", "#"].iter().find_map(|word| {
+        let at = text.to_lowercase().rfind(word).filter(|&at| at > 0 && text.is_char_boundary(at))?;
+        let number = text.get(at + word.len()..)?.trim();
+        (!number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit())).then_some(at)
+    });
+    match suffix {
+        Some(at) => (text[..at].trim(), Some(text[at..].trim())),
+        None => (text, None),
+    }
+}
+
+fn is_run(text: &str) -> bool {
+    let word = text.trim().to_lowercase();
+    ["latest", "run", "data set", "dataset", "trial", "set"].iter().any(|run| word.starts_with(run))
+}
+
+/// `Time (s) morning`, `t [ms]`, `Angle/rad`, `t / s`, `time_us` → the name, the unit, and what follows the unit.
+fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
+    for (open, close) in [('(', ')'), ('[', ']')] {
+        if let Some((name, rest)) = text.split_once(open) {
+            let (unit, after) = rest.rsplit_once(close).unwrap_or((rest, ""));
+            let after = Some(after.trim()).filter(|after| !after.is_empty());
+            return (name.trim().trim_end_matches('/').trim(), Some(unit.trim()), after);
+        }
+    }
+    if let Some((name, unit)) = text.split_once('/').filter(|(name, _)| !name.trim().is_empty()) {
+        return (name.trim(), Some(bare(unit)), None);
+    }
+    let known = |unit: &str| unit.parse::<Unit>().is_ok();
+    for between in [" in ", "_", " "] {
+        if let Some((name, unit)) = text.rsplit_once(between).filter(|(_, unit)| known(unit)) {
+            return (name.trim(), Some(unit.trim()), None);
+        }
+    }
+    (text, None, None)
+}
+
+/// What a name and its unit say; a unit that contradicts the name leaves nothing known.
+fn quantity(name: &str, unit: Option<Unit>, has_unit: bool) -> (Quantity, bool) {
+    let (words, is_uncertainty) = without_uncertainty(name);
+    let named = named(&words);
+    let quantity = match (unit.map(Unit::measures), named) {
+        (Some(Measures::Time), Quantity::Time) => Quantity::Time,
+        (Some(Measures::Angle), Quantity::Angle | Quantity::Other) => Quantity::Angle,
+        (Some(Measures::AngularVelocity), Quantity::Gate | Quantity::Run | Quantity::Time) => Quantity::Other,
+        (Some(Measures::AngularVelocity), _) => Quantity::AngularVelocity,
+        (Some(Measures::Length), Quantity::X | Quantity::Y) => named,
+        (None, named) if !has_unit => named,
+        // Of a unit that is not known here it is asked later.
+        (None, Quantity::Angle | Quantity::AngularVelocity | Quantity::Gate | Quantity::Run) => named,
+        _ => Quantity::Other,
+    };
+    (quantity, is_uncertainty)
+}
+
+/// The words of a name in lower case, and whether they speak of an uncertainty.
+fn without_uncertainty(name: &str) -> (String, bool) {
+    const WORDS: [&str; 14] = [
+        "uncertainty",
+        "uncert",
+        "error",
+        "err",
+        "sigma",
+        "std",
+        "stdev",
+        "unsicherheit",
+        "fehler",
+        "incertezza",
+        "errore",
+        "incertitude",
+        "σ",
+        "±",
+    ];
+    let lower = name.to_lowercase().replace('σ', "σ ").replace('±', "± ");
+    let parts: Vec<&str> =
+        lower.split(|letter: char| letter.is_whitespace() || "_-.".contains(letter)).collect();
+    let is_uncertainty = parts.iter().any(|part| WORDS.contains(part));
+    let kept = parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !WORDS.contains(part));
+    (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
+}
+
+fn named(words: &str) -> Quantity {
+    const NAMES: [(Quantity, &[&str]); 7] = [
+        (
+            Quantity::Time,
+            &[
+                "t",
+                "time",
+                "zeit",
+                "temps",
+                "tempo",
+                "tiempo",
+                "tijd",
+                "tid",
+                "elapsed time",
+                "timestamp",
+                "time stamp",
+                "zeit t",
+                "time t",
+            ],
+        ),
+        (
+            Quantity::Angle,
+            &[
+                "θ",
+                "ϑ",
+                "theta",
+                "φ",
+                "ϕ",
+                "phi",
+                "angle",
+                "winkel",
+                "angolo",
+                "ángulo",
+                "angulo",
+                "hoek",
+                "angular position",
+                "angular displacement",
+                "rotation angle",
+                "pendulum angle",
+                "deflection",
+                "auslenkung",
+            ],
+        ),
+        (
+            Quantity::AngularVelocity,
+            &[
+                "ω",
+                "omega",
+                "angular velocity",
+                "angular speed",
+                "winkelgeschwindigkeit",
+                "velocità angolare",
+                "vitesse angulaire",
+                "velocidad angular",
+                "θ'",
+                "theta'",
+            ],
+        ),
+        (Quantity::X, &["x", "x position", "position x", "x pos", "pos x"]),
+        (Quantity::Y, &["y", "y position", "position y", "y pos", "pos y"]),
+        (
+            Quantity::Gate,
+            &["gatestate", "gate state", "gate", "state", "blocked", "photogate", "photogate state"],
+        ),
+        (Quantity::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
+    ];
+    NAMES.iter().find(|(_, names)| names.contains(&words)).map_or(Quantity::Other, |(quantity, _)| *quantity)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headers_of_instruments_are_understood() {
+        use Quantity::{Angle, AngularVelocity, Gate, Other, Run, Time, X};
+        for (text, quantity, unit, run) in [
+            ("Time (s)", Time, "s", None),
+            ("t [ms]", Time, "ms", None),
+            ("t / s", Time, "s", None),
+            ("time_us", Time, "us", None),
+            ("Zeit t / s", Time, "s", None),
+            ("Angle/rad", Angle, "rad", None),
+            ("θ / °", Angle, "deg", None),
+            ("winkel w / rad", Angle, "rad", None),
+            ("Angle (rad) Run #3", Angle, "rad", Some("Run #3")),
+            ("Angle (rad) Anna 0.02 1.5", Angle, "rad", Some("Anna 0.02 1.5")),
+            ("Latest: Time (s)", Time, "s", Some("Latest")),
+            ("Data Set 1:Time(s)", Time, "s", Some("Data Set 1")),
+            ("Latest: GateState", Gate, "", Some("Latest")),
+            ("Gyroscope x (rad/s)", AngularVelocity, "rad/s", None),
+            ("x (m)", X, "m", None),
+            ("x", X, "", None),
+            ("packet", Run, "", None),
+            ("Time shift (s)", Other, "s", None),
+            ("Angular Acceleration (rad/s²)", Other, "", None),
+            ("Angle (furlong)", Angle, "", None),
+        ] {
+            let heading = Heading::read(text, None, None);
+            let found = heading.unit.map_or(String::new(), |unit| unit.to_string());
+            assert_eq!((heading.quantity, found.as_str()), (quantity, unit), "{text}: {heading:?}");
+            assert_eq!(heading.run.as_deref(), run, "{text}");
+        }
+    }
+
+    #[test]
+    fn uncertainties_are_told_from_what_they_belong_to() {
+        for text in ["sigma_theta", "θ error", "σθ", "err_angle (rad)", "uncertainty of angle (deg)"] {
+            let heading = Heading::read(text, None, None);
+            assert!(heading.is_uncertainty && heading.quantity == Quantity::Angle, "{text}: {heading:?}");
+            assert!(!heading.is(Quantity::Angle));
+        }
+    }
+
+    #[test]
+    fn a_line_of_units_and_a_line_of_titles_complete_the_name() {
+        let heading = Heading::read("Angle", Some("(deg)"), Some("mass_A"));
+        assert_eq!((heading.quantity, heading.unit), (Quantity::Angle, Some(Unit::Degree)));
+        assert_eq!(heading.run.as_deref(), Some("mass_A"));
+    }
+}

@@ -1,0 +1,158 @@
+//! Units as instruments spell them.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+use std::str::FromStr;
+
+/// A unit of time, angle, angular velocity or length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Unit {
+    /// s
+    Second,
+    /// ms
+    Millisecond,
+    /// µs
+    Microsecond,
+    /// ns
+    Nanosecond,
+    /// min
+    Minute,
+    /// rad
+    Radian,
+    /// mrad
+    Milliradian,
+    /// °
+    Degree,
+    /// A whole turn.
+    Turn,
+    /// A step of an encoder; how many make a turn must be said.
+    Count,
+    /// rad/s
+    RadianPerSecond,
+    /// °/s
+    DegreePerSecond,
+    /// m
+    Metre,
+    /// cm
+    Centimetre,
+    /// mm
+    Millimetre,
+    /// A pixel of a picture.
+    Pixel,
+}
+
+/// What a unit measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::measurement) enum Measures {
+    Time,
+    Angle,
+    AngularVelocity,
+    Length,
+}
+
+/// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
+const UNITS: [(Unit, &str, &[&str]); 16] = [
+    (
+        Unit::Second,
+        "s",
+        &["sec", "secs", "second", "seconds", "sek", "sekunden", "secondi", "segundos", "secondes"],
+    ),
+    (Unit::Millisecond, "ms", &["msec", "millisecond", "milliseconds", "millis"]),
+    (Unit::Microsecond, "us", &["µs", "μs", "usec", "microsecond", "microseconds", "micros"]),
+    (Unit::Nanosecond, "ns", &["nsec", "nanosecond", "nanoseconds"]),
+    (Unit::Minute, "min", &["mins", "minute", "minutes", "minuten", "minuti"]),
+    (Unit::Radian, "rad", &["rads", "radian", "radians", "radiant", "radianti", "radianes"]),
+    (Unit::Milliradian, "mrad", &["milliradian", "milliradians"]),
+    (Unit::Degree, "deg", &["°", "º", "degs", "degree", "degrees", "gradi", "grados", "degrés"]),
+    (Unit::Turn, "turn", &["turns", "rev", "revs", "revolution", "revolutions", "umdrehungen", "tours"]),
+    (Unit::Count, "counts", &["count", "cts", "ticks", "tick", "steps", "pulses", "impulse"]),
+    (
+        Unit::RadianPerSecond,
+        "rad/s",
+        &[
+            "rads/s",
+            "rad/sec",
+            "rads/sec",
+            "radian/s",
+            "radians/s",
+            "radians/second",
+            "rads^-1",
+            "rad*s^-1",
+            "rad·s^-1",
+            "rads-1",
+            "rads⁻¹",
+            "rad·s⁻¹",
+        ],
+    ),
+    (
+        Unit::DegreePerSecond,
+        "deg/s",
+        &[
+            "°/s",
+            "º/s",
+            "deg/sec",
+            "degrees/s",
+            "degrees/second",
+            "°/sec",
+            "dps",
+            "°s⁻¹",
+            "°·s⁻¹",
+            "degs-1",
+            "degs^-1",
+        ],
+    ),
+    (Unit::Metre, "m", &["meter", "meters", "metre", "metres"]),
+    (Unit::Centimetre, "cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
+    (Unit::Millimetre, "mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
+    (Unit::Pixel, "px", &["pixel", "pixels", "pix"]),
+];
+
+impl Unit {
+    pub(in crate::measurement) fn measures(self) -> Measures {
+        match self {
+            Self::Second | Self::Millisecond | Self::Microsecond | Self::Nanosecond | Self::Minute => {
+                Measures::Time
+            }
+            Self::Radian | Self::Milliradian | Self::Degree | Self::Turn | Self::Count => Measures::Angle,
+            Self::RadianPerSecond | Self::DegreePerSecond => Measures::AngularVelocity,
+            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Pixel => Measures::Length,
+        }
+    }
+
+    /// A value in seconds, radians, radians per second or metres; counts and pixels stay as they are.
+    pub(in crate::measurement) fn to_si(self, value: f64) -> f64 {
+        match self {
+            Self::Millisecond | Self::Millimetre | Self::Milliradian => value / 1e3,
+            Self::Microsecond => value / 1e6,
+            Self::Nanosecond => value / 1e9,
+            Self::Minute => value * 60.0,
+            Self::Degree | Self::DegreePerSecond => value * (PI / 180.0),
+            Self::Turn => value * TAU,
+            Self::Centimetre => value / 1e2,
+            _ => value,
+        }
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = UNITS.iter().find(|(unit, ..)| unit == self).map_or("", |(_, name, _)| name);
+        out.write_str(name)
+    }
+}
+
+/// No unit that is known here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("it is none of the units known here: give one such as s, ms, us, rad, deg, rad/s, deg/s")]
+pub struct UnknownUnit;
+
+impl FromStr for Unit {
+    type Err = UnknownUnit;
+    fn from_str(text: &str) -> Result<Self, UnknownUnit> {
+        let plain: String = text.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
+        let spelled =
+            |(_, name, others): &&(Self, &str, &[&str])| *name == plain || others.contains(&plain.as_str());
+        UNITS.iter().find(spelled).map(|(unit, ..)| *unit).ok_or(UnknownUnit)
+    }
+}

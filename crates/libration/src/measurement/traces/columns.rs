@@ -1,0 +1,349 @@
+//! Which columns hold the time and what was seen, for each run.
+
+use super::super::choices::{Choice, Choices, Finding, Suggestion};
+use super::super::heading::Measures;
+use super::super::sheet::Sheet;
+use super::super::{Column, MeasurementError, Quantity, Seen};
+
+/// The columns of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Columns {
+    /// As the header names it.
+    pub(super) run: Option<String>,
+    pub(super) time: usize,
+    pub(super) value: Value,
+    pub(super) uncertainty: Option<usize>,
+    /// The column that numbers runs row by row.
+    pub(super) numbering: Option<usize>,
+}
+
+/// What was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Value {
+    Column(usize, Seen),
+    Positions { x: usize, y: usize },
+}
+
+/// The columns that may belong to a run.
+struct Group<'a> {
+    sheet: &'a Sheet,
+    run: Option<String>,
+    members: Vec<usize>,
+}
+
+impl Columns {
+    /// The columns of every run of the sheet, or of the chosen one.
+    pub(super) fn of_runs(
+        sheet: &Sheet,
+        choices: &Choices,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Vec<Self>, MeasurementError> {
+        let groups = Group::all(sheet, choices)?;
+        let several = groups.len() > 1;
+        let (mut found, mut first_error) = (Vec::new(), None);
+        for group in groups {
+            let mut told = Vec::new();
+            match group.columns(choices, &mut told) {
+                Ok(columns) => {
+                    found.push(columns);
+                    findings.extend(told);
+                }
+                Err(error) if several => first_error = first_error.or(Some((group.run, error))),
+                Err(error) => return Err(error),
+            }
+        }
+        match first_error {
+            Some((_, error)) if found.is_empty() => Err(error),
+            Some((run, error)) => {
+                let run = run.unwrap_or_default();
+                findings.push(Finding::new(format!("{run} is left out: {error}"), Choice::Run));
+                Ok(found)
+            }
+            None => Ok(found),
+        }
+    }
+}
+
+impl<'a> Group<'a> {
+    /// One group for each run that the header names, with the columns that belong to no run in each; those without a
+    /// time of their own are no runs.
+    fn all(sheet: &'a Sheet, choices: &Choices) -> Result<Vec<Self>, MeasurementError> {
+        let mut runs: Vec<Option<String>> = Vec::new();
+        for channel in &sheet.channels {
+            if channel.heading.run.is_some() && !runs.contains(&channel.heading.run) {
+                runs.push(channel.heading.run.clone());
+            }
+        }
+        let explicit = [&choices.angle, &choices.angular_velocity, &choices.x, &choices.y, &choices.time];
+        if let Some(column) = explicit.into_iter().flatten().next() {
+            let run = &sheet.channels[sheet.place(column)?].heading.run;
+            runs.retain(|other| other == run);
+        }
+        let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(Quantity::Run));
+        if let Some(asked) = choices.run.as_deref().filter(|_| !is_numbered) {
+            let available: Vec<String> = runs.iter().flatten().map(|run| format!("`{run}`")).collect();
+            runs.retain(|run| run.as_deref().is_some_and(|run| is_run(run, asked)));
+            if runs.is_empty() {
+                let available =
+                    if available.is_empty() { "one run only".into() } else { available.join(", ") };
+                return Err(MeasurementError::NoSuch { what: "run", asked: asked.into(), available });
+            }
+        }
+        if runs.is_empty() {
+            runs.push(None);
+        }
+        Ok(runs.into_iter().map(|run| Self::of_run(sheet, run)).collect())
+    }
+
+    fn of_run(sheet: &'a Sheet, run: Option<String>) -> Self {
+        let belongs = |place: &usize| {
+            let heading = &sheet.channels[*place].heading;
+            run.is_none() || heading.run.is_none() || heading.run == run
+        };
+        Self { sheet, members: (0..sheet.channels.len()).filter(belongs).collect(), run }
+    }
+
+    fn columns(&self, choices: &Choices, findings: &mut Vec<Finding>) -> Result<Columns, MeasurementError> {
+        let time = self.time(choices, findings)?;
+        let value = self.value(time, choices, findings)?;
+        let uncertainty = self.uncertainty(value, choices, findings)?;
+        let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, Quantity::Run));
+        Ok(Columns { run: self.run.clone(), time, value, uncertainty, numbering })
+    }
+
+    fn heading_is(&self, place: usize, quantity: Quantity) -> bool {
+        self.sheet.channels[place].heading.is(quantity)
+    }
+
+    fn all_of(&self, quantity: Quantity) -> Vec<usize> {
+        self.members.iter().copied().filter(|&place| self.heading_is(place, quantity)).collect()
+    }
+
+    fn chosen(&self, column: Option<&Column>) -> Result<Option<usize>, MeasurementError> {
+        column.map(|column| self.sheet.place(column)).transpose()
+    }
+
+    fn undecided(&self, question: &str, choice: Choice, places: &[usize]) -> MeasurementError {
+        const SHOWN: usize = 8;
+        let shown = &places[..places.len().min(SHOWN)];
+        let mut columns: Vec<String> = shown.iter().map(|&place| self.sheet.describe(place)).collect();
+        columns.extend((places.len() > SHOWN).then(|| "…".to_owned()));
+        let question = question.replace("{}", &columns.join(", "));
+        let choices = shown.iter().map(|place| Suggestion::new(choice, (place + 1).to_string())).collect();
+        MeasurementError::Undecided { question, choices }
+    }
+
+    fn time(&self, choices: &Choices, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
+        if let Some(time) = self.chosen(choices.time.as_ref())? {
+            return Ok(time);
+        }
+        if let [time] = self.all_of(Quantity::Time)[..] {
+            findings.push(Finding::new(format!("{} is the time", self.sheet.describe(time)), Choice::Time));
+            return Ok(time);
+        }
+        let named = self.all_of(Quantity::Time);
+        if !named.is_empty() {
+            return Err(self.undecided("several columns are times: {}", Choice::Time, &named));
+        }
+        self.increasing(findings)
+    }
+
+    /// Where no column is named a time: the only one that increases throughout, which no swing does.
+    fn increasing(&self, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
+        let may = |place: &usize| {
+            !self.heading_is(*place, Quantity::Run) && self.sheet.channels[*place].increases()
+        };
+        let increasing: Vec<usize> = self.members.iter().copied().filter(may).collect();
+        match increasing[..] {
+            [time] => {
+                let text =
+                    format!("{} is the time, since only it increases throughout", self.sheet.describe(time));
+                findings.push(Finding::new(text, Choice::Time));
+                Ok(time)
+            }
+            [] => {
+                let question = "no column is named a time, and none increases throughout";
+                Err(self.undecided(question, Choice::Time, &self.members))
+            }
+            _ => Err(self.undecided("several columns may be times: {}", Choice::Time, &increasing)),
+        }
+    }
+
+    fn value(
+        &self,
+        time: usize,
+        choices: &Choices,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Value, MeasurementError> {
+        if let Some(place) = self.chosen(choices.angle.as_ref())? {
+            return Ok(Value::Column(place, Seen::Angle));
+        }
+        if let Some(place) = self.chosen(choices.angular_velocity.as_ref())? {
+            return Ok(Value::Column(place, Seen::AngularVelocity));
+        }
+        if choices.x.is_some() || choices.y.is_some() {
+            return self.positions(time, choices);
+        }
+        let angles = self.all_of(Quantity::Angle);
+        let has_positions = [Quantity::X, Quantity::Y]
+            .iter()
+            .all(|&axis| self.all_of(axis).iter().any(|&place| place != time));
+        match angles[..] {
+            [angle] => {
+                findings.push(Finding::new(
+                    format!("{} is the angle", self.sheet.describe(angle)),
+                    Choice::Angle,
+                ));
+                Ok(Value::Column(angle, Seen::Angle))
+            }
+            [] if has_positions => self.positions(time, choices),
+            [] => self.velocity(time, choices, findings),
+            _ => Err(self.undecided("several columns are angles: {}", Choice::Angle, &angles)),
+        }
+    }
+
+    fn positions(&self, time: usize, choices: &Choices) -> Result<Value, MeasurementError> {
+        let axis = |chosen: Option<&Column>, quantity, choice| match self.chosen(chosen)? {
+            Some(place) => Ok(place),
+            None => {
+                match self.all_of(quantity).into_iter().filter(|&place| place != time).collect::<Vec<_>>()[..]
+                {
+                    [place] => Ok(place),
+                    ref several => Err(self.undecided("the positions are not decided", choice, several)),
+                }
+            }
+        };
+        let x = axis(choices.x.as_ref(), Quantity::X, Choice::X)?;
+        let y = axis(choices.y.as_ref(), Quantity::Y, Choice::Y)?;
+        Ok(Value::Positions { x, y })
+    }
+
+    fn velocity(
+        &self,
+        time: usize,
+        choices: &Choices,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Value, MeasurementError> {
+        let mut velocities = self.all_of(Quantity::AngularVelocity);
+        // The absolute value has lost the sign.
+        velocities.retain(|&place| !self.sheet.channels[place].heading.name.to_lowercase().contains("abs"));
+        let chosen = match velocities[..] {
+            [] => return self.unnamed(time, choices, findings),
+            [place] => Some(place),
+            _ => self.strongest(&velocities),
+        };
+        let question = "several columns are angular velocities, and none has nearly all of the motion: {}";
+        let chosen = chosen.ok_or_else(|| self.undecided(question, Choice::AngularVelocity, &velocities))?;
+        let why = if velocities.len() > 1 { ", since it has nearly all of the motion" } else { "" };
+        let text = format!("{} is the angular velocity{why}", self.sheet.describe(chosen));
+        findings.push(Finding::new(text, Choice::AngularVelocity));
+        Ok(Value::Column(chosen, Seen::AngularVelocity))
+    }
+
+    /// The axis of a gyroscope with 95 % of the mean square.
+    fn strongest(&self, places: &[usize]) -> Option<usize> {
+        let power = |&place: &usize| {
+            let numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
+            numbers.iter().map(|number| number * number).sum::<f64>()
+        };
+        let powers: Vec<f64> = places.iter().map(power).collect();
+        let total: f64 = powers.iter().sum();
+        places.iter().zip(&powers).find(|(_, power)| **power > 0.95 * total).map(|(place, _)| *place)
+    }
+
+    /// The only column that nothing is known of, if a unit is said; else what could be said.
+    fn unnamed(
+        &self,
+        time: usize,
+        choices: &Choices,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Value, MeasurementError> {
+        let may = |place: &usize| {
+            let channel = &self.sheet.channels[*place];
+            let quantity = channel.heading.quantity;
+            *place != time
+                && matches!(quantity, Quantity::Other | Quantity::X | Quantity::Y)
+                && !channel.heading.is_uncertainty
+                && channel.heading.unit_text.is_none()
+                && channel.count() > 0
+        };
+        let open: Vec<usize> = self.members.iter().copied().filter(may).collect();
+        let is_velocity = choices.unit.is_some_and(|unit| unit.measures() == Measures::AngularVelocity);
+        let seen = if is_velocity { Seen::AngularVelocity } else { Seen::Angle };
+        let is_said = choices.unit.is_some() || choices.counts_per_turn.is_some();
+        match open[..] {
+            [place] if is_said => {
+                let text =
+                    format!("{} is what was measured, since there is no other", self.sheet.describe(place));
+                findings.push(Finding::new(text, Choice::Angle));
+                Ok(Value::Column(place, seen))
+            }
+            [place] => {
+                let question = format!("nothing says what {} holds", self.sheet.describe(place));
+                Err(MeasurementError::Undecided { question, choices: what_it_holds() })
+            }
+            [] => {
+                let numbers: Vec<usize> =
+                    self.members.iter().copied().filter(|&place| place != time).collect();
+                Err(self.undecided(
+                    "no column is named an angle, an angular velocity or a position",
+                    Choice::Angle,
+                    &numbers,
+                ))
+            }
+            _ => {
+                let question = "nothing says which of these is the angle, nor in which unit: {}";
+                let mut error = self.undecided(question, Choice::Angle, &open);
+                if let MeasurementError::Undecided { choices, .. } = &mut error {
+                    choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));
+                }
+                Err(error)
+            }
+        }
+    }
+
+    fn uncertainty(
+        &self,
+        value: Value,
+        choices: &Choices,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Option<usize>, MeasurementError> {
+        if let Some(place) = self.chosen(choices.uncertainty.as_ref())? {
+            return Ok(Some(place));
+        }
+        let Value::Column(place, _) = value else { return Ok(None) };
+        let quantity = self.sheet.channels[place].heading.quantity;
+        let belongs = |other: &usize| {
+            let heading = &self.sheet.channels[*other].heading;
+            heading.is_uncertainty && heading.quantity == quantity && quantity != Quantity::Other
+        };
+        let found: Vec<usize> = self.members.iter().copied().filter(belongs).collect();
+        if let [uncertainty] = found[..] {
+            let text = format!("{} holds the uncertainties", self.sheet.describe(uncertainty));
+            findings.push(Finding::new(text, Choice::Uncertainty));
+            return Ok(Some(uncertainty));
+        }
+        Ok(None)
+    }
+}
+
+/// `Run #3` is asked for by its name or by 3.
+fn is_run(run: &str, asked: &str) -> bool {
+    let asked = asked.trim().to_lowercase();
+    let run = run.to_lowercase();
+    let number = run.rsplit(|letter: char| !letter.is_ascii_digit()).next().unwrap_or("");
+    run == asked || !number.is_empty() && number == asked
+}
+
+/// What can be said of a column that nothing is known of.
+pub(super) fn what_it_holds() -> Vec<Suggestion> {
+    [
+        (Choice::Unit, "rad"),
+        (Choice::Unit, "deg"),
+        (Choice::Unit, "rad/s"),
+        (Choice::Unit, "deg/s"),
+        (Choice::CountsPerTurn, "4000"),
+    ]
+    .map(|(choice, value)| Suggestion::new(choice, value))
+    .to_vec()
+}

@@ -1,0 +1,56 @@
+//! A recording → traces: which columns, in which units, run by run.
+
+mod circle;
+mod columns;
+mod positions;
+mod rows;
+mod turns;
+mod units;
+
+use super::choices::{Choice, Choices, Finding};
+use super::recording::Recording;
+use super::sheet::Sheet;
+use super::{MeasurementError, Trace};
+use columns::Columns;
+use rows::Rows;
+
+/// The traces of a recording, with all that was told from the file in finding them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traces {
+    /// One for each run.
+    pub traces: Vec<Trace>,
+    /// For each trace, the line of each of its rows, counted from one.
+    pub lines: Vec<Vec<u64>>,
+    /// What was told from the file.
+    pub findings: Vec<Finding>,
+}
+
+impl Recording {
+    /// The traces of the recording: an angle, an angular velocity or positions against time, of every run or the chosen one.
+    ///
+    /// # Errors
+    /// No such column, sheet or run; a column, unit or pivot that the file does not decide, with the choices that would;
+    /// cells that are no numbers; times that go back.
+    pub fn traces(&self, choices: &Choices) -> Result<Traces, MeasurementError> {
+        self.from_sheet(choices, |sheet| {
+            let mut found = traces_of(sheet, choices)?;
+            if self.sheets().len() > 1 {
+                let text = format!("the traces are those of `{}`", sheet.name);
+                found.findings.insert(0, Finding::new(text, Choice::Sheet));
+            }
+            Ok(found)
+        })
+    }
+}
+
+fn traces_of(sheet: &Sheet, choices: &Choices) -> Result<Traces, MeasurementError> {
+    let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
+    for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
+        for rows in Rows::of_runs(sheet, &columns, choices, &mut found.findings)? {
+            let (trace, lines) = rows.trace(sheet, &columns, choices, &mut found.findings)?;
+            found.traces.push(trace);
+            found.lines.push(lines);
+        }
+    }
+    Ok(found)
+}

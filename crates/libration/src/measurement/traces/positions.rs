@@ -1,0 +1,72 @@
+//! Positions of the bob → angles about its pivot.
+
+use super::super::MeasurementError;
+use super::super::choices::{Choice, Finding};
+use super::super::sheet::Sheet;
+use super::circle::Circle;
+
+/// The largest relative uncertainty of the radius, and so of the angles, at which a fitted pivot is used.
+const RADIUS_TOLERANCE: f64 = 0.05;
+/// How many times its scatter the height of the arc must be.
+const HEIGHT_OVER_SCATTER: f64 = 5.0;
+
+/// Both columns must be in the same unit, whatever it is.
+pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), MeasurementError> {
+    let unit = |place: usize| sheet.channels[place].heading.unit_text.clone().unwrap_or_default();
+    if unit(x).eq_ignore_ascii_case(&unit(y)) {
+        return Ok(());
+    }
+    let named = |unit: String| if unit.is_empty() { "no unit".to_owned() } else { unit };
+    Err(MeasurementError::PositionUnits { x: named(unit(x)), y: named(unit(y)) })
+}
+
+/// The angles from the downward vertical, about the pivot that is given or else the centre of a fitted circle.
+pub(super) fn angles(
+    xs: &[f64],
+    ys: &[f64],
+    pivot: Option<(f64, f64)>,
+    name: &str,
+    tell: &mut impl FnMut(Finding),
+) -> Result<Vec<f64>, MeasurementError> {
+    let points: Vec<(f64, f64)> = xs.iter().copied().zip(ys.iter().copied()).collect();
+    let circle = match pivot {
+        Some(pivot) => Circle::about(pivot, &points),
+        None => fitted(&points)?,
+    };
+    let y_is_down = circle.y_is_down(&points);
+    let run = if name.is_empty() { String::new() } else { format!("{name}: ") };
+    let Circle { x, y, radius, scatter, .. } = circle;
+    let how = if pivot.is_some() { "as said" } else { "the centre of the fitted circle" };
+    let text = format!(
+        "{run}the pivot is at ({x:.6}, {y:.6}), {how}; radius {radius:.6}, scatter about the circle {scatter:.2e}"
+    );
+    tell(Finding::new(text, Choice::Pivot));
+    let way = if y_is_down { "down" } else { "up" };
+    tell(Finding::fact(format!("{run}y grows {way}wards, since the bob is fastest at the bottom")));
+    Ok(points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect())
+}
+
+fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {
+    let unknown = |why: String| MeasurementError::PivotUnknown(why);
+    let circle = Circle::fit(points).ok_or_else(|| unknown("the positions lie on no circle".into()))?;
+    let part = circle.radius_uncertainty / circle.radius;
+    let height = height(&circle, points);
+    if height < HEIGHT_OVER_SCATTER * circle.scatter || !(part <= RADIUS_TOLERANCE) {
+        return Err(unknown(format!(
+            "the arc is too short to know its centre: it is {height:.2e} high with a scatter of {:.2e}, \
+             which leaves the radius uncertain by {:.0} %",
+            circle.scatter,
+            100.0 * part
+        )));
+    }
+    Ok(circle)
+}
+
+/// How far the arc departs from its chord.
+fn height(circle: &Circle, points: &[(f64, f64)]) -> f64 {
+    let y_is_down = circle.y_is_down(points);
+    let angles = points.iter().map(|&point| circle.angle_at(point, y_is_down));
+    let (low, high) =
+        angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| (low.min(it), high.max(it)));
+    circle.radius * (1.0 - libm::cos(0.5 * (high - low)))
+}

@@ -1,0 +1,170 @@
+//! In which units the columns are: said, written, or told from the numbers where only one can be.
+
+use std::f64::consts::{PI, TAU};
+
+use super::super::choices::{Choice, Choices, Finding, Suggestion};
+use super::super::heading::Measures;
+use super::super::sheet::Sheet;
+use super::super::{MeasurementError, Seen, Unit};
+use super::columns::what_it_holds;
+
+/// What turns a number of the file into radians or radians per second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Scale {
+    Unit(Unit),
+    /// Counts in a turn.
+    Counts(f64),
+}
+
+impl Scale {
+    pub(super) fn of(self, value: f64) -> f64 {
+        match self {
+            Self::Unit(unit) => unit.to_si(value),
+            Self::Counts(in_a_turn) => value * TAU / in_a_turn,
+        }
+    }
+}
+
+/// Makes seconds of times: the unit said, the unit written, or seconds if the steps can be seconds.
+pub(super) fn seconds(
+    times: &mut [f64],
+    sheet: &Sheet,
+    place: usize,
+    choices: &Choices,
+    tell: &mut impl FnMut(Finding),
+) -> Result<(), MeasurementError> {
+    let heading = &sheet.channels[place].heading;
+    let unit = match (choices.time_unit, heading.unit, &heading.unit_text) {
+        (Some(unit), ..) => unit,
+        (None, Some(unit), _) if unit.measures() == Measures::Time => {
+            tell(Finding::new(format!("times are in {unit}, as the header says"), Choice::TimeUnit));
+            unit
+        }
+        (None, None, None) if can_be_seconds(times) => {
+            tell(Finding::new("times are taken as seconds, since no unit is written", Choice::TimeUnit));
+            Unit::Second
+        }
+        (_, _, text) => {
+            let question = match text {
+                Some(text) => format!("`{text}` is no unit of time that is known here"),
+                None => format!(
+                    "nothing says the unit of time of {}, and steps of {} s are not likely",
+                    sheet.describe(place),
+                    median_step(times)
+                ),
+            };
+            let choices =
+                ["s", "ms", "us", "min"].map(|unit| Suggestion::new(Choice::TimeUnit, unit)).to_vec();
+            return Err(MeasurementError::Undecided { question, choices });
+        }
+    };
+    if unit.measures() != Measures::Time {
+        return Err(MeasurementError::WrongUnit { unit, of: "time", examples: "s, ms, us, min" });
+    }
+    times.iter_mut().for_each(|time| *time = unit.to_si(*time));
+    Ok(())
+}
+
+/// A pendulum is sampled between once in half a second and a hundred thousand times a second.
+fn can_be_seconds(times: &[f64]) -> bool {
+    times.len() < 2 || (1e-5..=0.5).contains(&median_step(times))
+}
+
+fn median_step(times: &[f64]) -> f64 {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    steps.get(steps.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The scale of angles or angular velocities.
+pub(super) fn of_value(
+    values: &[f64],
+    sheet: &Sheet,
+    place: usize,
+    seen: Seen,
+    choices: &Choices,
+    tell: &mut impl FnMut(Finding),
+) -> Result<Scale, MeasurementError> {
+    if let Some(counts) = choices.counts_per_turn.filter(|_| seen == Seen::Angle) {
+        return Ok(Scale::Counts(counts));
+    }
+    let heading = &sheet.channels[place].heading;
+    let written = heading.unit.filter(|_| choices.unit.is_none());
+    if let Some(unit) = choices.unit.or(written) {
+        if written.is_some() {
+            tell(Finding::new(
+                format!("{} is in {unit}, as the header says", sheet.describe(place)),
+                Choice::Unit,
+            ));
+        }
+        return in_unit(unit, sheet, place, seen);
+    }
+    if heading.unit_text.is_none() && seen == Seen::Angle && only_degrees_fit(values) {
+        let text = format!(
+            "{} is in degrees, since it swings by more than a turn of radians",
+            sheet.describe(place)
+        );
+        tell(Finding::new(text, Choice::Unit));
+        return Ok(Scale::Unit(Unit::Degree));
+    }
+    let question = match &heading.unit_text {
+        Some(text) => format!("`{text}` is no unit of {} that is known here", name(seen)),
+        None => format!("nothing says the unit of {}", sheet.describe(place)),
+    };
+    let fits = |suggestion: &Suggestion| suggestion.value.ends_with("/s") == (seen == Seen::AngularVelocity);
+    Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
+}
+
+/// Uncertainties are in the unit of their values, unless their header names another.
+pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choices: &Choices) -> Scale {
+    let own = sheet.channels[place].heading.unit.filter(|unit| *unit != Unit::Count);
+    match (own, of_values) {
+        (Some(own), Scale::Unit(unit)) if choices.unit.is_none() && own.measures() == unit.measures() => {
+            Scale::Unit(own)
+        }
+        _ => of_values,
+    }
+}
+
+fn in_unit(unit: Unit, sheet: &Sheet, place: usize, seen: Seen) -> Result<Scale, MeasurementError> {
+    match (unit.measures(), seen) {
+        (Measures::Angle, Seen::Angle) if unit == Unit::Count => {
+            let question =
+                format!("{} is in counts, and nothing says how many make a turn", sheet.describe(place));
+            Err(MeasurementError::Undecided {
+                question,
+                choices: vec![Suggestion::new(Choice::CountsPerTurn, "4000")],
+            })
+        }
+        (Measures::Angle, Seen::Angle) | (Measures::AngularVelocity, Seen::AngularVelocity) => {
+            Ok(Scale::Unit(unit))
+        }
+        _ => {
+            let examples = if seen == Seen::Angle { "rad, deg" } else { "rad/s, deg/s" };
+            Err(MeasurementError::WrongUnit { unit, of: name(seen), examples })
+        }
+    }
+}
+
+fn name(seen: Seen) -> &'static str {
+    match seen {
+        Seen::Angle => "an angle",
+        Seen::AngularVelocity => "an angular velocity",
+    }
+}
+
+/// Swings to and fro by more than π on either side are no radians of a pendulum, which would go round; whole numbers
+/// may be counts of an encoder.
+fn only_degrees_fit(values: &[f64]) -> bool {
+    const BEYOND: f64 = 1.1 * PI;
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let middle = 0.5 * (low + high);
+    let mut sides: Vec<f64> = values
+        .iter()
+        .filter(|&value| (value - middle).abs() > BEYOND)
+        .map(|value| (value - middle).signum())
+        .collect();
+    sides.dedup();
+    sides.len() > 3 && high - low < 400.0 && values.iter().any(|value| value.fract() != 0.0)
+}
