@@ -7,6 +7,7 @@ pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
+mod fit_gates;
 pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
 mod formulas;
@@ -79,6 +80,7 @@ enum Question {
 enum Fit {
     Periods(fit_periods::FitPeriods),
     Lengths(fit_lengths::FitLengths),
+    Gates(Box<fit_gates::FitGates>),
 }
 
 impl Libration {
@@ -104,6 +106,7 @@ impl Libration {
             Question::Inspect(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Fit(Fit::Lengths(question)) => question.answer(out),
+            Question::Fit(Fit::Gates(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

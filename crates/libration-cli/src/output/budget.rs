@@ -7,25 +7,26 @@ use libration::fit::{Budget, BudgetRow, Correction};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The budget as a table: name, correction, contribution, kind, formula.
+/// The budget as a table: name, correction, contribution, kind, formula, and with what.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
     let mut table = Table::new(vec![
         Column::words("effect"),
         Column::numbers("correction of g"),
         Column::numbers("u(g) / m/s²"),
         Column::words("type"),
-        Column::words("formula; with"),
+        Column::words("formula"),
+        Column::words("with"),
     ]);
     for row in &budget.rows {
         table.row(out, cells(row).to_vec())?;
     }
     let total = number::rounded(budget.uncertainty, 2);
-    table.row(out, vec!["together".to_owned(), String::new(), total, String::new(), String::new()])?;
+    table.row(out, ["together", "", &total, "", "", ""].map(str::to_owned).to_vec())?;
     table.finish(out)
 }
 
 /// The cells of a row, as text for people; what is not corrected is in brackets.
-pub(crate) fn cells(row: &BudgetRow) -> [String; 5] {
+pub(crate) fn cells(row: &BudgetRow) -> [String; 6] {
     let percent =
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
     let correction = match row.correction {
@@ -39,8 +40,14 @@ pub(crate) fn cells(row: &BudgetRow) -> [String; 5] {
         Correction::Usually(_) => format!("not corrected; {}", row.note),
         _ => row.note.clone(),
     };
-    let formula = if note.is_empty() { row.formula.to_owned() } else { format!("{}; {note}", row.formula) };
-    [row.name.to_owned(), correction, uncertainty, row.evaluation.letter().to_string(), formula]
+    [
+        row.name.to_owned(),
+        correction,
+        uncertainty,
+        row.evaluation.letter().to_string(),
+        row.formula.to_owned(),
+        note,
+    ]
 }
 
 /// The rows as JSON: `correction` is null where none is applied, `usual_size` says how large it would be.
