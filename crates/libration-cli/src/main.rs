@@ -2,6 +2,7 @@
 
 mod arguments;
 mod command;
+mod document;
 mod failure;
 mod figure;
 mod interrupt;

@@ -44,6 +44,11 @@ pub(crate) fn angular_velocity(text: &str) -> Result<f64, QuantityError> {
     Ok(parse(text, Dimension::AngularVelocity)?.value)
 }
 
+/// A time in seconds, negative ones included.
+pub(crate) fn finite_time(text: &str) -> Result<f64, QuantityError> {
+    Ok(parse(text, Dimension::Time)?.value)
+}
+
 /// A plain number above zero.
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);

@@ -10,6 +10,7 @@ mod figure;
 mod fit_gates;
 pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
+mod fit_trace;
 mod formulas;
 mod fourier;
 mod inspect;
@@ -45,7 +46,7 @@ Examples:
   libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:10:0.1
   libration derive --road elliptic            how the exact period is found, step by step
   libration figure errors --output errors.svg
-  libration fit periods measured.csv --length 0.57m±0.004m
+  libration fit trace swing.csv --length 0.57m±0.004m --report swing.html
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
 Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood, 130 interrupted.";
@@ -81,6 +82,7 @@ enum Fit {
     Periods(fit_periods::FitPeriods),
     Lengths(fit_lengths::FitLengths),
     Gates(Box<fit_gates::FitGates>),
+    Trace(fit_trace::FitTrace),
 }
 
 impl Libration {
@@ -107,6 +109,7 @@ impl Libration {
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Fit(Fit::Lengths(question)) => question.answer(out),
             Question::Fit(Fit::Gates(question)) => question.answer(out),
+            Question::Fit(Fit::Trace(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

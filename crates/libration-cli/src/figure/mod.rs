@@ -14,6 +14,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
+pub(crate) mod trace;
 
 pub(crate) mod chart;
 pub(crate) mod file;
@@ -21,7 +22,7 @@ pub(crate) mod file;
 mod clip;
 mod cusps;
 mod dashes;
-mod draw;
+pub(crate) mod draw;
 mod legend;
 pub(crate) mod names;
 mod range;

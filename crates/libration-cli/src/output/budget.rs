@@ -9,24 +9,34 @@ use std::io::{self, Write};
 
 /// The budget as a table: name, correction, contribution, kind, formula, and with what.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
-    let mut table = Table::new(vec![
+    let mut table = Table::new(columns());
+    for row in rows(budget) {
+        table.row(out, row)?;
+    }
+    table.finish(out)
+}
+
+/// The columns of [`rows`].
+pub(crate) fn columns() -> Vec<Column> {
+    vec![
         Column::words("effect"),
         Column::numbers("correction of g"),
         Column::numbers("u(g) / m/s²"),
         Column::words("type"),
         Column::words("formula"),
         Column::words("with"),
-    ]);
-    for row in &budget.rows {
-        table.row(out, cells(row).to_vec())?;
-    }
+    ]
+}
+
+/// The cells of all rows, and of what they are together.
+pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
     let total = number::rounded(budget.uncertainty, 2);
-    table.row(out, ["together", "", &total, "", "", ""].map(str::to_owned).to_vec())?;
-    table.finish(out)
+    let total = ["together", "", &total, "", "", ""].map(str::to_owned);
+    budget.rows.iter().map(cells).chain([total]).map(Vec::from).collect()
 }
 
 /// The cells of a row, as text for people; what is not corrected is in brackets.
-pub(crate) fn cells(row: &BudgetRow) -> [String; 6] {
+fn cells(row: &BudgetRow) -> [String; 6] {
     let percent =
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
     let correction = match row.correction {

@@ -40,14 +40,21 @@ pub(crate) fn short(value: f64, digits: usize) -> String {
 
 /// `1.637 ± 0.002 s`, to two digits of the uncertainty.
 pub(crate) fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
-    let uncertain = rounded(uncertainty, 2);
-    let places = uncertain.split_once('.').map_or(0, |(_, places)| places.len());
-    let text = match uncertainty > 0.0 && !uncertain.contains('e') {
-        true => format!("{value:.places$} ± {uncertain} {unit}"),
-        false if uncertainty > 0.0 => format!("{} ± {uncertain} {unit}", rounded(value, 12)),
-        false => format!("{} {unit}", short(value, 12)),
+    let text = match places(uncertainty) {
+        Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
+        None if uncertainty > 0.0 => format!("{} ± {} {unit}", rounded(value, 12), rounded(uncertainty, 2)),
+        None => format!("{} {unit}", short(value, 12)),
     };
     text.trim_end().to_owned()
+}
+
+/// The decimal places of two digits of an uncertainty, if it has not too many of them.
+fn places(uncertainty: f64) -> Option<usize> {
+    const MOST: usize = 10;
+    let scientific = format!("{uncertainty:.1e}");
+    let (_, exponent) = scientific.split_once('e')?;
+    let places = usize::try_from(1 - exponent.parse::<i32>().ok()?).unwrap_or(0);
+    (uncertainty > 0.0 && uncertainty < 1e9 && places <= MOST).then_some(places)
 }
 
 fn non_finite(value: f64) -> &'static str {
@@ -77,6 +84,15 @@ mod tests {
         assert_eq!(short(-0.25, 12), "-0.25");
         assert_eq!(short(1.5e-9, 12), "1.5e-9");
         assert_eq!(short(200.0, 2), "200");
+    }
+
+    #[test]
+    fn values_end_where_their_uncertainty_does() {
+        assert_eq!(with_uncertainty(1.63712, 0.00234, "s"), "1.6371 ± 0.0023 s");
+        assert_eq!(with_uncertainty(0.003122450913, 4.4e-6, ""), "0.0031225 ± 0.0000044");
+        assert_eq!(with_uncertainty(1234.5, 67.8, "m"), "1234 ± 68 m");
+        assert_eq!(with_uncertainty(0.56, 0.0, "m"), "0.56 m");
+        assert_eq!(with_uncertainty(1.5e-20, 2e-21, "s"), "1.50000000000e-20 ± 2.0e-21 s");
     }
 
     #[test]

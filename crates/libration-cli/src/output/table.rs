@@ -8,7 +8,7 @@ const HELD_BACK: usize = 500;
 /// A column: its title with the unit, and the side its entries stand on.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
-    title: String,
+    pub(crate) title: String,
     side: Side,
 }
 
@@ -22,6 +22,10 @@ impl Column {
     /// A column of numbers.
     pub(crate) fn numbers(title: impl Into<String>) -> Self {
         Self { title: title.into(), side: Side::Right }
+    }
+
+    pub(crate) fn is_of_numbers(&self) -> bool {
+        self.side == Side::Right
     }
 
     /// A column of words.

@@ -14,6 +14,7 @@
 
 mod budget;
 pub mod cycles;
+mod damping_terms;
 mod error;
 mod excess_scale;
 pub mod gates;
@@ -31,6 +32,7 @@ pub mod trace;
 pub use budget::{
     AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,
 };
+pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{Gravity, gravity};

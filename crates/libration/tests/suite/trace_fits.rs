@@ -94,7 +94,8 @@ impl Truth {
         );
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let step = TAU / self.omega0 / self.rows_per_cycle;
-        let all = (0..(self.cycles * self.rows_per_cycle) as u32).map(|row| step * f64::from(row));
+        let span = self.cycles * TAU / self.omega0;
+        let all = (0..).map(|row| step * f64::from(row)).take_while(|&time| time < span);
         let times: Vec<f64> = all.filter(|_| random.between(0.0, 1.0) >= self.lost).collect();
         let start = Moment { time: 0.0, state: self.state.to_vec() };
         let effort = Effort::to_tolerance(1e-13);
@@ -141,7 +142,7 @@ fn deviation(fit: &TraceFit, name: &str, truth: f64) -> f64 {
 /// How often the intervals held the truth: of each parameter by name, the number of intervals, and how many at 68 % and
 /// at 95 %.
 #[derive(Debug, Default)]
-struct Coverage(Vec<(&'static str, [usize; 3])>);
+struct Coverage(Vec<(&'static str, [u32; 3])>);
 
 impl Coverage {
     fn count(&mut self, parameter: &Parameter, truth: f64) {
@@ -150,7 +151,7 @@ impl Coverage {
             [parameter.value - half, parameter.value + half]
         };
         let intervals = parameter.intervals.unwrap_or([around(1.0), around(1.959964)]);
-        let held = intervals.map(|[low, high]| usize::from((low..=high).contains(&truth)));
+        let held = intervals.map(|[low, high]| u32::from((low..=high).contains(&truth)));
         let place = self.0.iter().position(|(name, _)| *name == parameter.name).unwrap_or_else(|| {
             self.0.push((parameter.name, [0; 3]));
             self.0.len() - 1
@@ -163,7 +164,7 @@ impl Coverage {
     /// The parts of all intervals that held the truth.
     fn parts(&self) -> [f64; 2] {
         let all = self.0.iter().fold([0; 3], |sum, (_, one)| [0, 1, 2].map(|place| sum[place] + one[place]));
-        [1, 2].map(|place| all[place] as f64 / all[0] as f64)
+        [1, 2].map(|place| f64::from(all[place]) / f64::from(all[0]))
     }
 }
 
@@ -219,7 +220,7 @@ fn a_release_next_to_the_top_is_fitted() {
     let fit = fit(&[truth.trace(&mut Random::seeded(3))], truth.terms(), TraceOptions::default());
     assert!(fit.rms < 0.0022, "{}", fit.rms);
     let theta0 = fit.parameter("theta0").unwrap();
-    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.uncertainty < 1e-3, "{theta0:?}");
+    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.uncertainty < 2e-3, "{theta0:?}");
 }
 
 #[test]
@@ -275,13 +276,15 @@ fn outliers_draw_a_robust_fit_by_nothing() {
     let clean = truth.trace(&mut Random::seeded(6));
     let mut random = Random::seeded(7);
     let mut values = clean.values().to_vec();
-    for value in values.iter_mut().filter(|_| random.below(20) == 0) {
-        *value += random.between(0.2, 2.0);
+    for value in values.iter_mut() {
+        if random.below(20) == 0 {
+            *value += random.between(0.2, 2.0);
+        }
     }
     let spoilt = Trace::new("spoilt", Seen::Angle, clean.times().to_vec(), values, None).unwrap();
     let robust = TraceOptions { robust: true, ..TraceOptions::default() };
-    let [plain, robust] =
-        [TraceOptions::default(), robust].map(|options| fit(&[spoilt.clone()], truth.terms(), options));
+    let [plain, robust] = [TraceOptions::default(), robust]
+        .map(|options| fit(std::slice::from_ref(&spoilt), truth.terms(), options));
     let undisturbed = fit(&[clean], truth.terms(), TraceOptions::default());
     let [spoilt, held, best] = [&plain, &robust, &undisturbed].map(|fit| &fit.parameters[0]);
     assert!(
@@ -335,22 +338,39 @@ fn little_data_do_not_tell_one_damping_from_another() {
     assert!(comparison.rivals().len() >= 2, "{:?}", comparison.rivals());
 }
 
+/// Noise of which each value remembers the one before.
+fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> Trace {
+    let mut error = 0.0;
+    let mut next = || {
+        error = memory * error + noise * random.normal();
+        error
+    };
+    let values = trace.values().iter().map(|value| value + next()).collect();
+    Trace::new("with memory", Seen::Angle, trace.times().to_vec(), values, None).unwrap()
+}
+
 #[test]
 fn alike_residuals_are_said_and_widen_the_uncertainties() {
-    // A lens bends the angles by what no pendulum does.
-    let truth = Truth { noise: 0.001, damping: [0.0, 0.02, 0.0], ..Truth::plain() };
-    let trace = truth.trace(&mut Random::seeded(11));
-    let bent = trace.values().iter().map(|angle| angle + 0.02 * libm::sin(3.0 * angle)).collect();
-    let bent = Trace::new("bent", Seen::Angle, trace.times().to_vec(), bent, None).unwrap();
-    let straight = fit(&[trace], truth.terms(), TraceOptions::default());
-    assert!(straight.autocorrelation.is_noise() && straight.bootstrap_block.is_none());
-    let bent = fit(&[bent], truth.terms(), TraceOptions::default());
-    assert!(!bent.autocorrelation.is_noise() && bent.bootstrap_block.is_some());
-    assert!(
-        bent.parameters[0].uncertainty > 1.5 * bent.parameters[0].formal_uncertainty,
-        "{:?}",
-        bent.parameters[0]
-    );
+    const TRACES: u32 = 60;
+    let truth = Truth { damping: [0.0, 0.02, 0.0], ..Truth::plain() };
+    let exact = truth.trace(&mut Random::seeded(11));
+    let mut random = Random::seeded(12);
+    let mut squares = [0.0; 2];
+    for _ in 0..TRACES {
+        let fit =
+            fit(&[with_memory(&exact, 0.9, 0.002, &mut random)], truth.terms(), TraceOptions::default());
+        assert!(!fit.autocorrelation.is_noise() && fit.bootstrap_block.is_some());
+        let omega0 = &fit.parameters[0];
+        for (sum, uncertainty) in squares.iter_mut().zip([omega0.uncertainty, omega0.formal_uncertainty]) {
+            *sum += libm::pow((omega0.value - 3.0) / uncertainty, 2.0) / f64::from(TRACES);
+        }
+    }
+    // The blocks are shorter than infinite, so that a little is missing.
+    let [stated, formal] = squares.map(f64::sqrt);
+    assert!((0.7..1.5).contains(&stated) && formal > 2.0, "{stated} {formal}");
+    let noisy = with_memory(&exact, 0.0, 0.002, &mut random);
+    let fit = fit(&[noisy], truth.terms(), TraceOptions::default());
+    assert!(fit.autocorrelation.is_noise() && fit.bootstrap_block.is_none());
 }
 
 #[test]

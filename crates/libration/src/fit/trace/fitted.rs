@@ -34,6 +34,15 @@ pub struct FittedTrace {
     pub outliers: Vec<usize>,
 }
 
+impl FittedTrace {
+    /// Root mean square of its residuals, in the unit of the trace.
+    #[must_use]
+    pub fn rms(&self) -> f64 {
+        let squares: f64 = self.residuals.iter().map(|residual| residual * residual).sum();
+        (squares / super::count(self.residuals.len())).sqrt()
+    }
+}
+
 /// The best motion of a model through traces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TraceFit {

@@ -9,7 +9,6 @@
 //! Uncertainties are those of the scatter, or of the stated ones if these are larger. Where residuals are alike from row
 //! to row formal uncertainties are too small, and a bootstrap of blocks says by how much.
 
-mod damping_terms;
 mod error;
 mod options;
 
@@ -32,9 +31,9 @@ mod profile;
 mod compare;
 mod fitted;
 
+pub use super::{DampingTerm, DampingTerms, DampingTermsError};
 pub use autocorrelation::Autocorrelation;
 pub use compare::{Comparison, compare};
-pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;

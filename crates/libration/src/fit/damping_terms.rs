@@ -43,11 +43,11 @@ impl DampingTerm {
 ///
 /// # Examples
 /// ```
-/// use libration::fit::trace::DampingTerms;
+/// use libration::fit::DampingTerms;
 /// let terms: DampingTerms = "linear+dry".parse()?;
 /// assert_eq!(terms.to_string(), "dry+linear");
 /// assert!("viscous".parse::<DampingTerms>().is_err());
-/// # Ok::<(), libration::fit::trace::DampingTermsError>(())
+/// # Ok::<(), libration::fit::DampingTermsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DampingTerms([bool; 3]);

@@ -1,0 +1,140 @@
+//! What would make a measurement better, said to those who make it.
+
+use super::answer::{Answer, Pendulum};
+use super::warnings::SIGNIFICANT;
+use crate::output::number::rounded;
+use libration::measurement::{Faults, Seen, Trace};
+
+/// The advice, what helps most first.
+pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
+    let mut advice = vec![];
+    advice.extend(about_length(answer));
+    advice.extend(about_scale(answer));
+    advice.extend(about_damping(answer));
+    advice.extend(about_residuals(answer));
+    advice.extend(about_outliers(answer));
+    advice.extend(
+        answer
+            .measured
+            .traces
+            .iter()
+            .zip(&answer.fit.traces)
+            .find_map(|(trace, _)| about_times(answer, trace)),
+    );
+    advice.extend(about_tilt(answer));
+    advice.extend(about_rows(answer));
+    advice
+}
+
+fn about_length(answer: &Answer<'_>) -> Option<String> {
+    const WHERE: &str = "from the axis of the pivot to the middle of the bob, which is its centre of mass";
+    let (budget, length) = match &answer.pendulum {
+        Pendulum::Length { .. } => {
+            return Some(format!(
+                "Give the length with --length 0.57m±0.004m to have gravity: measure it {WHERE}."
+            ));
+        }
+        Pendulum::Gravity { budget, length } => (budget, length),
+    };
+    let Some(of_length) = length.uncertainty else {
+        return Some(format!(
+            "The length was given without an uncertainty, so that gravity has too small a one: write it as 0.57m±0.004m. \
+             Measure it {WHERE}."
+        ));
+    };
+    let (of_length, of_gravity) = (of_length / length.value, budget.uncertainty / budget.g);
+    (of_length > 0.7 * of_gravity).then(|| {
+        let percent = rounded(100.0 * of_length, 2);
+        format!(
+            "The length is known to {percent} %, and so is gravity: nothing else in the budget matters. Measure the length better, \
+             {WHERE}; more swings would not help."
+        )
+    })
+}
+
+fn about_scale(answer: &Answer<'_>) -> Option<String> {
+    answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
+    let hint = match answer.measured.traces[0].seen() {
+        Seen::Angle => {
+            "film from far away and straight at the plane of the swing, check the pixels for being square, the origin for \
+             being on the pivot, and the protractor or encoder for its counts in a turn"
+        }
+        Seen::AngularVelocity => {
+            "check the sensor's sensitivity by turning it through a whole turn, and that its axis is that of the swing"
+        }
+    };
+    Some(format!(
+        "β is not 1, so look for a wrong scale of the angles: {hint}. With --free-scale the scale is fitted too."
+    ))
+}
+
+fn about_damping(answer: &Answer<'_>) -> Option<String> {
+    let rivals = answer.rivals();
+    let (largest, smallest) = answer.amplitudes().filter(|_| !rivals.is_empty())?;
+    Some(format!(
+        "The amplitude went from {}° to {}°. The kinds of damping differ in how the decay slows down: record for longer, until \
+         the amplitude is a quarter of what it was at first.",
+        rounded(largest.to_degrees(), 3),
+        rounded(smallest.to_degrees(), 3)
+    ))
+}
+
+fn about_residuals(answer: &Answer<'_>) -> Option<String> {
+    (!answer.fit.autocorrelation.is_noise()).then(|| {
+        "Look at the picture of the residuals: if they repeat with the swing, suspect the scale or the perspective of the \
+         camera, a pivot that gives way, or a string that stretches; if they grow at the beginning, leave out the release with \
+         --from."
+            .to_owned()
+    })
+}
+
+fn about_outliers(answer: &Answer<'_>) -> Option<String> {
+    let some = answer.fit.traces.iter().any(|trace| !trace.outliers.is_empty());
+    some.then(|| {
+        "Some rows are far from all others: correct them in the tracking, or fit with --robust.".to_owned()
+    })
+}
+
+/// Rounded times, where they matter beside the other errors.
+fn about_times(answer: &Answer<'_>, trace: &Trace) -> Option<String> {
+    let faults = Faults::find(trace.times(), trace.values(), None);
+    let (noise, clock) = (faults.rounding_noise?, faults.clock?);
+    let (resolution, _) = (clock.resolution?, clock.grid?);
+    (noise > 0.25 * answer.fit.rms).then(|| {
+        format!(
+            "The times are rounded to {resolution} s, which makes {} % of the scatter: export them with more digits, or \
+             use the number of the picture over the rate of the camera.",
+            rounded(100.0 * (noise / answer.fit.rms).min(1.0), 2)
+        )
+    })
+}
+
+/// The zero of the angle.
+fn about_tilt(answer: &Answer<'_>) -> Option<String> {
+    const WORTH_A_WORD: f64 = 0.01;
+    let offsets = answer.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
+    let seen = answer.measured.traces[0].seen();
+    let worst = offsets
+        .map(|offset| offset.value)
+        .filter(|_| seen == Seen::Angle)
+        .max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    (worst.abs() > WORTH_A_WORD).then(|| {
+        format!(
+            "The pendulum hangs at {}° on the scale of the instrument. That was fitted and does no harm; a plumb line in the \
+             picture would set it right.",
+            rounded(worst.to_degrees(), 2)
+        )
+    })
+}
+
+fn about_rows(answer: &Answer<'_>) -> Option<String> {
+    const FEW: f64 = 15.0;
+    let (period, _) = answer.fit.small_angle_period();
+    let rows = answer.measured.traces.iter().filter_map(|trace| {
+        Faults::find(trace.times(), trace.values(), None).clock.map(|clock| period / clock.interval)
+    });
+    let fewest = rows.reduce(f64::min)?;
+    (fewest < FEW).then(|| {
+        format!("There are only {} rows in a period: take more pictures a second.", rounded(fewest, 2))
+    })
+}

@@ -1,0 +1,194 @@
+//! What is found in measured swings.
+
+use super::input::Measured;
+use super::model::Model;
+use super::{advice, warnings};
+use crate::arguments::ApparatusOptions;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::output::progress::Progress;
+use libration::fit::cycles::{self, Cycle, Cycles, CyclesError};
+use libration::fit::trace::{Comparison, TraceFit, TraceFitError, TraceOptions, compare, fit_traces};
+use libration::fit::{self, Budget, Law, MeasuredPeriod, PeriodTable, Uncertainties, excess_scale};
+use libration::pendulum::Amplitude;
+use libration::quantity::Quantity;
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+/// The standard acceleration of free fall, in m/s².
+pub(super) const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Everything that is said about measured swings.
+#[derive(Debug)]
+pub(super) struct Answer<'a> {
+    pub(super) measured: &'a Measured,
+    /// Of the model that was asked for, or that the data prefer.
+    pub(super) fit: TraceFit,
+    /// With the other models, where they were compared.
+    pub(super) comparison: Option<Comparison>,
+    /// Of each trace.
+    pub(super) cycles: Vec<Result<Cycles, CyclesError>>,
+    /// The test of the exact law over all cycles, or why there is none.
+    pub(super) beta: Result<Beta, String>,
+    pub(super) pendulum: Pendulum,
+    pub(super) warnings: Vec<String>,
+    pub(super) advice: Vec<String>,
+}
+
+/// The factor β in T = T0·[1 + β(R − 1)], 1 for the exact law, and the T0 (s) that goes with it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beta {
+    pub(super) value: f64,
+    pub(super) uncertainty: f64,
+    pub(super) t0: f64,
+}
+
+/// What ω0 says with the length, or without one.
+#[derive(Clone, Debug)]
+pub(super) enum Pendulum {
+    /// Gravity with the budget of its uncertainty, from this length (m).
+    Gravity { budget: Budget, length: Quantity },
+    /// The length (m) of a simple pendulum where gravity is the standard one.
+    Length { value: f64, uncertainty: f64 },
+}
+
+impl<'a> Answer<'a> {
+    pub(super) fn new(
+        measured: &'a Measured,
+        model: Model,
+        options: TraceOptions,
+        apparatus: &ApparatusOptions,
+    ) -> Result<Self, Failure> {
+        let (fit, comparison) = fitted(measured, model, options)?;
+        let cycles: Vec<_> =
+            measured.traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
+        let beta = Beta::of(&cycles);
+        let pendulum = Pendulum::of(&fit, &cycles, apparatus)?;
+        let mut answer =
+            Self { measured, fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };
+        answer.warnings = warnings::of(&answer);
+        answer.advice = advice::of(&answer);
+        Ok(answer)
+    }
+
+    /// All cycles that were measured, with the number of their trace.
+    pub(super) fn all_cycles(&self) -> impl Iterator<Item = (usize, &Cycle)> {
+        let measured =
+            self.cycles.iter().enumerate().filter_map(|(trace, found)| Some((trace, found.as_ref().ok()?)));
+        measured.flat_map(|(trace, found)| found.cycles.iter().map(move |cycle| (trace, cycle)))
+    }
+
+    /// The models that do as well as the preferred one and are not that with something added.
+    pub(super) fn rivals(&self) -> Vec<String> {
+        let preferred = self.fit.damping;
+        let rivals = self.comparison.iter().flat_map(Comparison::rivals);
+        rivals.filter(|rival| !preferred.is_part_of(*rival)).map(|rival| rival.to_string()).collect()
+    }
+
+    /// The largest and the smallest amplitude of a cycle, in radians.
+    pub(super) fn amplitudes(&self) -> Option<(f64, f64)> {
+        let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude);
+        sizes().reduce(f64::max).zip(sizes().reduce(f64::min))
+    }
+}
+
+/// The fit of the model, with profile intervals, and the comparison it was chosen in.
+fn fitted(
+    measured: &Measured,
+    model: Model,
+    options: TraceOptions,
+) -> Result<(TraceFit, Option<Comparison>), Failure> {
+    interrupt::listen()?;
+    let mut progress = Progress::new();
+    let mut motions: u64 = 0;
+    let mut watch = || -> ControlFlow<()> {
+        motions += 1;
+        progress.show(|| format!("fitting: {motions} motions integrated"));
+        interrupt::go_on()
+    };
+    let comparison = match model {
+        Model::Auto => {
+            Some(compare(&measured.traces, &options, &mut watch).map_err(|error| failure(measured, error))?)
+        }
+        Model::Given(_) => None,
+    };
+    let damping = match (&comparison, model) {
+        (Some(comparison), _) => comparison.best().damping,
+        (None, Model::Given(damping)) => damping,
+        (None, Model::Auto) => return Err(failure(measured, TraceFitError::NoTrace)),
+    };
+    let options = TraceOptions { profile: true, ..options };
+    let found = fit_traces(&measured.traces, damping, &options, &mut watch);
+    Ok((found.map_err(|error| failure(measured, error))?, comparison))
+}
+
+fn failure(measured: &Measured, error: TraceFitError) -> Failure {
+    match error {
+        TraceFitError::Interrupted => Failure::Interrupted("interrupted: nothing is written".to_owned()),
+        error => Failure::no_answer(&measured.names(), error),
+    }
+}
+
+impl Beta {
+    /// That of the cycles of the only trace, or through the cycles of all.
+    fn of(cycles: &[Result<Cycles, CyclesError>]) -> Result<Self, String> {
+        if let [only] = cycles {
+            let found = only.as_ref().map_err(ToString::to_string)?;
+            let beta = found.beta.as_ref().map_err(ToString::to_string)?;
+            return Ok(Self { value: beta.beta, uncertainty: beta.uncertainty, t0: beta.t0 });
+        }
+        Self::of_several(cycles)
+    }
+
+    /// Cycles overlap by half: every second one of each trace counts.
+    fn of_several(cycles: &[Result<Cycles, CyclesError>]) -> Result<Self, String> {
+        let counted = cycles.iter().flatten().flat_map(|found| found.cycles.iter().step_by(2));
+        let counted: Vec<&Cycle> = counted.filter(|cycle| !cycle.outlier).collect();
+        let column = |of: fn(&Cycle) -> f64| counted.iter().map(|cycle| of(cycle)).collect::<Vec<f64>>();
+        let of_amplitudes = column(|cycle| cycle.amplitude_uncertainty);
+        let of_periods = column(|cycle| cycle.period_uncertainty);
+        let uncertainties = Uncertainties { amplitudes: Some(&of_amplitudes), periods: Some(&of_periods) };
+        let table =
+            PeriodTable::new(&column(|cycle| cycle.amplitude), &column(|cycle| cycle.period), uncertainties)
+                .map_err(|error| error.to_string())?;
+        let fit = excess_scale(&table, &Law::exact()).map_err(|error| error.to_string())?;
+        let scaled = fit.beta_uncertainty_scaled.unwrap_or(fit.beta_uncertainty);
+        Ok(Self { value: fit.beta, uncertainty: fit.beta_uncertainty.max(scaled), t0: fit.t0 })
+    }
+
+    /// By how many of its uncertainties it differs from the exact law.
+    pub(super) fn deviation(&self) -> f64 {
+        (self.value - 1.0).abs() / self.uncertainty
+    }
+}
+
+impl Pendulum {
+    fn of(
+        fit: &TraceFit,
+        cycles: &[Result<Cycles, CyclesError>],
+        options: &ApparatusOptions,
+    ) -> Result<Self, Failure> {
+        let (value, uncertainty) = fit.small_angle_period();
+        let Some(apparatus) = options.apparatus() else {
+            let length = STANDARD_GRAVITY * (value / TAU) * (value / TAU);
+            return Ok(Self::Length { value: length, uncertainty: 2.0 * length * uncertainty / value });
+        };
+        let period = MeasuredPeriod {
+            t0: Quantity { value, uncertainty: Some(uncertainty) },
+            amplitude: middle_amplitude(cycles),
+            angle_scale: options.angle_scale(),
+            linear_damping: None,
+        };
+        let budget =
+            fit::budget(&apparatus, &period).map_err(|error| Failure::no_answer("gravity", error))?;
+        Ok(Self::Gravity { budget, length: apparatus.length })
+    }
+}
+
+/// The amplitude whose T/T0 is the mean of those of the cycles.
+fn middle_amplitude(cycles: &[Result<Cycles, CyclesError>]) -> Option<f64> {
+    let ratios =
+        cycles.iter().flatten().flat_map(|found| found.cycles.iter().map(|cycle| cycle.period_ratio));
+    let (count, sum) = ratios.fold((0.0, 0.0), |(count, sum), ratio| (count + 1.0, sum + ratio));
+    Amplitude::from_period_ratio(sum / count).ok().map(|amplitude| amplitude.radians())
+}

@@ -1,0 +1,169 @@
+//! The answer as JSON.
+
+use super::answer::{Answer, Pendulum};
+use crate::output;
+use crate::output::json::{self, Record};
+use libration::fit::cycles::Cycle;
+use libration::fit::trace::{Comparison, Parameter};
+use libration::measurement::Seen;
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// Writes the whole answer.
+pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
+    let record = of_fit(answer);
+    let record = of_cycles(record, answer);
+    let record = of_pendulum(record, answer);
+    let record = record
+        .with("warnings", answer.warnings.clone())
+        .with("advice", answer.advice.clone())
+        .with("traces", traces(answer))
+        .with("findings", findings(answer))
+        .with("comparison", answer.comparison.as_ref().map_or(Value::Null, comparison))
+        .with("correlations", correlations(answer))
+        .with("autocorrelation", autocorrelation(answer));
+    json::document(out, record)
+}
+
+fn of_fit(answer: &Answer<'_>) -> Record {
+    let fit = &answer.fit;
+    let files: Vec<&str> = answer.measured.files.iter().map(|file| file.name.as_str()).collect();
+    let parameters: Vec<Value> = fit.parameters.iter().map(|each| parameter(each).into()).collect();
+    let (period, uncertainty) = fit.small_angle_period();
+    let rms = match answer.measured.traces[0].seen() {
+        Seen::Angle => "rms_residual_rad",
+        Seen::AngularVelocity => "rms_residual_rad_per_s",
+    };
+    Record::new()
+        .with("files", files)
+        .with("model", fit.damping.to_string())
+        .with("parameters", parameters)
+        .number_or("chi2_per_dof", fit.chi2_per_dof, "the rows have no uncertainties")
+        .number(rms, fit.rms)
+        .with("rows", fit.rows())
+        .with("converged", fit.converged)
+        .number("small_angle_period_s", period)
+        .number("small_angle_period_uncertainty_s", uncertainty)
+}
+
+fn parameter(parameter: &Parameter) -> Record {
+    let record = Record::new()
+        .with("name", parameter.name)
+        .number("value", parameter.value)
+        .number("uncertainty", parameter.uncertainty)
+        .with("unit", parameter.unit)
+        .number("formal_uncertainty", parameter.formal_uncertainty);
+    let record = match parameter.intervals {
+        Some([likely, sure]) => record.with("interval_68", pair(likely)).with("interval_95", pair(sure)),
+        None => record,
+    };
+    match parameter.trace {
+        Some(trace) => record.with("trace", trace),
+        None => record,
+    }
+}
+
+fn pair(ends: [f64; 2]) -> Value {
+    ends.map(json::number).to_vec().into()
+}
+
+fn of_cycles(record: Record, answer: &Answer<'_>) -> Record {
+    let several = answer.measured.traces.len() > 1;
+    let cycles: Vec<Value> =
+        answer.all_cycles().map(|(trace, each)| cycle(each, several.then_some(trace)).into()).collect();
+    let beta = answer.beta.as_ref();
+    let why_none = beta.err().map_or("", String::as_str);
+    let beta = beta.ok();
+    record.with("cycles", cycles).number_or("beta", beta.map(|beta| beta.value), why_none).number_or(
+        "beta_uncertainty",
+        beta.map(|beta| beta.uncertainty),
+        why_none,
+    )
+}
+
+fn cycle(cycle: &Cycle, trace: Option<usize>) -> Record {
+    let record = Record::new()
+        .number("time_s", cycle.time)
+        .number("period_s", cycle.period)
+        .number("amplitude_rad", cycle.amplitude)
+        .number("period_uncertainty_s", cycle.period_uncertainty)
+        .number("amplitude_uncertainty_rad", cycle.amplitude_uncertainty)
+        .with("outlier", cycle.outlier);
+    match trace {
+        Some(trace) => record.with("trace", trace),
+        None => record,
+    }
+}
+
+fn of_pendulum(record: Record, answer: &Answer<'_>) -> Record {
+    match &answer.pendulum {
+        Pendulum::Gravity { budget, length } => record
+            .number("length_m", length.value)
+            .number_or("length_uncertainty_m", length.uncertainty, "the length was given without one")
+            .number("gravity_m_per_s2", budget.g)
+            .number("gravity_uncertainty_m_per_s2", budget.uncertainty)
+            .with("budget", output::budget::records(budget)),
+        Pendulum::Length { value, uncertainty } => record
+            .number("length_in_standard_gravity_m", *value)
+            .number("length_in_standard_gravity_uncertainty_m", *uncertainty)
+            .note("give --length to have gravity"),
+    }
+}
+
+fn traces(answer: &Answer<'_>) -> Vec<Value> {
+    (0..answer.measured.traces.len()).map(|number| trace(answer, number).into()).collect()
+}
+
+fn trace(answer: &Answer<'_>, number: usize) -> Record {
+    let (trace, fitted) = (&answer.measured.traces[number], &answer.fit.traces[number]);
+    let cycles = answer.cycles[number].as_ref();
+    let beta = cycles.ok().and_then(|cycles| cycles.beta.as_ref().ok());
+    let no_cycles = cycles.err().map_or(String::new(), ToString::to_string);
+    const OPEN: &str = "its cycles leave beta open";
+    Record::new()
+        .with("name", trace.name())
+        .with("rows", trace.len())
+        .number("first_s", trace.times()[0])
+        .number("last_s", trace.times()[trace.len() - 1])
+        .number("rms_residual", fitted.rms())
+        .with("outlier_rows", fitted.outliers.clone())
+        .number_or("t0_by_cycles_s", cycles.ok().map(|cycles| cycles.t0), &no_cycles)
+        .number_or("t0_by_cycles_uncertainty_s", cycles.ok().map(|cycles| cycles.t0_uncertainty), &no_cycles)
+        .number_or("beta", beta.map(|beta| beta.beta), OPEN)
+        .number_or("beta_uncertainty", beta.map(|beta| beta.uncertainty), OPEN)
+}
+
+fn findings(answer: &Answer<'_>) -> Vec<Value> {
+    let file = |file: &super::input::File| {
+        Record::new().with("file", file.name.as_str()).with("findings", file.findings.clone()).into()
+    };
+    answer.measured.files.iter().map(file).collect()
+}
+
+fn comparison(comparison: &Comparison) -> Value {
+    let models = comparison.fits.iter().zip(&comparison.excess_information);
+    let model = |(fit, &excess): (&libration::fit::trace::TraceFit, &f64)| -> Value {
+        Record::new()
+            .with("model", fit.damping.to_string())
+            .number("rms_residual", fit.rms)
+            .number("excess_aicc", excess)
+            .number("small_angle_period_s", fit.small_angle_period().0)
+            .with("takes_energy", fit.takes_energy())
+            .into()
+    };
+    models.map(model).collect::<Vec<_>>().into()
+}
+
+fn correlations(answer: &Answer<'_>) -> Vec<Value> {
+    let row = |row: &Vec<f64>| row.iter().map(|&value| json::number(value)).collect::<Vec<_>>().into();
+    answer.fit.correlations.iter().map(row).collect()
+}
+
+fn autocorrelation(answer: &Answer<'_>) -> Record {
+    let found = &answer.fit.autocorrelation;
+    Record::new()
+        .with("is_noise", found.is_noise())
+        .number("correlation_time_rows", found.time)
+        .number("excess", found.excess)
+        .with("bootstrap_block_rows", answer.fit.bootstrap_block.map_or(Value::Null, Value::from))
+}

@@ -1,0 +1,86 @@
+//! `libration fit trace`: measured swings explained by the damped pendulum at any amplitude.
+
+mod advice;
+mod answer;
+mod csv;
+mod input;
+mod json;
+mod model;
+mod report;
+mod sheet;
+mod warnings;
+
+use crate::arguments::{ApparatusOptions, RecordingOptions};
+use crate::document;
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::{Form, FormOptions};
+use answer::Answer;
+use input::{Input, Measured};
+use libration::fit::trace::TraceOptions;
+use model::Model;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude
+///
+/// The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all
+/// traces, which share ω0 and the damping; each has its own zero of the angle and its own beginning. Every cycle is also
+/// measured by itself, which tests the exact law of the period: T = T0·[1 + β(R − 1)] with β = 1.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
+  libration fit trace swing.csv --report swing.html
+  libration fit trace run1.txt run2.txt --model linear+quadratic --robust
+  libration fit trace encoder.csv --counts-per-turn 4000 --run 6 --json
+  libration fit trace video.csv --from 2s --to 60s --figure fit.svg")]
+pub(crate) struct FitTrace {
+    #[command(flatten)]
+    input: Input,
+    /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic and sums as dry+linear
+    #[arg(long, default_value = "auto")]
+    model: Model,
+    /// Weigh rows down that are far from the motion, instead of letting them pull at it
+    #[arg(long)]
+    robust: bool,
+    /// Leave the scale of the angles free: it is told from how the period depends on the amplitude
+    #[arg(long)]
+    free_scale: bool,
+    /// Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
+    /// Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+    #[command(flatten)]
+    apparatus: ApparatusOptions,
+    #[command(flatten)]
+    recording: RecordingOptions,
+}
+
+impl FitTrace {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let measured = self.input.read(&self.recording)?;
+        let answer = self.fitted(&measured)?;
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &report::pictures::of_all(&answer))?;
+        }
+        if let Some(path) = &self.report {
+            document::write(path, &report::document(&answer))?;
+        }
+        match self.form.form() {
+            Form::Json => json::write(out, &answer)?,
+            Form::Csv => csv::write(out, &answer)?,
+            Form::Table => sheet::write(out, &answer)?,
+        }
+        Ok(())
+    }
+
+    fn fitted<'a>(&self, measured: &'a Measured) -> Result<Answer<'a>, Failure> {
+        let options =
+            TraceOptions { robust: self.robust, free_scale: self.free_scale, ..TraceOptions::default() };
+        Answer::new(measured, self.model, options, &self.apparatus)
+    }
+}

@@ -1,0 +1,23 @@
+//! Which damping is fitted.
+
+use libration::fit::{DampingTerms, DampingTermsError};
+use std::str::FromStr;
+
+/// The damping that is fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Model {
+    /// All combinations, of which the data choose.
+    Auto,
+    /// This one.
+    Given(DampingTerms),
+}
+
+impl FromStr for Model {
+    type Err = DampingTermsError;
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.trim() {
+            "auto" => Ok(Self::Auto),
+            other => other.parse().map(Self::Given),
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! What the report says in words.
+
+use super::super::answer::{Answer, Pendulum};
+use super::super::{sheet, warnings};
+use crate::document::{Block, Table};
+use crate::output::number::{rounded, with_uncertainty};
+use crate::output::table::Column;
+use libration::fit::DampingTerm;
+
+/// The few numbers that were asked for.
+pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
+    let (period, uncertainty) = answer.fit.small_angle_period();
+    let (name, value) = sheet::gravity_or_length(answer);
+    let row = |name: &str, value: String| vec![name.to_owned(), value];
+    let mut rows = vec![
+        row("period of small swings T₀", with_uncertainty(period, uncertainty, "s")),
+        row(name, value),
+        row("damping", sheet::model(answer)),
+        row("β, the test of the exact law", sheet::beta(answer)),
+        row("rms residual", sheet::residual(answer)),
+    ];
+    let speed = &answer.fit.parameters[0];
+    rows.insert(1, row("ω₀ = 2π/T₀", with_uncertainty(speed.value, speed.uncertainty, "rad/s")));
+    let table = Table {
+        caption: "What the measurement gives".to_owned(),
+        columns: vec![Column::words("quantity"), Column::words("value")],
+        rows,
+    };
+    let meaning = "The number after ± is the standard uncertainty: the truth lies within it with a probability of 68 %, and \
+                   within twice as much with 95 %, if the errors are as chance has them.";
+    vec![Block::Table(table), Block::words(meaning), Block::words(formula(answer))]
+}
+
+/// How gravity or the length follow.
+fn formula(answer: &Answer<'_>) -> &'static str {
+    match answer.pendulum {
+        Pendulum::Gravity { .. } => {
+            "Gravity is g = ω₀² l with the corrections of the budget below, which says where its uncertainty comes from."
+        }
+        Pendulum::Length { .. } => {
+            "The length is l = g/ω₀², that of a point on a string without mass; for a body it is that of the simple pendulum \
+             with the same period."
+        }
+    }
+}
+
+/// How to read the budget.
+pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
+    match answer.pendulum {
+        Pendulum::Gravity { .. } => vec![Block::words(
+            "Each line is one effect: what is done to g because of it, what it adds to the uncertainty of g, whether that is known \
+             from scatter (type A) or from judgement (type B), and by which formula. Contributions add as squares, so that the \
+             largest ones are all that counts. What is in brackets is not corrected, since nothing was said about it.",
+        )],
+        Pendulum::Length { .. } => vec![],
+    }
+}
+
+/// The files with what was told from them.
+pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
+    let file = |file: &super::super::input::File| {
+        let items = file.findings.iter().map(|text| super::sentence(text)).collect();
+        [Block::words(format!("{}:", file.name)), Block::List(items)]
+    };
+    let rows = format!(
+        "{} rows in {} {} were fitted.",
+        answer.fit.rows(),
+        answer.measured.traces.len(),
+        if answer.measured.traces.len() == 1 { "trace" } else { "traces" }
+    );
+    answer.measured.files.iter().flat_map(file).chain([Block::words(rows)]).collect()
+}
+
+pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
+    let found = &answer.fit.autocorrelation;
+    let verdict = if found.is_noise() {
+        "They are: no residual tells anything about the next, as errors of reading do."
+    } else {
+        "They are not: neighbours are alike, so something else than errors of reading is at work, and more rows of the same \
+         kind would not make the result as much better as it seems."
+    };
+    vec![Block::words(format!(
+        "What is left between the data and the fitted motion is {} (root mean square). If the model and the instrument are right \
+         the residuals are noise. {verdict}",
+        sheet::residual(answer)
+    ))]
+}
+
+pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
+    let law = "A pendulum takes longer for large swings: T = T₀·R(θ₀), where R is 1 for the smallest swings and 1 + θ₀²/16 + … \
+               beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed by itself, without a model of the damping, and \
+               T = T₀·[1 + β(R − 1)] was put through the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
+    let verdict = match &answer.beta {
+        Err(reason) => format!("β cannot be told: {reason}."),
+        Ok(beta) if beta.deviation() > warnings::SIGNIFICANT => format!(
+            "β = {}: this is {} uncertainties from 1. A wrong scale of the angles is the usual reason.",
+            with_uncertainty(beta.value, beta.uncertainty, ""),
+            rounded(beta.deviation(), 2)
+        ),
+        Ok(beta) => format!(
+            "β = {}, which agrees with the exact law and with a right scale of the angles.",
+            with_uncertainty(beta.value, beta.uncertainty, "")
+        ),
+    };
+    vec![Block::words(law), Block::words(verdict)]
+}
+
+pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
+    let equation = "The equation of motion is θ″ = −ω₀² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′|: dry friction d in the bearing, linear \
+                    drag b of slow flow and in the string, quadratic drag c of fast flow around the bob. Small amplitudes fall as a \
+                    straight line, as an exponential, and as 1/(t + constant).";
+    if answer.comparison.is_none() {
+        return vec![
+            Block::words(equation),
+            Block::words(format!("Only {} damping was fitted, as asked.", answer.fit.damping)),
+        ];
+    }
+    let rivals = answer.rivals();
+    let verdict = match rivals.len() {
+        0 => format!("The data prefer {}; adding other kinds does not explain them better.", named(answer)),
+        _ => format!(
+            "The simplest description is {}, but these data cannot separate it from {}: T₀ and gravity hardly depend on it, the \
+             coefficients of damping do.",
+            named(answer),
+            warnings::list(&rivals)
+        ),
+    };
+    vec![Block::words(equation), Block::words(verdict)]
+}
+
+/// `linear damping (b = 0.030 ± 0.001 1/s)`.
+fn named(answer: &Answer<'_>) -> String {
+    let letter = |term: DampingTerm| match term {
+        DampingTerm::Dry => "d",
+        DampingTerm::Linear => "b",
+        DampingTerm::Quadratic => "c",
+    };
+    let coefficient = |term: DampingTerm| {
+        let parameter = answer.fit.parameter(term.name())?;
+        let unit = sheet::unit(term.unit());
+        Some(format!(
+            "{} = {}",
+            letter(term),
+            with_uncertainty(parameter.value, parameter.uncertainty, &unit)
+        ))
+    };
+    let coefficients: Vec<String> = answer.fit.damping.iter().filter_map(coefficient).collect();
+    match coefficients.len() {
+        0 => "no damping at all".to_owned(),
+        _ => format!("{} damping ({})", answer.fit.damping, coefficients.join(", ")),
+    }
+}
+
+pub(super) fn numbers(_answer: &Answer<'_>) -> Vec<Block> {
+    vec![Block::words(
+        "omega0 is ω₀ = √(g/l); dry, linear and quadratic are d, b and c. offset is where the pendulum hangs on the scale of the \
+         instrument, theta0 and velocity0 are the angle from there and the angular velocity at the first row.",
+    )]
+}

@@ -1,0 +1,262 @@
+//! The answer as a sheet with tables, for people at a terminal.
+
+use super::answer::{Answer, Pendulum, STANDARD_GRAVITY};
+use crate::output;
+use crate::output::number::{rounded, short, with_uncertainty};
+use crate::output::table::{Column, Table, paragraph, sheet};
+use libration::fit::trace::{Comparison, Parameter};
+use libration::measurement::Seen;
+use std::io::{self, Write};
+
+/// Letters in a line.
+const WIDTH: usize = 100;
+
+/// Writes everything that is found.
+pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
+    sheet(out, &lines(answer))?;
+    writeln!(out)?;
+    parameters(out, answer)?;
+    if answer.measured.traces.len() > 1 {
+        writeln!(out)?;
+        traces(out, answer)?;
+    }
+    if let Some(comparison) = &answer.comparison {
+        writeln!(out)?;
+        models(out, answer, comparison)?;
+    }
+    if let Pendulum::Gravity { budget, .. } = &answer.pendulum {
+        writeln!(out)?;
+        output::budget::write_table(out, budget)?;
+    }
+    list(out, "warnings", &answer.warnings)?;
+    list(out, "to improve", &answer.advice)?;
+    answer
+        .measured
+        .files
+        .iter()
+        .try_for_each(|file| list(out, &format!("told from {}", file.name), &file.findings))
+}
+
+fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
+    let fit = &answer.fit;
+    let (period, uncertainty) = fit.small_angle_period();
+    vec![
+        ("read", read(answer)),
+        ("model", model(answer)),
+        ("T₀", with_uncertainty(period, uncertainty, "s")),
+        gravity_or_length(answer),
+        ("rms residual", residual(answer)),
+        ("cycles", cycles(answer)),
+        ("β", beta(answer)),
+    ]
+}
+
+fn read(answer: &Answer<'_>) -> String {
+    let traces = &answer.measured.traces;
+    let rows = answer.fit.rows();
+    let seconds = |trace: &libration::measurement::Trace| trace.times()[trace.len() - 1] - trace.times()[0];
+    match &traces[..] {
+        [only] => format!("{rows} rows in {} s from {}", rounded(seconds(only), 4), answer.measured.names()),
+        many => format!("{rows} rows in {} traces from {}", many.len(), answer.measured.names()),
+    }
+}
+
+/// The damping, and how it was chosen.
+pub(super) fn model(answer: &Answer<'_>) -> String {
+    let chosen = answer.fit.damping.to_string();
+    let rivals = answer.rivals();
+    match (&answer.comparison, rivals.len()) {
+        (None, _) => format!("{chosen} (as asked)"),
+        (Some(_), 0) => format!("{chosen} (preferred by the data)"),
+        (Some(_), _) => {
+            format!("{chosen} (the data cannot separate it from {})", super::warnings::list(&rivals))
+        }
+    }
+}
+
+/// Gravity if the length is known, else the length.
+pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
+    match &answer.pendulum {
+        Pendulum::Gravity { budget, length } => {
+            let length = with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
+            let gravity = with_uncertainty(budget.g, budget.uncertainty, "m/s²");
+            ("gravity", format!("{gravity}  (length {length})"))
+        }
+        Pendulum::Length { value, uncertainty } => {
+            let length = with_uncertainty(*value, *uncertainty, "m");
+            ("length", format!("{length}  (of a simple pendulum, if g = {STANDARD_GRAVITY} m/s²)"))
+        }
+    }
+}
+
+/// In degrees for angles.
+pub(super) fn residual(answer: &Answer<'_>) -> String {
+    let rms = in_unit(answer, answer.fit.rms, 3);
+    answer.fit.chi2_per_dof.map_or(rms.clone(), |chi2| format!("{rms}, χ²/dof {}", rounded(chi2, 3)))
+}
+
+fn cycles(answer: &Answer<'_>) -> String {
+    let count = answer.all_cycles().count();
+    answer.amplitudes().map_or("none".to_owned(), |(largest, smallest)| {
+        let [largest, smallest] = [largest, smallest].map(|amplitude| rounded(amplitude.to_degrees(), 3));
+        format!("{count}, with amplitudes from {largest}° to {smallest}°")
+    })
+}
+
+/// β with what it should be, or why there is none.
+pub(super) fn beta(answer: &Answer<'_>) -> String {
+    match &answer.beta {
+        Ok(beta) => format!("{}  (1 is the exact law)", with_uncertainty(beta.value, beta.uncertainty, "")),
+        Err(reason) => format!("none: {reason}"),
+    }
+}
+
+pub(super) fn parameter_columns() -> Vec<Column> {
+    let numbers = ["value", "±", "68 %", "95 %"].map(Column::numbers);
+    [vec![Column::words("parameter")], numbers.to_vec(), vec![Column::words("unit")]].concat()
+}
+
+fn parameters(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
+    let mut table = Table::new(parameter_columns());
+    for parameter in &answer.fit.parameters {
+        table.row(out, cells(parameter, answer))?;
+    }
+    table.finish(out)
+}
+
+/// Name, value, uncertainty, both intervals, unit.
+pub(super) fn cells(parameter: &Parameter, answer: &Answer<'_>) -> Vec<String> {
+    let interval = |place: usize| {
+        parameter.intervals.map_or("–".to_owned(), |both| {
+            let ends = both[place].map(|end| to_the_digit(end, parameter.uncertainty));
+            format!("{} … {}", ends[0], ends[1])
+        })
+    };
+    vec![
+        name(parameter, answer),
+        to_the_digit(parameter.value, parameter.uncertainty),
+        rounded(parameter.uncertainty, 2),
+        interval(0),
+        interval(1),
+        unit(parameter.unit),
+    ]
+}
+
+/// As people write it.
+pub(super) fn unit(unit: &str) -> String {
+    if unit == "1" { String::new() } else { unit.replace("^2", "²") }
+}
+
+/// With the trace it belongs to, where there are several.
+fn name(parameter: &Parameter, answer: &Answer<'_>) -> String {
+    match parameter.trace.filter(|_| answer.measured.traces.len() > 1) {
+        Some(trace) => format!("{}, {}", parameter.name, answer.measured.traces[trace].name()),
+        None => parameter.name.to_owned(),
+    }
+}
+
+/// A value to the last digit of its uncertainty.
+fn to_the_digit(value: f64, uncertainty: f64) -> String {
+    let text = with_uncertainty(value, uncertainty, "");
+    text.split_once(' ').map_or_else(|| short(value, 8), |(value, _)| value.to_owned())
+}
+
+pub(super) fn trace_columns() -> Vec<Column> {
+    let numbers = ["rows", "rms residual", "cycles", "largest", "smallest", "T₀ by cycles / s", "β"]
+        .map(Column::numbers);
+    [vec![Column::words("trace")], numbers.to_vec()].concat()
+}
+
+fn traces(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
+    let mut table = Table::new(trace_columns());
+    for row in trace_rows(answer) {
+        table.row(out, row)?;
+    }
+    table.finish(out)
+}
+
+/// Each trace by itself: rows, what the fit leaves of it, its cycles, their T0 and β.
+pub(super) fn trace_rows(answer: &Answer<'_>) -> Vec<Vec<String>> {
+    let row = |trace: usize| {
+        let rms = in_unit(answer, answer.fit.traces[trace].rms(), 3);
+        let none = || "–".to_owned();
+        let first = [
+            answer.measured.traces[trace].name().to_owned(),
+            answer.measured.traces[trace].len().to_string(),
+            rms,
+        ];
+        let rest = answer.cycles[trace].as_ref().map_or_else(
+            |_| std::array::from_fn(|_| none()),
+            |found| {
+                let sizes = || found.cycles.iter().map(|cycle| cycle.amplitude.to_degrees());
+                let size =
+                    |size: Option<f64>| size.map_or_else(none, |size| format!("{}°", rounded(size, 3)));
+                let beta = found.beta.as_ref().ok();
+                [
+                    found.cycles.len().to_string(),
+                    size(sizes().reduce(f64::max)),
+                    size(sizes().reduce(f64::min)),
+                    with_uncertainty(found.t0, found.t0_uncertainty, ""),
+                    beta.map_or_else(none, |beta| with_uncertainty(beta.beta, beta.uncertainty, "")),
+                ]
+            },
+        );
+        [first.to_vec(), rest.to_vec()].concat()
+    };
+    (0..answer.measured.traces.len()).map(row).collect()
+}
+
+/// A difference of two values, in degrees for angles.
+fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
+    match answer.measured.traces[0].seen() {
+        Seen::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
+        Seen::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),
+    }
+}
+
+pub(super) fn model_columns() -> Vec<Column> {
+    let numbers = ["ΔAICc", "rms residual", "T₀ / s"].map(Column::numbers);
+    [vec![Column::words("damping")], numbers.to_vec(), vec![Column::words("")]].concat()
+}
+
+fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> io::Result<()> {
+    let mut table = Table::new(model_columns());
+    for row in model_rows(answer, comparison) {
+        table.row(out, row)?;
+    }
+    table.finish(out)
+}
+
+/// Damping, excess of information, residual, T0, remark; the best first.
+pub(super) fn model_rows(answer: &Answer<'_>, comparison: &Comparison) -> Vec<Vec<String>> {
+    let rivals = comparison.rivals();
+    let mut order: Vec<usize> = (0..comparison.fits.len()).collect();
+    order.sort_by(|&a, &b| comparison.excess_information[a].total_cmp(&comparison.excess_information[b]));
+    let row = |place: usize| {
+        let fit = &comparison.fits[place];
+        let remark = match () {
+            () if place == comparison.preferred => "preferred",
+            () if rivals.contains(&fit.damping) => "not told apart",
+            () if !fit.takes_energy() => "feeds energy",
+            () => "",
+        };
+        let rms = in_unit(answer, fit.rms, 4);
+        let (period, uncertainty) = fit.small_angle_period();
+        vec![
+            fit.damping.to_string(),
+            format!("{:.1}", comparison.excess_information[place]),
+            rms,
+            with_uncertainty(period, uncertainty, ""),
+            remark.to_owned(),
+        ]
+    };
+    order.into_iter().map(row).collect()
+}
+
+fn list(out: &mut dyn Write, title: &str, items: &[String]) -> io::Result<()> {
+    if items.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{title}")?;
+    items.iter().try_for_each(|item| writeln!(out, "{}", paragraph("  - ", item, WIDTH)))
+}

@@ -1,0 +1,127 @@
+//! What casts doubt on a fit, in sentences.
+
+use super::answer::Answer;
+use crate::output::number::rounded;
+use libration::fit::trace::TraceFit;
+
+/// A difference of so many uncertainties is not chance.
+pub(super) const SIGNIFICANT: f64 = 3.0;
+
+/// The warnings, the gravest first.
+pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
+    let fit = &answer.fit;
+    let mut warnings = vec![];
+    if !fit.converged {
+        warnings.push("the fit did not settle at a minimum: its numbers are not to be trusted".to_owned());
+    }
+    warnings.extend(of_energy(fit));
+    warnings.extend(of_rivals(answer));
+    warnings.extend(of_residuals(fit));
+    warnings.extend(of_stated_uncertainties(fit));
+    warnings.extend(of_beta(answer));
+    warnings.extend(of_periods(answer));
+    warnings.extend(of_outliers(fit));
+    warnings.extend(of_cycles(answer));
+    warnings
+}
+
+fn of_energy(fit: &TraceFit) -> Option<String> {
+    (!fit.takes_energy()).then(|| {
+        format!("the model `{}` feeds energy to the pendulum at some speeds, which no friction does: choose another", fit.damping)
+    })
+}
+
+fn of_rivals(answer: &Answer<'_>) -> Option<String> {
+    let rivals = answer.rivals();
+    let preferred = answer.fit.damping;
+    (!rivals.is_empty())
+        .then(|| format!("these data cannot separate {preferred} damping from {}", list(&rivals)))
+}
+
+fn of_residuals(fit: &TraceFit) -> Option<String> {
+    let time = fit.autocorrelation.time;
+    let inflation = fit.parameters[0].uncertainty / fit.parameters[0].formal_uncertainty;
+    (!fit.autocorrelation.is_noise()).then(|| {
+        format!(
+            "the residuals are not noise: they are alike over about {} rows, so the pendulum does something the model does \
+             not, or the instrument does. Formal uncertainties would be too small; those given are {} times as large by \
+             a block bootstrap, and a systematic error may be larger still",
+            rounded(time, 2),
+            rounded(inflation, 2)
+        )
+    })
+}
+
+fn of_stated_uncertainties(fit: &TraceFit) -> Option<String> {
+    let factor = fit.chi2_per_dof?.sqrt();
+    let told = |how: &str| {
+        format!(
+            "the rows scatter {} times as much as their stated uncertainties: these are too {how}",
+            rounded(factor, 2)
+        )
+    };
+    match factor {
+        factor if factor > 1.5 => Some(told("small")),
+        factor if factor < 0.67 => Some(told("large")),
+        _ => None,
+    }
+}
+
+fn of_beta(answer: &Answer<'_>) -> Option<String> {
+    let beta = answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
+    // R − 1 goes with the square of the amplitude, so that β is wrong by twice as much as the angles.
+    let percent = 50.0 * (beta.value - 1.0);
+    Some(format!(
+        "β is {} standard uncertainties from 1: the period does not change with the amplitude as the exact law says. \
+         Angles measured {} % too {} would do this",
+        rounded(beta.deviation(), 2),
+        rounded(percent.abs(), 2),
+        if percent > 0.0 { "small" } else { "large" }
+    ))
+}
+
+/// Whether single cycles and the whole motion agree about T0.
+fn of_periods(answer: &Answer<'_>) -> Option<String> {
+    let [Ok(cycles)] = &answer.cycles[..] else { return None };
+    let (period, uncertainty) = answer.fit.small_angle_period();
+    let deviation = (cycles.t0 - period).abs() / cycles.t0_uncertainty.hypot(uncertainty);
+    (deviation > SIGNIFICANT).then(|| {
+        format!(
+            "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
+            rounded(cycles.t0, 6),
+            rounded(deviation, 2),
+            rounded(period, 6)
+        )
+    })
+}
+
+fn of_outliers(fit: &TraceFit) -> Option<String> {
+    let outliers: usize = fit.traces.iter().map(|trace| trace.outliers.len()).sum();
+    (outliers > 0).then(|| match outliers {
+        1 => "1 row is an outlier, further than five robust standard deviations from the motion".to_owned(),
+        many => {
+            format!("{many} rows are outliers, further than five robust standard deviations from the motion")
+        }
+    })
+}
+
+fn of_cycles(answer: &Answer<'_>) -> Vec<String> {
+    let alone = answer.cycles.len() == 1;
+    let named = answer.measured.traces.iter().zip(&answer.cycles);
+    let told = named.flat_map(|(trace, found)| {
+        let words =
+            found.as_ref().map_or_else(|error| vec![error.to_string()], |cycles| cycles.warnings.clone());
+        let name = if alone { "cycles".to_owned() } else { format!("cycles of {}", trace.name()) };
+        words.into_iter().map(move |text| format!("{name}: {text}"))
+    });
+    told.collect()
+}
+
+/// `dry`, `dry or linear`, `dry, linear or quadratic`.
+pub(super) fn list(names: &[String]) -> String {
+    match names {
+        [all @ .., before, last] if !all.is_empty() => format!("{}, {before} or {last}", all.join(", ")),
+        [before, last] => format!("{before} or {last}"),
+        names => names.join(", "),
+    }
+}

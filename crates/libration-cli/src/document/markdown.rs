@@ -1,0 +1,73 @@
+//! A document as Markdown (the tables are GitHub's).
+
+use super::{Block, Document, Figure, Table};
+use std::borrow::Cow;
+
+/// The whole page; `file_of` says which file a picture is in.
+pub(super) fn page(document: &Document, file_of: impl Fn(&Figure) -> String) -> String {
+    let mut page = format!("# {}\n", escaped(&document.title));
+    for section in &document.sections {
+        page += &format!("\n## {}\n", escaped(section.title));
+        for each in &section.blocks {
+            page += &format!("\n{}\n", block(each, &file_of));
+        }
+    }
+    page
+}
+
+fn block(block: &Block, file_of: &impl Fn(&Figure) -> String) -> String {
+    match block {
+        Block::Paragraph(text) => escaped(text).into_owned(),
+        Block::List(items) => {
+            items.iter().map(|item| format!("- {}", escaped(item))).collect::<Vec<_>>().join("\n")
+        }
+        Block::Table(table) => self::table(table),
+        Block::Figure(figure) => {
+            let caption = escaped(&figure.caption);
+            format!("![{caption}](<{}>)\n\n*{caption}*", file_of(figure))
+        }
+    }
+}
+
+fn table(table: &Table) -> String {
+    let line = |cells: &mut dyn Iterator<Item = Cow<'_, str>>| {
+        format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).collect::<Vec<_>>().join(" | "))
+    };
+    let rule = table.columns.iter().map(|column| if column.is_of_numbers() { "---:" } else { "---" }.into());
+    let mut lines = vec![
+        format!("{}:\n", escaped(&table.caption)),
+        line(&mut table.columns.iter().map(|column| escaped(&column.title))),
+        line(&mut { rule }),
+    ];
+    lines.extend(table.rows.iter().map(|row| line(&mut row.iter().map(|cell| escaped(cell)))));
+    lines.join("\n")
+}
+
+/// The text with a backslash before what Markdown would take for its own.
+fn escaped(text: &str) -> Cow<'_, str> {
+    const OWN: [char; 9] = ['\\', '`', '*', '_', '[', ']', '<', '>', '#'];
+    if !text.contains(OWN) {
+        return text.into();
+    }
+    let letters = text.chars().flat_map(|letter| {
+        let backslash = OWN.contains(&letter).then_some('\\');
+        backslash.into_iter().chain([letter])
+    });
+    letters.collect::<String>().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::table::Column;
+
+    #[test]
+    fn tables_have_a_rule_and_text_is_escaped() {
+        let table = Table {
+            caption: "What".to_owned(),
+            columns: vec![Column::words("name"), Column::numbers("value")],
+            rows: vec![vec!["a_b|c".to_owned(), "1".to_owned()]],
+        };
+        assert_eq!(super::table(&table), "What:\n\n| name | value |\n| --- | ---: |\n| a\\_b\\|c | 1 |");
+    }
+}

@@ -1,0 +1,72 @@
+//! Documents to read and to print: sections with words, tables and pictures, as one HTML file or as Markdown with its
+//! pictures beside it.
+
+mod files;
+mod html;
+mod markdown;
+
+pub(crate) use files::{name, write};
+
+use crate::figure::chart::Picture;
+use crate::output::table::Column;
+
+/// A document.
+#[derive(Clone, Debug)]
+pub(crate) struct Document {
+    pub(crate) title: String,
+    pub(crate) sections: Vec<Section>,
+}
+
+/// A part of a document under its own title.
+#[derive(Clone, Debug)]
+pub(crate) struct Section {
+    pub(crate) title: &'static str,
+    pub(crate) blocks: Vec<Block>,
+}
+
+/// What a section is made of.
+#[derive(Clone, Debug)]
+pub(crate) enum Block {
+    Paragraph(String),
+    List(Vec<String>),
+    Table(Table),
+    Figure(Figure),
+}
+
+/// A table with a line above that says what it shows; the first column names the row.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    pub(crate) caption: String,
+    pub(crate) columns: Vec<Column>,
+    pub(crate) rows: Vec<Vec<String>>,
+}
+
+/// A picture with what there is to see in it.
+#[derive(Clone, Debug)]
+pub(crate) struct Figure {
+    /// Part of the name of its file, where it has one of its own.
+    pub(crate) name: String,
+    /// What it shows, for those who cannot see it too.
+    pub(crate) caption: String,
+    pub(crate) picture: Picture,
+}
+
+impl Section {
+    /// The section of these blocks, if there are any.
+    pub(crate) fn new(title: &'static str, blocks: Vec<Block>) -> Option<Self> {
+        (!blocks.is_empty()).then_some(Self { title, blocks })
+    }
+}
+
+impl Block {
+    pub(crate) fn words(text: impl Into<String>) -> Self {
+        Self::Paragraph(text.into())
+    }
+}
+
+impl Document {
+    fn figures(&self) -> impl Iterator<Item = &Figure> {
+        let blocks = self.sections.iter().flat_map(|section| &section.blocks);
+        blocks.filter_map(|block| if let Block::Figure(figure) = block { Some(figure) } else { None })
+    }
+}

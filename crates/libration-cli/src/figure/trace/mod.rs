@@ -1,0 +1,51 @@
+//! A measured swing with the motion that was fitted to it: the data, what is left, periods and amplitudes.
+
+mod curve;
+mod cycles;
+mod data;
+mod residuals;
+mod thinned;
+
+pub(crate) use cycles::{Envelope, Swings, amplitudes, periods};
+pub(crate) use data::{is_long, stretches, whole};
+pub(crate) use residuals::residuals;
+
+use libration::fit::trace::FittedTrace;
+use libration::measurement::{Seen, Trace};
+
+/// A trace and what was fitted to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fitted<'a> {
+    pub(crate) trace: &'a Trace,
+    pub(crate) fitted: &'a FittedTrace,
+    /// The period of small swings, in seconds.
+    pub(crate) small_angle_period: f64,
+}
+
+impl Fitted<'_> {
+    /// Degrees for angles.
+    fn shown(&self, value: f64) -> f64 {
+        match self.trace.seen() {
+            Seen::Angle => value.to_degrees(),
+            Seen::AngularVelocity => value,
+        }
+    }
+
+    fn label(&self) -> String {
+        format!("{} / {}", self.symbol(), self.unit())
+    }
+
+    fn symbol(&self) -> &'static str {
+        match self.trace.seen() {
+            Seen::Angle => "angle θ",
+            Seen::AngularVelocity => "velocity θ′",
+        }
+    }
+
+    fn unit(&self) -> &'static str {
+        match self.trace.seen() {
+            Seen::Angle => "degrees",
+            Seen::AngularVelocity => "(rad/s)",
+        }
+    }
+}

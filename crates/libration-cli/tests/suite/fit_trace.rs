@@ -1,0 +1,208 @@
+//! `libration fit trace`.
+
+use crate::command::{directory, json, libration, message, text};
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+
+/// Made by `reference/synthetic_swing.py` with another integrator: l = 0.56 m, g = 9.81 m/s², linear drag 0.03 1/s, released
+/// at 60°, a zero at 1.2°, errors of 0.3°.
+const SWING: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/swing_synthetic.csv");
+
+fn parameter<'a>(answer: &'a Value, name: &str) -> &'a Value {
+    let parameters = answer["parameters"].as_array().unwrap();
+    parameters.iter().find(|parameter| parameter["name"] == name).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+/// Within so many standard uncertainties, none of which is larger than `most`.
+fn agrees(value: &Value, uncertainty: &Value, truth: f64, most: f64) {
+    let (value, uncertainty) = (number(value), number(uncertainty));
+    assert!((0.0..most).contains(&uncertainty), "{uncertainty}");
+    assert!((value - truth).abs() < 3.5 * uncertainty, "{value} ± {uncertainty} is not {truth}");
+}
+
+#[test]
+fn the_truth_of_a_synthetic_swing_is_found() {
+    let answer = json(&format!("fit trace {SWING} --length 0.56m±0.002m"));
+    assert_eq!(answer["model"], "linear");
+    let truths = [
+        ("omega0", (9.81_f64 / 0.56).sqrt(), 3e-4, "rad/s"),
+        ("linear", 0.03, 3e-4, "1/s"),
+        ("offset", 1.2_f64.to_radians(), 5e-4, "rad"),
+        ("theta0", 60_f64.to_radians(), 1e-3, "rad"),
+        ("velocity0", 0.0, 1e-2, "rad/s"),
+    ];
+    for (name, truth, most, unit) in truths {
+        let found = parameter(&answer, name);
+        agrees(&found["value"], &found["uncertainty"], truth, most);
+        assert_eq!(found["unit"], unit);
+    }
+    agrees(&answer["beta"], &answer["beta_uncertainty"], 1.0, 0.02);
+    agrees(&answer["gravity_m_per_s2"], &answer["gravity_uncertainty_m_per_s2"], 9.81, 0.04);
+    // Normal errors of 0.3°, rounding to 0.1°, and times rounded to 1 ms at up to 250°/s.
+    let rms = number(&answer["rms_residual_rad"]).to_degrees();
+    assert!((0.29..0.33).contains(&rms), "{rms}");
+    let interval = &parameter(&answer, "omega0")["interval_95"];
+    assert!(number(&interval[0]) < truths[0].1 && truths[0].1 < number(&interval[1]));
+}
+
+#[test]
+fn the_answer_has_the_fields_that_are_promised() {
+    let answer = json(&format!("fit trace {SWING} --model linear --to 8s"));
+    for field in ["files", "parameters", "cycles", "warnings", "advice", "traces", "findings", "correlations"]
+    {
+        assert!(answer[field].is_array(), "{field}");
+    }
+    for field in ["rms_residual_rad", "beta", "beta_uncertainty", "small_angle_period_s"] {
+        assert!(answer[field].is_number(), "{field}");
+    }
+    assert!(answer["chi2_per_dof"].is_null() && answer["comparison"].is_null());
+    assert_eq!(answer["files"][0], SWING);
+    let cycles = answer["cycles"].as_array().unwrap();
+    assert!(cycles.len() >= 6);
+    for cycle in cycles {
+        // T0 = 1.5012 s, and 7 % more at 60°.
+        assert!((1.53..1.63).contains(&number(&cycle["period_s"])), "{cycle}");
+        assert!((0.8..1.06).contains(&number(&cycle["amplitude_rad"])) && number(&cycle["time_s"]) < 8.0);
+    }
+    assert!(number(&answer["traces"][0]["last_s"]) <= 8.0);
+    assert!(answer["length_in_standard_gravity_m"].is_number() && answer["gravity_m_per_s2"].is_null());
+}
+
+#[test]
+fn the_sheet_says_what_was_found_and_what_would_help() {
+    let sheet = text(&format!("fit trace {SWING} --length 0.56m±0.002m"));
+    let sheet = sheet.split_whitespace().collect::<Vec<_>>().join(" ");
+    for expected in
+        ["T₀", "gravity", "β", "ΔAICc", "linear+quadratic", "to improve", "Measure the length", "--time"]
+    {
+        assert!(sheet.contains(expected), "{expected}: {sheet}");
+    }
+}
+
+#[test]
+fn rows_with_the_fitted_motion_are_written_as_csv() {
+    let rows = text(&format!("fit trace {SWING} --model linear --to 5s --csv"));
+    let mut lines = rows.lines();
+    assert_eq!(lines.next(), Some("trace,time_s,value,fitted,residual"));
+    let mut count = 0;
+    for line in lines {
+        let cells: Vec<f64> = line.split(',').skip(1).map(|cell| cell.parse().unwrap()).collect();
+        assert!((cells[1] - cells[2] - cells[3]).abs() < 1e-12, "{line}");
+        assert!(cells[3].abs() < 2_f64.to_radians(), "{line}");
+        count += 1;
+    }
+    assert_eq!(count, 301);
+}
+
+/// A part of the swing is enough where only the form counts.
+fn quick() -> String {
+    format!("fit trace {SWING} --model linear --to 6s")
+}
+
+#[test]
+fn the_report_stands_alone_and_is_written_whole() {
+    let directory = directory("fit-trace-report");
+    let report = directory.join("report.html");
+    text(&format!("{} --length 0.56m±0.002m --report {}", quick(), report.display()));
+    let page = fs::read_to_string(&report).unwrap();
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    for expected in ["Gravity is g", "residual", "exact law", "<svg viewBox", "scope=\"col\"", "omega0"] {
+        assert!(page.contains(expected), "{expected}");
+    }
+    let outside = ["<script", "<img", "<link rel=\"stylesheet\"", "@import", "src=\"http", "href=\"http"];
+    assert!(outside.iter().all(|tag| !page.contains(tag)));
+    // The parts of pictures have names of their own.
+    let names: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let different: std::collections::BTreeSet<&&str> = names.iter().collect();
+    assert_eq!(names.len(), different.len());
+    assert_eq!(fs::read_dir(&directory).unwrap().count(), 1);
+}
+
+#[test]
+fn a_markdown_report_has_its_pictures_beside_it() {
+    let directory = directory("fit-trace-markdown");
+    let report = directory.join("report.md");
+    text(&format!("{} --report {}", quick(), report.display()));
+    let page = fs::read_to_string(&report).unwrap();
+    let pictures: Vec<&str> = page.split("](<").skip(1).filter_map(|rest| rest.split('>').next()).collect();
+    assert!(pictures.len() >= 4, "{pictures:?}");
+    for picture in &pictures {
+        assert!(fs::read_to_string(directory.join(picture)).unwrap().contains("<svg"), "{picture}");
+    }
+    assert_eq!(fs::read_dir(&directory).unwrap().count(), pictures.len() + 1);
+}
+
+#[test]
+fn pictures_are_drawn() {
+    let directory = directory("fit-trace-figure");
+    let picture = directory.join("fit.svg");
+    text(&format!("{} --figure {}", quick(), picture.display()));
+    assert!(fs::read_to_string(&picture).unwrap().contains("residual / degrees"));
+}
+
+/// A swing of angular velocities, by small steps of a symplectic integrator: 40° of a pendulum with ω0 = 3 rad/s.
+fn gyroscope(name: &str) -> PathBuf {
+    let (mut angle, mut velocity, mut seed) = (40_f64.to_radians(), 0.0, 1_u64);
+    let mut text = "Time (s),Gyroscope x (rad/s)\n".to_owned();
+    for step in 0..60_000_u32 {
+        if step.is_multiple_of(100) {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            let noise = f64::from(u32::try_from(seed >> 32).unwrap()) / f64::from(u32::MAX) - 0.5;
+            text += &format!("{:.3},{:.5}\n", f64::from(step) * 2e-4, velocity + 0.02 * noise);
+        }
+        velocity -= 1e-4 * 9.0 * f64::sin(angle);
+        angle += 2e-4 * velocity;
+        velocity -= 1e-4 * 9.0 * f64::sin(angle);
+    }
+    let path = directory(name).join("gyroscope.csv");
+    fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn angular_velocities_alone_give_the_frequency() {
+    let answer = json(&format!("fit trace {} --model undamped", gyroscope("fit-trace-gyroscope").display()));
+    let omega0 = parameter(&answer, "omega0");
+    agrees(&omega0["value"], &omega0["uncertainty"], 3.0, 1e-2);
+    assert!(answer["rms_residual_rad_per_s"].is_number() && answer.get("rms_residual_rad").is_none());
+}
+
+#[test]
+fn unusable_recordings_are_refused_with_a_reason_and_nothing_is_written() {
+    let cases = [
+        ("empty", "", "--model linear", "no rows"),
+        ("still", "t (s),theta (deg)\n0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n8,1\n9,1\n10,1\n", "", ""),
+        ("short", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "", "rows"),
+        ("window", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "--from 5s", "its times are from 0 to 0.2 s"),
+    ];
+    for (name, table, options, expected) in cases {
+        let directory = directory(&format!("fit-trace-{name}"));
+        let path = directory.join("swing.csv");
+        fs::write(&path, table).unwrap();
+        let report = directory.join("report.html");
+        let output =
+            libration(&format!("fit trace {} {options} --report {}", path.display(), report.display()));
+        assert_eq!(output.status.code(), Some(1), "{name}: {}", message(&output));
+        assert!(message(&output).contains(expected), "{name}: {}", message(&output));
+        assert!(!report.exists() && output.stdout.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn questions_that_are_not_understood_say_what_would_do() {
+    for (options, expected) in [
+        ("--model viscous", "dry+linear"),
+        ("--report report.pdf", ".html or .md"),
+        ("--figure swing.gif", ".svg or .png"),
+        ("--length -1m", "above zero"),
+    ] {
+        let output = libration(&format!("fit trace {SWING} {options}"));
+        assert_eq!(output.status.code(), Some(2), "{options}");
+        assert!(message(&output).contains(expected), "{options}: {}", message(&output));
+    }
+}
