@@ -27,7 +27,7 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
     let cases = [
         Synthetic::USUAL,
         Synthetic { amplitude: 100.0 * DEGREE, linear: 0.05, ..Synthetic::USUAL },
-        Synthetic { amplitude: 0.1, dry: 0.01, linear: 0.0, ..Synthetic::USUAL },
+        Synthetic { amplitude: 0.1, dry: 0.003, linear: 0.0, ..Synthetic::USUAL },
         Synthetic { quadratic: 0.05, linear: 0.0, offset: 0.3, ..Synthetic::USUAL },
         // 25 rows in a period.
         Synthetic { step: 0.083, rows: 480, ..Synthetic::USUAL },
@@ -51,8 +51,7 @@ fn pulls(case: &Synthetic, traces: u64) -> [f64; 2] {
     for seed in 0..traces {
         let found = of(case, seed);
         let beta = found.beta.unwrap();
-        let errors =
-            [(found.t0 - case.t0()) / found.t0_uncertainty, (beta.beta - 1.0) / beta.uncertainty];
+        let errors = [(found.t0 - case.t0()) / found.t0_uncertainty, (beta.beta - 1.0) / beta.uncertainty];
         for (square, error) in squares.iter_mut().zip(errors) {
             *square += error * error;
         }
@@ -84,7 +83,8 @@ fn errors_are_as_large_as_their_uncertainties() {
 #[test]
 fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
     let quantum = 360.0 * DEGREE / 4000.0;
-    let case = Synthetic { quantum, step: 0.005, rows: 3000, amplitude: 1.9, linear: 0.04, ..Synthetic::USUAL };
+    let case =
+        Synthetic { quantum, step: 0.005, rows: 3000, amplitude: 1.9, linear: 0.04, ..Synthetic::USUAL };
     let found = of(&case, 1);
     assert!((found.t0 / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
     // Rounding leaves an error of quantum/√12.
@@ -95,7 +95,8 @@ fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
 
 /// A trace with some of its rows changed or left out.
 fn changed(trace: &Trace, value: impl Fn(usize, f64) -> Option<f64>) -> Trace {
-    let rows = (0..trace.len()).filter_map(|row| Some((trace.times()[row], value(row, trace.values()[row])?)));
+    let rows =
+        (0..trace.len()).filter_map(|row| Some((trace.times()[row], value(row, trace.values()[row])?)));
     let (times, values) = rows.unzip();
     Trace::new("changed", trace.seen(), times, values, None).unwrap()
 }
@@ -159,7 +160,8 @@ fn the_envelope_tells_the_damping() {
         let preferred = envelope.preferred();
         assert!(preferred.damping.has(term), "{}", envelope.verdict());
         // The law with this damping alone, whatever others cannot be told from it.
-        let alone = envelope.fits.iter().find(|fit| fit.damping.count() == 1 && fit.damping.has(term)).unwrap();
+        let alone =
+            envelope.fits.iter().find(|fit| fit.damping.count() == 1 && fit.damping.has(term)).unwrap();
         let truth = [case.dry, case.linear, case.quadratic].into_iter().fold(0.0, f64::max);
         let coefficient = alone.coefficients[0];
         assert!((coefficient.value - truth).abs() < 4.0 * coefficient.uncertainty, "{coefficient:?}");

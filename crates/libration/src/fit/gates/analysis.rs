@@ -140,7 +140,7 @@ impl Swings {
     }
 
     /// How far from the bottom in time the gate is passed in a cycle: passages are T/2 ± 2τ apart.
-    fn from_bottom(&self, cycle: usize) -> f64 {
+    fn time_from_bottom(&self, cycle: usize) -> f64 {
         let period = self.period(cycle);
         0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
     }
@@ -184,10 +184,11 @@ impl Swings {
     fn amplitudes_for(&self, width: f64, t0: f64) -> Amplitudes {
         let mut of_passages = vec![None; self.placed.len()];
         for &cycle in &self.cycles {
-            let from_bottom = self.from_bottom(cycle);
-            for passage in cycle..cycle + 3 {
-                let blocked = self.placed[passage].passage.blocked;
-                of_passages[passage] = blocked.and_then(|time| amplitude(TAU / t0, width, time, from_bottom));
+            let from_bottom = self.time_from_bottom(cycle);
+            let passages = self.placed.iter().zip(&mut of_passages).skip(cycle).take(3);
+            for (placed, found) in passages {
+                let blocked = placed.passage.blocked;
+                *found = blocked.and_then(|time| amplitude(TAU / t0, width, time, from_bottom));
             }
         }
         Amplitudes { of_passages, omega0: TAU / t0 }
@@ -230,7 +231,7 @@ impl Swings {
             let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_cycle(cycle)?)).ok()?;
             let outward = 0.5 * self.period(cycle) > self.time(cycle + 1) - self.time(cycle);
             let first_side = self.placed[cycle].side == 0;
-            let height = modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.from_bottom(cycle)).sn;
+            let height = modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.time_from_bottom(cycle)).sn;
             Some(if outward == first_side { height } else { -height })
         };
         median(self.cycles.iter().filter_map(height).collect())
