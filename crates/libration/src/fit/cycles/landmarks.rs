@@ -83,8 +83,12 @@ impl Guess {
         let passages: Vec<Option<Passage>> = passages.collect();
         let extremes = (0..self.passages.len().saturating_sub(1)).map(|k| {
             let (Some(before), Some(after)) = (passages[k], passages[k + 1]) else { return None };
-            let found =
-                extreme(&window, &shape(self.extremes[k + 1].abs(), 0.5 * (after.time - before.time)), [before.time, after.time], self.noise);
+            let found = extreme(
+                &window,
+                &shape(self.extremes[k + 1].abs(), 0.5 * (after.time - before.time)),
+                [before.time, after.time],
+                self.noise,
+            );
             found.map(|(extreme, new)| {
                 residuals.extend(new);
                 extreme
