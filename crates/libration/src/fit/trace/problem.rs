@@ -121,7 +121,7 @@ impl Problem<'_> {
         if omega0 <= 0.0 {
             return None;
         }
-        let samples = self.swing.samples(omega0, coefficients, start, times).ok()?;
+        let samples = self.swing.samples(omega0, coefficients, start, times)?;
         let (offset, scale) = (self.layout.offset(trace), self.layout.scale());
         let number = if self.traces[trace].seen() == Seen::Angle { 0 } else { 1 };
         let places: Vec<usize> = self.layout.of_motion(trace).collect();
