@@ -30,10 +30,13 @@ pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> 
     let found = passages(times, blocked, options.signals)?;
     let seen = found.passages.len();
     let sides = sorted(&found.passages).ok_or(GatesError::TooFew { passages: seen })?;
-    if 2 * sides.placed.len() < seen {
-        return Err(GatesError::Irregular { passages: seen, accepted: sides.placed.len() });
-    }
     let swings = Swings::new(sides.placed.clone());
+    // Of a pendulum nearly every passage begins a whole period; of passages by chance hardly one does.
+    if 2 * sides.placed.len() < seen
+        || (swings.cycles.len() >= 2 && 4 * swings.cycles.len() < sides.placed.len())
+    {
+        return Err(GatesError::Irregular { passages: seen, accepted: swings.cycles.len() });
+    }
     if swings.cycles.len() < 2 {
         return Err(GatesError::TooFew { passages: sides.placed.len() });
     }
