@@ -36,5 +36,7 @@ pub(crate) use recording::{RecordingOptions, told, what_would_decide};
 pub(crate) use section::{SectionOptions, named, section_failure, shown};
 pub(crate) use system::SystemOptions;
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
-pub(crate) use text::{angle, angular_velocity, count, finite_time, length_with_uncertainty, not_negative, positive};
+pub(crate) use text::{
+    angle, angular_velocity, count, finite_time, length_with_uncertainty, not_negative, positive,
+};
 pub(crate) use times::{TimeOptions, Times, times};

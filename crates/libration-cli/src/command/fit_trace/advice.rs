@@ -103,7 +103,7 @@ fn about_times(answer: &Answer<'_>, trace: &Trace) -> Option<String> {
     (noise > 0.25 * answer.fit.rms).then(|| {
         format!(
             "The times are rounded to {resolution} s, which makes {} % of the scatter: export them with more digits, or \
-             use the number of the picture over the rate of the camera.",
+             fit with --even-times.",
             rounded(100.0 * (noise / answer.fit.rms).min(1.0), 2)
         )
     })
