@@ -54,9 +54,9 @@ impl Input {
 
     /// The name of the run, the file, or both: whatever tells the trace from the others.
     fn name(&self, trace: &Trace, path: &Path) -> String {
-        let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let file = short_name(path);
         match trace.name() {
-            "" => file.into_owned(),
+            "" => file,
             run if self.files.len() == 1 => run.to_owned(),
             run => format!("{file}, {run}"),
         }
@@ -75,9 +75,14 @@ impl Input {
         let taken = chosen(even.as_deref().unwrap_or(times));
         Trace::new(name, trace.seen(), taken, chosen(trace.values()), uncertainties).map_err(|_| {
             let (first, last) = (times[0], times[times.len() - 1]);
-            format!("no row of {name} is from {from} to {to} s: its times are from {first} to {last} s")
+            format!("--from and --to leave no row of {name}: its times are from {first} to {last} s")
         })
     }
+}
+
+/// Without the folders.
+fn short_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
 /// The even times that the instrument had before they were rounded.
@@ -89,6 +94,12 @@ fn even_times(trace: &Trace, name: &str) -> Result<Vec<f64>, String> {
 }
 
 impl Measured {
+    /// The files' names without folders, as one.
+    pub(super) fn short_names(&self) -> String {
+        let names = self.files.iter().map(|file| short_name(Path::new(&file.name)));
+        names.collect::<Vec<_>>().join(", ")
+    }
+
     /// The files' names, as one.
     pub(super) fn names(&self) -> String {
         self.files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>().join(", ")
