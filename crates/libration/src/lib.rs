@@ -60,7 +60,7 @@
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
-//! | [`measurement`] | an instrument's text file as columns of numbers |
+//! | [`measurement`] | an instrument's file as columns with quantities and units, and the traces in it |
 //! | [`fit`] | measured periods explained by a law: T0, its test, gravity |
 //!
 //! The library reads no files, prints nothing and knows no clock. Functions of numbers return NaN outside

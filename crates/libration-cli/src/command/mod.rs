@@ -45,6 +45,7 @@ Examples:
   libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:10:0.1
   libration derive --road elliptic            how the exact period is found, step by step
   libration figure errors --output errors.svg
+  libration inspect swing.csv                 what the file of an instrument holds
   libration fit trace swing.csv --length 0.57m±0.004m --report swing.html
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
@@ -69,7 +70,7 @@ enum Question {
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
-    Inspect(inspect::Inspect),
+    Inspect(Box<inspect::Inspect>),
     #[command(subcommand)]
     Fit(Fit),
     Completions(completions::Completions),

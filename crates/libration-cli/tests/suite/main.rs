@@ -12,6 +12,7 @@ mod files;
 mod fit;
 mod fit_trace;
 mod formulas;
+mod inspect;
 mod modes;
 mod motion;
 mod paper;

@@ -19,18 +19,19 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &Options) -> Result<(),
         .map(|(line, _)| line)
         .take(SAMPLE)
         .collect();
+    let is_said = options.delimiter.is_some() || options.decimal.is_some();
+    let are_whole = || rows.iter().all(|row| of_whole_numbers(row));
     match sheet.dialect {
-        Dialect { delimiter: Delimiter::Comma, mark: DecimalMark::Point } if options.delimiter.is_none() => {
-            let is_open = sheet.header_line.is_none()
-                && options.decimal.is_none()
-                && rows.iter().all(|row| of_whole_numbers(row));
+        Dialect { delimiter: Delimiter::Comma, mark: DecimalMark::Point } => {
+            let is_open = !is_said && sheet.header_line.is_none() && are_whole();
             if is_open { Err(commas_between_digits(sheet)) } else { Ok(()) }
         }
+        // Numbers with a decimal comma in one column look like two columns of whole numbers.
+        Dialect { mark: DecimalMark::Comma, .. } if !is_said && are_whole() => {
+            Err(commas_between_digits(sheet))
+        }
         Dialect { mark: DecimalMark::Comma, delimiter } if options.decimal.is_none() => {
-            match only_thousands(&rows, delimiter) {
-                Some(number) => Err(thousands(&number)),
-                None => Ok(()),
-            }
+            only_thousands(&rows, delimiter).map_or(Ok(()), |number| Err(thousands(&number)))
         }
         _ => Ok(()),
     }

@@ -27,7 +27,7 @@ impl Recording {
     /// # Errors
     /// Columns that the file does not decide, cells that are no numbers or states, no time at all.
     pub fn gate_times(&self, choices: &Choices) -> Result<Gates, MeasurementError> {
-        self.from_sheet(choices, |sheet| gates_of(sheet, choices))
+        self.in_one_sheet(choices, |sheet| gates_of(sheet, choices))
     }
 }
 

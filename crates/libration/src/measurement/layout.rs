@@ -26,23 +26,13 @@ pub(super) struct Layout {
 impl Layout {
     pub(super) fn of(text: &str, dialect: Dialect, header: Header) -> Result<Self, MeasurementError> {
         let mut above: Vec<Row> = dialect.rows(text).take(SAMPLE).collect();
-        if let Some(row) = above.iter().find(|row| row.cells.iter().any(|cell| cell.contains('\n'))) {
-            return Err(MeasurementError::UnclosedQuote { line: row.line });
-        }
-        let width = width(&above, dialect.mark);
-        if width > MOST_COLUMNS {
-            return Err(MeasurementError::TooMany {
-                what: "columns",
-                count: width,
-                place: "the table".into(),
-                limit: MOST_COLUMNS,
-            });
-        }
+        refuse_long_cells(&above)?;
+        let Extent { filled, length } = Extent::of(&above, dialect.mark)?;
         let body = match header {
-            Header::Detect => first_of_numbers(&above, width, dialect.mark),
+            Header::Detect => first_of_numbers(&above, filled, dialect.mark),
             Header::Absent => Some(0),
             Header::Present => Some(1),
-            Header::Line(line) => above.iter().position(|row| row.line > line),
+            Header::Line(line) => Some(row_at(&above, line)? + 1),
         };
         let body = body.filter(|&body| body < above.len()).ok_or(MeasurementError::Empty)?;
         let first_line = above[body].line;
@@ -50,19 +40,63 @@ impl Layout {
         if header == Header::Detect {
             refuse_numbers(&above, dialect.mark)?;
         }
-        let names = Names::of(text, above, width.max(1), dialect, header, first_line)?;
+        // A column may be named and have no numbers.
+        let named = above.iter().rev().take(3).map(Row::filled).filter(|&names| names <= length).max();
+        let width = named.unwrap_or(0).max(filled).max(1);
+        let names = Names::of(text, above, width, dialect, header, first_line)?;
         Ok(Self { headings: names.headings, header_line: names.line, first_line, preamble: names.preamble })
     }
 }
 
-/// As many columns as the fullest row that is not longer than most.
-fn width(rows: &[Row], mark: DecimalMark) -> usize {
-    let rows: Vec<&Row> = rows.iter().filter(|row| row.numbers(mark) > 0).collect();
-    let count = |length: usize| rows.iter().filter(|row| row.cells.len() == length).count();
-    let mut lengths: Vec<usize> = rows.iter().map(|row| row.cells.len()).collect();
-    lengths.dedup();
-    let usual = lengths.into_iter().rev().max_by_key(|&length| count(length)).unwrap_or(0);
-    rows.iter().filter(|row| row.cells.len() <= usual).map(|row| row.filled()).max().unwrap_or(0)
+fn row_at(rows: &[Row], line: u64) -> Result<usize, MeasurementError> {
+    let found = rows.iter().position(|row| row.line == line);
+    found.ok_or_else(|| MeasurementError::NoSuch {
+        what: "line of cells",
+        asked: line.to_string(),
+        available: format!(
+            "{} of them, the first with number {}",
+            rows.len(),
+            rows.first().map_or(1, |row| row.line)
+        ),
+    })
+}
+
+/// A quote that is not closed makes one cell of all that follows.
+fn refuse_long_cells(rows: &[Row]) -> Result<(), MeasurementError> {
+    match rows.iter().find(|row| row.cells.iter().any(|cell| cell.contains('\n'))) {
+        Some(row) => Err(MeasurementError::UnclosedQuote { line: row.line }),
+        None => Ok(()),
+    }
+}
+
+/// How wide the rows with numbers are.
+struct Extent {
+    /// Cells up to the last one that is filled in any of them, those longer than most aside.
+    filled: usize,
+    /// Cells of most of them, with the empty ones at the end.
+    length: usize,
+}
+
+impl Extent {
+    fn of(rows: &[Row], mark: DecimalMark) -> Result<Self, MeasurementError> {
+        let rows: Vec<&Row> = rows.iter().filter(|row| row.numbers(mark) > 0).collect();
+        let count = |length: usize| rows.iter().filter(|row| row.cells.len() == length).count();
+        let mut lengths: Vec<usize> = rows.iter().map(|row| row.cells.len()).collect();
+        lengths.dedup();
+        // Of several that are as frequent the first.
+        let length = lengths.into_iter().rev().max_by_key(|&length| count(length)).unwrap_or(0);
+        if length > MOST_COLUMNS {
+            let place = "the table".to_owned();
+            return Err(MeasurementError::TooMany {
+                what: "columns",
+                count: length,
+                place,
+                limit: MOST_COLUMNS,
+            });
+        }
+        let usual = rows.iter().filter(|row| row.cells.len() <= length);
+        Ok(Self { filled: usual.map(|row| row.filled()).max().unwrap_or(0), length })
+    }
 }
 
 /// The first row with numbers where most rows have them, and nothing else there.
@@ -99,8 +133,9 @@ fn refuse_numbers(above: &[Row], mark: DecimalMark) -> Result<(), MeasurementErr
 }
 
 fn all_begin_with_digits(row: &Row) -> bool {
-    let begins =
-        |cell: &str| cell.trim_start_matches(['-', '+', '.', '−']).starts_with(|c: char| c.is_ascii_digit());
+    let begins = |cell: &str| {
+        cell.trim_start_matches(['-', '+', '.', '−', '"', '\'']).starts_with(|c: char| c.is_ascii_digit())
+    };
     row.cells.iter().filter(|cell| !cell.is_empty()).all(begins)
 }
 

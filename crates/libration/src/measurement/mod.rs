@@ -1,8 +1,12 @@
-//! The bytes of a delimited text file → columns of numbers.
+//! What an instrument wrote → columns with quantities and units → traces of a swing, or times of a photogate.
 //!
-//! Comma, semicolon, tab or white space between the cells; a decimal comma wherever the comma does not stand
-//! between cells; a header or none; blank lines and lines that begin with `#` are skipped. Every complaint
-//! names its line.
+//! A [`Recording`] is read from bytes: text with commas, semicolons, tabs or blanks between its cells, decimal points or commas, in
+//! UTF-8, UTF-16 or Windows-1252; Excel workbooks, old and new; archives of text files. Lines that begin with `#` or `%` are remarks.
+//! Its [`Sheet`]s have [`Channel`]s, whose headings say quantity, unit and run.
+//!
+//! [`Recording::traces`] and [`Recording::gate_times`] tell from these what was measured. Each guess is a [`Finding`], and [`Choices`]
+//! override it. What a file does not decide is refused with the choices that would. Every complaint names its line.
+//! [`Table`] is for columns that are asked for by name or number.
 
 mod ambiguity;
 mod choices;
@@ -26,7 +30,6 @@ pub use container::Format;
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Run, unwrapped};
-
 pub use gates::Gates;
 pub use heading::{Heading, Quantity, Unit, UnknownUnit};
 pub use number::DecimalMark;

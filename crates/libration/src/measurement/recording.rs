@@ -76,7 +76,7 @@ impl Recording {
     }
 
     /// What the chosen sheet gives, or the only one that gives anything.
-    pub(super) fn from_sheet<T>(
+    pub(super) fn in_one_sheet<T>(
         &self,
         choices: &Choices,
         give: impl Fn(&Sheet) -> Result<T, MeasurementError>,

@@ -37,8 +37,6 @@ const MAP: &[(&str, &[&str])] = &[
         ],
     ),
     ("measurement", &[]),
-    ("fit", &["measurement", "pendulum", "taylor", "expression", "linear"]),
-    ("fit", &["pendulum", "measurement", "elliptic"]),
     ("fit", &["measurement", "pendulum", "taylor", "expression", "linear", "elliptic", "decay"]),
 ];
 

@@ -30,6 +30,7 @@ mod orbit;
 mod period;
 mod period_formulas;
 mod quantity;
+mod recording;
 mod series;
 mod series_evaluation;
 mod systems;

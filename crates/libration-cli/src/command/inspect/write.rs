@@ -8,7 +8,7 @@ use crate::output::number::{exact, short};
 use crate::output::table::{Column, Table, paragraph, sheet};
 use crate::output::{Form, csv};
 use libration::measurement::{
-    Channel, Finding, Format, Gates, MeasurementError, Quantity, Seen, Sheet, Trace,
+    Channel, Choice, Finding, Format, Gates, MeasurementError, Quantity, Seen, Sheet, Trace,
 };
 use serde_json::Value;
 use std::io::{self, Write};
@@ -177,8 +177,20 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
         }
         (Err(_), Some(gates)) => writeln!(out, "`libration fit gates` would fit {}", gates_line(gates)),
         (Err(error), None) => {
-            writeln!(out, "{}", paragraph("no trace yet: ", &what_would_decide(error), COLUMNS))
+            writeln!(out, "{}", paragraph("no trace yet: ", &what_would_decide(error), COLUMNS))?;
+            if has_no_time(error) {
+                let tables = "tables of periods are for `libration fit periods` and `libration fit lengths`";
+                writeln!(out, "{tables}")?;
+            }
+            Ok(())
         }
+    }
+}
+
+fn has_no_time(error: &MeasurementError) -> bool {
+    match error {
+        MeasurementError::Undecided { choices, .. } => choices.iter().all(|it| it.choice == Choice::Time),
+        _ => false,
     }
 }
 

@@ -8,7 +8,7 @@ use zip::result::ZipError;
 
 use super::super::MeasurementError;
 use super::super::text::decode;
-use super::{Format, Page, xlsx};
+use super::{Format, Page, attributes, xlsx};
 
 /// More files than any export has.
 const MOST_FILES: usize = 1000;
@@ -23,7 +23,7 @@ pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>
     let parts = parts(bytes, limit)?;
     let has = |name: &str| parts.iter().any(|part| part.name == name);
     if has("xl/workbook.xml") {
-        refuse_counts_beyond_reason(&parts)?;
+        parts.iter().try_for_each(|part| attributes::refuse_beyond_reason(&part.name, &part.bytes))?;
         return Ok((Format::Xlsx, xlsx::pages(bytes, limit)?));
     }
     if has("content.xml") {
@@ -56,26 +56,6 @@ fn parts(bytes: &[u8], limit: usize) -> Result<Vec<Part>, MeasurementError> {
         parts.push(Part { name, bytes });
     }
     Ok(parts)
-}
-
-/// The reader of workbooks makes room for as many strings as are announced.
-fn refuse_counts_beyond_reason(parts: &[Part]) -> Result<(), MeasurementError> {
-    const ANNOUNCED: &[u8] = b"uniqueCount";
-    const MOST_DIGITS: usize = 7;
-    for part in parts {
-        for (at, _) in
-            part.bytes.windows(ANNOUNCED.len()).enumerate().filter(|(_, bytes)| *bytes == ANNOUNCED)
-        {
-            let rest = part.bytes[at + ANNOUNCED.len()..].iter();
-            let number = rest.skip_while(|&&byte| byte.is_ascii_whitespace() || b"=\"'+0".contains(&byte));
-            if number.take_while(|byte| byte.is_ascii_digit()).count() > MOST_DIGITS {
-                return Err(MeasurementError::DamagedWorkbook(
-                    "it announces more strings than it can have".into(),
-                ));
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Text files, but not those in which phyphox describes the telephone and the clock.

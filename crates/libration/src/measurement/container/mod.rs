@@ -1,6 +1,7 @@
 //! Files that hold several tables: Excel workbooks and archives of text files, each table as a text.
 
 mod archive;
+mod attributes;
 mod grid;
 mod xls;
 mod xlsx;

@@ -132,7 +132,7 @@ fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: 
     let mut place = 0;
     let mut places = vec![0];
     for length in intervals(&increasing) {
-        place += whole(length / better).max(1);
+        place = whole(length / better).max(1).saturating_add(place);
         places.push(place);
     }
     let found = grid(&increasing, &places, resolution)?;

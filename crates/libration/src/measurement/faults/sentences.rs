@@ -56,7 +56,7 @@ impl Faults {
 
 fn of_gaps(clock: &Clock, lines: &[u64]) -> Option<String> {
     let longest = clock.gaps.iter().map(|gap| gap.duration).reduce(f64::max)?;
-    let missing = clock.gaps.iter().map(|gap| gap.missing).sum();
+    let missing = clock.gaps.iter().fold(0_usize, |sum, gap| sum.saturating_add(gap.missing));
     let rows: Vec<usize> = clock.gaps.iter().map(|gap| gap.after).collect();
     let (gaps, missing) = (count(rows.len(), "gap"), count(missing, "row"));
     let longest = short(longest);

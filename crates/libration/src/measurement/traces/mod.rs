@@ -32,7 +32,7 @@ impl Recording {
     /// No such column, sheet or run; a column, unit or pivot that the file does not decide, with the choices that would;
     /// cells that are no numbers; times that go back.
     pub fn traces(&self, choices: &Choices) -> Result<Traces, MeasurementError> {
-        self.from_sheet(choices, |sheet| {
+        self.in_one_sheet(choices, |sheet| {
             let mut found = traces_of(sheet, choices)?;
             if self.sheets().len() > 1 {
                 let text = format!("the traces are those of `{}`", sheet.name);

@@ -51,7 +51,7 @@ fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {
     let circle = Circle::fit(points).ok_or_else(|| unknown("the positions lie on no circle".into()))?;
     let part = circle.radius_uncertainty / circle.radius;
     let height = height(&circle, points);
-    if height < HEIGHT_OVER_SCATTER * circle.scatter || !(part <= RADIUS_TOLERANCE) {
+    if height < HEIGHT_OVER_SCATTER * circle.scatter || part.is_nan() || part > RADIUS_TOLERANCE {
         return Err(unknown(format!(
             "the arc is too short to know its centre: it is {height:.2e} high with a scatter of {:.2e}, \
              which leaves the radius uncertain by {:.0} %",

@@ -144,7 +144,7 @@ impl Rows {
             }
         };
         units::seconds(&mut self.times, sheet, columns.time, choices, &mut tell)?;
-        let seen = self.to_radians(sheet, columns, choices, &mut tell)?;
+        let seen = self.scale(sheet, columns, choices, &mut tell)?;
         if seen == Seen::Angle {
             turns::unwrap(&mut self.values, &self.name, &mut tell);
         }
@@ -158,7 +158,7 @@ impl Rows {
         Ok((trace, kept.iter().map(|&row| sheet.lines[self.rows[row]]).collect()))
     }
 
-    fn to_radians(
+    fn scale(
         &mut self,
         sheet: &Sheet,
         columns: &Columns,

@@ -135,7 +135,7 @@ impl Workbench {
         match style.degrees {
             // No pendulum swings to and fro by several turns.
             true => self.read("no units", with(&["t", "theta"]), style.truth()),
-            false => self.refuse("no units", with(&["t", "theta"]), &["nothing says", "unit=deg"]),
+            false => self.refuse("no units", with(&["t", "theta"]), &["nothing says", "unit=rad"]),
         }
         self.refuse("an unknown unit", with(&["t/s", "theta/furlong"]), &["furlong"]);
         self.refuse(

@@ -127,7 +127,7 @@ fn archives() -> Vec<Case> {
         Case::refused(
             "two tables",
             archive(&[("a.csv", table.as_bytes()), ("b.csv", table.as_bytes())]),
-            &["sheet=a", "sheet=b"],
+            &["sheet=a or b"],
         ),
         Case::refused("nothing in it", archive(&[]), &[]),
         Case::refused(
@@ -164,7 +164,7 @@ fn workbooks() -> Vec<Case> {
         Case::refused(
             "strings without end",
             archive(&[("xl/workbook.xml", book), ("xl/sharedStrings.xml", strings)]),
-            &["strings"],
+            &["99999999999999"],
         ),
         Case::refused("not a workbook within", archive(&[("xl/workbook.xml", b"<<<")]), &["workbook"]),
     ]

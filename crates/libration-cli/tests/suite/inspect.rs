@@ -1,0 +1,98 @@
+//! `libration inspect`.
+
+use crate::command::{close, directory, json, libration, message, text};
+use std::path::PathBuf;
+
+fn file(name: &str, text: &str) -> PathBuf {
+    let path = directory(name).join("swing.csv");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+/// A swing of 20°, 50 rows, one of them incomplete.
+fn swing(header: &str) -> String {
+    let row = |n: i32| {
+        let time = 0.05 * f64::from(n);
+        let angle = if n == 7 {
+            String::new()
+        } else {
+            format!("{:.3}", 20.0 * (3.0 * time).cos()).replace('.', ",")
+        };
+        format!("{};{angle}\n", format!("{time:.2}").replace('.', ","))
+    };
+    format!("Pendulum of Monday\n{header}\n{}", (0..50).map(row).collect::<String>())
+}
+
+#[test]
+fn a_file_is_described_with_its_columns_and_what_would_be_fitted() {
+    let path = file("inspect-whole", &swing("t / s;θ / °"));
+    let answer = json(&format!("inspect {}", path.display()));
+    assert_eq!(answer["format"], "text, UTF-8");
+    let sheet = &answer["sheets"][0];
+    assert_eq!((&sheet["delimiter"], &sheet["decimal"]), (&"semicolon".into(), &"comma".into()));
+    assert_eq!((&sheet["header_line"], &sheet["rows"]), (&2.into(), &50.into()));
+    let angle = &sheet["columns"][1];
+    assert_eq!((&angle["quantity"], &angle["unit"]), (&"angle".into(), &"deg".into()));
+    assert_eq!((&angle["numbers"], &angle["blanks"]), (&49.into(), &1.into()));
+    let trace = &answer["traces"][0];
+    assert_eq!((&trace["rows"], &trace["unit"]), (&49.into(), &"rad".into()));
+    close(&trace["interval_s"], 0.05, 1e-9);
+    close(&trace["largest"], 20_f64.to_radians(), 1e-12);
+    assert!(answer["undecided"].is_null());
+    let sheet = text(&format!("inspect {}", path.display()));
+    for part in
+        ["Pendulum of Monday", "1 incomplete row left out", "(--delimiter)", "libration fit trace", "gap"]
+    {
+        assert!(sheet.contains(part), "{part}: {sheet}");
+    }
+    let columns = text(&format!("inspect {} --csv", path.display()));
+    assert!(columns.lines().nth(2).unwrap().starts_with(",2,θ / °,angle,deg,,49,1,0,-"), "{columns}");
+}
+
+#[test]
+fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
+    let path = file("inspect-open", &swing("t;phase"));
+    let answer = json(&format!("inspect {}", path.display()));
+    assert_eq!(answer["traces"].as_array().unwrap().len(), 0);
+    assert_eq!(answer["undecided"]["options"][0], "--unit rad");
+    let sheet = text(&format!("inspect {}", path.display()));
+    assert!(
+        sheet.contains("no trace yet: nothing says what column 2 (`phase`) holds: say --unit rad, deg"),
+        "{sheet}"
+    );
+    let decided = json(&format!("inspect {} --unit deg", path.display()));
+    assert_eq!(decided["traces"][0]["rows"], 49);
+}
+
+#[test]
+fn a_table_of_periods_is_sent_to_its_own_command() {
+    let path = file("inspect-periods", "0.5,2.01\n0.4,1.99\n0.6,2.02\n");
+    assert!(text(&format!("inspect {}", path.display())).contains("libration fit periods"));
+}
+
+#[test]
+fn times_of_a_photogate_are_recognised() {
+    let path = file("inspect-gate", "Latest: Time (s),Latest: GateState\n0.5,1\n0.52,0\n1.5,1\n1.52,0\n");
+    let answer = json(&format!("inspect {}", path.display()));
+    assert_eq!(answer["gate_times"], 4);
+    assert!(text(&format!("inspect {}", path.display())).contains("libration fit gates"));
+}
+
+#[test]
+fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
+    for (name, text, options, part) in [
+        ("ragged", "t/s,θ/rad\n0,1\n1\n", "", "line 3 has 1 cells"),
+        ("commas", "0,5,1,2\n1,0,1,3\n", "", "--decimal point or comma"),
+        ("columns", "t/s,θ/rad\n0,0.1,5\n1,0.2,5\n", "", "(--header)"),
+        ("header", "t/s,θ/rad\n0,0.1\n", "--header 9", "no line of cells `9`"),
+    ] {
+        let path = file(&format!("inspect-{name}"), text);
+        let output = libration(&format!("inspect {} {options}", path.display()));
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        assert!(message(&output).contains(part), "{name}: {}", message(&output));
+        assert!(output.stdout.is_empty(), "{name}");
+    }
+    let unknown = libration("inspect swing.csv --unit furlong");
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(message(&unknown).contains("rad, deg"), "{}", message(&unknown));
+}

@@ -1,0 +1,285 @@
+//! Files as instruments write them: what is told from them, and what is chosen instead.
+
+use libration::measurement::{
+    Choices, Column, Format, MeasurementError, Options, Recording, Seen, Table, Traces, Unit,
+};
+use std::f64::consts::{PI, TAU};
+
+fn recording(file: &[u8]) -> Recording {
+    Recording::read(file, &Options::default()).unwrap()
+}
+
+fn traces(file: &str, choices: &Choices) -> Result<Traces, MeasurementError> {
+    recording(file.as_bytes()).traces(choices)
+}
+
+fn told(traces: &Traces) -> String {
+    traces.findings.iter().map(|finding| finding.to_string() + "\n").collect()
+}
+
+fn named(name: &str) -> Option<Column> {
+    Some(Column::Name(name.into()))
+}
+
+fn radians(degrees: f64) -> f64 {
+    degrees * (PI / 180.0)
+}
+
+/// A swing from 1 rad, sampled 60 times a second.
+fn swing(row: usize) -> (f64, f64) {
+    let time = f64::from(u16::try_from(row).unwrap()) / 60.0;
+    (time, libm::cos(3.0 * time))
+}
+
+/// Names and units as PASCO Capstone writes them in a country with decimal commas, with runs named by people.
+#[test]
+fn runs_side_by_side_are_read_with_their_names() {
+    let file = "\u{feff}\"Time (s) Anna 0.02\";\"Light Intensity (% of scale max) Anna 0.02\";\"Angle (rad) Anna 0.02\";\
+                \"Time (s) Run #2\";\"Light Intensity (% of scale max) Run #2\";\"Angle (rad) Run #2\"\r\n\
+                0,000;0,02945;0,10000;0,000;0,03149;0,20000\r\n\
+                0,050;0,02969;-7,85399E-4;0,050;0,03152;0,10000\r\n\
+                ;;;0,100;0,03136;0,05000\r\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values(), [0.1, -7.85399e-4]);
+    assert_eq!(found.traces[1].times(), [0.0, 0.05, 0.1]);
+    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["Anna 0.02", "Run #2"]);
+    assert_eq!(found.lines, [vec![2, 3], vec![2, 3, 4]]);
+    assert!(!told(&found).contains("incomplete"), "a shorter run just ends: {}", told(&found));
+    let second = traces(file, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
+    assert_eq!(second.traces, found.traces[1..]);
+    let missing = traces(file, &Choices { run: Some("3".into()), ..Choices::default() }).unwrap_err();
+    assert_eq!(missing.to_string(), "there is no run `3`: the file has `Anna 0.02`, `Run #2`");
+}
+
+/// Tracker writes the name of the track above the header, and several tracks under their names.
+#[test]
+fn tracks_stand_under_their_names() {
+    let mut one = "mass_A\r\nt\tx\ty\tθ\r\n".to_owned();
+    let mut two = "#multi:\n\tbob\t\tstand\t\nt\tx\ty\tx\ty\n".to_owned();
+    for row in 0..120 {
+        let (time, angle) = swing(row);
+        let (x, y) = (0.8 * libm::sin(angle), 1.3 - 0.8 * libm::cos(angle));
+        one += &format!("{time:.6E}\t{x:.9E}\t{y:.9E}\t\r\n");
+        two += &format!("{time}\t{x}\t{y}\t0.5\t{}\n", 0.1 + 1e-9 * time);
+    }
+    let chosen = Choices { x: named("x"), y: named("y"), ..Choices::default() };
+    let found = traces(&one, &chosen).unwrap();
+    assert!(
+        found.traces[0]
+            .values()
+            .iter()
+            .zip((0..).map(swing))
+            .all(|(&angle, (_, truth))| (angle - truth).abs() < 1e-7)
+    );
+    assert!(
+        told(&found).contains("the pivot is at (0.00000") && told(&found).contains("y grows upwards"),
+        "{}",
+        told(&found)
+    );
+    let refused = traces(&two, &Choices::default()).unwrap_err();
+    assert!(matches!(refused, MeasurementError::PivotUnknown(_)), "the stand does not swing: {refused}");
+    let bob = traces(&two, &Choices { run: Some("bob".into()), ..Choices::default() }).unwrap();
+    assert_eq!((bob.traces[0].name(), bob.traces[0].len()), ("bob", 120));
+}
+
+#[test]
+fn positions_in_a_picture_grow_downwards_and_a_short_arc_needs_its_pivot() {
+    let picture = |amplitude: f64| {
+        let row = |row: usize| {
+            let (time, shape) = swing(row);
+            // A twentieth of a pixel of unevenness, as from rounding.
+            let ripple = 0.05 * libm::sin(17.0 * time);
+            let (sine, cosine) = (libm::sin(amplitude * shape), libm::cos(amplitude * shape));
+            format!("{time},{},{}\n", 640.0 + (400.0 + ripple) * sine, 50.0 + (400.0 + ripple) * cosine)
+        };
+        format!("time (s),x (px),y (px)\n{}", (0..200).map(row).collect::<String>())
+    };
+    let found = traces(&picture(2.5), &Choices::default()).unwrap();
+    assert!(told(&found).contains("y grows downwards"), "{}", told(&found));
+    let largest = found.traces[0]
+        .values()
+        .iter()
+        .zip((0..).map(swing))
+        .map(|(&angle, (_, shape))| (angle - 2.5 * shape).abs());
+    assert!(largest.fold(0.0, f64::max) < 1e-4);
+    let refused = traces(&picture(0.02), &Choices::default()).unwrap_err();
+    assert!(refused.to_string().contains("pivot=X,Y"), "{refused}");
+    let chosen = Choices { pivot: Some((640.0, 50.0)), ..Choices::default() };
+    let found = traces(&picture(0.02), &chosen).unwrap();
+    assert!((found.traces[0].values()[0] - 0.02).abs() < 1e-6);
+}
+
+#[test]
+fn counts_become_turns_and_jumps_are_taken_out() {
+    let mut file = "packet,time_us, angle\n".to_owned();
+    for row in 0..200 {
+        let (time, shape) = swing(row);
+        let counts = (4000.0 + 1500.0 * shape).round() % 4000.0;
+        file += &format!("7, {}, {counts}\n", 492_306_565.0 + (1e6 * time).round());
+    }
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "nothing says the unit of column 3 (`angle`): say unit=rad or deg or counts-per-turn=4000"
+    );
+    let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
+    let values = found.traces[0].values();
+    assert!(
+        values
+            .iter()
+            .zip((0..).map(swing))
+            .all(|(&angle, (_, shape))| (angle - 1500.0 / 4000.0 * TAU * shape).abs() < 1e-3)
+    );
+    assert_eq!((found.traces[0].name(), found.traces[0].times()[0]), ("packet 7", 492.306565));
+    assert!(told(&found).contains("jumps by a turn taken out"), "{}", told(&found));
+}
+
+#[test]
+fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
+    let mut file = "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope y (rad/s)\",\"Gyroscope z (rad/s)\",\"Absolute (rad/s)\"\n".to_owned();
+    for row in 0..100 {
+        let (time, shape) = swing(row);
+        file += &format!(
+            "{time:.9E},{:.9E},{shape:.9E},{:.9E},{:.9E}\n",
+            0.01 * shape,
+            -0.02 * shape,
+            shape.abs()
+        );
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!((found.traces[0].seen(), found.traces[0].values()[0]), (Seen::AngularVelocity, 1.0));
+    assert!(told(&found).contains("nearly all of the motion"), "{}", told(&found));
+    let other = Choices { angular_velocity: named("Gyroscope z"), ..Choices::default() };
+    assert_eq!(traces(&file, &other).unwrap().traces[0].values()[0], -0.02);
+}
+
+#[test]
+fn uncertainties_go_with_their_values_each_in_its_unit() {
+    let file = "t (min),θ (deg),sigma_theta (rad)\n0,30,0.01\n0.001,20,0.02\n0.002,10,\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[0.01, 0.02][..]));
+    assert_eq!(found.traces[0].values(), [radians(30.0), radians(20.0)]);
+    assert_eq!(found.traces[0].times(), [0.0, 0.06]);
+    assert!(told(&found).contains("1 incomplete row left out"), "{}", told(&found));
+}
+
+#[test]
+fn every_guess_can_be_overridden() {
+    let file = "t (s),clock (ms),θ (deg),φ\n0,0,30,0.1\n1,50,20,0.2\n2,100,10,0.3\n";
+    let chosen = Choices {
+        time: Some(Column::Number(2)),
+        angle: named("φ"),
+        unit: Some(Unit::Radian),
+        ..Choices::default()
+    };
+    let found = traces(file, &chosen).unwrap();
+    assert_eq!(
+        (found.traces[0].times(), found.traces[0].values()),
+        (&[0.0, 0.05, 0.1][..], &[0.1, 0.2, 0.3][..])
+    );
+    let chosen = Choices { time_unit: Some(Unit::Minute), angle: named("θ"), ..chosen };
+    let found = traces(file, &Choices { unit: None, ..chosen.clone() }).unwrap();
+    assert_eq!((found.traces[0].times()[1], found.traces[0].values()[0]), (3000.0, radians(30.0)));
+    let wrong = traces(file, &Choices { unit: Some(Unit::Metre), ..chosen }).unwrap_err();
+    assert_eq!(wrong.to_string(), "m is no unit of an angle: give one such as rad, deg");
+}
+
+#[test]
+fn a_file_without_a_header_says_what_must_be_said() {
+    let file = "0.03 -1.148 0.1\n0.06 -1.159 0.2\n0.10 -1.204 0.1\n";
+    let refused = traces(file, &Choices::default()).unwrap_err().to_string();
+    assert!(refused.ends_with("column 2, column 3: say angle=2 or 3 and unit=rad or deg"), "{refused}");
+    let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
+    let found = traces(file, &chosen).unwrap();
+    assert_eq!(found.traces[0].values(), [-1.148, -1.159, -1.204]);
+    assert!(
+        told(&found).contains("only it increases throughout") && told(&found).contains("no unit is written")
+    );
+}
+
+#[test]
+fn a_photogate_gives_its_times_and_states() {
+    let vernier = "Latest: Time (s),Latest: GateState,Latest: Pulse Time (s)\n0.5125,1,\n0.5375,0,0.025\n1.5150,1,\n1.5401,0,0.0251\n";
+    let gates = recording(vernier.as_bytes()).gate_times(&Choices::default()).unwrap();
+    assert_eq!(gates.times, [0.5125, 0.5375, 1.515, 1.5401]);
+    assert_eq!(gates.blocked, Some(vec![true, false, true, false]));
+    let words = "t/ms\tgate\n512\tBlocked\n537\tUnblocked\n\tBlocked\n";
+    let gates = recording(words.as_bytes()).gate_times(&Choices::default()).unwrap();
+    assert_eq!(
+        (gates.times, gates.blocked, gates.incomplete),
+        (vec![0.512, 0.537], Some(vec![true, false]), 1)
+    );
+    let alone = recording(b"0.512\n1.034\n1.556\n").gate_times(&Choices::default()).unwrap();
+    assert_eq!((alone.times, alone.blocked), (vec![0.512, 1.034, 1.556], None));
+    let odd = recording(b"t (s),gate\n1,2\n").gate_times(&Choices::default()).unwrap_err();
+    assert_eq!(odd.to_string(), "line 2: 2 is no state of a photogate: give 1 or blocked, 0 or unblocked");
+}
+
+#[test]
+fn an_old_workbook_is_read_by_its_sheets() {
+    let book = recording(include_bytes!("../data/workbook.xls"));
+    assert_eq!(book.format(), Format::Xls);
+    let found = book.traces(&Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values()[..3], [0.5, 0.4375, 0.375]);
+    assert_eq!((found.traces[0].len(), found.lines[0][0]), (12, 2));
+    assert!(book.findings()[0].text.contains("`Metadata Device` is left out"));
+    let table = Table::read(include_bytes!("../data/workbook.xls"), &Options::default()).unwrap();
+    assert_eq!(table.select(&["Time (s)".parse().unwrap()]).unwrap().columns[0][1], 0.125);
+}
+
+#[test]
+fn no_bytes_make_the_reader_panic() {
+    const PIECES: [&[u8]; 24] = [
+        b"1",
+        b"2,5",
+        b"-3.5e2",
+        b",",
+        b";",
+        b"\t",
+        b" ",
+        b"\n",
+        b"\r\n",
+        b"\r",
+        b"\"",
+        b"#",
+        b"x",
+        b"t",
+        b"angle",
+        b"(s)",
+        b"[deg]",
+        b"/rad",
+        b"Run #1",
+        b"packet",
+        b"nan",
+        b"\xc3\xa9",
+        b"\xff",
+        b"\0",
+    ];
+    let mut seed = 1_u64;
+    let mut next = |below: usize| {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        usize::try_from(seed >> 33).unwrap() % below
+    };
+    let choices = [
+        Choices::default(),
+        Choices { unit: Some(Unit::Degree), time: Some(Column::Number(1)), ..Choices::default() },
+        Choices { x: Some(Column::Number(1)), y: Some(Column::Number(2)), ..Choices::default() },
+    ];
+    let mut read = 0;
+    for _ in 0..20_000 {
+        let bytes: Vec<u8> = (0..16).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
+        let Ok(recording) = Recording::read(&bytes, &Options::default()) else { continue };
+        let found = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
+        read += found + usize::from(recording.gate_times(&choices[0]).is_ok());
+    }
+    assert!(read > 100, "only {read} were read at all");
+    let book = include_bytes!("../data/workbook.xls");
+    for _ in 0..2_000 {
+        let mut bytes = book.to_vec();
+        for _ in 0..4 {
+            let at = next(bytes.len());
+            bytes[at] = u8::try_from(next(256)).unwrap();
+        }
+        let _ = Recording::read(&bytes, &Options::default()).map(|recording| recording.traces(&choices[0]));
+    }
+}
