@@ -7,6 +7,7 @@ pub(crate) mod decay;
 mod derive;
 mod expand;
 mod figure;
+mod fit_gates;
 pub(crate) mod fit_lengths;
 pub(crate) mod fit_periods;
 mod fit_trace;
@@ -81,7 +82,8 @@ enum Question {
 enum Fit {
     Periods(fit_periods::FitPeriods),
     Lengths(fit_lengths::FitLengths),
-    Trace(fit_trace::FitTrace),
+    Gates(Box<fit_gates::FitGates>),
+    Trace(Box<fit_trace::FitTrace>),
 }
 
 impl Libration {
@@ -107,6 +109,7 @@ impl Libration {
             Question::Inspect(question) => question.answer(out),
             Question::Fit(Fit::Periods(question)) => question.answer(out),
             Question::Fit(Fit::Lengths(question)) => question.answer(out),
+            Question::Fit(Fit::Gates(question)) => question.answer(out),
             Question::Fit(Fit::Trace(question)) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }

@@ -3,6 +3,7 @@
 pub(crate) mod backbone;
 pub(crate) mod decay;
 pub(crate) mod errors;
+pub(crate) mod gates;
 pub(crate) mod lengths;
 pub(crate) mod lyapunov;
 pub(crate) mod modes;

@@ -45,7 +45,12 @@ pub(crate) fn dots(number: usize, all: usize) -> Look {
 
 /// The look of measurements: smaller where there are many.
 pub(crate) fn measurements(count: usize) -> Look {
-    Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(0) }
+    measurements_of(0, count)
+}
+
+/// The look of one of several sets of measurements.
+pub(crate) fn measurements_of(number: usize, count: usize) -> Look {
+    Look { width: if count > 60 { 3.0 } else { 5.0 }, ..markers(number) }
 }
 
 /// The look of what happens at single times of a motion, beside curves of the first colours.

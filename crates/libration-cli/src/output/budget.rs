@@ -7,29 +7,36 @@ use libration::fit::{Budget, BudgetRow, Correction};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The budget as a table: name, correction, contribution, kind, formula.
+/// The budget as a table: name, correction, contribution, kind, formula, and with what.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
     let mut table = Table::new(columns());
-    for row in &budget.rows {
-        table.row(out, cells(row).to_vec())?;
+    for row in rows(budget) {
+        table.row(out, row)?;
     }
-    let total = number::rounded(budget.uncertainty, 2);
-    table.row(out, vec!["together".to_owned(), String::new(), total, String::new(), String::new()])?;
     table.finish(out)
 }
 
+/// The columns of [`rows`].
 pub(crate) fn columns() -> Vec<Column> {
     vec![
         Column::words("effect"),
         Column::numbers("correction of g"),
         Column::numbers("u(g) / m/s²"),
         Column::words("type"),
-        Column::words("formula; with"),
+        Column::words("formula"),
+        Column::words("with"),
     ]
 }
 
+/// The cells of all rows, and of what they are together.
+pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
+    let total = number::rounded(budget.uncertainty, 2);
+    let total = ["together", "", &total, "", "", ""].map(str::to_owned);
+    budget.rows.iter().map(cells).chain([total]).map(Vec::from).collect()
+}
+
 /// The cells of a row, as text for people; what is not corrected is in brackets.
-pub(crate) fn cells(row: &BudgetRow) -> [String; 5] {
+fn cells(row: &BudgetRow) -> [String; 6] {
     let percent =
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
     let correction = match row.correction {
@@ -43,8 +50,14 @@ pub(crate) fn cells(row: &BudgetRow) -> [String; 5] {
         Correction::Usually(_) => format!("not corrected; {}", row.note),
         _ => row.note.clone(),
     };
-    let formula = if note.is_empty() { row.formula.to_owned() } else { format!("{}; {note}", row.formula) };
-    [row.name.to_owned(), correction, uncertainty, row.evaluation.letter().to_string(), formula]
+    [
+        row.name.to_owned(),
+        correction,
+        uncertainty,
+        row.evaluation.letter().to_string(),
+        row.formula.to_owned(),
+        note,
+    ]
 }
 
 /// The rows as JSON: `correction` is null where none is applied, `usual_size` says how large it would be.

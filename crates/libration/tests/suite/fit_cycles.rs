@@ -1,19 +1,27 @@
-//! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers.
+//! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers and gaps.
 
 use libration::fit::cycles::{Cycles, CyclesError, Options, cycles};
+use libration::fit::trace::DampingTerm;
 use libration::measurement::{Seen, Trace};
-use libration::pendulum::period_ratio;
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
-    cycles(&synthetic.trace(&mut Random::seeded(seed)), &Options::default()).unwrap()
+fn found_in(trace: &Trace) -> Cycles {
+    cycles(trace, &Options::default()).unwrap()
 }
 
-/// Without noise what is left is the bias of the local fits and what damping does to the period in second order.
+fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
+    found_in(&synthetic.trace(&mut Random::seeded(seed)))
+}
+
+fn refused(trace: &Trace) -> CyclesError {
+    cycles(trace, &Options::default()).unwrap_err()
+}
+
+/// Without noise what is left is the bias of the local fits, and what damping does to the period in second order.
 #[test]
 fn without_noise_every_cycle_obeys_the_exact_law() {
     let cases = [
@@ -25,99 +33,161 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
         Synthetic { step: 0.083, rows: 480, ..Synthetic::USUAL },
         // 12 rows in a period.
         Synthetic { step: 0.175, rows: 240, ..Synthetic::USUAL },
+        Synthetic { seen: Seen::AngularVelocity, offset: 0.05, ..Synthetic::USUAL },
+        Synthetic { seen: Seen::AngularVelocity, amplitude: 2.2, ..Synthetic::USUAL },
     ];
     for case in cases {
         let found = of(&case, 1);
         let worst = found.small_angle_periods().map(|t0| (t0 / case.t0() - 1.0).abs()).fold(0.0, f64::max);
-        assert!(worst < 2e-4, "{case:?}: {worst:e}");
-        assert!((found.t0 / case.t0() - 1.0).abs() < 2e-5, "{case:?}: {}", found.t0);
-        assert!((found.offset - case.offset).abs() < 2e-4, "{case:?}: {}", found.offset);
+        assert!(worst < 3e-4, "{case:?}: {worst:e}");
+        assert!((found.t0 / case.t0() - 1.0).abs() < 5e-5, "{case:?}: {}", found.t0);
+        assert!((found.offset - case.offset).abs() < 3e-4, "{case:?}: {}", found.offset);
+    }
+}
+
+/// Root mean square of errors over their stated uncertainties, of T0 and of β, over so many traces.
+fn pulls(case: &Synthetic, traces: u64) -> [f64; 2] {
+    let mut squares = [0.0; 2];
+    for seed in 0..traces {
+        let found = of(case, seed);
+        let beta = found.beta.unwrap();
+        let errors = [(found.t0 - case.t0()) / found.t0_uncertainty, (beta.beta - 1.0) / beta.uncertainty];
+        for (square, error) in squares.iter_mut().zip(errors) {
+            *square += error * error;
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+    let traces = traces as f64;
+    squares.map(|square: f64| (square / traces).sqrt())
+}
+
+/// The mean square of 60 pulls is within a third of 1 with 93 % probability; what damping does in second order and noise in
+/// the amplitudes add to that.
+#[test]
+fn errors_are_as_large_as_their_uncertainties() {
+    let cases = [
+        Synthetic { noise: 0.002, linear: 0.01, ..Synthetic::USUAL },
+        Synthetic { noise: 0.005, step: 0.083, rows: 480, ..Synthetic::USUAL },
+        Synthetic { noise: 0.005, step: 0.175, rows: 240, ..Synthetic::USUAL },
+        Synthetic { noise: 0.003, amplitude: 2.4, ..Synthetic::USUAL },
+        Synthetic { noise: 0.01, offset: 0.02, seen: Seen::AngularVelocity, ..Synthetic::USUAL },
+    ];
+    for case in cases {
+        for pull in pulls(&case, 60) {
+            assert!((0.7..1.35).contains(&pull), "{pull} {case:?}");
+        }
+    }
+}
+
+/// An encoder of 4000 counts to the turn, 200 Hz: as a real one of a laboratory.
+#[test]
+fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
+    let quantum = 360.0 * DEGREE / 4000.0;
+    let case =
+        Synthetic { quantum, step: 0.005, rows: 3000, amplitude: 1.9, linear: 0.04, ..Synthetic::USUAL };
+    let found = of(&case, 1);
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+    // Rounding leaves an error of quantum/√12.
+    assert!((found.noise / (quantum / 12.0_f64.sqrt()) - 1.0).abs() < 0.2, "{}", found.noise);
+    let beta = found.beta.unwrap();
+    assert!((beta.beta - 1.0).abs() < 0.005, "{beta:?}");
+}
+
+/// A trace with some of its rows changed or left out.
+fn changed(trace: &Trace, value: impl Fn(usize, f64) -> Option<f64>) -> Trace {
+    let rows =
+        (0..trace.len()).filter_map(|row| Some((trace.times()[row], value(row, trace.values()[row])?)));
+    let (times, values) = rows.unzip();
+    Trace::new("changed", trace.seen(), times, values, None).unwrap()
+}
+
+#[test]
+fn stray_values_and_dropped_frames_hardly_matter() {
+    let case = Synthetic { noise: 0.002, ..Synthetic::USUAL };
+    let trace = case.trace(&mut Random::seeded(5));
+    let clean = found_in(&trace);
+    let spoilt = changed(&trace, |row, value| match row % 97 {
+        13 => Some(value + 0.8),
+        50..53 => None,
+        _ => Some(value),
+    });
+    let spoilt = found_in(&spoilt);
+    assert_eq!(spoilt.cycles.len(), clean.cycles.len());
+    assert!((spoilt.t0 - clean.t0).abs() < 2.0 * clean.t0_uncertainty, "{} {}", spoilt.t0, clean.t0);
+    assert!((spoilt.noise / clean.noise - 1.0).abs() < 0.15, "{} {}", spoilt.noise, clean.noise);
+}
+
+#[test]
+fn a_gap_costs_its_cycles_and_is_said() {
+    let trace = Synthetic { noise: 0.001, ..Synthetic::USUAL }.trace(&mut Random::seeded(2));
+    let whole = found_in(&trace);
+    let gap = found_in(&changed(&trace, |row, value| (!(900..1000).contains(&row)).then_some(value)));
+    assert!(gap.cycles.len() < whole.cycles.len() && gap.cycles.len() > whole.cycles.len() - 8);
+    assert!((gap.t0 - whole.t0).abs() < 4.0 * whole.t0_uncertainty);
+    assert!(!gap.warnings.is_empty() && whole.warnings.is_empty(), "{:?} {:?}", gap.warnings, whole.warnings);
+}
+
+#[test]
+fn a_centre_that_drifts_is_followed() {
+    let case = Synthetic { noise: 0.001, ..Synthetic::USUAL };
+    let trace = case.trace(&mut Random::seeded(3));
+    let tilted = changed(&trace, |row, value| Some(value + 0.05 * trace.times()[row] / 40.0));
+    let found = found_in(&tilted);
+    assert!(found.offset_wander > 0.005, "{}", found.offset_wander);
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+}
+
+#[test]
+fn swings_over_the_top_are_left_out_and_said() {
+    // Three turns or so, and then to and fro.
+    let case = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, ..Synthetic::USUAL };
+    let found = of(&case, 1);
+    assert!(found.cycles.len() > 20, "{}", found.cycles.len());
+    let turns = found.offset / std::f64::consts::TAU;
+    assert!(turns > 0.5 && (turns - libm::round(turns)).abs() < 1e-3, "{turns}");
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-3, "{}", found.t0);
+}
+
+#[test]
+fn the_envelope_tells_the_damping() {
+    let base = Synthetic { linear: 0.0, noise: 0.002, ..Synthetic::USUAL };
+    for (term, case) in [
+        (DampingTerm::Dry, Synthetic { dry: 0.05, ..base }),
+        (DampingTerm::Linear, Synthetic { linear: 0.05, ..base }),
+        (DampingTerm::Quadratic, Synthetic { quadratic: 0.08, ..base }),
+    ] {
+        let envelope = of(&case, 4).envelope.unwrap();
+        let preferred = envelope.preferred();
+        assert!(preferred.damping.has(term), "{}", envelope.verdict());
+        // The law with this damping alone, whatever others cannot be told from it.
+        let alone =
+            envelope.fits.iter().find(|fit| fit.damping.count() == 1 && fit.damping.has(term)).unwrap();
+        let truth = [case.dry, case.linear, case.quadratic].into_iter().fold(0.0, f64::max);
+        let coefficient = alone.coefficients[0];
+        assert!((coefficient.value - truth).abs() < 4.0 * coefficient.uncertainty, "{coefficient:?}");
+        assert!(coefficient.uncertainty < 0.05 * truth, "{coefficient:?}");
+        let wrong = envelope.fits.iter().filter(|fit| fit.damping.count() == 1 && !fit.damping.has(term));
+        assert!(wrong.clone().all(|fit| fit.aicc_difference > 10.0), "{:?}", wrong.collect::<Vec<_>>());
     }
 }
 
 #[test]
-fn scratch() {
-    for (name, case) in [
-        ("fine", Synthetic { noise: 0.002, ..Synthetic::USUAL }),
-        ("coarse", Synthetic { noise: 0.005, step: 0.083, rows: 480, ..Synthetic::USUAL }),
-        ("coarse12", Synthetic { noise: 0.005, step: 0.175, rows: 240, ..Synthetic::USUAL }),
-        (
-            "quant",
-            Synthetic {
-                quantum: 0.0015708,
-                step: 0.005,
-                rows: 1600,
-                amplitude: 1.9,
-                linear: 0.04,
-                ..Synthetic::USUAL
-            },
-        ),
-        ("big", Synthetic { noise: 0.003, amplitude: 2.4, ..Synthetic::USUAL }),
-        ("vel", Synthetic { noise: 0.01, offset: 0.02, seen: Seen::AngularVelocity, ..Synthetic::USUAL }),
-        (
-            "velbig",
-            Synthetic {
-                noise: 0.01,
-                offset: 0.02,
-                amplitude: 2.0,
-                seen: Seen::AngularVelocity,
-                ..Synthetic::USUAL
-            },
-        ),
-    ] {
-        let mut p = vec![];
-        let mut b = vec![];
-        let mut chi = 0.0;
-        let mut db = 0.0;
-        let mut ub = 0.0;
-        let mut dt = 0.0;
-        let mut ca = vec![];
-        let mut ct = vec![];
-        for seed in 0..60 {
-            let f = of(&case, seed);
-            let o = f.offset_wander;
-            p.push((f.t0 - case.t0()) / f.t0_uncertainty);
-            dt += (f.t0 / case.t0() - 1.0) / 60.0;
-            let beta = f.beta.clone().unwrap();
-            b.push((beta.beta - 1.0) / beta.uncertainty);
-            db += (beta.beta - 1.0) / 60.0;
-            ub += beta.uncertainty / 60.0;
-            chi += f.chi2_per_dof.unwrap() / 60.0;
-            for c in &f.cycles {
-                ct.push(
-                    (c.period / c.period_ratio - case.t0())
-                        / (c.period_uncertainty.powi(2)
-                            + (case.t0()
-                                * (period_ratio(c.amplitude + 1e-3) - period_ratio(c.amplitude - 1e-3))
-                                / 2e-3
-                                * c.amplitude_uncertainty)
-                                .powi(2))
-                        .sqrt(),
-                );
-            }
-            if o > 0.0 {
-                ca.push(o);
-            }
-        }
-        let rms = |v: &[f64]| (v.iter().map(|x| x * x).sum::<f64>() / v.len() as f64).sqrt();
-        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
-        let f = of(&case, 3);
-        println!(
-            "{name}: noise {:e} n {} T0 pull rms {:.3} mean {:.3} relbias {:.1e} (sigma {:.1e}) beta pull {:.3} mean {:.3} bias {:.1e} sigma {:.1e} chi {:.3} cycle pull {:.3} wander {} {:?}",
-            f.noise,
-            f.cycles.len(),
-            rms(&p),
-            mean(&p),
-            dt,
-            f.t0_uncertainty / f.t0,
-            rms(&b),
-            mean(&b),
-            db,
-            ub,
-            chi,
-            rms(&ct),
-            ca.len(),
-            f.warnings
-        );
-    }
+fn a_short_trace_cannot_separate_the_laws_of_damping() {
+    let case = Synthetic { noise: 0.01, rows: 700, linear: 0.01, ..Synthetic::USUAL };
+    let envelope = of(&case, 6).envelope.unwrap();
+    assert!(envelope.not_separated().count() >= 2, "{}", envelope.verdict());
+    assert!(envelope.verdict().contains("cannot separate"));
+}
+
+#[test]
+fn what_has_no_cycles_is_refused_kindly() {
+    let short = Synthetic { rows: 80, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert!(matches!(refused(&short), CyclesError::TooShort { .. }), "{}", refused(&short));
+    let coarse = Synthetic { step: 0.4, rows: 60, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert!(matches!(refused(&coarse), CyclesError::TooCoarse { .. }), "{}", refused(&coarse));
+    let turning = Synthetic { amplitude: 0.0, velocity: 13.0, rows: 300, ..Synthetic::USUAL };
+    let turning = turning.trace(&mut Random::seeded(1));
+    assert_eq!(refused(&turning), CyclesError::OnlyRotations);
+    let resting = changed(&short, |_, _| Some(0.25));
+    assert_eq!(refused(&resting), CyclesError::NothingSwings(0.25));
 }

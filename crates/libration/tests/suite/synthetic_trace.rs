@@ -7,7 +7,7 @@ use libration::taylor::{Effort, Moment, System, integrate};
 
 use crate::random::Random;
 
-/// A pendulum that is released from rest, and the instrument.
+/// A pendulum that is released, and the instrument.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Synthetic {
     pub(crate) omega0: f64,
@@ -15,6 +15,8 @@ pub(crate) struct Synthetic {
     pub(crate) linear: f64,
     pub(crate) quadratic: f64,
     pub(crate) amplitude: f64,
+    /// At the release.
+    pub(crate) velocity: f64,
     pub(crate) seen: Seen,
     pub(crate) offset: f64,
     pub(crate) step: f64,
@@ -33,6 +35,7 @@ impl Synthetic {
         linear: 0.02,
         quadratic: 0.0,
         amplitude: 1.0472,
+        velocity: 0.0,
         seen: Seen::Angle,
         offset: 0.0,
         step: 0.02,
@@ -55,7 +58,7 @@ impl Synthetic {
         let system = System::new(&equation.parse().unwrap()).unwrap();
         // A first row a little after the release, at no special phase.
         let times: Vec<f64> = (0..self.rows).map(|row| 0.0137 + self.step * f64::from(row)).collect();
-        let start = Moment { time: 0.0, state: vec![self.amplitude, 0.0] };
+        let start = Moment { time: 0.0, state: vec![self.amplitude, self.velocity] };
         let effort = Effort::to_tolerance(1e-12);
         let solution = integrate(&system, &start, &times, &effort, |_| ControlFlow::Continue(())).unwrap();
         let place = usize::from(self.seen == Seen::AngularVelocity);

@@ -28,8 +28,6 @@ fits T = T0·[1 + β(R − 1)], with R = T/T0 of the exact law: β = 1 is the ex
 pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: Input,
-    #[command(flatten)]
-    apparatus: ApparatusOptions,
     /// Leave out the rows further than this many robust standard deviations from the exact law
     #[arg(long, value_name = "N", value_parser = positive)]
     reject_outliers: Option<f64>,
@@ -40,6 +38,8 @@ pub(crate) struct FitPeriods {
     figure: Option<PathBuf>,
     #[command(flatten)]
     form: FormOptions,
+    #[command(flatten)]
+    apparatus: ApparatusOptions,
 }
 
 impl FitPeriods {

@@ -79,7 +79,7 @@ impl Values {
     }
 
     /// σ.
-    fn air_over_bob(&self) -> f64 {
+    pub(super) fn air_over_bob(&self) -> f64 {
         let volume = 4.0 / 3.0 * PI * self.radius * self.radius * self.radius;
         match (self.bob_density > 0.0, self.bob_mass > 0.0) {
             (true, _) => self.air_density / self.bob_density,
@@ -94,17 +94,21 @@ impl Values {
     }
 
     pub(super) fn viscous_part(&self) -> f64 {
-        let layer = (2.0 * VISCOSITY_OF_AIR * self.t0 / TAU).sqrt();
-        if self.radius > 0.0 { 2.25 * layer / self.radius } else { 0.0 }
+        if self.radius > 0.0 { 2.25 * self.layer() / self.radius } else { 0.0 }
+    }
+
+    /// δ.
+    pub(super) fn layer(&self) -> f64 {
+        (2.0 * VISCOSITY_OF_AIR * self.t0 / TAU).sqrt()
     }
 
     /// μ.
-    fn rod_over_bob(&self) -> f64 {
+    pub(super) fn rod_over_bob(&self) -> f64 {
         if self.bob_mass > 0.0 { self.rod_mass / self.bob_mass } else { 0.0 }
     }
 
     /// λ.
-    fn rod_length_over_length(&self) -> f64 {
+    pub(super) fn rod_length_over_length(&self) -> f64 {
         let length = if self.rod_length > 0.0 { self.rod_length } else { self.length - self.radius };
         length / self.length
     }

@@ -146,13 +146,18 @@ impl Inputs {
     }
 
     fn amplitude(&self) -> BudgetRow {
-        const FORMULA: &str = "R(A)^2, R = T/T0 of the exact law";
+        const FORMULA: &str = "R(A)^2";
         if self.values.amplitude <= 0.0 {
-            return unknown("finite amplitude", FORMULA, "the amplitude is not known");
+            return unknown(
+                "finite amplitude",
+                FORMULA,
+                "R = T/T0 of the exact law; the amplitude A is not known",
+            );
         }
-        let note = format!("A = {:.2} deg, already in T0", self.values.amplitude.to_degrees());
+        let note = format!("R = T/T0 at A = {:.2} deg; already in T0", self.values.amplitude.to_degrees());
         let row = self.effect("finite amplitude", FORMULA, Effect::Amplitude, note);
-        BudgetRow { uncertainty: Some(0.0), ..row }
+        // That of the amplitude is the next row.
+        BudgetRow { uncertainty: None, ..row }
     }
 
     fn angle_scale(&self) -> BudgetRow {
@@ -163,14 +168,12 @@ impl Inputs {
         if !self.has_angle_scale {
             let one_percent = Values { angle_scale: 1.01, ..self.values };
             let size = one_percent.gravity() / self.values.gravity() - 1.0;
-            return usually(
-                "angle scale",
-                FORMULA,
-                size,
-                "for an angle scale that is 1 % off; give its uncertainty".into(),
-            );
+            let note = "for angles that are all 1 % off; give their uncertainty".into();
+            return usually("angle scale", FORMULA, size, note);
         }
-        self.input("angle scale", FORMULA, Input::AngleScale, Evaluation::Judgement)
+        let row = self.input("angle scale", FORMULA, Input::AngleScale, Evaluation::Judgement);
+        let note = if row.uncertainty == Some(0.0) { "exact, or part of T0" } else { "" };
+        BudgetRow { note: note.into(), ..row }
     }
 
     fn has_density(&self) -> bool {
@@ -184,56 +187,67 @@ impl Inputs {
     }
 
     fn buoyancy(&self) -> BudgetRow {
-        const FORMULA: &str = "1/(1 - s), s = density of air/density of bob";
+        const FORMULA: &str = "1/(1 - s)";
         if !self.has_density() {
-            let note = "for brass or steel; give the density, or mass and radius, of the bob".into();
+            let note = "s: air/bob density, for brass; give density, or mass and radius, of the bob".into();
             return usually("buoyancy", FORMULA, self.usual_air_over_bob(), note);
         }
-        let note = format!("air {} kg/m^3", self.values.air_density);
+        let note = format!("s = {:.2e}, air over bob", self.values.air_over_bob());
         self.effect("buoyancy", FORMULA, Effect::Buoyancy, note)
     }
 
     fn added_mass(&self) -> BudgetRow {
-        const FORMULA: &str = "1 + k s, k = 1/2 + (9/4) sqrt(2 nu/omega)/r";
+        const FORMULA: &str = "1 + k s";
         if !self.has_density() {
-            let note = "for brass or steel; give the density, or mass and radius, of the bob".into();
+            let note = "k = 1/2, for brass; give density, or mass and radius, of the bob".into();
             return usually("added mass", FORMULA, 0.5 * self.usual_air_over_bob(), note);
         }
-        let note = format!("k = {:.2}", self.values.added_mass_over_displaced());
+        let k = self.values.added_mass_over_displaced();
+        let note =
+            format!("k = 1/2 + 9d/4r = {k:.2}, d = {:.1} mm of viscous air", 1e3 * self.values.layer());
         self.effect("added mass", FORMULA, Effect::AddedMass, note)
     }
 
     fn finite_bob(&self) -> BudgetRow {
-        const FORMULA: &str = "1 + 2 r^2/(5 L^2), a ball";
+        const FORMULA: &str = "1 + 2r^2/5L^2";
         if self.values.radius <= 0.0 {
             return usually(
                 "finite bob",
                 FORMULA,
                 0.001,
-                "for a radius of L/20; give that of the bob".into(),
+                "a ball of radius L/20; give that of the bob".into(),
             );
         }
-        let note = format!("r = {} m", self.values.radius);
+        let note = format!("a ball of radius r = {} m", self.values.radius);
         self.effect("finite bob", FORMULA, Effect::FiniteBob, note)
     }
 
     fn rod(&self) -> BudgetRow {
-        const FORMULA: &str = "(1 + m l^2/3)/(1 + m l/2), m = rod/bob mass, l = rod length/L";
+        const FORMULA: &str = "(1 + ml^2/3)/(1 + ml/2)";
         if self.values.rod_mass <= 0.0 {
-            let note = "for a rod or string of 1 % of the mass of the bob; give both masses".into();
+            let note = "for 1 % of the mass of the bob; give both masses".into();
             return usually("rod mass", FORMULA, -0.01 / 6.0, note);
         }
-        let note = format!("m = {:.4}", self.values.rod_mass / self.values.bob_mass);
+        let note = format!(
+            "m = {:.4}, l = {:.4}, relative to bob and L",
+            self.values.rod_over_bob(),
+            self.values.rod_length_over_length()
+        );
         self.effect("rod mass", FORMULA, Effect::Rod, note)
     }
 
     fn stretch(&self) -> BudgetRow {
-        const FORMULA: &str = "1 + (11/8)(x/L) A^2, x = stretch at rest";
+        const FORMULA: &str = "1 + (11/8)(x/L)A^2";
         let Values { amplitude, length, stretch, .. } = self.values;
         match (stretch > 0.0, amplitude > 0.0) {
-            (true, true) => self.effect("stretch", FORMULA, Effect::Stretch, format!("x = {stretch} m")),
+            (true, true) => self.effect(
+                "stretch",
+                FORMULA,
+                Effect::Stretch,
+                format!("stretched by x = {stretch} m at rest"),
+            ),
             (false, true) => {
-                let note = format!("for a string that the bob stretches by 0.1 %, {:.1e} m", 1e-3 * length);
+                let note = format!("for a string that the bob stretches by x = {:.1e} m", 1e-3 * length);
                 usually("stretch", FORMULA, 1.375e-3 * amplitude * amplitude, note)
             }
             (_, false) => unknown("stretch", FORMULA, "the amplitude is not known"),
@@ -241,8 +255,8 @@ impl Inputs {
     }
 
     fn damping(&self) -> Option<BudgetRow> {
-        let note = format!("b = {:.3e} 1/s", self.values.damping);
-        let row = || self.effect("damping", "1 + (b/2 omega0)^2", Effect::Damping, note);
+        let note = format!("b = {:.3e} 1/s, w = 2pi/T0", self.values.damping);
+        let row = || self.effect("damping", "1 + (b/2w)^2", Effect::Damping, note);
         (self.values.damping > 0.0).then(row)
     }
 }

@@ -197,15 +197,12 @@ fn warnings(
     let mut warnings = vec![];
     let mut say = |count: usize, what: &str| {
         if count > 0 {
-            warnings.push(format!("{count} {what}"));
+            warnings.push(format!("{what}: {count}"));
         }
     };
-    say(rotations, "swings lead over the top and do not count");
-    say(
-        found.cycles.len() - rows.len(),
-        "cycles are incomplete (gaps, too few rows, or too faint) and are left out",
-    );
-    say(outliers, "cycles have a period far from the law and are left out");
+    say(rotations, "swings that lead over the top, left out");
+    say(found.cycles.len() - rows.len(), "incomplete cycles (gaps, too few rows, or too faint), left out");
+    say(outliers, "cycles with a period far from the law, left out");
     if centre.wander > 0.0 {
         warnings.push(format!(
             "the centre of the swing wanders by {:.2e} {unit} (standard deviation), more than the noise explains; it was \

@@ -7,6 +7,7 @@ use super::passages::{Passages, passages};
 use super::speeds::amplitude;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source};
+use crate::elliptic::Modulus;
 use crate::fit::Law;
 use crate::fit::cycles::{Beta, period_law};
 use crate::fit::robust::{median, robust_deviation};
@@ -86,14 +87,14 @@ impl Swings {
 
     fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions) -> GatesFit {
         let periods: Vec<f64> = self.cycles.iter().map(|&cycle| self.period(cycle)).collect();
-        let times: Vec<f64> = self.cycles.iter().map(|&cycle| self.time(cycle + 1)).collect();
         let mean = periods.iter().sum::<f64>() / count(periods.len());
         let scatter = periods.iter().map(|period| (period - mean) * (period - mean)).sum::<f64>();
         let spread = (scatter / count(periods.len() - 1) / count(periods.len())).sqrt();
         let amplitudes = options.width.map(|width| self.amplitudes(width.value));
         let by_speeds =
             options.width.zip(amplitudes.as_ref()).and_then(|(width, a)| self.by_speeds(width, a));
-        let first_period = at_the_beginning(&times, &periods, self.time(0));
+        let (times, both_sides) = self.mean_periods();
+        let first_period = at_the_beginning(&times, &both_sides, self.time(0) - 0.25 * mean);
         let by_amplitude =
             first_period.zip(options.amplitude).map(|(period, a)| by_first_amplitude(period, a));
         let (t0, t0_source) = match (&by_speeds, by_amplitude) {
@@ -144,14 +145,22 @@ impl Swings {
         0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
     }
 
-    /// The standard deviation of a time, by second differences of the passages of one side: √(1 + 4 + 1) of it.
+    /// The standard deviation of a time, by fourth differences of the passages of one side, from which a period that falls
+    /// steadily drops out.
     fn timing(&self) -> f64 {
-        let whole =
-            |k: usize| self.cycles.binary_search(&k).is_ok() && self.cycles.binary_search(&(k + 2)).is_ok();
-        let second = |k: usize| self.time(k + 4) - 2.0 * self.time(k + 2) + self.time(k);
-        let differences: Vec<f64> =
-            (0..self.placed.len().saturating_sub(4)).filter(|&k| whole(k)).map(second).collect();
-        robust_deviation(&differences).unwrap_or(0.0) / 6.0_f64.sqrt()
+        self.deviation(|passage| Some(self.time(passage)))
+    }
+
+    /// The standard deviation of a quantity of passages about its course along one side.
+    fn deviation(&self, of: impl Fn(usize) -> Option<f64>) -> f64 {
+        let whole = |&k: &usize| (0..4).all(|step| self.cycles.binary_search(&(k + 2 * step)).is_ok());
+        let fourth = |k: usize| {
+            let terms = [1.0, -4.0, 6.0, -4.0, 1.0].into_iter().enumerate();
+            terms.map(|(step, weight)| of(k + 2 * step).map(|value| weight * value)).sum::<Option<f64>>()
+        };
+        let differences: Vec<f64> = self.cycles.iter().copied().filter(whole).filter_map(fourth).collect();
+        // √(1 + 16 + 36 + 16 + 1) times that of one.
+        robust_deviation(&differences).unwrap_or(0.0) / 70.0_f64.sqrt()
     }
 
     /// The amplitudes of all passages by their speeds, with the T0 that goes with them.
@@ -181,30 +190,69 @@ impl Swings {
                 of_passages[passage] = blocked.and_then(|time| amplitude(TAU / t0, width, time, from_bottom));
             }
         }
-        Amplitudes { of_passages }
+        Amplitudes { of_passages, omega0: TAU / t0 }
     }
 
     fn by_speeds(&self, width: Quantity, amplitudes: &Amplitudes) -> Option<BySpeeds> {
         let variance = self.timing() * self.timing();
         let noise = amplitudes.noise(self);
+        let gate = self.gate_height(amplitudes)?;
         let row = |&cycle: &usize| {
             let side = |k: usize| Some(Side::new(k, amplitudes.of_half_swing(k)?, noise));
             let ends = [cycle, cycle + 2];
+            let [begin, end] = ends.map(|k| self.bottom_time(k, amplitudes, gate));
             // A clock without any scatter would leave nothing to weigh by.
             let passages = ends.map(|k| (k, variance.max(1e-24)));
-            Some(Row::new(ends.map(|k| self.time(k)), passages, [side(cycle)?, side(cycle + 1)?]))
+            Some(Row::new([begin?, end?], passages, [side(cycle)?, side(cycle + 1)?]))
         };
         let rows: Vec<Row> = self.cycles.iter().filter_map(row).collect();
         let law = period_law::exact(&rows)?;
         let ratio = rows.iter().map(|row| row.ratio).sum::<f64>() / count(rows.len());
         let typical = Amplitude::from_period_ratio(ratio).ok()?.radians();
-        // All amplitudes are wrong by the same factor when the width is.
+        // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
         let relative = width.uncertainty.unwrap_or(0.0) / width.value;
-        let change = 2.0 * libm::tan(0.5 * typical) * relative;
-        let by_width = law.t0 * Law::exact().slope_at(typical) * change / ratio;
-        let uncertainty = Some(libm::hypot(law.t0_uncertainty, by_width));
+        let slope = Law::exact().slope_at(typical) * 2.0 * libm::tan(0.5 * typical);
+        let (by_period, by_excess) = (slope / ratio, slope / (ratio - 1.0));
+        let change = relative / (1.0 + by_period);
+        let widened = |own: f64, by_width: f64| libm::hypot(own, by_width * change);
+        let uncertainty = Some(widened(law.t0_uncertainty, law.t0 * by_period));
+        let beta = period_law::beta(&rows).ok();
+        let widen =
+            |beta: Beta| Beta { uncertainty: widened(beta.uncertainty, beta.beta * by_excess), ..beta };
         let t0 = Quantity { value: law.t0, uncertainty };
-        Some(BySpeeds { t0, beta: period_law::beta(&rows).ok(), amplitude: Some(typical) })
+        Some(BySpeeds { t0, beta: beta.map(widen), amplitude: Some(typical) })
+    }
+
+    /// The sine of half the angle of the gate, on the side to which the passages of the first side go, by the unevenness
+    /// of the passages.
+    fn gate_height(&self, amplitudes: &Amplitudes) -> Option<f64> {
+        let height = |&cycle: &usize| {
+            let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_cycle(cycle)?)).ok()?;
+            let outward = 0.5 * self.period(cycle) > self.time(cycle + 1) - self.time(cycle);
+            let first_side = self.placed[cycle].side == 0;
+            let height = modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.from_bottom(cycle)).sn;
+            Some(if outward == first_side { height } else { -height })
+        };
+        median(self.cycles.iter().filter_map(height).collect())
+    }
+
+    /// When the bottom is passed, by the passage of a gate of this height.
+    fn bottom_time(&self, passage: usize, amplitudes: &Amplitudes, gate: f64) -> Option<f64> {
+        let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_passages[passage]?)).ok()?;
+        let sine = (gate / modulus.modulus()).clamp(-1.0, 1.0);
+        let from_bottom = modulus.incomplete_first(libm::asin(sine)) / amplitudes.omega0;
+        let outward = self.placed[passage].side == 0;
+        Some(self.time(passage) + if outward { -from_bottom } else { from_bottom })
+    }
+
+    /// Means of the periods of both sides, from which the place of the gate drops out, with their times.
+    fn mean_periods(&self) -> (Vec<f64>, Vec<f64>) {
+        let neighbours = self.cycles.windows(2).filter(|pair| pair[0] + 1 == pair[1]);
+        let mean = |pair: &[usize]| {
+            let time = 0.5 * (self.time(pair[0] + 1) + self.time(pair[1] + 1));
+            (time, 0.5 * (self.period(pair[0]) + self.period(pair[1])))
+        };
+        neighbours.map(mean).unzip()
     }
 }
 
@@ -217,6 +265,8 @@ struct BySpeeds {
 /// The amplitude at each passage, in radians.
 struct Amplitudes {
     of_passages: Vec<Option<f64>>,
+    /// That goes with them.
+    omega0: f64,
 }
 
 impl Amplitudes {
@@ -228,14 +278,9 @@ impl Amplitudes {
         Some(0.5 * (self.of_half_swing(cycle)? + self.of_half_swing(cycle + 1)?))
     }
 
-    /// The standard deviation of the amplitude of a half swing, by second differences along one side.
+    /// The standard deviation of the amplitude of a half swing, the mean of two passages.
     fn noise(&self, swings: &Swings) -> f64 {
-        let second = |&k: &usize| {
-            let [first, middle, last] = [k, k + 2, k + 4].map(|k| self.of_passages.get(k).copied().flatten());
-            Some(first? - 2.0 * middle? + last?)
-        };
-        let differences: Vec<f64> = swings.cycles.iter().filter_map(second).collect();
-        robust_deviation(&differences).unwrap_or(0.0) / 12.0_f64.sqrt()
+        swings.deviation(|passage| self.of_passages[passage]) / 2.0_f64.sqrt()
     }
 }
 
@@ -255,12 +300,12 @@ fn warnings(fit: &GatesFit, options: &GateOptions) -> Vec<String> {
     let mut warnings = vec![];
     let mut say = |count: usize, what: &str| {
         if count > 0 {
-            warnings.push(format!("{count} {what}"));
+            warnings.push(format!("{what}: {count}"));
         }
     };
-    say(fit.unpaired, "edges of the gate lack the other edge and are left out");
-    say(fit.double_triggers, "passages fit no pendulum (double triggers) and are left out");
-    say(fit.missed, "passages are missing; periods across them are left out");
+    say(fit.unpaired, "edges of the gate without the other edge, left out");
+    say(fit.double_triggers, "passages that fit no pendulum (double triggers), left out");
+    say(fit.missed, "passages that are missing; periods across them are left out");
     if options.width.is_some() && fit.t0_source != Some(T0Source::Speeds) {
         let why = if fit.edges {
             "lead over the top: check the width of the bob"

@@ -38,7 +38,8 @@ pub struct GateOptions {
     /// The angle that the bob goes while it blocks the gate, in radians: its diameter over the distance of the gate from
     /// the pivot.
     pub width: Option<Quantity>,
-    /// The amplitude of the first swing, in radians; of use where the width is not known.
+    /// The amplitude of the release, or of the turning point before the first passage, in radians; of use where the width is not
+    /// known.
     pub amplitude: Option<Quantity>,
 }
 
@@ -85,7 +86,7 @@ pub struct GatesFit {
     pub timing: f64,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
     pub mean_period: Quantity,
-    /// The period at the first passage, in seconds.
+    /// The period at the turning point before the first passage, in seconds.
     pub first_period: Option<Quantity>,
     /// The period of small swings, in seconds.
     pub t0: Option<Quantity>,

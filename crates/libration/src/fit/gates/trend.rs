@@ -5,18 +5,13 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::small_angle_period::count;
 use crate::quantity::Quantity;
 
-/// From so many periods on a parabola is drawn, and from so many a line.
-const FOR_PARABOLA: usize = 8;
-const FOR_LINE: usize = 4;
+/// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.
+const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
 /// The period at a time, by a curve through all periods. Its uncertainty contains how much less curved ones would differ,
 /// since how the amplitude falls is not known.
 pub(super) fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Quantity> {
-    let degree = match times.len() {
-        FOR_PARABOLA.. => 2,
-        FOR_LINE.. => 1,
-        _ => 0,
-    };
+    let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
     let best = polynomial(times, periods, time, degree)?;
     let simpler = (degree > 0).then(|| polynomial(times, periods, time, degree - 1)).flatten();
     let difference = simpler.map_or(0.0, |simpler| best.0 - simpler.0);

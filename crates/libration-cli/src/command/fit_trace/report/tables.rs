@@ -4,7 +4,6 @@ use super::super::answer::{Answer, Pendulum};
 use super::super::sheet;
 use crate::document::{Block, Table};
 use crate::output;
-use crate::output::number::rounded;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
@@ -33,13 +32,10 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
 /// Where the uncertainty of gravity comes from.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     let Pendulum::Gravity { budget, .. } = &answer.pendulum else { return vec![] };
-    let total =
-        ["together".to_owned(), String::new(), rounded(budget.uncertainty, 2), String::new(), String::new()];
-    let rows = budget.rows.iter().map(output::budget::cells).chain([total]);
     vec![Block::Table(Table {
         caption: "The budget of the uncertainty of gravity".to_owned(),
         columns: output::budget::columns(),
-        rows: rows.map(|cells| cells.to_vec()).collect(),
+        rows: output::budget::rows(budget),
     })]
 }
 

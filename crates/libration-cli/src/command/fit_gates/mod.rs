@@ -1,0 +1,115 @@
+//! `libration fit gates`: times of a photogate, cleaned, and what they say about the period.
+
+mod write;
+
+use crate::arguments::{ApparatusOptions, RecordingOptions, told};
+use crate::failure::Failure;
+use crate::figure;
+use crate::output::FormOptions;
+use libration::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
+use libration::fit::{self, Budget, MeasuredPeriod};
+use libration::quantity::{Angle, Quantity};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are found
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit gates gate.csv
+  libration fit gates gate.csv --amplitude 20deg --length 0.57m±0.004m
+  libration fit gates gate.csv --length 0.57m±0.004m --diameter 25.0(1)mm
+  libration fit gates times.txt --signals passages --csv
+
+Periods go from one passage to the next of the same side, so that the gate need not stand at the
+centre. With the diameter of the bob and the length the speed at the gate gives every amplitude;
+else T0 needs the amplitude of the first swing.")]
+pub(crate) struct FitGates {
+    /// Times of one photogate, perhaps with its state (blocked or not); - for the standard input
+    file: PathBuf,
+    /// What the times are: edges (blocked, free, …) or whole passages [default: told from their pattern]
+    #[arg(long, value_enum)]
+    signals: Option<Signals>,
+    /// Diameter of what blocks the gate [default: twice the radius of the bob]
+    #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty, requires = "length")]
+    diameter: Option<Quantity>,
+    /// Distance of the gate from the pivot [default: the length of the pendulum]
+    #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
+    gate_distance: Option<Quantity>,
+    /// Amplitude of the release, a quarter period before the first passage, such as 20deg
+    #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
+    amplitude: Option<Angle>,
+    /// Draw the periods against time to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    form: FormOptions,
+    #[command(flatten)]
+    apparatus: ApparatusOptions,
+    #[command(flatten)]
+    reading: RecordingOptions,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Signals {
+    Edges,
+    Passages,
+}
+
+impl FitGates {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let read = self.reading.gate_times(&self.file)?;
+        let name = self.file.display().to_string();
+        let fit = gates(&read.times, read.blocked.as_deref(), &self.options());
+        let fit = fit.map_err(|error| Failure::no_answer(&name, error))?;
+        let budget = self.budget(&fit)?;
+        if let Some(path) = &self.figure {
+            figure::file::write(path, &figure::gates::periods(&fit))?;
+        }
+        let findings: Vec<String> = read.findings.iter().map(told).collect();
+        let incomplete = read.incomplete;
+        write::Answer { fit: &fit, budget: budget.as_ref(), findings, incomplete }
+            .write(out, self.form.form())
+    }
+
+    fn options(&self) -> GateOptions {
+        let signals = self.signals.map(|signals| match signals {
+            Signals::Edges => GateSignals::Edges,
+            Signals::Passages => GateSignals::Passages,
+        });
+        let amplitude =
+            self.amplitude.map(|angle| Quantity { value: angle.abs().radians(), uncertainty: None });
+        GateOptions { signals, width: self.width(), amplitude }
+    }
+
+    /// The angle that the bob goes in front of the gate.
+    fn width(&self) -> Option<Quantity> {
+        let apparatus = self.apparatus.apparatus()?;
+        let twice = |radius: Quantity| Quantity {
+            value: 2.0 * radius.value,
+            uncertainty: radius.uncertainty.map(|spread| 2.0 * spread),
+        };
+        let diameter = self.diameter.or_else(|| apparatus.bob_radius.map(twice))?;
+        let distance = self.gate_distance.unwrap_or(apparatus.length);
+        let relative = |quantity: Quantity| quantity.uncertainty.unwrap_or(0.0) / quantity.value;
+        let value = diameter.value / distance.value;
+        let uncertainty = Some(value * relative(diameter).hypot(relative(distance)));
+        Some(Quantity { value, uncertainty })
+    }
+
+    fn budget(&self, fit: &GatesFit) -> Result<Option<Budget>, Failure> {
+        let (Some(apparatus), Some(t0)) = (self.apparatus.apparatus(), fit.t0) else { return Ok(None) };
+        let period = MeasuredPeriod {
+            t0,
+            amplitude: fit.amplitude,
+            angle_scale: match fit.t0_source {
+                // What the width of the bob is worth is part of T0 already.
+                Some(T0Source::Speeds) => Some(0.0),
+                _ => self.apparatus.angle_scale(),
+            },
+            linear_damping: None,
+        };
+        let budget =
+            fit::budget(&apparatus, &period).map_err(|error| Failure::no_answer("gravity", error))?;
+        Ok(Some(budget))
+    }
+}

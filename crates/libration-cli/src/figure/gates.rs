@@ -1,0 +1,65 @@
+//! Periods by a photogate against time, and against the amplitude where speeds tell it.
+
+use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::range::around;
+use super::style;
+use libration::fit::Law;
+use libration::fit::gates::{GateCycle, GatesFit};
+
+const SAMPLES: u32 = 300;
+
+/// Periods against time; below, against the amplitude with the exact law.
+pub(crate) fn periods(fit: &GatesFit) -> Picture {
+    let amplitudes: Vec<(f64, f64)> =
+        fit.cycles.iter().filter_map(|cycle| Some((cycle.amplitude?.to_degrees(), cycle.period))).collect();
+    let mut panels = vec![against_time(fit)];
+    if let (Some(t0), false) = (fit.t0, amplitudes.is_empty()) {
+        panels.push(against_amplitude(&amplitudes, t0.value));
+    }
+    let share = if panels.len() > 1 { 0.5 } else { 1.0 };
+    Picture::new("Periods by a photogate", panels.into_iter().map(|panel| Panel { share, ..panel }).collect())
+}
+
+fn against_time(fit: &GatesFit) -> Panel {
+    let of_side = |side: usize| -> Vec<Point> {
+        let cycles = fit.cycles.iter().filter(|cycle| cycle.side == side);
+        cycles.map(|cycle: &GateCycle| Point::new(cycle.time, cycle.period)).collect()
+    };
+    let (from, to) = around(fit.cycles.iter().map(|cycle| cycle.time));
+    let series = ["one side", "the other side"].into_iter().enumerate().map(|(side, label)| {
+        let points = of_side(side);
+        let look = style::measurements_of(side, points.len());
+        Series { label: label.to_owned(), look, points }
+    });
+    Panel {
+        x: Axis::linear("time t / s", from, to),
+        y: vertical(fit.cycles.iter().map(|cycle| cycle.period)),
+        series: series.collect(),
+        share: 1.0,
+    }
+}
+
+fn against_amplitude(measured: &[(f64, f64)], t0: f64) -> Panel {
+    let (from, to) = around(measured.iter().map(|row| row.0).chain([0.0]));
+    let (from, to) = (from.max(0.0), to.min(180.0));
+    let law = (0..=SAMPLES).map(|step| {
+        let degrees = from + (to - from) * f64::from(step) / f64::from(SAMPLES);
+        (degrees, t0 * Law::exact().ratio_at(degrees.to_radians()))
+    });
+    let points: Vec<Point> = measured.iter().map(|&(x, y)| Point::new(x, y)).collect();
+    let look = style::measurements(points.len());
+    Panel {
+        x: Axis::linear("amplitude θ₀ / degrees", from, to),
+        y: vertical(measured.iter().map(|row| row.1).chain([t0])),
+        series: vec![
+            Series { label: "measured".to_owned(), look, points },
+            Series::line("exact law", style::exact_law(), law.collect::<Vec<_>>()),
+        ],
+        share: 1.0,
+    }
+}
+
+fn vertical(values: impl Iterator<Item = f64>) -> Axis {
+    let (low, high) = around(values);
+    Axis::linear("period T / s", low, high)
+}
