@@ -7,6 +7,7 @@ use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
 use libration::decay::{Damping, DampingTerm, Decay, Law};
 use libration::fit::cycles::HalfSwing;
 use libration::fit::trace::TraceFit;
+use libration::measurement::{Seen, Trace};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 
@@ -107,26 +108,59 @@ fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
     Some(figure(&format!("amplitudes{}", suffix(answer, trace)), caption, picture))
 }
 
-/// The averaged law from the energy at the first row on; none for a motion over the top or without damping.
+/// The averaged law of decay of a model; none for a motion over the top or without damping.
 fn envelope(
     answer: &Answer<'_>,
     fit: &TraceFit,
     trace: usize,
     half_swings: &[HalfSwing],
 ) -> Option<Envelope> {
-    let own = |name| fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == name);
+    let measured = &answer.measured.traces[trace];
     let pendulum = Pendulum::from_angular_frequency(fit.parameters[0].value).ok()?;
-    let angle = Angle::from_radians(own("theta0")?.value).ok()?;
-    let start = pendulum.launched(angle, own("velocity0")?.value).ok()?.amplitude()?;
-    let start = Angle::from_radians(start.radians()).ok()?;
-    let decay = Decay::new(pendulum, damping(fit)?, start).ok()?;
+    let scale = fit.parameter("scale").map_or(1.0, |scale| scale.value);
+    let (start, amplitude) = match measured.seen() {
+        Seen::Angle => first_turn(measured, fit, trace, half_swings.first()?)?,
+        Seen::AngularVelocity => (measured.times()[0], first_amplitude(&pendulum, fit, trace)?),
+    };
+    let decay = Decay::new(pendulum, damping(fit)?, Angle::from_radians(amplitude / scale).ok()?).ok()?;
     let law = decay.envelope(Law::Averaged);
-    let times = answer.measured.traces[trace].times();
-    let (first, last) = (times[0], times[times.len() - 1]);
-    let after = |step: u32| (last - first) * f64::from(step) / f64::from(SAMPLES);
-    let points = (0..=SAMPLES).map(|step| (first + after(step), law.amplitude_at(after(step)))).collect();
-    let at_half_swings = half_swings.iter().map(|half| law.amplitude_at(half.time - first)).collect();
+    let at = |time: f64| scale * law.amplitude_at(time - start);
+    let last = measured.times()[measured.len() - 1];
+    let time = |step: u32| start + (last - start) * f64::from(step) / f64::from(SAMPLES);
+    let points = (0..=SAMPLES).map(|step| (time(step), at(time(step)))).collect();
+    let at_half_swings = half_swings.iter().map(|half| at(half.time)).collect();
     Some(Envelope { name: fit.damping.to_string(), points, at_half_swings })
+}
+
+/// When and how far the fitted motion turns nearest to a measured half swing: there, and not between, the averaged law
+/// and the motion agree.
+fn first_turn(measured: &Trace, fit: &TraceFit, trace: usize, near: &HalfSwing) -> Option<(f64, f64)> {
+    let (times, offset) = (measured.times(), own(fit, trace, "offset")?);
+    let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
+    let window = fit.small_angle_period().0 / 6.0;
+    let rows = (1..sizes.len().saturating_sub(1)).filter(|&row| (times[row] - near.time).abs() < window);
+    let row = rows.max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]))?;
+    let (before, after) = (times[row] - times[row - 1], times[row + 1] - times[row]);
+    let (rise, fall) = ((sizes[row] - sizes[row - 1]) / before, (sizes[row + 1] - sizes[row]) / after);
+    // The vertex of the parabola through three rows.
+    let curvature = (fall - rise) / (before + after);
+    let slope = (rise * after + fall * before) / (before + after);
+    let shift = -0.5 * slope / curvature;
+    let is_a_turn = curvature < 0.0 && shift.abs() <= before.max(after);
+    is_a_turn.then_some((times[row] + shift, 0.5_f64.mul_add(slope * shift, sizes[row])))
+}
+
+/// The amplitude that the energy at the first row is enough for.
+fn first_amplitude(pendulum: &Pendulum, fit: &TraceFit, trace: usize) -> Option<f64> {
+    let angle = Angle::from_radians(own(fit, trace, "theta0")?).ok()?;
+    let motion = pendulum.launched(angle, own(fit, trace, "velocity0")?).ok()?;
+    motion.amplitude().map(|amplitude| amplitude.radians())
+}
+
+/// A parameter that a trace has for itself.
+fn own(fit: &TraceFit, trace: usize, name: &str) -> Option<f64> {
+    let found = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == name);
+    found.map(|parameter| parameter.value)
 }
 
 fn damping(fit: &TraceFit) -> Option<Damping> {
