@@ -4,15 +4,9 @@ use super::super::answer::Answer;
 use crate::document::{Block, Figure};
 use crate::figure::chart::Picture;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
-use libration::decay::{Damping, DampingTerm, Decay, Law};
 use libration::fit::cycles::HalfSwing;
 use libration::fit::trace::TraceFit;
-use libration::measurement::{Seen, Trace};
-use libration::pendulum::Pendulum;
-use libration::quantity::Angle;
-
-/// Points of an envelope.
-const SAMPLES: u32 = 200;
+use libration::measurement::Seen;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
     Block::Figure(Figure { name: name.to_owned(), caption, picture })
@@ -96,78 +90,51 @@ fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
     let half_swings = &answer.cycles[trace].as_ref().ok()?.half_swings;
     let name = answer.measured.traces[trace].name();
     let caption = format!(
-        "The largest angle of every half swing of {name}, with the laws of decay of the fitted models, averaged over cycles of \
-         any amplitude; below, all of them less that of {} damping",
+        "The largest angle of every half swing of {name}, with those of the fitted motions; below, all of them less that of {} \
+         damping",
         answer.fit.damping
     );
     let others = answer.comparison.iter().flat_map(|comparison| &comparison.fits);
     let others = others.filter(|fit| fit.damping.count() == 1 && fit.damping != answer.fit.damping);
-    let others: Vec<Envelope> = others.filter_map(|fit| envelope(answer, fit, trace, half_swings)).collect();
-    let chosen = envelope(answer, &answer.fit, trace, half_swings);
-    let picture = draw::amplitudes(name, half_swings, chosen.as_ref(), &others);
+    let of_model = |fit: &TraceFit| of_model(answer, fit, trace, half_swings);
+    let others: Vec<Envelope> = others.filter_map(of_model).collect();
+    let picture = draw::amplitudes(name, half_swings, of_model(&answer.fit).as_ref(), &others);
     Some(figure(&format!("amplitudes{}", suffix(answer, trace)), caption, picture))
 }
 
-/// The averaged law of decay of a model; none for a motion over the top or without damping.
-fn envelope(
+/// How far the fitted motion of a model goes in each half swing.
+fn of_model(
     answer: &Answer<'_>,
     fit: &TraceFit,
     trace: usize,
     half_swings: &[HalfSwing],
 ) -> Option<Envelope> {
     let measured = &answer.measured.traces[trace];
-    let pendulum = Pendulum::from_angular_frequency(fit.parameters[0].value).ok()?;
-    let scale = fit.parameter("scale").map_or(1.0, |scale| scale.value);
-    let (start, amplitude) = match measured.seen() {
-        Seen::Angle => first_turn(measured, fit, trace, half_swings.first()?)?,
-        Seen::AngularVelocity => (measured.times()[0], first_amplitude(&pendulum, fit, trace)?),
-    };
-    let decay = Decay::new(pendulum, damping(fit)?, Angle::from_radians(amplitude / scale).ok()?).ok()?;
-    let law = decay.envelope(Law::Averaged);
-    let at = |time: f64| scale * law.amplitude_at(time - start);
-    let last = measured.times()[measured.len() - 1];
-    let time = |step: u32| start + (last - start) * f64::from(step) / f64::from(SAMPLES);
-    let points = (0..=SAMPLES).map(|step| (time(step), at(time(step)))).collect();
-    let at_half_swings = half_swings.iter().map(|half| at(half.time)).collect();
-    Some(Envelope { name: fit.damping.to_string(), points, at_half_swings })
-}
-
-/// When and how far the fitted motion turns nearest to a measured half swing: there, and not between, the averaged law
-/// and the motion agree.
-fn first_turn(measured: &Trace, fit: &TraceFit, trace: usize, near: &HalfSwing) -> Option<(f64, f64)> {
-    let (times, offset) = (measured.times(), own(fit, trace, "offset")?);
+    let own = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == "offset");
+    let offset = own?.value;
     let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
     let window = fit.small_angle_period().0 / 6.0;
-    let rows = (1..sizes.len().saturating_sub(1)).filter(|&row| (times[row] - near.time).abs() < window);
-    let row = rows.max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]))?;
+    let amplitude = |half: &HalfSwing| {
+        let extreme = extreme(measured.times(), &sizes, half.time, window).unwrap_or(f64::NAN);
+        match measured.seen() {
+            Seen::Angle => extreme,
+            // At the bottom θ′ = 2ω₀ sin(θ₀/2).
+            Seen::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].value).asin(),
+        }
+    };
+    Some(Envelope { name: fit.damping.to_string(), amplitudes: half_swings.iter().map(amplitude).collect() })
+}
+
+/// The largest value near a time: the vertex of the parabola through the largest row and its neighbours.
+fn extreme(times: &[f64], sizes: &[f64], near: f64, window: f64) -> Option<f64> {
+    let from = times.partition_point(|&time| time < near - window).max(1);
+    let to = times.partition_point(|&time| time < near + window).min(sizes.len().saturating_sub(1));
+    let row = (from..to).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]))?;
     let (before, after) = (times[row] - times[row - 1], times[row + 1] - times[row]);
     let (rise, fall) = ((sizes[row] - sizes[row - 1]) / before, (sizes[row + 1] - sizes[row]) / after);
-    // The vertex of the parabola through three rows.
     let curvature = (fall - rise) / (before + after);
     let slope = (rise * after + fall * before) / (before + after);
     let shift = -0.5 * slope / curvature;
     let is_a_turn = curvature < 0.0 && shift.abs() <= before.max(after);
-    is_a_turn.then_some((times[row] + shift, 0.5_f64.mul_add(slope * shift, sizes[row])))
-}
-
-/// The amplitude that the energy at the first row is enough for.
-fn first_amplitude(pendulum: &Pendulum, fit: &TraceFit, trace: usize) -> Option<f64> {
-    let angle = Angle::from_radians(own(fit, trace, "theta0")?).ok()?;
-    let motion = pendulum.launched(angle, own(fit, trace, "velocity0")?).ok()?;
-    motion.amplitude().map(|amplitude| amplitude.radians())
-}
-
-/// A parameter that a trace has for itself.
-fn own(fit: &TraceFit, trace: usize, name: &str) -> Option<f64> {
-    let found = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == name);
-    found.map(|parameter| parameter.value)
-}
-
-fn damping(fit: &TraceFit) -> Option<Damping> {
-    let term = |(name, exponent)| {
-        let coefficient = fit.parameter(name)?.value;
-        Some(DampingTerm { exponent, coefficient })
-    };
-    let terms = [("dry", 0.0), ("linear", 1.0), ("quadratic", 2.0)].into_iter().filter_map(term);
-    Damping::new(&terms.collect::<Vec<_>>()).ok()
+    is_a_turn.then_some(0.5_f64.mul_add(slope * shift, sizes[row]))
 }
