@@ -1,11 +1,11 @@
 //! Where the numbers of a text begin, and what the lines above them are.
 
+use super::MeasurementError;
 use super::dialect::{Dialect, Row, SAMPLE};
-use super::heading::{Heading, bare};
+use super::header::Names;
+use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::table::Header;
-use super::text::COMMENT;
-use super::{MeasurementError, Unit};
 
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;
@@ -137,121 +137,4 @@ fn all_begin_with_digits(row: &Row) -> bool {
         cell.trim_start_matches(['-', '+', '.', '−', '"', '\'']).starts_with(|c: char| c.is_ascii_digit())
     };
     row.cells.iter().filter(|cell| !cell.is_empty()).all(begins)
-}
-
-/// What the lines above the numbers say.
-struct Names {
-    headings: Vec<Heading>,
-    line: Option<u64>,
-    preamble: Vec<(u64, String)>,
-}
-
-impl Names {
-    fn of(
-        text: &str,
-        mut above: Vec<Row>,
-        width: usize,
-        dialect: Dialect,
-        header: Header,
-        first_line: u64,
-    ) -> Result<Self, MeasurementError> {
-        let units = units_below(&mut above);
-        let names = match above.pop() {
-            Some(row) if header == Header::Detect && row.filled() == 1 && width > 1 => {
-                above.push(row);
-                None
-            }
-            Some(row) => Some(row),
-            None => in_comment(text, width, dialect, first_line),
-        };
-        let short_names = units.is_some()
-            && names.is_some()
-            && above
-                .last()
-                .is_some_and(|row| Some(row.filled()) == names.as_ref().map(Row::filled) && row.filled() > 1);
-        let names = if short_names { above.pop() } else { names };
-        let cells = match &names {
-            Some(row) => name_cells(row, width)?,
-            None => vec![String::new(); width],
-        };
-        let groups = groups(&cells, &mut above);
-        let heading = |(place, name): (usize, &String)| {
-            Heading::read(
-                name,
-                units.as_ref().and_then(|row| row.cells.get(place)),
-                groups.get(place).map(String::as_str),
-            )
-        };
-        let headings = cells.iter().enumerate().map(heading).collect();
-        let preamble =
-            above.iter().map(|row| (row.line, row.cells.iter().collect::<Vec<_>>().join(" "))).collect();
-        Ok(Self { headings, line: names.map(|row| row.line), preamble })
-    }
-}
-
-/// A last line that holds nothing but units, with a line as long above it.
-fn units_below(above: &mut Vec<Row>) -> Option<Row> {
-    let [.., names, units] = &above[..] else { return None };
-    let known = |cell: &str| bare(cell).parse::<Unit>().is_ok();
-    let is_unit = |cell: &str| cell.is_empty() || known(cell) || cell.starts_with(['(', '[']);
-    let are_units = units.cells.iter().any(known) && units.cells.iter().all(is_unit);
-    if are_units && names.filled() >= units.filled() { above.pop() } else { None }
-}
-
-/// The last comment above the numbers, if it names what is known here in as many cells.
-fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Option<Row> {
-    let lines = (1..first_line).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with(COMMENT));
-    let (line, comment) = lines.last()?;
-    let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
-    let row = Row { line, cells: row.cells };
-    let cells = name_cells(&row, width).ok()?;
-    let knows = |cell: &String| Heading::read(cell, None, None).quantity != super::Quantity::Other;
-    (cells.len() == width && row.filled() == width && cells.iter().any(knows)).then_some(row)
-}
-
-/// As many names as columns; words that blanks have torn apart are joined at brackets and strokes.
-fn name_cells(row: &Row, width: usize) -> Result<Vec<String>, MeasurementError> {
-    let mut cells: Vec<String> = row.cells.iter().map(String::from).collect();
-    if row.filled() > width {
-        cells = joined(&cells);
-    }
-    let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
-    if filled > width || cells.len() < width {
-        return Err(MeasurementError::HeaderWidth { line: row.line, names: filled, columns: width });
-    }
-    cells.truncate(width);
-    Ok(cells)
-}
-
-fn joined(cells: &[String]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for cell in cells {
-        match names.last_mut() {
-            Some(name) if cell.starts_with(['(', '[', '/']) || name.ends_with('/') => {
-                name.push(' ');
-                name.push_str(cell);
-            }
-            _ => names.push(cell.clone()),
-        }
-    }
-    names
-}
-
-/// Titles over groups of columns, as Tracker writes them when it exports several tracks at once.
-fn groups(names: &[String], above: &mut Vec<Row>) -> Vec<String> {
-    let repeats = |name: &String| !name.is_empty() && names.iter().filter(|other| *other == name).count() > 1;
-    let has_titles = above.last().is_some_and(|row| row.filled() > 1 && row.filled() <= names.len());
-    if !names.iter().any(repeats) || !has_titles {
-        return Vec::new();
-    }
-    let titles = above.pop().map(|row| row.cells).unwrap_or_default();
-    let mut current = String::new();
-    (0..names.len())
-        .map(|place| {
-            if let Some(title) = titles.get(place).filter(|title| !title.is_empty()) {
-                current = title.into();
-            }
-            current.clone()
-        })
-        .collect()
 }

@@ -15,6 +15,7 @@ mod dialect;
 mod error;
 mod faults;
 mod gates;
+mod header;
 mod heading;
 mod layout;
 mod number;

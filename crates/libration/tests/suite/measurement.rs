@@ -78,7 +78,7 @@ fn complaints_name_the_line() {
 fn files_that_are_no_tables_are_told_by_kind() {
     for (bytes, kind) in [
         (b"1,2\n\0\n".as_slice(), "NUL"),
-        (b"PK\x03\x04rest", "control"),
+        (b"PK\x03\x04rest", "ZIP archive"),
         (b"\xff\xfe1", "UTF-16"),
         (b"\xce\xb8 (\xb0)\n1\n", "broken UTF-8"),
     ] {

@@ -106,20 +106,15 @@ fn fitted(
         progress.show(|| format!("fitting: {motions} motions integrated"));
         interrupt::go_on()
     };
-    let comparison = match model {
-        Model::Auto => {
-            Some(compare(&measured.traces, &options, &mut watch).map_err(|error| failure(measured, error))?)
-        }
-        Model::Given(_) => None,
-    };
-    let damping = match (&comparison, model) {
-        (Some(comparison), _) => comparison.best().damping,
-        (None, Model::Given(damping)) => damping,
-        (None, Model::Auto) => return Err(failure(measured, TraceFitError::NoTrace)),
-    };
     let options = TraceOptions { profile: true, ..options };
-    let found = fit_traces(&measured.traces, damping, &options, &mut watch);
-    Ok((found.map_err(|error| failure(measured, error))?, comparison))
+    let found = match model {
+        Model::Given(damping) => {
+            fit_traces(&measured.traces, damping, &options, &mut watch).map(|fit| (fit, None))
+        }
+        Model::Auto => compare(&measured.traces, &options, &mut watch)
+            .map(|comparison| (comparison.best().clone(), Some(comparison))),
+    };
+    found.map_err(|error| failure(measured, error))
 }
 
 fn failure(measured: &Measured, error: TraceFitError) -> Failure {

@@ -25,9 +25,9 @@ pub(crate) struct Inspect {
     /// What the instrument wrote: text, Excel, or an archive of text files; - for the standard input
     file: PathBuf,
     #[command(flatten)]
-    recording: RecordingOptions,
-    #[command(flatten)]
     form: FormOptions,
+    #[command(flatten)]
+    recording: RecordingOptions,
 }
 
 impl Inspect {

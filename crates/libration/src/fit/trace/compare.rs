@@ -73,7 +73,9 @@ pub fn compare(
     options: &TraceOptions,
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Comparison, TraceFitError> {
-    let mut search = Search::new(traces, DampingTerms::UNDAMPED, *options, watch)?;
+    // The profile is of interest for the preferred model alone.
+    let plain = TraceOptions { profile: false, ..*options };
+    let mut search = Search::new(traces, DampingTerms::UNDAMPED, plain, watch)?;
     let mut found: Vec<(DampingTerms, Minimum)> = vec![];
     let mut fits = vec![];
     let mut reason = None;
@@ -90,7 +92,16 @@ pub fn compare(
             Ok(fit) => fits.push(fit),
         }
     }
-    Comparison::new(fits).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))
+    let mut comparison = Comparison::new(fits).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))?;
+    let preferred = comparison.best().damping;
+    if let Some((_, minimum)) = found.into_iter().find(|(terms, _)| options.profile && *terms == preferred) {
+        search.set_terms(preferred);
+        search.options.profile = true;
+        // Weights of a robust fit belong to its minimum.
+        let minimum = if options.robust { search.minimum_near(minimum.parameters)? } else { minimum };
+        comparison.fits[comparison.preferred] = uncertainty::fit(&mut search, &minimum)?;
+    }
+    Ok(comparison)
 }
 
 /// The minimum that is found from the first swings on; if a model that is a part of this one does better, the one near that.

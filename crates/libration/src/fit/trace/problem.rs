@@ -64,7 +64,7 @@ impl Problem<'_> {
         }
         let search = Search { problem: self, evaluation, interrupted: false };
         let method =
-            LevenbergMarquardt::new().with_stepbound(1.0).with_ftol(1e-9).with_xtol(1e-9).with_gtol(0.0);
+            LevenbergMarquardt::new().with_stepbound(10.0).with_ftol(1e-11).with_xtol(1e-11).with_gtol(0.0);
         let (search, report) = method.with_patience(patience).minimize(search);
         if search.interrupted {
             return Err(NoMinimum::Interrupted);
@@ -121,7 +121,7 @@ impl Problem<'_> {
         if omega0 <= 0.0 {
             return None;
         }
-        let samples = self.swing.samples(omega0, coefficients, start, times).ok()?;
+        let samples = self.swing.samples(omega0, coefficients, start, times)?;
         let (offset, scale) = (self.layout.offset(trace), self.layout.scale());
         let number = if self.traces[trace].seen() == Seen::Angle { 0 } else { 1 };
         let places: Vec<usize> = self.layout.of_motion(trace).collect();

@@ -2,6 +2,8 @@
 //! has grown by as much as the level says (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
 //! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
 
+use nalgebra::DMatrix;
+
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Parameter, TraceFitError, count};
@@ -14,6 +16,7 @@ const TRIES: usize = 6;
 pub(super) fn intervals(
     search: &mut Search<'_>,
     minimum: &Minimum,
+    covariance: &DMatrix<f64>,
     variance: f64,
     parameters: &mut [Parameter],
 ) -> Result<(), TraceFitError> {
@@ -27,7 +30,7 @@ pub(super) fn intervals(
         for (interval, level) in found.iter_mut().zip(LEVELS) {
             for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {
                 let wanted = students(level, degrees) * inflation;
-                let profile = Profile { minimum, free: &free, place, variance };
+                let profile = Profile { minimum, free: &free, covariance, place, variance };
                 *end = profile.end(search, side * wanted, parameter.formal_uncertainty)?;
             }
         }
@@ -40,6 +43,7 @@ pub(super) fn intervals(
 struct Profile<'a> {
     minimum: &'a Minimum,
     free: &'a [usize],
+    covariance: &'a DMatrix<f64>,
     /// Of the parameter among the free ones.
     place: usize,
     variance: f64,
@@ -51,7 +55,7 @@ impl Profile<'_> {
         let centre = self.minimum.parameters[self.free[self.place]];
         let mut distance = deviations * uncertainty;
         for _ in 0..TRIES {
-            let reached = match self.deviations(search, centre + distance) {
+            let reached = match self.deviations(search, distance) {
                 Err(TraceFitError::Interrupted) => return Err(TraceFitError::Interrupted),
                 Err(_) => return Ok(centre + deviations * uncertainty),
                 Ok(reached) => reached,
@@ -65,14 +69,18 @@ impl Profile<'_> {
         Ok(centre + distance)
     }
 
-    /// By how many standard deviations the data contradict a value.
-    fn deviations(&self, search: &mut Search<'_>, value: f64) -> Result<f64, TraceFitError> {
+    /// By how many standard deviations the data contradict a value at this distance. The other parameters follow it from
+    /// where they would be if the model were linear.
+    fn deviations(&self, search: &mut Search<'_>, distance: f64) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
-        parameters[self.free[self.place]] = value;
-        let others: Vec<usize> =
-            self.free.iter().copied().filter(|&other| other != self.free[self.place]).collect();
-        let moved = search.minimum_within(parameters, &others)?;
-        let growth = moved.sum_of_squares() - self.minimum.sum_of_squares();
+        let variance = self.covariance[(self.place, self.place)];
+        for (column, &place) in self.free.iter().enumerate() {
+            parameters[place] += distance * self.covariance[(self.place, column)] / variance;
+        }
+        let moved = self.free[self.place];
+        let others = self.free.iter().copied().filter(|&other| other != moved).collect();
+        let growth =
+            search.minimum_next_to(parameters, others)?.sum_of_squares() - self.minimum.sum_of_squares();
         Ok((growth.max(0.0) / self.variance).sqrt())
     }
 }

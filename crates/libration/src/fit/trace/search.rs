@@ -23,6 +23,8 @@ pub(super) struct Search<'a> {
 
 /// Evaluations for each parameter, as MINPACK counts them.
 const PATIENCE: usize = 30;
+/// Near a minimum that is known.
+const PATIENCE_NEAR: usize = 8;
 const ROBUST_ROUNDS: usize = 30;
 
 /// How more and more of the traces is taken, in small periods.
@@ -92,7 +94,7 @@ impl<'a> Search<'a> {
         while cycles * period < longest {
             let rows = self.rows_within(cycles * period);
             let free = self.free_at_first(cycles >= growth.damped_from);
-            parameters = self.minimum_of(rows, free, parameters)?.parameters;
+            parameters = self.minimum_of(rows, free, parameters, PATIENCE)?.parameters;
             cycles *= growth.factor;
         }
         self.minimum_near(parameters)
@@ -111,14 +113,14 @@ impl<'a> Search<'a> {
 
     /// The minimum near some parameters, robust if asked for.
     pub(super) fn minimum_near(&mut self, parameters: Vec<f64>) -> Result<Minimum, TraceFitError> {
-        let mut minimum = self.minimum_within(parameters, &self.free())?;
+        let mut minimum = self.minimum_of(self.all_rows(), self.free(), parameters, PATIENCE)?;
         if !self.options.robust {
             return Ok(minimum);
         }
         for _ in 0..ROBUST_ROUNDS {
             let residuals = self.unweighted(&minimum);
             self.turn_outliers_down(&residuals);
-            let next = self.minimum_within(minimum.parameters.clone(), &self.free())?;
+            let next = self.minimum_next_to(minimum.parameters.clone(), self.free())?;
             let change =
                 (next.sum_of_squares() / minimum.sum_of_squares().max(f64::MIN_POSITIVE) - 1.0).abs();
             minimum = next;
@@ -129,13 +131,17 @@ impl<'a> Search<'a> {
         Ok(minimum)
     }
 
-    /// The minimum near some parameters with these free, at the weights as they are.
-    pub(super) fn minimum_within(
+    /// The minimum next to some parameters with these free, at the weights as they are.
+    pub(super) fn minimum_next_to(
         &mut self,
         parameters: Vec<f64>,
-        free: &[usize],
+        free: Vec<usize>,
     ) -> Result<Minimum, TraceFitError> {
-        self.minimum_of(self.traces.iter().map(Trace::len).collect(), free.to_vec(), parameters)
+        self.minimum_of(self.all_rows(), free, parameters, PATIENCE_NEAR)
+    }
+
+    fn all_rows(&self) -> Vec<usize> {
+        self.traces.iter().map(Trace::len).collect()
     }
 
     /// The parameters that are varied.
@@ -206,6 +212,7 @@ impl<'a> Search<'a> {
         rows: Vec<usize>,
         free: Vec<usize>,
         parameters: Vec<f64>,
+        patience: usize,
     ) -> Result<Minimum, TraceFitError> {
         let omega0 = parameters[Layout::OMEGA0];
         let (weights, swing, watch) = (&self.weights, &self.swing, &mut *self.watch);
@@ -219,7 +226,7 @@ impl<'a> Search<'a> {
             parameters,
             watch,
         };
-        problem.minimum(PATIENCE).map_err(|reason| match reason {
+        problem.minimum(patience).map_err(|reason| match reason {
             NoMinimum::Interrupted => TraceFitError::Interrupted,
             NoMinimum::NoMotion => TraceFitError::NoMotion { omega0 },
         })

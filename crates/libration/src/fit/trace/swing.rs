@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 use super::{DampingTerm, DampingTerms};
 use crate::expression::{Expression, Symbol};
-use crate::taylor::{Contact, Direction, Effort, Event, IntegrationError, Launch, Moment, Solution, System};
+use crate::taylor::{Contact, Direction, Effort, Event, Launch, Moment, Solution, System};
 
 /// Pendulums with these kinds of damping.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ pub(super) struct Sample {
     pub(super) derivatives: Vec<[f64; 2]>,
 }
 
-const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 200_000 };
+const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
 
 impl Swing {
     pub(super) fn new(terms: DampingTerms) -> Self {
@@ -47,22 +47,27 @@ impl Swing {
         Self { system, terms }
     }
 
-    /// The motion at times that increase, of which the first is that of `start`, with these ω0 and coefficients.
+    /// The motion at times that increase, of which the first is that of `start`, with these ω0 and coefficients; nothing
+    /// where it cannot be followed.
     pub(super) fn samples(
         &self,
         omega0: f64,
         coefficients: &[f64],
         start: [f64; 2],
         times: &[f64],
-    ) -> Result<Vec<Sample>, IntegrationError> {
+    ) -> Option<Vec<Sample>> {
         let parameters: Vec<f64> = [omega0 * omega0].iter().chain(coefficients).copied().collect();
         let mut moment = Moment { time: times.first().copied().unwrap_or(0.0), state: self.state(start) };
         let mut moments: Vec<Moment> = Vec::with_capacity(times.len());
-        while moments.len() < times.len() {
+        // A pendulum that turns more often than it is looked at is far from any data.
+        for _ in 0..=times.len() {
+            if moments.len() == times.len() {
+                break;
+            }
             let launch =
                 Launch { start: moment, parameters: parameters.clone(), times: &times[moments.len()..] };
             let Solution { samples, end, events, .. } =
-                launch.integrate(&self.system, &EFFORT, |_| ControlFlow::Continue(()))?;
+                launch.integrate(&self.system, &EFFORT, |_| ControlFlow::Continue(())).ok()?;
             moments.extend(samples);
             moment = end;
             let turn =
@@ -75,7 +80,8 @@ impl Swing {
                 }
             }
         }
-        Ok(moments.iter().map(|moment| self.sample(&moment.state, omega0)).collect())
+        let samples = moments.iter().map(|moment| self.sample(&moment.state, omega0));
+        (moments.len() == times.len()).then(|| samples.collect())
     }
 
     fn dry(&self, coefficients: &[f64]) -> f64 {

@@ -44,7 +44,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         parameter.uncertainty = parameter.uncertainty.max(deviation);
     }
     if search.options.profile {
-        profile::intervals(search, minimum, variance, &mut parameters)?;
+        profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
     }
     Ok(TraceFit {
         damping: search.layout.terms(),

@@ -1,6 +1,7 @@
 //! A header cell → the quantity, the unit and the run that its words name.
 
 mod unit;
+mod words;
 
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
@@ -131,8 +132,8 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
 
 /// What a name and its unit say; a unit that contradicts the name leaves nothing known.
 fn quantity(name: &str, unit: Option<Unit>, has_unit: bool) -> (Quantity, bool) {
-    let (words, is_uncertainty) = without_uncertainty(name);
-    let named = named(&words);
+    let (words, is_uncertainty) = words::without_uncertainty(name);
+    let named = words::named(&words);
     let quantity = match (unit.map(Unit::measures), named) {
         (Some(Measures::Time), Quantity::Time) => Quantity::Time,
         (Some(Measures::Angle), Quantity::Angle | Quantity::Other) => Quantity::Angle,
@@ -145,101 +146,6 @@ fn quantity(name: &str, unit: Option<Unit>, has_unit: bool) -> (Quantity, bool) 
         _ => Quantity::Other,
     };
     (quantity, is_uncertainty)
-}
-
-/// The words of a name in lower case, and whether they speak of an uncertainty.
-fn without_uncertainty(name: &str) -> (String, bool) {
-    const WORDS: [&str; 14] = [
-        "uncertainty",
-        "uncert",
-        "error",
-        "err",
-        "sigma",
-        "std",
-        "stdev",
-        "unsicherheit",
-        "fehler",
-        "incertezza",
-        "errore",
-        "incertitude",
-        "σ",
-        "±",
-    ];
-    let lower = name.to_lowercase().replace('σ', "σ ").replace('±', "± ");
-    let parts: Vec<&str> =
-        lower.split(|letter: char| letter.is_whitespace() || "_-.".contains(letter)).collect();
-    let is_uncertainty = parts.iter().any(|part| WORDS.contains(part));
-    let kept = parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !WORDS.contains(part));
-    (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
-}
-
-fn named(words: &str) -> Quantity {
-    const NAMES: [(Quantity, &[&str]); 7] = [
-        (
-            Quantity::Time,
-            &[
-                "t",
-                "time",
-                "zeit",
-                "temps",
-                "tempo",
-                "tiempo",
-                "tijd",
-                "tid",
-                "elapsed time",
-                "timestamp",
-                "time stamp",
-                "zeit t",
-                "time t",
-            ],
-        ),
-        (
-            Quantity::Angle,
-            &[
-                "θ",
-                "ϑ",
-                "theta",
-                "φ",
-                "ϕ",
-                "phi",
-                "angle",
-                "winkel",
-                "angolo",
-                "ángulo",
-                "angulo",
-                "hoek",
-                "angular position",
-                "angular displacement",
-                "rotation angle",
-                "pendulum angle",
-                "deflection",
-                "auslenkung",
-            ],
-        ),
-        (
-            Quantity::AngularVelocity,
-            &[
-                "ω",
-                "omega",
-                "angular velocity",
-                "angular speed",
-                "winkelgeschwindigkeit",
-                "velocità angolare",
-                "vitesse angulaire",
-                "velocidad angular",
-                "θ'",
-                "theta'",
-            ],
-        ),
-        (Quantity::X, &["x", "x position", "position x", "x pos", "pos x"]),
-        (Quantity::Y, &["y", "y position", "position y", "y pos", "pos y"]),
-        (
-            Quantity::Gate,
-            &["gatestate", "gate state", "gate", "state", "blocked", "photogate", "photogate state"],
-        ),
-        (Quantity::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
-    ];
-    NAMES.iter().find(|(_, names)| names.contains(&words)).map_or(Quantity::Other, |(quantity, _)| *quantity)
 }
 
 #[cfg(test)]

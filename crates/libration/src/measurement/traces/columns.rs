@@ -4,6 +4,7 @@ use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
 use super::super::{Column, MeasurementError, Quantity, Seen};
+use super::runs::Group;
 
 /// The columns of one run.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,13 +23,6 @@ pub(super) struct Columns {
 pub(super) enum Value {
     Column(usize, Seen),
     Positions { x: usize, y: usize },
-}
-
-/// The columns that may belong to a run.
-struct Group<'a> {
-    sheet: &'a Sheet,
-    run: Option<String>,
-    members: Vec<usize>,
 }
 
 impl Columns {
@@ -64,51 +58,7 @@ impl Columns {
     }
 }
 
-impl<'a> Group<'a> {
-    /// One group for each run that the header names, with the columns that belong to no run in each; those without a
-    /// time of their own are no runs.
-    fn all(sheet: &'a Sheet, choices: &Choices) -> Result<Vec<Self>, MeasurementError> {
-        let mut runs: Vec<Option<String>> = Vec::new();
-        for channel in &sheet.channels {
-            if channel.heading.run.is_some() && !runs.contains(&channel.heading.run) {
-                runs.push(channel.heading.run.clone());
-            }
-        }
-        let explicit = [&choices.angle, &choices.angular_velocity, &choices.x, &choices.y, &choices.time];
-        if let Some(column) = explicit.into_iter().flatten().next() {
-            let run = &sheet.channels[sheet.place(column)?].heading.run;
-            runs.retain(|other| other == run);
-        }
-        let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(Quantity::Run));
-        if let Some(asked) = choices.run.as_deref().filter(|_| !is_numbered) {
-            let available: Vec<String> = runs.iter().flatten().map(|run| format!("`{run}`")).collect();
-            let is_there = |asked: &str| runs.iter().flatten().any(|run| is_run(run, asked));
-            if let Some(missing) = asked.split(',').find(|asked| !is_there(asked)) {
-                let available =
-                    if available.is_empty() { "one run only".into() } else { available.join(", ") };
-                return Err(MeasurementError::NoSuch {
-                    what: "run",
-                    asked: missing.trim().into(),
-                    available,
-                });
-            }
-            let is_asked = |run: &str| asked.split(',').any(|asked| is_run(run, asked));
-            runs.retain(|run| run.as_deref().is_some_and(is_asked));
-        }
-        if runs.is_empty() {
-            runs.push(None);
-        }
-        Ok(runs.into_iter().map(|run| Self::of_run(sheet, run)).collect())
-    }
-
-    fn of_run(sheet: &'a Sheet, run: Option<String>) -> Self {
-        let belongs = |place: &usize| {
-            let heading = &sheet.channels[*place].heading;
-            run.is_none() || heading.run.is_none() || heading.run == run
-        };
-        Self { sheet, members: (0..sheet.channels.len()).filter(belongs).collect(), run }
-    }
-
+impl Group<'_> {
     fn columns(&self, choices: &Choices, findings: &mut Vec<Finding>) -> Result<Columns, MeasurementError> {
         let time = self.time(choices, findings)?;
         let value = self.value(time, choices, findings)?;
@@ -257,6 +207,19 @@ impl<'a> Group<'a> {
         places.iter().zip(&powers).find(|(_, power)| **power > 0.95 * total).map(|(place, _)| *place)
     }
 
+    /// The columns of numbers that nothing is known of.
+    fn open(&self, time: usize) -> Vec<usize> {
+        let may = |place: &usize| {
+            let channel = &self.sheet.channels[*place];
+            *place != time
+                && matches!(channel.heading.quantity, Quantity::Other | Quantity::X | Quantity::Y)
+                && !channel.heading.is_uncertainty
+                && channel.heading.unit_text.is_none()
+                && channel.count() > 0
+        };
+        self.members.iter().copied().filter(may).collect()
+    }
+
     /// The only column that nothing is known of, if a unit is said; else what could be said.
     fn unnamed(
         &self,
@@ -264,48 +227,36 @@ impl<'a> Group<'a> {
         choices: &Choices,
         findings: &mut Vec<Finding>,
     ) -> Result<Value, MeasurementError> {
-        let may = |place: &usize| {
-            let channel = &self.sheet.channels[*place];
-            let quantity = channel.heading.quantity;
-            *place != time
-                && matches!(quantity, Quantity::Other | Quantity::X | Quantity::Y)
-                && !channel.heading.is_uncertainty
-                && channel.heading.unit_text.is_none()
-                && channel.count() > 0
-        };
-        let open: Vec<usize> = self.members.iter().copied().filter(may).collect();
         let is_velocity = choices.unit.is_some_and(|unit| unit.measures() == Measures::AngularVelocity);
-        let seen = if is_velocity { Seen::AngularVelocity } else { Seen::Angle };
         let is_said = choices.unit.is_some() || choices.counts_per_turn.is_some();
-        match open[..] {
+        match self.open(time)[..] {
             [place] if is_said => {
                 let text =
                     format!("{} is what was measured, since there is no other", self.sheet.describe(place));
                 findings.push(Finding::new(text, Choice::Angle));
-                Ok(Value::Column(place, seen))
+                Ok(Value::Column(place, if is_velocity { Seen::AngularVelocity } else { Seen::Angle }))
             }
             [place] => {
                 let question = format!("nothing says what {} holds", self.sheet.describe(place));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
             [] => {
-                let numbers: Vec<usize> =
+                let others: Vec<usize> =
                     self.members.iter().copied().filter(|&place| place != time).collect();
-                Err(self.undecided(
-                    "no column is named an angle, an angular velocity or a position",
-                    Choice::Angle,
-                    &numbers,
-                ))
+                let question = "no column is named an angle, an angular velocity or a position";
+                Err(self.undecided(question, Choice::Angle, &others))
             }
-            _ => {
-                let question = "nothing says which of these is the angle, nor in which unit: {}";
-                let mut error = self.undecided(question, Choice::Angle, &open);
-                if let MeasurementError::Undecided { choices, .. } = &mut error {
-                    choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));
-                }
-                Err(error)
-            }
+            ref several => Err(self.which_and_in_which_unit(several)),
         }
+    }
+
+    fn which_and_in_which_unit(&self, open: &[usize]) -> MeasurementError {
+        let question = "nothing says which of these is the angle, nor in which unit: {}";
+        let mut error = self.undecided(question, Choice::Angle, open);
+        if let MeasurementError::Undecided { choices, .. } = &mut error {
+            choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));
+        }
+        error
     }
 
     fn uncertainty(
@@ -331,14 +282,6 @@ impl<'a> Group<'a> {
         }
         Ok(None)
     }
-}
-
-/// `Run #3` is asked for by its name or by 3.
-fn is_run(run: &str, asked: &str) -> bool {
-    let asked = asked.trim().to_lowercase();
-    let run = run.to_lowercase();
-    let number = run.rsplit(|letter: char| !letter.is_ascii_digit()).next().unwrap_or("");
-    run == asked || !number.is_empty() && number == asked
 }
 
 /// What can be said of a column that nothing is known of.

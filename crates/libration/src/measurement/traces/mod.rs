@@ -4,6 +4,7 @@ mod circle;
 mod columns;
 mod positions;
 mod rows;
+mod runs;
 mod turns;
 mod units;
 

@@ -37,28 +37,10 @@ impl Rows {
             let name = columns.run.clone().unwrap_or_else(|| sheet.name.clone());
             return Ok(vec![Self::collect(sheet, columns, name, 0..sheet.rows())?]);
         };
-        let mut runs: Vec<(f64, Vec<usize>)> = Vec::new();
-        let mut places: BTreeMap<u64, usize> = BTreeMap::new();
-        for row in 0..sheet.rows() {
-            let Some(number) = sheet.number(numbering, row)? else { continue };
-            let place = *places.entry(number.to_bits()).or_insert(runs.len());
-            if place == runs.len() {
-                runs.push((number, Vec::new()));
-            }
-            runs[place].1.push(row);
-        }
-        if runs.len() > MOST_RUNS {
-            let column = sheet.describe(numbering);
-            return Err(MeasurementError::TooMany {
-                what: "runs",
-                count: runs.len(),
-                place: column,
-                limit: MOST_RUNS,
-            });
-        }
-        let name = |number: f64| format!("{} {number}", sheet.channels[numbering].heading.name);
+        let mut runs = numbered(sheet, numbering)?;
         let text = format!("{} numbers {} runs", sheet.describe(numbering), runs.len());
         findings.push(Finding::new(text, Choice::Run));
+        let name = |number: f64| format!("{} {number}", sheet.channels[numbering].heading.name);
         if let Some(asked) = &choices.run {
             let available = runs.iter().map(|(number, _)| number.to_string()).collect::<Vec<_>>().join(", ");
             let is =
@@ -72,9 +54,9 @@ impl Rows {
             }
             runs.retain(|(number, _)| asked.split(',').any(|asked| is(*number, asked)));
         }
-        runs.into_iter()
-            .map(|(number, rows)| Self::collect(sheet, columns, name(number), rows.into_iter()))
-            .collect()
+        let rows =
+            |(number, rows): (f64, Vec<usize>)| Self::collect(sheet, columns, name(number), rows.into_iter());
+        runs.into_iter().map(rows).collect()
     }
 
     fn collect(
@@ -199,6 +181,25 @@ impl Rows {
             .for_each(|text| tell(Finding::fact(format!("{run}{text}"))));
         faults
     }
+}
+
+/// The rows of each number in this column, in the order in which the numbers come.
+fn numbered(sheet: &Sheet, numbering: usize) -> Result<Vec<(f64, Vec<usize>)>, MeasurementError> {
+    let mut runs: Vec<(f64, Vec<usize>)> = Vec::new();
+    let mut places: BTreeMap<u64, usize> = BTreeMap::new();
+    for row in 0..sheet.rows() {
+        let Some(number) = sheet.number(numbering, row)? else { continue };
+        let place = *places.entry(number.to_bits()).or_insert(runs.len());
+        if place == runs.len() {
+            runs.push((number, Vec::new()));
+        }
+        runs[place].1.push(row);
+    }
+    if runs.len() > MOST_RUNS {
+        let place = sheet.describe(numbering);
+        return Err(MeasurementError::TooMany { what: "runs", count: runs.len(), place, limit: MOST_RUNS });
+    }
+    Ok(runs)
 }
 
 /// What became of a row.

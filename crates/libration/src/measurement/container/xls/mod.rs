@@ -91,54 +91,16 @@ impl Workbook {
         result_of: Option<(u32, u32)>,
         grid: &mut Grid,
     ) -> Result<Option<(u32, u32)>, MeasurementError> {
-        let place = || Some((u32::from(record.u16(0)?), u32::from(record.u16(2)?)));
-        let missing = || damaged("a cell of it is cut off");
         match record.kind {
-            Record::NUMBER => {
-                let (row, column) = place().ok_or_else(missing)?;
-                let number = record.f64(6).ok_or_else(missing)?;
-                self.number(grid, row, column, record.u16(4), number)?;
+            Record::NUMBER | Record::SMALL_NUMBER | Record::SMALL_NUMBERS => self.numbers(record, grid)?,
+            Record::SHARED_STRING | Record::LABEL | Record::BOOLEAN_OR_ERROR => {
+                let (row, column) = record.place().ok_or_else(cell_cut_off)?;
+                grid.text(row, column, &self.words(record).ok_or_else(cell_cut_off)?)?;
             }
-            Record::SMALL_NUMBER => {
-                let (row, column) = place().ok_or_else(missing)?;
-                let number = record.u32(6).map(records::small_number).ok_or_else(missing)?;
-                self.number(grid, row, column, record.u16(4), number)?;
-            }
-            Record::SMALL_NUMBERS => {
-                let (row, first) = place().ok_or_else(missing)?;
-                let last = record.data.len().saturating_sub(2);
-                for (column, at) in (first..).zip((4..last).step_by(6)) {
-                    let number = record.u32(at + 2).map(records::small_number).ok_or_else(missing)?;
-                    self.number(grid, row, column, record.u16(at), number)?;
-                }
-            }
-            Record::SHARED_STRING => {
-                let (row, column) = place().ok_or_else(missing)?;
-                let index =
-                    record.u32(6).and_then(|index| usize::try_from(index).ok()).ok_or_else(missing)?;
-                let text = self
-                    .strings
-                    .get(index)
-                    .ok_or_else(|| damaged("a cell refers to a string that is missing"))?;
-                grid.text(row, column, text)?;
-            }
-            Record::LABEL => {
-                let (row, column) = place().ok_or_else(missing)?;
-                grid.text(row, column, &strings::long(&record.data[6..]).ok_or_else(missing)?)?;
-            }
-            Record::BOOLEAN_OR_ERROR => {
-                let (row, column) = place().ok_or_else(missing)?;
-                let words = match (record.data.get(6), record.data.get(7)) {
-                    (Some(0), Some(0)) => "false",
-                    (Some(1), Some(0)) => "true",
-                    _ => "error",
-                };
-                grid.text(row, column, words)?;
-            }
-            Record::FORMULA => return self.result(record, place().ok_or_else(missing)?, grid),
+            Record::FORMULA => return self.result(record, grid),
             Record::RESULT_STRING => {
                 if let Some((row, column)) = result_of {
-                    grid.text(row, column, &strings::long(record.data).ok_or_else(missing)?)?;
+                    grid.text(row, column, &strings::long(record.data).ok_or_else(cell_cut_off)?)?;
                 }
             }
             _ => return Ok(result_of),
@@ -146,21 +108,36 @@ impl Workbook {
         Ok(None)
     }
 
+    /// One number, or several side by side.
+    fn numbers(&self, record: &Record<'_>, grid: &mut Grid) -> Result<(), MeasurementError> {
+        let (row, first) = record.place().ok_or_else(cell_cut_off)?;
+        if record.kind == Record::NUMBER {
+            return self.number(grid, row, first, record.u16(4), record.f64(6).ok_or_else(cell_cut_off)?);
+        }
+        let last =
+            if record.kind == Record::SMALL_NUMBERS { record.data.len().saturating_sub(2) } else { 10 };
+        for (column, at) in (first..).zip((4..last).step_by(6)) {
+            let number = record.u32(at + 2).map(records::small_number).ok_or_else(cell_cut_off)?;
+            self.number(grid, row, column, record.u16(at), number)?;
+        }
+        Ok(())
+    }
+
+    fn words(&self, record: &Record<'_>) -> Option<String> {
+        match record.kind {
+            Record::SHARED_STRING => self.strings.get(usize::try_from(record.u32(6)?).ok()?).cloned(),
+            Record::LABEL => strings::long(record.data.get(6..)?),
+            _ => Some(truth(record.data.get(6..8)?).to_owned()),
+        }
+    }
+
     /// The number that a formula gave when the file was saved, or where its words belong.
-    fn result(
-        &self,
-        record: &Record<'_>,
-        (row, column): (u32, u32),
-        grid: &mut Grid,
-    ) -> Result<Option<(u32, u32)>, MeasurementError> {
-        let bytes = record.data.get(6..14).ok_or_else(|| damaged("a cell of it is cut off"))?;
-        match bytes {
+    fn result(&self, record: &Record<'_>, grid: &mut Grid) -> Result<Option<(u32, u32)>, MeasurementError> {
+        let (row, column) = record.place().ok_or_else(cell_cut_off)?;
+        match record.data.get(6..14).ok_or_else(cell_cut_off)? {
             [0, .., 0xff, 0xff] => return Ok(Some((row, column))),
             [_, .., 0xff, 0xff] => grid.text(row, column, "error")?,
-            _ => {
-                let number = record.f64(6).unwrap_or(f64::NAN);
-                self.number(grid, row, column, record.u16(4), number)?;
-            }
+            _ => self.number(grid, row, column, record.u16(4), record.f64(6).ok_or_else(cell_cut_off)?)?,
         }
         Ok(None)
     }
@@ -187,6 +164,18 @@ fn worksheet(record: &Record<'_>) -> Option<Worksheet> {
     let is_worksheet = record.data.get(5) == Some(&OF_CELLS);
     let name = strings::short(record.data.get(6..)?)?;
     is_worksheet.then_some(Worksheet { start, name })
+}
+
+fn truth(bytes: &[u8]) -> &'static str {
+    match bytes {
+        [0, 0] => "false",
+        [1, 0] => "true",
+        _ => "error",
+    }
+}
+
+fn cell_cut_off() -> MeasurementError {
+    damaged("a cell of it is cut off")
 }
 
 fn damaged(why: &str) -> MeasurementError {

@@ -28,6 +28,11 @@ impl Record<'_> {
     pub(super) const RESULT_STRING: u16 = 0x0207;
     const CONTINUED: u16 = 0x003c;
 
+    /// Row and column, with which the data of every cell begin.
+    pub(super) fn place(&self) -> Option<(u32, u32)> {
+        Some((u32::from(self.u16(0)?), u32::from(self.u16(2)?)))
+    }
+
     pub(super) fn u16(&self, at: usize) -> Option<u16> {
         u16_at(self.data, at)
     }
