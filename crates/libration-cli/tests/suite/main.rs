@@ -10,6 +10,7 @@ mod expand;
 mod figures;
 mod files;
 mod fit;
+mod fit_lengths_and_gates;
 mod fit_trace;
 mod formulas;
 mod inspect;

@@ -27,7 +27,7 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
     let cases = [
         Synthetic::USUAL,
         Synthetic { amplitude: 100.0 * DEGREE, linear: 0.05, ..Synthetic::USUAL },
-        Synthetic { amplitude: 0.1, dry: 0.01, linear: 0.0, ..Synthetic::USUAL },
+        Synthetic { amplitude: 0.1, dry: 0.003, linear: 0.0, ..Synthetic::USUAL },
         Synthetic { quadratic: 0.05, linear: 0.0, offset: 0.3, ..Synthetic::USUAL },
         // 25 rows in a period.
         Synthetic { step: 0.083, rows: 480, ..Synthetic::USUAL },

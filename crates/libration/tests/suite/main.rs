@@ -19,6 +19,8 @@ mod expansions;
 mod expression;
 mod fit;
 mod fit_cycles;
+mod fit_gates;
+mod fit_lengths;
 mod fourier;
 mod ledger;
 mod malformed;

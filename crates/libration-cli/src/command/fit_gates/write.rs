@@ -118,8 +118,7 @@ impl Answer<'_> {
         }
         if let Some(amplitude) = fit.amplitude {
             let degrees = number::rounded(amplitude.to_degrees(), 4);
-            let which =
-                if fit.t0_source == Some(T0Source::Speeds) { "typical" } else { "of the first swing" };
+            let which = if fit.t0_source == Some(T0Source::Speeds) { "typical" } else { "of the release" };
             lines.push(("amplitude", format!("{degrees}°  ({which})")));
         }
         if let Some(beta) = fit.beta {
@@ -136,7 +135,7 @@ impl Answer<'_> {
 fn source(source: Option<T0Source>) -> &'static str {
     match source {
         Some(T0Source::Speeds) => "the speeds at the gate",
-        Some(T0Source::FirstAmplitude) => "the amplitude of the first swing",
+        Some(T0Source::FirstAmplitude) => "the amplitude of the release",
         None => "nothing",
     }
 }

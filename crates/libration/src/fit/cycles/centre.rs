@@ -4,7 +4,7 @@ use super::extreme::Extreme;
 use crate::fit::robust::{median, robust_deviation};
 
 /// Fewer middles of swings than this do not tell a wandering centre from noise.
-const FEWEST_TO_FOLLOW: usize = 8;
+const FEWEST_TO_FOLLOW: usize = 5;
 /// Middles that scatter by so many times what the noise lets expect make a wandering centre.
 const WANDERING: f64 = 3.0;
 

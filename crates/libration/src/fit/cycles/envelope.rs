@@ -1,7 +1,7 @@
 //! Which damping the falling amplitude prefers: each combination of dry friction, linear and quadratic damping through
 //! the extremes, by the exact loss of energy at any amplitude, compared by what they leave.
 //!
-//! The comparison is Akaike's, corrected for few data: AICc = n ln(χ²/n) + 2k + 2k(k + 1)/(n − k − 1), k counting the
+//! The comparison is Akaike's, corrected for few data: `AICc` = n ln(χ²/n) + 2k + 2k(k + 1)/(n − k − 1), k counting the
 //! unknown noise too. Residuals that hang together count for fewer: n(1 − ρ)/(1 + ρ).
 //!
 //! Reference: K. P. Burnham and D. R. Anderson, *Model Selection and Multimodel Inference*, 2nd ed., Springer 2002,
@@ -14,7 +14,7 @@ use super::{CyclesError, HalfSwing};
 use crate::fit::robust::{median, robust_deviation};
 use crate::fit::trace::{DampingTerm, DampingTerms};
 
-/// Laws whose AICc differ by less than this are not separated by the data.
+/// Laws whose `AICc` differ by less than this are not separated by the data.
 pub const SEPARATED: f64 = 4.0;
 const MOST_ROUNDS: usize = 30;
 /// Extremes further from the curve than so many robust standard deviations do not count.
@@ -44,7 +44,7 @@ pub struct EnvelopeFit {
     pub coefficients: Vec<Coefficient>,
     /// The root mean square of what it leaves, in radians.
     pub rms: f64,
-    /// How much its AICc is above that of the best law.
+    /// How much its `AICc` is above that of the best law.
     pub aicc_difference: f64,
     /// The amplitude at each half swing, in radians.
     pub fitted: Vec<f64>,
@@ -68,7 +68,7 @@ impl Envelope {
         &self.fits[0]
     }
 
-    /// The laws that the data do not separate from the preferred one: AICc within [`SEPARATED`] of it.
+    /// The laws that the data do not separate from the preferred one: `AICc` within [`SEPARATED`] of it.
     pub fn not_separated(&self) -> impl Iterator<Item = &EnvelopeFit> {
         self.fits[1..].iter().filter(|fit| fit.aicc_difference < SEPARATED)
     }
@@ -127,7 +127,7 @@ pub(super) fn envelope(half_swings: &[HalfSwing], omega0: f64) -> Result<Envelop
     Ok(Envelope { fits: fits.collect(), independent, outliers })
 }
 
-/// AICc from the mean square; none where there are too few data for so many parameters.
+/// `AICc` from the mean square; none where there are too few data for so many parameters.
 fn aicc(mean_square: f64, independent: f64, parameters: usize) -> Option<f64> {
     #[expect(clippy::cast_precision_loss, reason = "at most five")]
     let k = parameters as f64 + 1.0;

@@ -11,6 +11,9 @@ use super::period_law::Row;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
+/// Fluctuations are believed in when they make the logarithm of the likelihood larger by this: chance does so in one of
+/// forty traces without any.
+const EVIDENCE: f64 = 2.0;
 /// With fewer degrees of freedom the fluctuations cannot be told from the noise.
 const FEWEST_TO_TELL: usize = 6;
 
@@ -49,10 +52,15 @@ pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Gene
         return Some(by_noise.with(enlarged, chi2_per_dof));
     }
     let ratios = RATIOS.map(|eighths| libm::exp10(f64::from(eighths) / 8.0));
-    let solutions = [0.0].into_iter().chain(ratios).filter_map(|ratio| equations.solve(ratio));
-    let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood))?;
-    let scale = best.chi2 / count(dof);
-    Some(best.with(scale, chi2_per_dof))
+    let solutions = ratios.filter_map(|ratio| equations.solve(ratio));
+    let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
+    match best.filter(|best| best.likelihood > by_noise.likelihood + EVIDENCE) {
+        Some(best) => {
+            let scale = best.chi2 / count(dof);
+            Some(best.with(scale, chi2_per_dof))
+        }
+        None => Some(by_noise.with(enlarged, chi2_per_dof)),
+    }
 }
 
 /// The solution for one ratio of the variances.

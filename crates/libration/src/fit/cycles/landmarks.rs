@@ -66,7 +66,7 @@ impl Guess {
     fn measure(&self, trace: &Trace) -> Option<Landmarks> {
         let window = Window::new(trace, &self.centre);
         let quarter = 0.5 * median(self.passages.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
-        let shape = |size: f64| match trace.seen() {
+        let shape = |size: f64, quarter: f64| match trace.seen() {
             Seen::Angle => Shape::new(Seen::Angle, size),
             seen => Shape::new(seen, amplitude_from_quarter(size, quarter)),
         };
@@ -74,7 +74,7 @@ impl Guess {
         let passages = (0..self.passages.len()).map(|k| {
             let size = 0.5 * (self.extremes[k].abs() + self.extremes[k + 1].abs());
             let quarter = self.quarter_about(k, quarter);
-            let found = passage(&window, &shape(size), size, self.passages[k], quarter, self.noise);
+            let found = passage(&window, &shape(size, quarter), size, self.passages[k], quarter, self.noise);
             found.map(|(passage, new)| {
                 residuals.extend(new);
                 passage
@@ -83,8 +83,12 @@ impl Guess {
         let passages: Vec<Option<Passage>> = passages.collect();
         let extremes = (0..self.passages.len().saturating_sub(1)).map(|k| {
             let (Some(before), Some(after)) = (passages[k], passages[k + 1]) else { return None };
-            let found =
-                extreme(&window, &shape(self.extremes[k + 1].abs()), [before.time, after.time], self.noise);
+            let found = extreme(
+                &window,
+                &shape(self.extremes[k + 1].abs(), 0.5 * (after.time - before.time)),
+                [before.time, after.time],
+                self.noise,
+            );
             found.map(|(extreme, new)| {
                 residuals.extend(new);
                 extreme

@@ -5,6 +5,9 @@
 //! corrections to it where there are points enough. The noise is what the local fits leave. A cycle reaches from a
 //! passage to the next but one, so that it begins and ends in one direction and a wrong centre hardly matters; there is one
 //! from each passage on, those upwards and those downwards in turn.
+//!
+//! Damping changes these periods in second order: linear damping b by the part b²/8ω0², dry friction d, which moves the centre
+//! by ±d/ω0², by the time (d/ω0³)·ΔA/A² when the amplitude falls by ΔA in a cycle.
 
 mod error;
 

@@ -77,7 +77,7 @@ fn follow(passages: &[Passage], first: usize, second: usize, period: f64) -> Sor
             let turns = (passage.time - placed.passage.time) / period;
             let whole = libm::round(turns);
             let fits =
-                whole >= 1.0 && whole <= LONGEST_GAP && (turns - whole).abs() <= TOLERANCE * whole.min(2.0);
+                (1.0..=LONGEST_GAP).contains(&whole) && (turns - whole).abs() <= TOLERANCE * whole.min(2.0);
             fits.then_some((placed.side, whole, (turns - whole).abs()))
         };
         let best = last.iter().filter_map(fits).min_by(|a, b| a.2.total_cmp(&b.2));

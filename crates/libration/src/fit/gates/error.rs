@@ -27,13 +27,13 @@ pub enum GatesError {
     },
     /// The passages follow each other as no pendulum does.
     #[error(
-        "the passages do not follow each other as a pendulum's do: of {passages} only {accepted} are at whole periods of \
-         each other; check that the times are those of one gate, in order, and their unit"
+        "the passages do not follow each other as a pendulum's do: of {passages} only {accepted} begin a whole \
+         period; check that the times are those of one gate, in order, and their unit"
     )]
     Irregular {
         /// That were found.
         passages: usize,
-        /// That fit one pendulum.
+        /// That begin a whole period of one pendulum.
         accepted: usize,
     },
     /// A width or an amplitude that cannot be.

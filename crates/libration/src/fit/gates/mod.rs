@@ -10,7 +10,11 @@ mod passages;
 
 mod directions;
 
+mod swings;
+
 mod speeds;
+
+mod amplitudes;
 mod trend;
 
 mod analysis;

@@ -56,14 +56,15 @@ fn bare(times: &[f64]) -> Passages {
 /// A gate that is blocked, and then free.
 fn paired(times: &[f64], states: &[bool]) -> Passages {
     let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
+    let usual = usual_duration(times, states);
     let mut since = None;
     for (&time, &blocked) in times.iter().zip(states) {
         match (since, blocked) {
             (None, true) => since = Some(time),
-            // Blocked twice without having been free: the edge between is missing.
-            (Some(_), true) => {
+            // Blocked twice without having been free: an edge seen twice, or one between that is missing.
+            (Some(start), true) => {
                 found.unpaired += 1;
-                since = Some(time);
+                since = Some(if time - start < usual { start } else { time });
             }
             (Some(start), false) => {
                 found.push(start, time);
@@ -74,6 +75,12 @@ fn paired(times: &[f64], states: &[bool]) -> Passages {
     }
     found.unpaired += usize::from(since.is_some());
     found
+}
+
+/// For how long the gate is usually blocked.
+fn usual_duration(times: &[f64], states: &[bool]) -> f64 {
+    let rows = times.windows(2).zip(states.windows(2)).filter(|(_, states)| states[0] && !states[1]);
+    median(rows.map(|(times, _)| times[1] - times[0]).collect()).unwrap_or(0.0)
 }
 
 /// Whether short and long intervals alternate as they do when a bob blocks and frees the gate.
@@ -133,10 +140,12 @@ mod tests {
 
     #[test]
     fn edges_without_their_other_one_are_counted() {
-        let times = [0.0, 0.05, 1.0, 2.0, 2.05, 3.05];
-        let states = [true, false, true, true, false, false];
+        let times = [0.0, 0.05, 1.0, 2.0, 2.05, 3.05, 4.0, 4.01, 4.05];
+        let states = [true, false, true, true, false, false, true, true, false];
         let found = passages(&times, Some(&states), None).unwrap();
-        assert_eq!((found.passages.len(), found.unpaired), (2, 2));
+        assert_eq!((found.passages.len(), found.unpaired), (3, 3));
+        // An edge that is seen twice counts from the first time.
+        assert!((found.passages[2].time - 4.025).abs() < 1e-12);
     }
 
     #[test]

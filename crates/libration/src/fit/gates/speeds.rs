@@ -17,7 +17,7 @@ pub(super) fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64)
         Modulus::from_modulus(sine).map_or(f64::NAN, |modulus| sine * modulus.jacobi(omega0 * from_bottom).cn)
     };
     let (mut below, mut above) = (0.0, LARGEST);
-    if !(wanted < speed(above)) {
+    if wanted.is_nan() || wanted >= speed(above) {
         return None;
     }
     while above - below > 1e-12 {

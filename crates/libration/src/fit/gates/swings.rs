@@ -1,0 +1,70 @@
+//! Passages in order, the cycles among them, and what they tell without an amplitude.
+
+use super::directions::Placed;
+use crate::fit::robust::{median, robust_deviation};
+
+/// Passages in order, and the cycles among them: three passages of alternating sides without a gap, by the first one.
+pub(super) struct Swings {
+    pub(super) placed: Vec<Placed>,
+    pub(super) cycles: Vec<usize>,
+}
+
+impl Swings {
+    pub(super) fn new(placed: Vec<Placed>) -> Self {
+        let whole = |k: &usize| {
+            let [first, between, last] = [0, 1, 2].map(|step| placed[*k + step]);
+            first.side == last.side && first.turn + 1 == last.turn && between.side != first.side
+        };
+        let cycles = (0..placed.len().saturating_sub(2)).filter(whole).collect();
+        Self { placed, cycles }
+    }
+
+    pub(super) fn time(&self, passage: usize) -> f64 {
+        self.placed[passage].passage.time
+    }
+
+    pub(super) fn period(&self, cycle: usize) -> f64 {
+        self.time(cycle + 2) - self.time(cycle)
+    }
+
+    /// The part of a period from the first side to the other.
+    pub(super) fn part_between(&self) -> f64 {
+        let first_side = self.cycles.iter().filter(|&&cycle| self.placed[cycle].side == 0);
+        let part = |cycle: &usize| (self.time(cycle + 1) - self.time(*cycle)) / self.period(*cycle);
+        median(first_side.map(part).collect()).unwrap_or(f64::NAN)
+    }
+
+    /// How far from the bottom in time the gate is passed in a cycle: passages are T/2 ± 2τ apart.
+    pub(super) fn time_from_bottom(&self, cycle: usize) -> f64 {
+        let period = self.period(cycle);
+        0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
+    }
+
+    /// The standard deviation of a time, by fourth differences of the passages of one side, from which a period that falls
+    /// steadily drops out.
+    pub(super) fn timing(&self) -> f64 {
+        self.deviation(|passage| Some(self.time(passage)))
+    }
+
+    /// The standard deviation of a quantity of passages about its course along one side.
+    pub(super) fn deviation(&self, of: impl Fn(usize) -> Option<f64>) -> f64 {
+        let whole = |&k: &usize| (0..4).all(|step| self.cycles.binary_search(&(k + 2 * step)).is_ok());
+        let fourth = |k: usize| {
+            let terms = [1.0, -4.0, 6.0, -4.0, 1.0].into_iter().enumerate();
+            terms.map(|(step, weight)| of(k + 2 * step).map(|value| weight * value)).sum::<Option<f64>>()
+        };
+        let differences: Vec<f64> = self.cycles.iter().copied().filter(whole).filter_map(fourth).collect();
+        // √(1 + 16 + 36 + 16 + 1) times that of one.
+        robust_deviation(&differences).unwrap_or(0.0) / 70.0_f64.sqrt()
+    }
+
+    /// Means of the periods of both sides, from which the place of the gate drops out, with their times.
+    pub(super) fn mean_periods(&self) -> (Vec<f64>, Vec<f64>) {
+        let neighbours = self.cycles.windows(2).filter(|pair| pair[0] + 1 == pair[1]);
+        let mean = |pair: &[usize]| {
+            let time = 0.5 * (self.time(pair[0] + 1) + self.time(pair[1] + 1));
+            (time, 0.5 * (self.period(pair[0]) + self.period(pair[1])))
+        };
+        neighbours.map(mean).unzip()
+    }
+}
