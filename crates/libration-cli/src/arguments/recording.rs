@@ -45,8 +45,8 @@ pub(crate) struct RecordingOptions {
     /// Column of the photogate's state, 1 or blocked, 0 or unblocked
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     gate: Option<Column>,
-    /// The run: its name, or its number as in `Run #3`
-    #[arg(long)]
+    /// The run: its name, or its number as in `Run #3`; several as 1,2,6
+    #[arg(long, value_name = "RUN,…")]
     run: Option<String>,
     /// Sheet of a workbook or file of an archive, by number or name
     #[arg(long, value_parser = column)]

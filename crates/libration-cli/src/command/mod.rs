@@ -85,6 +85,7 @@ enum Fit {
     Trace(Box<fit_trace::FitTrace>),
     Gates(Box<fit_gates::FitGates>),
     Trace(fit_trace::FitTrace),
+    Trace(Box<fit_trace::FitTrace>),
 }
 
 impl Libration {

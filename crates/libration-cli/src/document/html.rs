@@ -9,7 +9,7 @@ const STYLE: &str = "\
 :root{color-scheme:light}
 body{font:17px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:56rem;margin:0 auto;\
 padding:1rem}
-h1{font-size:1.7rem;line-height:1.2}
+h1{font-size:1.7rem;line-height:1.2;overflow-wrap:anywhere}
 h2{font-size:1.25rem;margin-top:2.2rem;border-bottom:1px solid #bbb;padding-bottom:.2rem}
 p,li{max-width:44rem}
 figure{margin:1.4rem 0}
@@ -23,8 +23,10 @@ tbody th{font-weight:600}
 .short,.number{white-space:nowrap}
 .number{text-align:right}
 thead th{border-bottom:2px solid #888}
-@media print{body{font-size:10.5pt;max-width:none;padding:0}figure,table,li{break-inside:avoid}h2{break-after:avoid}\
-figure svg{min-width:0}}
+@media (max-width:40rem){.short{white-space:normal}th,td{padding:.25rem .4rem}}
+@media print{body{font-size:10.5pt;max-width:none;padding:0}figure,tr,li{break-inside:avoid}h2{break-after:avoid}\
+.wide{overflow:visible}table{font-size:9pt}th,td{padding:.15rem .4rem}.short{white-space:normal}\
+figure svg{min-width:0;max-height:20cm}}
 ";
 
 /// Letters of a cell that is kept on one line.

@@ -172,12 +172,56 @@ fn angular_velocities_alone_give_the_frequency() {
     assert!(answer["rms_residual_rad_per_s"].is_number() && answer.get("rms_residual_rad").is_none());
 }
 
+/// Two runs of an undamped pendulum with ω0 = 3 rad/s in counts of an encoder, sampled 20 times a second; times cut to
+/// hundredths are off by up to half of one.
+fn encoder(name: &str) -> PathBuf {
+    let mut text = "run,time_ms,angle\n".to_owned();
+    for (run, degrees) in [(1, 100.0_f64), (2, 20.0), (3, 60.0)] {
+        let (mut angle, mut velocity) = (degrees.to_radians(), 0.0);
+        for step in 0..30_000_u32 {
+            if step.is_multiple_of(125) {
+                let milliseconds = (f64::from(step) * 0.2666666 / 10.0).round() * 10.0;
+                let counts = (angle * 4000.0 / std::f64::consts::TAU).round().rem_euclid(4000.0);
+                text += &format!("{run},{milliseconds},{counts}\n");
+            }
+            velocity -= 0.5 * 0.2666666e-3 * 9.0 * f64::sin(angle);
+            angle += 0.2666666e-3 * velocity;
+            velocity -= 0.5 * 0.2666666e-3 * 9.0 * f64::sin(angle);
+        }
+    }
+    let path = directory(name).join("encoder.csv");
+    fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn several_runs_share_their_frequency_and_even_times_undo_rounding() {
+    let question = format!(
+        "fit trace {} --counts-per-turn 4000 --run 1,3 --model undamped",
+        encoder("fit-trace-runs").display()
+    );
+    let rounded = json(&question);
+    assert_eq!(rounded["traces"].as_array().unwrap().len(), 2);
+    assert_eq!(rounded["cycles"][0]["trace"], 0);
+    let omega0 = parameter(&rounded, "omega0");
+    agrees(&omega0["value"], &omega0["uncertainty"], 3.0, 1e-2);
+    agrees(&rounded["beta"], &rounded["beta_uncertainty"], 1.0, 0.05);
+    assert!(rounded["advice"].to_string().contains("--even-times"), "{}", rounded["advice"]);
+    let even = json(&format!("{question} --even-times"));
+    let (before, after) = (number(&rounded["rms_residual_rad"]), number(&even["rms_residual_rad"]));
+    // What is left is the rounding to counts, 0.09° over √12.
+    assert!(after < 0.2 * before && after < 0.03_f64.to_radians(), "{before} {after}");
+    let missing = libration(&format!("{} --run 1,7", question.replace(" --run 1,3", "")));
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(message(&missing).contains('7'), "{}", message(&missing));
+}
+
 #[test]
 fn unusable_recordings_are_refused_with_a_reason_and_nothing_is_written() {
     let cases = [
         ("empty", "", "--model linear", "no rows"),
-        ("still", "t (s),theta (deg)\n0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n8,1\n9,1\n10,1\n", "", ""),
-        ("short", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "", "rows"),
+        ("untimed", "theta (deg),x\n1,2\n2,1\n1,3\n", "", "--time"),
+        ("short", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "", "give at least"),
         ("window", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "--from 5s", "its times are from 0 to 0.2 s"),
     ];
     for (name, table, options, expected) in cases {

@@ -29,7 +29,8 @@ impl FromStr for Column {
 pub struct Choices {
     /// The sheet, by its name or its number counted from one.
     pub sheet: Option<Column>,
-    /// The run: what follows `Run #` in the header, or the number in the column that numbers runs.
+    /// The run: what follows `Run #` in the header, or the number in the column that numbers runs; several with commas
+    /// between them.
     pub run: Option<String>,
     /// The column of times.
     pub time: Option<Column>,

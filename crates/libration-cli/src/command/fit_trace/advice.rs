@@ -53,7 +53,7 @@ fn about_length(answer: &Answer<'_>) -> Option<String> {
 }
 
 fn about_scale(answer: &Answer<'_>) -> Option<String> {
-    answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
+    answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?.scale_error()?;
     let hint = match answer.measured.traces[0].seen() {
         Seen::Angle => {
             "film from far away and straight at the plane of the swing, check the pixels for being square, the origin for \
@@ -88,11 +88,36 @@ fn about_residuals(answer: &Answer<'_>) -> Option<String> {
     })
 }
 
+/// Rows at an end that do not follow the motion, or else rows here and there.
 fn about_outliers(answer: &Answer<'_>) -> Option<String> {
+    let traces = answer.measured.traces.iter().zip(&answer.fit.traces);
+    let ends: Vec<String> =
+        traces.flat_map(|(trace, fitted)| strange_ends(trace, &fitted.outliers)).collect();
     let some = answer.fit.traces.iter().any(|trace| !trace.outliers.is_empty());
-    some.then(|| {
-        "Some rows are far from all others: correct them in the tracking, or fit with --robust.".to_owned()
-    })
+    match ends.len() {
+        0 => some.then(|| {
+            "Some rows are far from all others: correct them in the tracking, or fit with --robust."
+                .to_owned()
+        }),
+        _ => Some(format!(
+            "Rows do not follow the motion {}: if the pendulum was held there or the tracking lost it, leave them out with \
+             --from and --to.",
+            ends.join(" and ")
+        )),
+    }
+}
+
+/// Where a trace begins or ends with outliers one after the other.
+fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<String> {
+    const FEWEST: usize = 3;
+    let (times, last) = (trace.times(), trace.len() - 1);
+    let at_beginning = outliers.iter().enumerate().take_while(|(place, row)| place == *row).count();
+    let at_end = outliers.iter().rev().enumerate().take_while(|(place, row)| last - *row == *place).count();
+    let beginning = (at_beginning >= FEWEST && at_beginning < trace.len())
+        .then(|| format!("of {} before {} s", trace.name(), rounded(times[at_beginning], 4)));
+    let end = (at_end >= FEWEST && at_end < trace.len())
+        .then(|| format!("of {} after {} s", trace.name(), rounded(times[last - at_end], 4)));
+    beginning.into_iter().chain(end).collect()
 }
 
 /// Rounded times, where they matter beside the other errors.
@@ -103,7 +128,7 @@ fn about_times(answer: &Answer<'_>, trace: &Trace) -> Option<String> {
     (noise > 0.25 * answer.fit.rms).then(|| {
         format!(
             "The times are rounded to {resolution} s, which makes {} % of the scatter: export them with more digits, or \
-             use the number of the picture over the rate of the camera.",
+             fit with --even-times.",
             rounded(100.0 * (noise / answer.fit.rms).min(1.0), 2)
         )
     })

@@ -151,6 +151,13 @@ impl Beta {
         Ok(Self { value: fit.beta, uncertainty: fit.beta_uncertainty.max(scaled), t0: fit.t0 })
     }
 
+    /// By which part the angles are too small, if a wrong scale of them can be why β is not 1.
+    pub(super) fn scale_error(&self) -> Option<f64> {
+        const MOST: f64 = 0.2;
+        // R − 1 goes with the square of the amplitude.
+        Some(0.5 * (self.value - 1.0)).filter(|part| part.abs() < MOST)
+    }
+
     /// By how many of its uncertainties it differs from the exact law.
     pub(super) fn deviation(&self) -> f64 {
         (self.value - 1.0).abs() / self.uncertainty

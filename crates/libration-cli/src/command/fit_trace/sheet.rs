@@ -4,6 +4,7 @@ use super::answer::{Answer, Pendulum, STANDARD_GRAVITY};
 use crate::output;
 use crate::output::number::{rounded, short, with_uncertainty};
 use crate::output::table::{Column, Table, paragraph, sheet};
+use libration::fit::cycles::Cycles;
 use libration::fit::trace::{Comparison, Parameter};
 use libration::measurement::Seen;
 use std::io::{self, Write};
@@ -178,32 +179,28 @@ fn traces(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
 /// Each trace by itself: rows, what the fit leaves of it, its cycles, their T0 and β.
 pub(super) fn trace_rows(answer: &Answer<'_>) -> Vec<Vec<String>> {
     let row = |trace: usize| {
+        let measured = &answer.measured.traces[trace];
         let rms = in_unit(answer, answer.fit.traces[trace].rms(), 3);
-        let none = || "–".to_owned();
-        let first = [
-            answer.measured.traces[trace].name().to_owned(),
-            answer.measured.traces[trace].len().to_string(),
-            rms,
-        ];
-        let rest = answer.cycles[trace].as_ref().map_or_else(
-            |_| std::array::from_fn(|_| none()),
-            |found| {
-                let sizes = || found.cycles.iter().map(|cycle| cycle.amplitude.to_degrees());
-                let size =
-                    |size: Option<f64>| size.map_or_else(none, |size| format!("{}°", rounded(size, 3)));
-                let beta = found.beta.as_ref().ok();
-                [
-                    found.cycles.len().to_string(),
-                    size(sizes().reduce(f64::max)),
-                    size(sizes().reduce(f64::min)),
-                    with_uncertainty(found.t0, found.t0_uncertainty, ""),
-                    beta.map_or_else(none, |beta| with_uncertainty(beta.beta, beta.uncertainty, "")),
-                ]
-            },
-        );
-        [first.to_vec(), rest.to_vec()].concat()
+        let first = vec![measured.name().to_owned(), measured.len().to_string(), rms];
+        let none = || std::array::from_fn(|_| "–".to_owned());
+        let rest = answer.cycles[trace].as_ref().map_or_else(|_| none(), of_cycles);
+        [first, rest.to_vec()].concat()
     };
     (0..answer.measured.traces.len()).map(row).collect()
+}
+
+/// How many cycles, the largest and the smallest amplitude, T0 and β.
+fn of_cycles(found: &Cycles) -> [String; 5] {
+    let sizes = || found.cycles.iter().map(|cycle| cycle.amplitude.to_degrees());
+    let size = |size: Option<f64>| size.map_or("–".to_owned(), |size| format!("{}°", rounded(size, 3)));
+    let beta = found.beta.as_ref().map(|beta| with_uncertainty(beta.beta, beta.uncertainty, ""));
+    [
+        found.cycles.len().to_string(),
+        size(sizes().reduce(f64::max)),
+        size(sizes().reduce(f64::min)),
+        with_uncertainty(found.t0, found.t0_uncertainty, ""),
+        beta.unwrap_or_else(|_| "–".to_owned()),
+    ]
 }
 
 /// A difference of two values, in degrees for angles.

@@ -69,15 +69,24 @@ fn of_stated_uncertainties(fit: &TraceFit) -> Option<String> {
 
 fn of_beta(answer: &Answer<'_>) -> Option<String> {
     let beta = answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
-    // R − 1 goes with the square of the amplitude, so that β is wrong by twice as much as the angles.
-    let percent = 50.0 * (beta.value - 1.0);
-    Some(format!(
-        "β is {} standard uncertainties from 1: the period does not change with the amplitude as the exact law says. \
-         Angles measured {} % too {} would do this",
-        rounded(beta.deviation(), 2),
-        rounded(percent.abs(), 2),
-        if percent > 0.0 { "small" } else { "large" }
-    ))
+    let deviation = rounded(beta.deviation(), 2);
+    let told = format!(
+        "β is {deviation} standard uncertainties from 1: the period does not change with the amplitude as the exact law says"
+    );
+    Some(match beta.scale_error() {
+        Some(part) => {
+            let (percent, how) = (rounded(100.0 * part.abs(), 2), if part > 0.0 { "small" } else { "large" });
+            format!("{told}. Angles measured {percent} % too {how} would do this")
+        }
+        None => {
+            let (largest, smallest) = answer.amplitudes()?;
+            let [largest, smallest] = [largest, smallest].map(|size| rounded(size.to_degrees(), 3));
+            format!(
+                "{told}. No scale of the angles is wrong by so much; with amplitudes from {largest}° to {smallest}° only, \
+                 anything that changes the period in time looks like this"
+            )
+        }
+    })
 }
 
 /// Whether single cycles and the whole motion agree about T0.

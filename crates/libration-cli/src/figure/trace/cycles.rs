@@ -57,17 +57,15 @@ fn measured(number: usize, swing: &Swings<'_>, count: usize) -> Series {
     Series { label: label.to_owned(), points: counted.map(point).collect(), look }
 }
 
-/// How the amplitude falls in one model.
+/// How the amplitude falls in the motion fitted by one model.
 #[derive(Clone, Debug)]
 pub(crate) struct Envelope {
     pub(crate) name: String,
-    /// Times in seconds and amplitudes in radians.
-    pub(crate) points: Vec<(f64, f64)>,
-    /// The amplitudes at the times of the half swings, in radians.
-    pub(crate) at_half_swings: Vec<f64>,
+    /// Of each half swing, in radians; NaN where the motion does not turn in it.
+    pub(crate) amplitudes: Vec<f64>,
 }
 
-/// The amplitudes of the half swings with the chosen model's law of decay and those of others; below, all of them less
+/// The amplitudes of the half swings with those of the chosen model's motion and of others; below, all of them less
 /// the chosen one.
 pub(crate) fn amplitudes(
     title: &str,
@@ -81,7 +79,8 @@ pub(crate) fn amplitudes(
     let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
     let mut above = vec![of_half_swings("half swings", half_swings, &sizes)];
     above.extend(models(chosen, others).map(|(model, look)| {
-        let points = model.points.iter().map(|(time, amplitude)| (*time, amplitude.to_degrees()));
+        let sizes = model.amplitudes.iter().map(|amplitude| amplitude.to_degrees());
+        let points = times.iter().copied().zip(sizes);
         Series::line(&model.name, look, points)
     }));
     let (low, high) = around(sizes.iter().map(|size| size.to_degrees()));
@@ -105,13 +104,13 @@ fn models<'a>(
 
 fn differences(x: Axis, half_swings: &[HalfSwing], chosen: &Envelope, others: &[Envelope]) -> Panel {
     let less = |sizes: &[f64]| -> Vec<f64> {
-        sizes.iter().zip(&chosen.at_half_swings).map(|(size, law)| size - law).collect()
+        sizes.iter().zip(&chosen.amplitudes).map(|(size, chosen)| size - chosen).collect()
     };
     let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
     let measured = less(&sizes);
     let mut series = vec![of_half_swings("", half_swings, &measured)];
     series.extend(models(Some(chosen), others).map(|(model, look)| {
-        let points = less(&model.at_half_swings).into_iter().map(f64::to_degrees);
+        let points = less(&model.amplitudes).into_iter().map(f64::to_degrees);
         Series::line("", look, half_swings.iter().map(|half| half.time).zip(points))
     }));
     let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));

@@ -17,14 +17,18 @@ pub struct Run {
 /// one step of the top of a parabola the next row is (1 + 2/r)² < 3 steps below it.
 const STEPS_BESIDE_A_TURN: f64 = 5.0;
 
-/// Runs that a steady motion from the value before to the value after would have left.
-pub(super) fn stuck(values: &[f64]) -> Vec<Run> {
-    let step = smallest_step(values).unwrap_or(0.0);
+/// The errors of two values make up for so many standard deviations of one once in 6e7 times.
+const BEYOND_CHANCE: f64 = 8.0;
+
+/// Runs that a steady motion from the value before to the value after would have left, by more than steps of the scale and
+/// noise of this standard deviation explain.
+pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Run> {
+    let chance = (2.0 * smallest_step(values).unwrap_or(0.0)).max(BEYOND_CHANCE * noise);
     let is_stuck = |run: &Run| {
         let Some((before, after)) = neighbours(values, run) else { return false };
         let goes_on = (before < run.value) == (run.value < after);
         let each = (after - before).abs() / number(run.rows + 1);
-        run.rows > 1 && goes_on && each * number(run.rows - 1) > 2.0 * step
+        run.rows > 1 && goes_on && each * number(run.rows - 1) > chance
     };
     runs(values).into_iter().filter(is_stuck).collect()
 }

@@ -82,7 +82,7 @@ impl Faults {
         let runs = |found: Vec<Run>| {
             found.into_iter().map(|run| Run { first: kept[run.first], ..run }).collect::<Vec<_>>()
         };
-        self.stuck = runs(clipping::stuck(&smooth));
+        self.stuck = runs(clipping::stuck(&smooth, outliers::noise(&times_of, &smooth)));
         self.clipped = runs(clipping::clipped(&smooth));
         self.outliers = place(outliers::outliers(&times_of, &smooth));
     }

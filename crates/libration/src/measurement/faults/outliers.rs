@@ -30,6 +30,16 @@ pub(super) fn outliers(times: &[f64], values: &[f64]) -> Vec<usize> {
     (0..curve.is_marked.len()).filter(|&row| curve.is_marked[row]).collect()
 }
 
+/// The standard deviation of a value about the cubic through its neighbours.
+pub(super) fn noise(times: &[f64], values: &[f64]) -> f64 {
+    robust(Curve::new(times, values).deviations().into_iter().flatten().collect())
+}
+
+/// The standard deviation of normal deviations with the median of these.
+fn robust(deviations: Vec<f64>) -> f64 {
+    NORMAL_PER_MEDIAN_DEVIATION * median(deviations).unwrap_or(0.0)
+}
+
 struct Curve<'a> {
     times: &'a [f64],
     values: &'a [f64],
@@ -70,11 +80,14 @@ impl<'a> Curve<'a> {
         others.map(|other| (self.times[row] - other) / (self.times[one] - other)).product()
     }
 
+    fn deviations(&self) -> Vec<Option<f64>> {
+        (0..self.values.len()).map(|row| self.deviation(row)).collect()
+    }
+
     /// The standard deviation to be expected of each row: that of all rows or of its surroundings, whichever is
     /// larger, and that of rounding to the steps of the scale.
     fn scales(&self) -> Vec<f64> {
-        let deviations: Vec<Option<f64>> = (0..self.values.len()).map(|row| self.deviation(row)).collect();
-        let robust = |of: Vec<f64>| NORMAL_PER_MEDIAN_DEVIATION * median(of).unwrap_or(0.0);
+        let deviations = self.deviations();
         let everywhere = robust(deviations.iter().copied().flatten().collect());
         let least = everywhere.max(smallest_step(self.values).unwrap_or(0.0) / 12_f64.sqrt());
         let around = |row: usize| {

@@ -33,6 +33,9 @@ fn a_clean_swing_has_no_faults() {
         let (mut seed, mut noisy) = (7, values.clone());
         noisy.iter_mut().for_each(|value| *value += 0.003 * noise(&mut seed));
         assert!(Faults::find(&times, &noisy, None).is_clean(), "{interval} with noise");
+        let coarse_and_noisy = rounded(&noisy, 0.002);
+        let faults = Faults::find(&times, &coarse_and_noisy, None);
+        assert!(faults.is_clean(), "{interval} with both: {:?}", faults.sentences(&[], "rad"));
         let coarse = rounded(&values, std::f64::consts::TAU / 4000.0);
         let faults = Faults::find(&times, &coarse, None);
         assert!(faults.is_clean(), "{interval} by encoder: {:?}", faults.sentences(&[], "rad"));

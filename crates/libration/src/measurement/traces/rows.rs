@@ -43,10 +43,16 @@ impl Rows {
         let name = |number: f64| format!("{} {number}", sheet.channels[numbering].heading.name);
         if let Some(asked) = &choices.run {
             let available = runs.iter().map(|(number, _)| number.to_string()).collect::<Vec<_>>().join(", ");
-            runs.retain(|(number, _)| number.to_string() == asked.trim() || name(*number) == asked.trim());
-            if runs.is_empty() {
-                return Err(MeasurementError::NoSuch { what: "run", asked: asked.clone(), available });
+            let is =
+                |number: f64, asked: &str| [number.to_string(), name(number)].contains(&asked.trim().into());
+            if let Some(missing) = asked.split(',').find(|asked| !runs.iter().any(|run| is(run.0, asked))) {
+                return Err(MeasurementError::NoSuch {
+                    what: "run",
+                    asked: missing.trim().into(),
+                    available,
+                });
             }
+            runs.retain(|(number, _)| asked.split(',').any(|asked| is(*number, asked)));
         }
         let rows =
             |(number, rows): (f64, Vec<usize>)| Self::collect(sheet, columns, name(number), rows.into_iter());

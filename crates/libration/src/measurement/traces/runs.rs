@@ -23,12 +23,15 @@ impl<'a> Group<'a> {
         let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(Quantity::Run));
         if let Some(asked) = choices.run.as_deref().filter(|_| !is_numbered) {
             let available: Vec<String> = runs.iter().flatten().map(|run| format!("`{run}`")).collect();
-            runs.retain(|run| run.as_deref().is_some_and(|run| is_run(run, asked)));
-            if runs.is_empty() {
+            let is_there = |asked: &str| runs.iter().flatten().any(|run| is_run(run, asked));
+            if let Some(missing) = asked.split(',').find(|asked| !is_there(asked)) {
+                let asked = missing.trim().into();
                 let available =
                     if available.is_empty() { "one run only".into() } else { available.join(", ") };
-                return Err(MeasurementError::NoSuch { what: "run", asked: asked.into(), available });
+                return Err(MeasurementError::NoSuch { what: "run", asked, available });
             }
+            let is_asked = |run: &str| asked.split(',').any(|asked| is_run(run, asked));
+            runs.retain(|run| run.as_deref().is_some_and(is_asked));
         }
         if runs.is_empty() {
             runs.push(None);

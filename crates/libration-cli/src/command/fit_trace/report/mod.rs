@@ -30,7 +30,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
         Section::new("Doubts", list(&answer.warnings)),
         Section::new("What would make it better", list(&answer.advice)),
     ];
-    let title = format!("A pendulum's swing: {}", answer.measured.names());
+    let title = format!("A pendulum's swing: {}", answer.measured.short_names());
     Document { title, sections: sections.into_iter().flatten().collect() }
 }
 

@@ -4,14 +4,9 @@ use super::super::answer::Answer;
 use crate::document::{Block, Figure};
 use crate::figure::chart::Picture;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
-use libration::decay::{Damping, DampingTerm, Decay, Law};
 use libration::fit::cycles::HalfSwing;
 use libration::fit::trace::TraceFit;
-use libration::pendulum::Pendulum;
-use libration::quantity::Angle;
-
-/// Points of an envelope.
-const SAMPLES: u32 = 200;
+use libration::measurement::Seen;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
     Block::Figure(Figure { name: name.to_owned(), caption, picture })
@@ -95,45 +90,51 @@ fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
     let half_swings = &answer.cycles[trace].as_ref().ok()?.half_swings;
     let name = answer.measured.traces[trace].name();
     let caption = format!(
-        "The largest angle of every half swing of {name}, with the laws of decay of the fitted models, averaged over cycles of \
-         any amplitude; below, all of them less that of {} damping",
+        "The largest angle of every half swing of {name}, with those of the fitted motions; below, all of them less that of {} \
+         damping",
         answer.fit.damping
     );
     let others = answer.comparison.iter().flat_map(|comparison| &comparison.fits);
     let others = others.filter(|fit| fit.damping.count() == 1 && fit.damping != answer.fit.damping);
-    let others: Vec<Envelope> = others.filter_map(|fit| envelope(answer, fit, trace, half_swings)).collect();
-    let chosen = envelope(answer, &answer.fit, trace, half_swings);
-    let picture = draw::amplitudes(name, half_swings, chosen.as_ref(), &others);
+    let of_model = |fit: &TraceFit| of_model(answer, fit, trace, half_swings);
+    let others: Vec<Envelope> = others.filter_map(of_model).collect();
+    let picture = draw::amplitudes(name, half_swings, of_model(&answer.fit).as_ref(), &others);
     Some(figure(&format!("amplitudes{}", suffix(answer, trace)), caption, picture))
 }
 
-/// The averaged law from the energy at the first row on; none for a motion over the top or without damping.
-fn envelope(
+/// How far the fitted motion of a model goes in each half swing.
+fn of_model(
     answer: &Answer<'_>,
     fit: &TraceFit,
     trace: usize,
     half_swings: &[HalfSwing],
 ) -> Option<Envelope> {
-    let own = |name| fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == name);
-    let pendulum = Pendulum::from_angular_frequency(fit.parameters[0].value).ok()?;
-    let angle = Angle::from_radians(own("theta0")?.value).ok()?;
-    let start = pendulum.launched(angle, own("velocity0")?.value).ok()?.amplitude()?;
-    let start = Angle::from_radians(start.radians()).ok()?;
-    let decay = Decay::new(pendulum, damping(fit)?, start).ok()?;
-    let law = decay.envelope(Law::Averaged);
-    let times = answer.measured.traces[trace].times();
-    let (first, last) = (times[0], times[times.len() - 1]);
-    let after = |step: u32| (last - first) * f64::from(step) / f64::from(SAMPLES);
-    let points = (0..=SAMPLES).map(|step| (first + after(step), law.amplitude_at(after(step)))).collect();
-    let at_half_swings = half_swings.iter().map(|half| law.amplitude_at(half.time - first)).collect();
-    Some(Envelope { name: fit.damping.to_string(), points, at_half_swings })
+    let measured = &answer.measured.traces[trace];
+    let own = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == "offset");
+    let offset = own?.value;
+    let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
+    let window = fit.small_angle_period().0 / 6.0;
+    let amplitude = |half: &HalfSwing| {
+        let extreme = extreme(measured.times(), &sizes, half.time, window).unwrap_or(f64::NAN);
+        match measured.seen() {
+            Seen::Angle => extreme,
+            // At the bottom θ′ = 2ω₀ sin(θ₀/2).
+            Seen::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].value).asin(),
+        }
+    };
+    Some(Envelope { name: fit.damping.to_string(), amplitudes: half_swings.iter().map(amplitude).collect() })
 }
 
-fn damping(fit: &TraceFit) -> Option<Damping> {
-    let term = |(name, exponent)| {
-        let coefficient = fit.parameter(name)?.value;
-        Some(DampingTerm { exponent, coefficient })
-    };
-    let terms = [("dry", 0.0), ("linear", 1.0), ("quadratic", 2.0)].into_iter().filter_map(term);
-    Damping::new(&terms.collect::<Vec<_>>()).ok()
+/// The largest value near a time: the vertex of the parabola through the largest row and its neighbours.
+fn extreme(times: &[f64], sizes: &[f64], near: f64, window: f64) -> Option<f64> {
+    let from = times.partition_point(|&time| time < near - window).max(1);
+    let to = times.partition_point(|&time| time < near + window).min(sizes.len().saturating_sub(1));
+    let row = (from..to).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]))?;
+    let (before, after) = (times[row] - times[row - 1], times[row + 1] - times[row]);
+    let (rise, fall) = ((sizes[row] - sizes[row - 1]) / before, (sizes[row + 1] - sizes[row]) / after);
+    let curvature = (fall - rise) / (before + after);
+    let slope = (rise * after + fall * before) / (before + after);
+    let shift = -0.5 * slope / curvature;
+    let is_a_turn = curvature < 0.0 && shift.abs() <= before.max(after);
+    is_a_turn.then_some(0.5_f64.mul_add(slope * shift, sizes[row]))
 }

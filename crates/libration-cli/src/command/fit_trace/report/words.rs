@@ -63,7 +63,7 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
         [Block::words(format!("{}:", file.name)), Block::List(items)]
     };
     let rows = format!(
-        "{} rows in {} {} were fitted.",
+        "{} rows in {} {} were fitted. A name that begins with -- is the option that says it otherwise.",
         answer.fit.rows(),
         answer.measured.traces.len(),
         if answer.measured.traces.len() == 1 { "trace" } else { "traces" }
