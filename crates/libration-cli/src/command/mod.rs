@@ -82,9 +82,7 @@ enum Question {
 enum Fit {
     Periods(fit_periods::FitPeriods),
     Lengths(fit_lengths::FitLengths),
-    Trace(Box<fit_trace::FitTrace>),
     Gates(Box<fit_gates::FitGates>),
-    Trace(fit_trace::FitTrace),
     Trace(Box<fit_trace::FitTrace>),
 }
 

@@ -3,7 +3,8 @@
 use super::json::Record;
 use super::number;
 use super::table::{Column, Table};
-use libration::fit::{Budget, BudgetRow, Correction};
+use libration::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
+use libration::quantity::Quantity;
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -14,6 +15,23 @@ pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()
         table.row(out, row)?;
     }
     table.finish(out)
+}
+
+/// What to think of a gravity that is found nowhere on Earth, by more than three of its uncertainties.
+pub(crate) fn contradiction(gravity: Quantity, length: Quantity) -> Option<String> {
+    let [least, greatest] = GRAVITY_ON_EARTH;
+    let margin = 3.0 * gravity.uncertainty.unwrap_or(0.0);
+    let likely = 0.5 * (least + greatest);
+    (gravity.value < least - margin || gravity.value > greatest + margin).then(|| {
+        format!(
+            "gravity is {} to {} m/s² on Earth: if the period is right, the length is about {} m and not {} m. Check that it \
+             is the length of this run, from the pivot to the middle of the bob, and that periods are whole ones",
+            number::rounded(least, 3),
+            number::rounded(greatest, 3),
+            number::rounded(length.value * likely / gravity.value, 3),
+            number::short(length.value, 6)
+        )
+    })
 }
 
 /// The columns of [`rows`].

@@ -1,6 +1,7 @@
 //! What casts doubt on a fit, in sentences.
 
-use super::answer::Answer;
+use super::answer::{Answer, Pendulum};
+use crate::output;
 use crate::output::number::rounded;
 use libration::fit::trace::TraceFit;
 
@@ -13,6 +14,9 @@ pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
     let mut warnings = vec![];
     if !fit.converged {
         warnings.push("the fit did not settle at a minimum: its numbers are not to be trusted".to_owned());
+    }
+    if let Pendulum::Gravity { budget, length } = &answer.pendulum {
+        warnings.extend(output::budget::contradiction(budget.gravity(), *length));
     }
     warnings.extend(of_energy(fit));
     warnings.extend(of_rivals(answer));
