@@ -4,7 +4,6 @@ use super::json::Record;
 use super::number;
 use super::table::{Column, Table};
 use libration::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
-use libration::quantity::Quantity;
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -18,18 +17,18 @@ pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()
 }
 
 /// What to think of a gravity that is found nowhere on Earth, by more than three of its uncertainties.
-pub(crate) fn contradiction(gravity: Quantity, length: Quantity) -> Option<String> {
+pub(crate) fn contradiction(budget: &Budget) -> Option<String> {
     let [least, greatest] = GRAVITY_ON_EARTH;
-    let margin = 3.0 * gravity.uncertainty.unwrap_or(0.0);
+    let margin = 3.0 * budget.uncertainty;
     let likely = 0.5 * (least + greatest);
-    (gravity.value < least - margin || gravity.value > greatest + margin).then(|| {
+    (budget.g < least - margin || budget.g > greatest + margin).then(|| {
         format!(
             "gravity is {} to {} m/s² on Earth: if the period is right, the length is about {} m and not {} m. Check that it \
              is the length of this run, from the pivot to the middle of the bob, and that periods are whole ones",
             number::rounded(least, 3),
             number::rounded(greatest, 3),
-            number::rounded(length.value * likely / gravity.value, 3),
-            number::short(length.value, 6)
+            number::rounded(budget.length * likely / budget.g, 3),
+            number::short(budget.length, 6)
         )
     })
 }

@@ -127,6 +127,7 @@ impl Answer<'_> {
         }
         if let Some(budget) = self.budget {
             lines.push(("gravity", said(budget.gravity(), "m/s²")));
+            lines.extend(output::budget::contradiction(budget).map(|doubt| ("doubtful", doubt)));
         }
         lines
     }

@@ -126,6 +126,7 @@ impl Answer<'_> {
             let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
             let value = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
             lines.push(("gravity", format!("{value}  (length {length})")));
+            lines.extend(output::budget::contradiction(budget).map(|doubt| ("doubtful", doubt)));
         }
         lines
     }

@@ -15,8 +15,8 @@ pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
     if !fit.converged {
         warnings.push("the fit did not settle at a minimum: its numbers are not to be trusted".to_owned());
     }
-    if let Pendulum::Gravity { budget, length } = &answer.pendulum {
-        warnings.extend(output::budget::contradiction(budget.gravity(), *length));
+    if let Pendulum::Gravity { budget, .. } = &answer.pendulum {
+        warnings.extend(output::budget::contradiction(budget));
     }
     warnings.extend(of_energy(fit));
     warnings.extend(of_rivals(answer));

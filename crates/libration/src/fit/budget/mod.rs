@@ -113,6 +113,8 @@ pub struct BudgetRow {
 pub struct Budget {
     /// In the order in which a laboratory writes them.
     pub rows: Vec<BudgetRow>,
+    /// The length it is found with, in m.
+    pub length: f64,
     /// With the corrections that are applied, in m/s².
     pub g: f64,
     /// From the rows that are known, in m/s²; of those that are not it knows nothing.

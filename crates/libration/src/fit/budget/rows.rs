@@ -88,7 +88,7 @@ impl Inputs {
             vec![self.buoyancy(), self.added_mass(), self.finite_bob(), self.rod(), self.stretch()],
             self.damping().into_iter().collect(),
         ];
-        Budget { rows: rows.concat(), g, uncertainty }
+        Budget { rows: rows.concat(), length: self.values.length, g, uncertainty }
     }
 
     /// What a function of the values changes by with one standard uncertainty of an input.
