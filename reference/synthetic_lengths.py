@@ -12,7 +12,7 @@ import numpy as np
 G, RADIUS, AMPLITUDE = 9.81, 0.025, np.radians(10)
 SIGMA_LENGTH, SIGMA_PERIOD = 0.001, 0.003
 
-rng = np.random.default_rng(1583)
+rng = np.random.default_rng(1851)
 ratio = 1 / float(mpmath.agm(1, mpmath.cos(AMPLITUDE / 2)))
 print("# Synthetic, not measured: strings with a ball of radius 25 mm at their end, amplitude 10 degrees, g = 9.81 m/s^2.")
 print("# Made by reference/synthetic_lengths.py.")
