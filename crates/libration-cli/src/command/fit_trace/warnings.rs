@@ -18,6 +18,7 @@ pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
     if let Pendulum::Gravity { budget, .. } = &answer.pendulum {
         warnings.extend(output::budget::contradiction(budget));
     }
+    warnings.extend(of_poor_fit(fit));
     warnings.extend(of_energy(fit));
     warnings.extend(of_rivals(answer));
     warnings.extend(of_residuals(fit));
@@ -27,6 +28,17 @@ pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
     warnings.extend(of_outliers(fit));
     warnings.extend(of_cycles(answer));
     warnings
+}
+
+fn of_poor_fit(fit: &TraceFit) -> Option<String> {
+    let part = fit.unexplained.sqrt();
+    (part > 0.1).then(|| {
+        format!(
+            "the residuals are {} % of the swing itself: the model does not describe what was seen, and its numbers mean \
+             little. Leave out what is no free swing with --from and --to, or check columns and units",
+            rounded(100.0 * part, 2)
+        )
+    })
 }
 
 fn of_energy(fit: &TraceFit) -> Option<String> {

@@ -2,9 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use super::information::information;
 use super::problem::Minimum;
 use super::search::Search;
-use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, uncertainty};
+use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, huber, uncertainty};
 use crate::measurement::Trace;
 
 /// The same traces under several models.
@@ -48,9 +49,12 @@ impl Comparison {
         close.map(|place| self.fits[place].damping).collect()
     }
 
-    fn new(fits: Vec<TraceFit>) -> Option<Self> {
+    fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
         let correlation_time = fits.last()?.autocorrelation.time;
-        let information: Vec<f64> = fits.iter().map(|fit| fit.information(correlation_time)).collect();
+        let scales = fits.iter().map(|fit| huber::scale(&fit.standard_residuals));
+        let scale = scales.reduce(f64::min).filter(|&scale| robust && scale > 0.0);
+        let information = fits.iter().map(|fit| information(fit, correlation_time, scale));
+        let information: Vec<f64> = information.collect();
         let least = information.iter().copied().fold(f64::INFINITY, f64::min);
         let best_of = |possible: fn(&TraceFit) -> bool| {
             let places = (0..fits.len()).filter(|&place| possible(&fits[place]));
@@ -100,7 +104,9 @@ pub fn compare(
             Ok(fit) => fits.push(fit),
         }
     }
-    let mut comparison = Comparison::new(fits).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))?;
+    let mut comparison =
+        Comparison::new(fits, options.robust).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))?;
+    check_explained(comparison.best())?;
     let preferred = comparison.best().damping;
     if let Some((_, minimum)) = found.into_iter().find(|(terms, _)| options.profile && *terms == preferred) {
         search.set_terms(preferred);

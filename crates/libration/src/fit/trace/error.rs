@@ -34,6 +34,15 @@ pub enum TraceFitError {
         /// In rad/s.
         omega0: f64,
     },
+    /// The best motion is not what was seen.
+    #[error(
+        "the best motion of the model leaves {percent:.0} % of the variance of the data unexplained: choose another \
+         model, leave out what is no free swing, or check the columns and the units of angle and time"
+    )]
+    Unexplained {
+        /// Of the variance.
+        percent: f64,
+    },
     /// The data say nothing about a parameter.
     #[error("the data do not determine {parameter}: choose a model without it, or measure more of the swing")]
     Undetermined {

@@ -60,14 +60,16 @@ pub struct TraceFit {
     pub chi2_per_dof: Option<f64>,
     /// Root mean square of the residuals, in the unit of the traces.
     pub rms: f64,
+    /// The part of the scatter of the data about their means that the motion leaves, as squares.
+    pub unexplained: f64,
     /// Whether the residuals are noise.
     pub autocorrelation: Autocorrelation,
     /// The number of rows that one block of the bootstrap has, where it was called for.
     pub bootstrap_block: Option<usize>,
     /// Whether the search ended at a minimum.
     pub converged: bool,
-    /// Weighted sum of squares.
-    pub(super) sum_of_squares: f64,
+    /// In units of the stated uncertainties, outliers at their full size.
+    pub(super) standard_residuals: Vec<f64>,
 }
 
 impl TraceFit {
@@ -138,18 +140,5 @@ impl TraceFit {
     #[must_use]
     pub fn rows(&self) -> usize {
         self.traces.iter().map(|trace| trace.residuals.len()).sum()
-    }
-
-    /// Akaike's criterion with its correction for few data, a row counting as much less as the residuals are alike:
-    /// K. P. Burnham and D. R. Anderson, *Model Selection and Multimodel Inference*, Springer 2002,
-    /// doi:10.1007/b97636. `time` is the correlation time of the residuals in rows, the same for all models compared.
-    #[must_use]
-    pub fn information(&self, time: f64) -> f64 {
-        let count = super::count(self.rows());
-        let rows = (count / time.max(1.0)).max(1.0);
-        // The variance of the residuals is a parameter too.
-        let parameters = super::count(self.parameters.len() + 1);
-        let correction = 2.0 * parameters * (parameters + 1.0) / (rows - parameters - 1.0).max(1.0);
-        rows * libm::log(self.sum_of_squares.max(f64::MIN_POSITIVE) / count) + 2.0 * parameters + correction
     }
 }

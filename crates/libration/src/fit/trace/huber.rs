@@ -18,6 +18,15 @@ pub(super) fn factor(residual: f64, scale: f64) -> f64 {
     if size > BOUND * scale { (BOUND * scale / size).sqrt() } else { 1.0 }
 }
 
+/// Half the squares of residuals in units of the scale, beyond the bound only as much as they grow.
+pub(super) fn loss(residuals: &[f64], scale: f64) -> f64 {
+    let one = |residual: &f64| match residual.abs() / scale {
+        size if size > BOUND => BOUND * (size - 0.5 * BOUND),
+        size => 0.5 * size * size,
+    };
+    residuals.iter().map(one).sum()
+}
+
 /// Whether a residual is one of an outlier.
 pub(super) fn is_outlier(residual: f64, scale: f64) -> bool {
     scale > 0.0 && residual.abs() > OUTLIER * scale

@@ -30,6 +30,7 @@ mod profile;
 
 mod compare;
 mod fitted;
+mod information;
 
 pub use super::{DampingTerm, DampingTerms, DampingTermsError};
 pub use autocorrelation::Autocorrelation;
@@ -74,5 +75,12 @@ pub fn fit_traces(
 ) -> Result<TraceFit, TraceFitError> {
     let mut search = Search::new(traces, damping, *options, watch)?;
     let minimum = search.minimum_from_scratch()?;
-    uncertainty::fit(&mut search, &minimum)
+    let fit = uncertainty::fit(&mut search, &minimum)?;
+    check_explained(&fit).map(|()| fit)
+}
+
+/// Refuses a fit that leaves the better part of the data unexplained.
+fn check_explained(fit: &TraceFit) -> Result<(), TraceFitError> {
+    let percent = 100.0 * fit.unexplained;
+    if fit.unexplained > search::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }
 }

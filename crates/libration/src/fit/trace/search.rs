@@ -23,6 +23,8 @@ pub(super) struct Search<'a> {
 
 /// Evaluations for each parameter, as MINPACK counts them.
 const PATIENCE: usize = 30;
+/// On the way there.
+const PATIENCE_GROWING: usize = 10;
 /// Near a minimum that is known.
 const PATIENCE_NEAR: usize = 8;
 const ROBUST_ROUNDS: usize = 30;
@@ -38,8 +40,10 @@ struct Growth {
 /// Quick, and careful: near the top a little damping decides whether the pendulum goes over it.
 const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
 const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
-/// Residuals above this part of the scatter of the data themselves are those of no fit.
-const NO_FIT: f64 = 0.05;
+/// Of the scatter of the data, the part that a fit leaves if it has not failed.
+const GOOD: f64 = 0.0025;
+/// The part beyond which it has.
+pub(super) const HOPELESS: f64 = 0.5;
 
 impl<'a> Search<'a> {
     pub(super) fn new(
@@ -74,7 +78,7 @@ impl<'a> Search<'a> {
         let parameters = self.beginning()?;
         let quick = self.minimum_grown(parameters.clone(), &QUICK);
         match &quick {
-            Ok(minimum) if minimum.sum_of_squares() <= NO_FIT * NO_FIT * self.scatter() => return quick,
+            Ok(minimum) if self.unexplained(minimum) <= GOOD => return quick,
             Err(TraceFitError::Interrupted) => return quick,
             _ => {}
         }
@@ -94,21 +98,31 @@ impl<'a> Search<'a> {
         while cycles * period < longest {
             let rows = self.rows_within(cycles * period);
             let free = self.free_at_first(cycles >= growth.damped_from);
-            parameters = self.minimum_of(rows, free, parameters, PATIENCE)?.parameters;
+            let minimum = self.minimum_of(rows.clone(), free, parameters, PATIENCE_GROWING)?;
+            let hopeless = minimum.sum_of_squares() > HOPELESS * self.scatter(&rows);
+            parameters = minimum.parameters;
+            if hopeless {
+                break;
+            }
             cycles *= growth.factor;
         }
         self.minimum_near(parameters)
     }
 
-    /// The weighted sum of squares about the mean of each trace.
-    fn scatter(&self) -> f64 {
-        let of_trace = |(trace, weights): (&Trace, &Vec<f64>)| {
-            let mean = trace.values().iter().sum::<f64>() / super::count(trace.len());
-            let deviations =
-                trace.values().iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
+    /// The part of the scatter of the data that a minimum leaves.
+    pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
+        minimum.sum_of_squares() / self.scatter(&self.all_rows())
+    }
+
+    /// The weighted sum of squares about the mean of each trace, of so many rows.
+    fn scatter(&self, rows: &[usize]) -> f64 {
+        let of_trace = |((trace, weights), &rows): ((&Trace, &Vec<f64>), &usize)| {
+            let values = &trace.values()[..rows];
+            let mean = values.iter().sum::<f64>() / super::count(rows);
+            let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
             deviations.map(|deviation| deviation * deviation).sum::<f64>()
         };
-        self.traces.iter().zip(&self.weights).map(of_trace).sum()
+        self.traces.iter().zip(&self.weights).zip(rows).map(of_trace).sum()
     }
 
     /// The minimum near some parameters, robust if asked for.

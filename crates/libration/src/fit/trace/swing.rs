@@ -189,7 +189,7 @@ mod tests {
             let all: Vec<f64> = [2.0].into_iter().chain(coefficients).chain([1.2, -0.4]).collect();
             let sample = end(&swing, &all, 9.0);
             for (place, derivative) in sample.derivatives.iter().enumerate() {
-                let step = 1e-4;
+                let step = 1e-5;
                 let shifted = |by: f64| {
                     let mut all = all.clone();
                     all[place] += by;

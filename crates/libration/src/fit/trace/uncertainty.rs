@@ -56,7 +56,8 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         autocorrelation,
         bootstrap_block: block,
         converged: minimum.converged,
-        sum_of_squares: minimum.sum_of_squares(),
+        unexplained: search.unexplained(minimum),
+        standard_residuals: all,
         parameters,
     })
 }
