@@ -31,7 +31,7 @@ mod tests {
     #[test]
     fn extremes_outlive_the_thinning() {
         let points: Vec<(f64, f64)> =
-            (0..100_000_u32).map(|k| (f64::from(k), f64::from(k * k % 977))).collect();
+            (0..100_000_u32).map(|k| (f64::from(k), f64::from((k % 1009) * (k % 1013) % 977))).collect();
         let fewer = thinned(points.clone());
         assert!(fewer.len() <= MOST && fewer.is_sorted_by(|a, b| a.0 < b.0));
         let highest = |points: &[(f64, f64)]| points.iter().fold(0.0, |high: f64, point| high.max(point.1));

@@ -59,8 +59,8 @@ impl Swing {
         let parameters: Vec<f64> = [omega0 * omega0].iter().chain(coefficients).copied().collect();
         let mut moment = Moment { time: times.first().copied().unwrap_or(0.0), state: self.state(start) };
         let mut moments: Vec<Moment> = Vec::with_capacity(times.len());
-        // A pendulum that turns more often than it is looked at is far from any data.
-        for _ in 0..=times.len() {
+        // A pendulum that turns so much more often than it is looked at is far from any data.
+        for _ in 0..10 * times.len() + 100 {
             if moments.len() == times.len() {
                 break;
             }

@@ -71,7 +71,7 @@ impl Clock {
         let within = intervals(&increasing).filter(|length| *length < GAP * interval);
         let jitter = root_mean_square(within.map(|length| length - interval));
         // Where times are written more coarsely than they follow each other, each row is one step.
-        let repeats = times.len() - kept.len() > times.len() / 10;
+        let repeats = times.len() - kept.len() > times.len() / 10 + 1;
         let by_rows = || grid(times, &(0..times.len()).collect::<Vec<_>>(), resolution);
         let by_times = || grid_of_increasing(times, kept, interval, resolution);
         if let Some(grid) = repeats.then(by_rows).flatten() {
