@@ -111,8 +111,6 @@ pub fn compare(
     if let Some((_, minimum)) = found.into_iter().find(|(terms, _)| options.profile && *terms == preferred) {
         search.set_terms(preferred);
         search.options.profile = true;
-        // Weights of a robust fit belong to its minimum.
-        let minimum = if options.robust { search.minimum_near(minimum.parameters)? } else { minimum };
         comparison.fits[comparison.preferred] = uncertainty::fit(&mut search, &minimum)?;
     }
     Ok(comparison)

@@ -35,6 +35,8 @@ pub(super) struct Minimum {
     pub(super) residuals: DVector<f64>,
     /// Of the weighted residuals by the free parameters.
     pub(super) jacobian: DMatrix<f64>,
+    /// The weights of all rows there.
+    pub(super) weights: Vec<Vec<f64>>,
     pub(super) converged: bool,
 }
 
@@ -60,7 +62,8 @@ impl Problem<'_> {
         let evaluation = self.evaluated()?;
         if free.is_empty() {
             let (residuals, jacobian) = evaluation;
-            return Ok(Minimum { parameters: self.parameters, residuals, jacobian, converged: true });
+            let (parameters, weights) = (self.parameters, self.weights.to_vec());
+            return Ok(Minimum { parameters, residuals, jacobian, weights, converged: true });
         }
         let search = Search { problem: self, evaluation, interrupted: false };
         let method =
@@ -73,7 +76,8 @@ impl Problem<'_> {
         let converged = report.termination.was_successful()
             || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         let Search { problem, evaluation: (residuals, jacobian), .. } = search;
-        Ok(Minimum { parameters: problem.parameters, residuals, jacobian, converged })
+        let weights = problem.weights.to_vec();
+        Ok(Minimum { parameters: problem.parameters, residuals, jacobian, weights, converged })
     }
 
     fn free_parameters(&self) -> DVector<f64> {

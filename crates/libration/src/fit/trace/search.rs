@@ -95,11 +95,12 @@ impl<'a> Search<'a> {
         let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
         let longest = self.traces.iter().map(span).fold(0.0, f64::max);
         let mut cycles = growth.first;
+        self.weights = stated_weights(self.traces);
         while cycles * period < longest {
             let rows = self.rows_within(cycles * period);
             let free = self.free_at_first(cycles >= growth.damped_from);
             let minimum = self.minimum_of(rows.clone(), free, parameters, PATIENCE_GROWING)?;
-            let hopeless = minimum.sum_of_squares() > HOPELESS * self.scatter(&rows);
+            let hopeless = minimum.sum_of_squares() > HOPELESS * self.scatter(&rows, &minimum.weights);
             parameters = minimum.parameters;
             if hopeless {
                 break;
@@ -111,29 +112,34 @@ impl<'a> Search<'a> {
 
     /// The part of the scatter of the data that a minimum leaves.
     pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
-        minimum.sum_of_squares() / self.scatter(&self.all_rows())
+        minimum.sum_of_squares() / self.scatter(&self.all_rows(), &minimum.weights)
     }
 
     /// The weighted sum of squares about the mean of each trace, of so many rows.
-    fn scatter(&self, rows: &[usize]) -> f64 {
+    fn scatter(&self, rows: &[usize], weights: &[Vec<f64>]) -> f64 {
         let of_trace = |((trace, weights), &rows): ((&Trace, &Vec<f64>), &usize)| {
             let values = &trace.values()[..rows];
             let mean = values.iter().sum::<f64>() / super::count(rows);
             let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
             deviations.map(|deviation| deviation * deviation).sum::<f64>()
         };
-        self.traces.iter().zip(&self.weights).zip(rows).map(of_trace).sum()
+        self.traces.iter().zip(weights).zip(rows).map(of_trace).sum()
     }
 
     /// The minimum near some parameters, robust if asked for.
     pub(super) fn minimum_near(&mut self, parameters: Vec<f64>) -> Result<Minimum, TraceFitError> {
+        self.weights = stated_weights(self.traces);
+        if self.options.robust {
+            // Least squares would be drawn away from where the search has come.
+            let here = self.minimum_of(self.all_rows(), vec![], parameters.clone(), PATIENCE)?;
+            self.turn_outliers_down(&here);
+        }
         let mut minimum = self.minimum_of(self.all_rows(), self.free(), parameters, PATIENCE)?;
         if !self.options.robust {
             return Ok(minimum);
         }
         for _ in 0..ROBUST_ROUNDS {
-            let residuals = self.unweighted(&minimum);
-            self.turn_outliers_down(&residuals);
+            self.turn_outliers_down(&minimum);
             let next = self.minimum_next_to(minimum.parameters.clone(), self.free())?;
             let change =
                 (next.sum_of_squares() / minimum.sum_of_squares().max(f64::MIN_POSITIVE) - 1.0).abs();
@@ -168,7 +174,7 @@ impl<'a> Search<'a> {
     /// Residuals in units of the stated uncertainties, outliers at their full size.
     pub(super) fn unweighted(&self, minimum: &Minimum) -> Vec<f64> {
         let stated = stated_weights(self.traces).into_iter().flatten();
-        let weights = self.weights.iter().flatten().zip(stated);
+        let weights = minimum.weights.iter().flatten().zip(stated);
         minimum
             .residuals
             .iter()
@@ -177,8 +183,9 @@ impl<'a> Search<'a> {
             .collect()
     }
 
-    fn turn_outliers_down(&mut self, residuals: &[f64]) {
-        let scale = huber::scale(residuals);
+    fn turn_outliers_down(&mut self, minimum: &Minimum) {
+        let residuals = self.unweighted(minimum);
+        let scale = huber::scale(&residuals);
         let factors = residuals.iter().map(|&residual| huber::factor(residual, scale));
         let stated = stated_weights(self.traces).into_iter().flatten();
         let mut weights = stated.zip(factors).map(|(weight, factor)| weight * factor);

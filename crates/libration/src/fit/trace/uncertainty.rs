@@ -44,6 +44,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         parameter.uncertainty = parameter.uncertainty.max(deviation);
     }
     if search.options.profile {
+        search.weights.clone_from(&minimum.weights);
         profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
     }
     Ok(TraceFit {
