@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::information::information;
 use super::problem::Minimum;
-use super::search::Search;
+use super::search::{Search, better};
 use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, huber, uncertainty};
 use crate::measurement::Trace;
 
@@ -88,14 +88,15 @@ pub fn compare(
     // The profile is of interest for the preferred model alone.
     let plain = TraceOptions { profile: false, ..*options };
     let mut search = Search::new(traces, DampingTerms::UNDAMPED, plain, watch)?;
-    let mut found: Vec<(DampingTerms, Minimum)> = vec![];
+    let mut found: Vec<Found> = vec![];
     let mut fits = vec![];
     let mut reason = None;
     for terms in DampingTerms::all() {
         search.set_terms(terms);
         let fit = minimum(&mut search, &found).and_then(|minimum| {
             let fit = uncertainty::fit(&mut search, &minimum);
-            found.push((terms, minimum));
+            let leaves_noise = fit.as_ref().is_ok_and(|fit| fit.autocorrelation.is_noise());
+            found.push(Found { terms, minimum, leaves_noise });
             fit
         });
         match fit {
@@ -108,25 +109,34 @@ pub fn compare(
         Comparison::new(fits, options.robust).ok_or_else(|| reason.unwrap_or(TraceFitError::NoTrace))?;
     check_explained(comparison.best())?;
     let preferred = comparison.best().damping;
-    if let Some((_, minimum)) = found.into_iter().find(|(terms, _)| options.profile && *terms == preferred) {
+    if let Some(found) = found.iter().find(|found| options.profile && found.terms == preferred) {
         search.set_terms(preferred);
         search.options.profile = true;
-        comparison.fits[comparison.preferred] = uncertainty::fit(&mut search, &minimum)?;
+        comparison.fits[comparison.preferred] = uncertainty::fit(&mut search, &found.minimum)?;
     }
     Ok(comparison)
 }
 
-/// The minimum that is found from the first swings on; if a model that is a part of this one does better, the one near that.
-fn minimum(search: &mut Search<'_>, found: &[(DampingTerms, Minimum)]) -> Result<Minimum, TraceFitError> {
+/// A model that has been fitted.
+struct Found {
+    terms: DampingTerms,
+    minimum: Minimum,
+    leaves_noise: bool,
+}
+
+/// The deepest minimum of those near models with one kind of damping less, and of that which is found from the first swings
+/// on; the latter is not looked for where a smaller model leaves nothing but noise.
+fn minimum(search: &mut Search<'_>, found: &[Found]) -> Result<Minimum, TraceFitError> {
     let terms = search.layout.terms();
-    let parts = found.iter().filter(|(part, _)| part.is_part_of(terms));
-    let best_part = parts.min_by(|a, b| a.1.sum_of_squares().total_cmp(&b.1.sum_of_squares()));
-    let minimum_from_scratch = search.minimum_from_scratch();
-    let Some((part, minimum)) = best_part else { return minimum_from_scratch };
-    let grown = minimum_from_scratch?;
-    if grown.sum_of_squares() <= minimum.sum_of_squares() {
-        return Ok(grown);
+    let parts = || found.iter().filter(|part| part.terms.is_part_of(terms));
+    let mut near = vec![];
+    for part in parts().filter(|part| part.terms.count() + 1 == terms.count()) {
+        let parameters = search.layout.with_terms_of(part.terms, &part.minimum.parameters);
+        near.push(search.minimum_near(parameters));
     }
-    let near_part = search.minimum_near(search.layout.with_terms_of(*part, &minimum.parameters))?;
-    Ok(if near_part.sum_of_squares() < grown.sum_of_squares() { near_part } else { grown })
+    match near.into_iter().reduce(better) {
+        Some(near) if parts().any(|part| part.leaves_noise) => near,
+        Some(near) => better(near, search.minimum_from_scratch()),
+        None => search.minimum_from_scratch(),
+    }
 }

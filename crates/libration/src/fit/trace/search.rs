@@ -40,6 +40,8 @@ struct Growth {
 /// Quick, and careful: near the top a little damping decides whether the pendulum goes over it.
 const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
 const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
+/// A search that has followed the data for so long is not lost.
+const CYCLES_OF_SEARCH: f64 = 5.0;
 /// Of the scatter of the data, the part that a fit leaves if it has not failed.
 const GOOD: f64 = 0.0025;
 /// The part beyond which it has.
@@ -78,19 +80,24 @@ impl<'a> Search<'a> {
         let parameters = self.beginning()?;
         let quick = self.minimum_grown(parameters.clone(), &QUICK);
         match &quick {
-            Ok(minimum) if self.unexplained(minimum) <= GOOD => return quick,
-            Err(TraceFitError::Interrupted) => return quick,
-            _ => {}
+            Ok((minimum, _)) if self.unexplained(minimum) <= GOOD => {}
+            // The model fails later on, and not the search.
+            Ok((_, followed)) if *followed > CYCLES_OF_SEARCH => {}
+            Err(TraceFitError::Interrupted) => {}
+            _ => {
+                let careful = self.minimum_grown(parameters, &CAREFUL).map(|(minimum, _)| minimum);
+                return better(quick.map(|(minimum, _)| minimum), careful);
+            }
         }
-        match (quick, self.minimum_grown(parameters, &CAREFUL)) {
-            (Ok(quick), Ok(careful)) if careful.sum_of_squares() < quick.sum_of_squares() => Ok(careful),
-            (Ok(quick), Err(error)) if error != TraceFitError::Interrupted => Ok(quick),
-            (Ok(quick), Ok(_)) => Ok(quick),
-            (_, careful) => careful,
-        }
+        quick.map(|(minimum, _)| minimum)
     }
 
-    fn minimum_grown(&mut self, mut parameters: Vec<f64>, growth: &Growth) -> Result<Minimum, TraceFitError> {
+    /// The minimum, and for how many cycles the model could follow the data on the way to it.
+    fn minimum_grown(
+        &mut self,
+        mut parameters: Vec<f64>,
+        growth: &Growth,
+    ) -> Result<(Minimum, f64), TraceFitError> {
         let period = 2.0 * PI / parameters[Layout::OMEGA0];
         let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
         let longest = self.traces.iter().map(span).fold(0.0, f64::max);
@@ -103,11 +110,11 @@ impl<'a> Search<'a> {
             let hopeless = minimum.sum_of_squares() > HOPELESS * self.scatter(&rows, &minimum.weights);
             parameters = minimum.parameters;
             if hopeless {
-                break;
+                return Ok((self.minimum_with_patience(parameters, PATIENCE_GROWING)?, cycles));
             }
             cycles *= growth.factor;
         }
-        self.minimum_near(parameters)
+        Ok((self.minimum_near(parameters)?, f64::INFINITY))
     }
 
     /// The part of the scatter of the data that a minimum leaves.
@@ -128,13 +135,21 @@ impl<'a> Search<'a> {
 
     /// The minimum near some parameters, robust if asked for.
     pub(super) fn minimum_near(&mut self, parameters: Vec<f64>) -> Result<Minimum, TraceFitError> {
+        self.minimum_with_patience(parameters, PATIENCE)
+    }
+
+    fn minimum_with_patience(
+        &mut self,
+        parameters: Vec<f64>,
+        patience: usize,
+    ) -> Result<Minimum, TraceFitError> {
         self.weights = stated_weights(self.traces);
         if self.options.robust {
             // Least squares would be drawn away from where the search has come.
             let here = self.minimum_of(self.all_rows(), vec![], parameters.clone(), PATIENCE)?;
             self.turn_outliers_down(&here);
         }
-        let mut minimum = self.minimum_of(self.all_rows(), self.free(), parameters, PATIENCE)?;
+        let mut minimum = self.minimum_of(self.all_rows(), self.free(), parameters, patience)?;
         if !self.options.robust {
             return Ok(minimum);
         }
@@ -251,6 +266,21 @@ impl<'a> Search<'a> {
             NoMinimum::Interrupted => TraceFitError::Interrupted,
             NoMinimum::NoMotion => TraceFitError::NoMotion { omega0 },
         })
+    }
+}
+
+/// The deeper of two minima, or the one there is.
+pub(super) fn better(
+    one: Result<Minimum, TraceFitError>,
+    other: Result<Minimum, TraceFitError>,
+) -> Result<Minimum, TraceFitError> {
+    match (one, other) {
+        (Err(TraceFitError::Interrupted), _) | (_, Err(TraceFitError::Interrupted)) => {
+            Err(TraceFitError::Interrupted)
+        }
+        (Ok(one), Ok(other)) if other.sum_of_squares() < one.sum_of_squares() => Ok(other),
+        (Err(_), other) => other,
+        (one, _) => one,
     }
 }
 
