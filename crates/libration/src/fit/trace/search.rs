@@ -40,6 +40,8 @@ struct Growth {
 /// Quick, and careful: near the top a little damping decides whether the pendulum goes over it.
 const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
 const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
+/// Cycles from which on all kinds of damping are looked for at once.
+const CYCLES_OF_ALL_DAMPING: f64 = 11.9;
 /// A search that has followed the data for so long is not lost.
 const CYCLES_OF_SEARCH: f64 = 5.0;
 /// Of the scatter of the data, the part that a fit leaves if it has not failed.
@@ -105,7 +107,7 @@ impl<'a> Search<'a> {
         self.weights = stated_weights(self.traces);
         while cycles * period < longest {
             let rows = self.rows_within(cycles * period);
-            let free = self.free_at_first(cycles >= growth.damped_from);
+            let free = self.free_within(cycles, growth);
             let minimum = self.minimum_of(rows.clone(), free, parameters, PATIENCE_GROWING)?;
             let hopeless = minimum.sum_of_squares() > HOPELESS * self.scatter(&rows, &minimum.weights);
             parameters = minimum.parameters;
@@ -232,12 +234,13 @@ impl<'a> Search<'a> {
         self.traces.iter().map(|trace| within(trace).max(least(trace))).collect()
     }
 
-    /// The parameters that a part of the traces determines: one kind of damping is as good as another.
-    fn free_at_first(&self, damped: bool) -> Vec<usize> {
+    /// The parameters that so many cycles determine: in few of them one kind of damping is as good as another.
+    fn free_within(&self, cycles: f64, growth: &Growth) -> Vec<usize> {
         let damping = self.layout.coefficients();
         let first = damping.start;
         let is_free = |place: &usize| match damping.contains(place) {
-            true => damped && *place == first,
+            true if cycles >= CYCLES_OF_ALL_DAMPING => true,
+            true => *place == first && cycles >= growth.damped_from,
             false => *place != self.layout.scale(),
         };
         (0..self.layout.len()).filter(is_free).collect()
