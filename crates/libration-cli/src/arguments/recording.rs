@@ -155,6 +155,10 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
         MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
             message + " (--header)"
         }
+        MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for `libration fit gates`)",
+        MeasurementError::NotGateTimes { .. } => {
+            message + " Tables of periods are for `libration fit periods` and `libration fit lengths`"
+        }
         _ => message,
     }
 }

@@ -2,8 +2,7 @@
 
 use super::read_bytes;
 use crate::failure::Failure;
-use libration::measurement::{Column, Delimiter, Header, Options, Table};
-use libration::quantity::{Angle, QuantityError};
+use libration::measurement::{Column, Delimiter, Header, Options, Table, Unit};
 use std::path::Path;
 
 /// How a table is written, where it is not to be told from the file.
@@ -69,14 +68,12 @@ pub(crate) enum AmplitudeUnit {
     Deg,
 }
 
-impl AmplitudeUnit {
-    /// The column in radians.
-    pub(crate) fn radians(self, values: &[f64]) -> Result<Vec<f64>, QuantityError> {
-        let radians = |&value: &f64| match self {
-            Self::Rad => Ok(value),
-            Self::Deg => Angle::from_degrees(value).map(|angle| angle.radians()),
-        };
-        values.iter().map(radians).collect()
+impl From<AmplitudeUnit> for Unit {
+    fn from(unit: AmplitudeUnit) -> Self {
+        match unit {
+            AmplitudeUnit::Rad => Self::Radian,
+            AmplitudeUnit::Deg => Self::Degree,
+        }
     }
 }
 
@@ -89,16 +86,13 @@ pub(crate) enum LengthUnit {
     In,
 }
 
-impl LengthUnit {
-    /// The column in metres.
-    pub(crate) fn metres(self, values: &[f64]) -> Vec<f64> {
-        // Divisors are exact where factors such as 0.01 are not.
-        let (factor, divisor) = match self {
-            Self::M => (1.0, 1.0),
-            Self::Cm => (1.0, 100.0),
-            Self::Mm => (1.0, 1000.0),
-            Self::In => (254.0, 10_000.0),
-        };
-        values.iter().map(|value| value * factor / divisor).collect()
+impl From<LengthUnit> for Unit {
+    fn from(unit: LengthUnit) -> Self {
+        match unit {
+            LengthUnit::M => Self::Metre,
+            LengthUnit::Cm => Self::Centimetre,
+            LengthUnit::Mm => Self::Millimetre,
+            LengthUnit::In => Self::Inch,
+        }
     }
 }

@@ -18,18 +18,24 @@ pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()
 
 /// What to think of a gravity that is found nowhere on Earth, by more than three of its uncertainties.
 pub(crate) fn contradiction(budget: &Budget) -> Option<String> {
-    let [least, greatest] = GRAVITY_ON_EARTH;
-    let margin = 3.0 * budget.uncertainty;
-    let likely = 0.5 * (least + greatest);
-    (budget.g < least - margin || budget.g > greatest + margin).then(|| {
+    let likely = 0.5 * (GRAVITY_ON_EARTH[0] + GRAVITY_ON_EARTH[1]);
+    found_nowhere(budget.g, budget.uncertainty).map(|doubt| {
         format!(
-            "gravity is {} to {} m/s² on Earth: if the period is right, the length is about {} m and not {} m. Check that it \
+            "{doubt}: if the period is right, the length is about {} m and not {} m. Check that it \
              is the length of this run, from the pivot to the middle of the bob, and that periods are whole ones",
-            number::rounded(least, 3),
-            number::rounded(greatest, 3),
             number::rounded(budget.length * likely / budget.g, 3),
             number::short(budget.length, 6)
         )
+    })
+}
+
+/// What gravity is on Earth, when this one differs from it by more than three of its uncertainties.
+pub(crate) fn found_nowhere(g: f64, uncertainty: f64) -> Option<String> {
+    let [least, greatest] = GRAVITY_ON_EARTH;
+    let margin = 3.0 * uncertainty;
+    (g < least - margin || g > greatest + margin).then(|| {
+        let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| number::rounded(bound, 3));
+        format!("gravity is {least} to {greatest} m/s² on Earth")
     })
 }
 

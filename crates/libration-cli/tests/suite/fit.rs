@@ -76,3 +76,32 @@ fn unusable_tables_are_refused_with_a_reason() {
         libration(&format!("fit periods {} --columns angle,period", table("missing", EXACT).display()));
     assert!(message(&missing).contains("no column `period`"), "{}", message(&missing));
 }
+
+#[test]
+fn units_and_quantities_of_the_header_are_heeded() {
+    let renamed = |header: &str| EXACT.replace("angle,time,error", header);
+    let milliseconds = |header: &str| {
+        let line = |line: &str| {
+            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+            format!("{},{},{}\n", cells[0], 1e3 * cells[1], 1e3 * cells[2])
+        };
+        format!("{header}\n{}", EXACT.lines().skip(1).map(line).collect::<String>())
+    };
+    for (name, text) in [
+        ("fit-header-deg", renamed("amplitude (deg),T (s),error")),
+        ("fit-header-ms", milliseconds("amplitude (°),T (ms),error")),
+    ] {
+        let answer = json(&format!("fit periods {} --columns 1,2,-,3", table(name, &text).display()));
+        close(&answer["laws"][0]["t0_s"], 2.0, 1e-9);
+        close(&answer["beta"], 1.0, 1e-8);
+        assert!(answer["told_from_file"].to_string().contains("is in deg"), "{answer}");
+    }
+    let wrong = table("fit-header-rad", &renamed("amplitude (rad),T (s),error"));
+    let sheet = text(&format!("fit periods {} --columns 1,2,-,3 --amplitude-unit deg", wrong.display()));
+    assert!(sheet.contains("--amplitude-unit says"), "{sheet}");
+    let swapped = table("fit-header-swapped", "T (s),amplitude (rad)\n2.0,0.1\n2.1,0.9\n2.2,1.2\n");
+    let refused = libration(&format!("fit periods {}", swapped.display()));
+    assert_eq!(refused.status.code(), Some(1));
+    let refused = message(&refused);
+    assert!(refused.contains("holds times") && refused.contains("--columns"), "{refused}");
+}

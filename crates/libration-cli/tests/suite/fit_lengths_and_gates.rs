@@ -102,3 +102,105 @@ fn what_tells_nothing_is_refused_with_a_reason() {
     let rod = libration(&format!("fit gates {few} --length 1m --rod-mass 5g"));
     assert!(message(&rod).contains("--bob-mass"));
 }
+
+/// T² = 4π²L/9.81 with lengths in cm and periods in the unit of one second divided by `per_second`.
+fn swings(per_second: f64) -> Vec<(f64, f64)> {
+    let period = |length: f64| std::f64::consts::TAU * (0.01 * length / 9.81).sqrt();
+    [20.0, 40.0, 70.0, 100.0].map(|length| (length, per_second * period(length))).to_vec()
+}
+
+fn rows(header: &str, rows: &[(f64, f64)]) -> String {
+    let lines: String = rows.iter().map(|(first, second)| format!("{first},{second}\n")).collect();
+    format!("{header}\n{lines}")
+}
+
+fn gravity(command: &str) -> f64 {
+    json(command)["gravity_m_per_s2"].as_f64().unwrap()
+}
+
+#[test]
+fn units_in_the_header_are_taken_and_told() {
+    let centimetres = file("lengths-cm", &rows("L (cm),T (s)", &swings(1.0)));
+    assert!((gravity(&format!("fit lengths {centimetres}")) - 9.81).abs() < 1e-9);
+    let sheet = text(&format!("fit lengths {centimetres}"));
+    assert!(sheet.contains("column 1 (`L (cm)`) is in cm"), "{sheet}");
+    for (unit, per_second) in [("ms", 1e3), ("us", 1e6)] {
+        let table = file(&format!("lengths-{unit}"), &rows(&format!("L/cm,T/{unit}"), &swings(per_second)));
+        let answer = json(&format!("fit lengths {table}"));
+        assert!((answer["gravity_m_per_s2"].as_f64().unwrap() - 9.81).abs() < 1e-9, "{answer}");
+        let told = answer["told_from_file"].to_string();
+        assert!(told.contains(&format!("is in {unit}")), "{told}");
+    }
+}
+
+#[test]
+fn an_option_overrides_the_unit_of_the_header_and_says_so() {
+    let wrong = file("lengths-wrong-unit", &rows("L (mm),T (s)", &swings(1.0)));
+    let answer = json(&format!("fit lengths {wrong} --length-unit cm"));
+    assert!((answer["gravity_m_per_s2"].as_f64().unwrap() - 9.81).abs() < 1e-9, "{answer}");
+    let told = answer["told_from_file"].to_string();
+    assert!(told.contains("--length-unit") && told.contains("not in mm"), "{told}");
+    let feet = file("lengths-feet", &rows("L (ft),T (s)", &swings(1.0)));
+    let refused = message(&libration(&format!("fit lengths {feet}")));
+    assert!(refused.contains("`ft`") && refused.contains("--length-unit"), "{refused}");
+}
+
+#[test]
+fn uncertainties_may_have_a_unit_of_their_own() {
+    let table = |header: &str, of_length: f64| {
+        let line = |(length, period)| format!("{length},{period},{of_length},0.001\n");
+        format!("{header}\n{}", swings(1.0).into_iter().map(line).collect::<String>())
+    };
+    let own = file("lengths-own", &table("L (cm),T (s),sigma_L (mm),sigma_T", 2.0));
+    let same = file("lengths-same", &table("L (cm),T (s),sigma_L,sigma_T", 0.2));
+    let spread =
+        |table: &str| json(&format!("fit lengths {table}"))["gravity_uncertainty_m_per_s2"].as_f64().unwrap();
+    assert!((spread(&own) / spread(&same) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn columns_that_hold_something_else_are_refused() {
+    let swapped: Vec<(f64, f64)> = swings(1.0).into_iter().map(|(length, period)| (period, length)).collect();
+    for header in ["T (s),L (cm)", "T,L", "period,length"] {
+        let table = file("lengths-swapped", &rows(header, &swapped));
+        let refused = libration(&format!("fit lengths {table}"));
+        assert_eq!(refused.status.code(), Some(1), "{header}");
+        let refused = message(&refused);
+        assert!(refused.contains("holds times") && refused.contains("--columns"), "{refused}");
+    }
+    let swapped = file("lengths-in-order", &rows("T (s),L (cm)", &swapped));
+    assert!((gravity(&format!("fit lengths {swapped} --columns 2,1")) - 9.81).abs() < 1e-9);
+    let between = file("lengths-between", "L,sigma_L,T,sigma_T\n1,0.1,2.0,0.1\n0.5,0.1,1.4,0.1\n");
+    let refused = message(&libration(&format!("fit lengths {between}")));
+    assert!(refused.contains("`sigma_L`") && refused.contains("uncertainties"), "{refused}");
+}
+
+#[test]
+fn a_gravity_found_nowhere_is_doubted() {
+    let halves = file("lengths-half-unsaid", &rows("L (cm),T (s)", &swings(0.5)));
+    let sheet = text(&format!("fit lengths {halves}"));
+    assert!(sheet.contains("doubtful") && sheet.contains("--half-periods"), "{sheet}");
+    let answer = json(&format!("fit lengths {halves}"));
+    assert!((answer["gravity_m_per_s2"].as_f64().unwrap() - 39.24).abs() < 1e-8);
+    assert!(answer["warnings"].to_string().contains("--half-periods"));
+    assert!(!text(&format!("fit lengths {halves} --half-periods")).contains("doubtful"));
+    let metres = file("lengths-no-unit", &rows("L,T", &swings(1.0)));
+    assert!(text(&format!("fit lengths {metres}")).contains("check the units"));
+}
+
+#[test]
+fn periods_are_no_times_of_a_gate() {
+    let periods = file("gate-periods", "T (s)\n2.01\n2.02\n1.99\n2.03\n2.0\n2.01\n1.98\n");
+    let refused = message(&libration(&format!("fit gates {periods}")));
+    assert!(refused.contains("3 of 7 times") && refused.contains("libration fit periods"), "{refused}");
+}
+
+#[test]
+fn times_of_a_gate_are_no_trace() {
+    for (name, text) in
+        [("gate-alone", "Time (s)\n1\n1.1\n2\n"), ("gate-state", "Time (s),GateState\n1,1\n2,0\n3,1\n")]
+    {
+        let refused = message(&libration(&format!("fit trace {}", file(name, text))));
+        assert!(refused.contains("libration fit gates"), "{refused}");
+    }
+}

@@ -158,6 +158,31 @@ pub enum MeasurementError {
     /// Values that are no trace.
     #[error(transparent)]
     Trace(#[from] super::TraceError),
+    /// A column whose heading says that it holds something else than it is asked for.
+    #[error("{column} holds {found} by its header, where {expected} are needed: ask for other columns")]
+    HoldsOther {
+        /// Its number and name.
+        column: String,
+        /// By its header.
+        found: &'static str,
+        /// What it is asked for.
+        expected: super::Role,
+    },
+    /// Times, and nothing that was measured at them.
+    #[error(
+        "{0} holds times, and no other column can be an angle: a trace needs angles, angular velocities or positions"
+    )]
+    OnlyTimes(String),
+    /// Times that go back again and again.
+    #[error(
+        "{goes_back} of {rows} times are less than the one before: these are no times of a photogate; are they periods?"
+    )]
+    NotGateTimes {
+        /// How many.
+        goes_back: usize,
+        /// Of how many.
+        rows: usize,
+    },
     /// A unit that does not fit what it is said of.
     #[error("{unit} is no unit of {of}: give one such as {examples}")]
     WrongUnit {

@@ -25,7 +25,7 @@ impl Recording {
     /// The times of a photogate: the column of times, or the only column, with the state of the gate beside it.
     ///
     /// # Errors
-    /// Columns that the file does not decide, cells that are no numbers or states, no time at all.
+    /// Columns that the file does not decide, cells that are no numbers or states, no time at all, times that go back again and again.
     pub fn gate_times(&self, choices: &Choices) -> Result<Gates, MeasurementError> {
         self.in_one_sheet(choices, |sheet| gates_of(sheet, choices))
     }
@@ -56,7 +56,20 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
             _ => gates.incomplete += 1,
         }
     }
-    if gates.times.is_empty() { Err(MeasurementError::NothingComplete(sheet.rows())) } else { Ok(gates) }
+    if gates.times.is_empty() {
+        return Err(MeasurementError::NothingComplete(sheet.rows()));
+    }
+    refuse_what_is_no_clock(&gates.times)?;
+    Ok(gates)
+}
+
+/// A clock may be set back once, or a row be out of place; a column of periods goes up and down.
+fn refuse_what_is_no_clock(times: &[f64]) -> Result<(), MeasurementError> {
+    let (goes_back, rows) = (times.windows(2).filter(|pair| pair[1] < pair[0]).count(), times.len());
+    if goes_back > usize::max(1, rows / 10) {
+        return Err(MeasurementError::NotGateTimes { goes_back, rows });
+    }
+    Ok(())
 }
 
 fn time_column(

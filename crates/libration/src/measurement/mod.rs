@@ -6,7 +6,7 @@
 //!
 //! [`Recording::traces`] and [`Recording::gate_times`] tell from these what was measured. Each guess is a [`Finding`], and [`Choices`]
 //! override it. What a file does not decide is refused with the choices that would. Every complaint names its line.
-//! [`Table`] is for columns that are asked for by name or number.
+//! [`Table`] is for columns that are asked for by name or number; each has a [`Role`], which its heading may contradict.
 
 mod ambiguity;
 mod choices;
@@ -20,6 +20,7 @@ mod heading;
 mod layout;
 mod number;
 mod recording;
+mod role;
 mod sheet;
 mod table;
 mod text;
@@ -35,6 +36,7 @@ pub use gates::Gates;
 pub use heading::{Heading, Quantity, Unit, UnknownUnit};
 pub use number::DecimalMark;
 pub use recording::Recording;
+pub use role::{Role, WrittenUnit};
 pub use sheet::{Channel, Sheet};
 pub use table::{Header, Options, Selection, Table};
 pub use text::Encoding;

@@ -85,6 +85,10 @@ impl Table {
         Ok(Self { sheet, names })
     }
 
+    pub(super) fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
     /// What stands between the cells.
     #[must_use]
     pub fn delimiter(&self) -> Delimiter {

@@ -1,6 +1,6 @@
 //! The file of a length table: its columns and their units.
 
-use crate::arguments::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
+use crate::arguments::{AmplitudeUnit, ColumnUnits, DialectOptions, LengthUnit, Wanted, optional_column};
 use crate::failure::Failure;
 use libration::fit::{LengthColumns, LengthTable};
 use libration::measurement::Column;
@@ -10,20 +10,20 @@ use std::path::PathBuf;
 /// Which file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
-    /// A table of lengths and periods (s), perhaps with their uncertainties; - for the standard input
+    /// A table of lengths and periods, perhaps with their uncertainties; - for the standard input
     file: PathBuf,
     /// Columns of length, period, the uncertainties of both, and amplitude, by number or name; - for none [default: 1,2 or 1,2,3,4]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Unit of the lengths and of their uncertainties
-    #[arg(long, value_enum, default_value = "m")]
-    length_unit: LengthUnit,
+    /// Unit of the lengths and of their uncertainties [default: that of the header, else m]
+    #[arg(long, value_enum)]
+    length_unit: Option<LengthUnit>,
     /// The amplitude of all swings, such as 10deg [default: small]
     #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
     amplitude: Option<Angle>,
-    /// Unit of a column of amplitudes
-    #[arg(long, value_enum, default_value = "rad")]
-    amplitude_unit: AmplitudeUnit,
+    /// Unit of a column of amplitudes [default: that of the header, else rad]
+    #[arg(long, value_enum)]
+    amplitude_unit: Option<AmplitudeUnit>,
     /// The times are half periods: from one side to the other
     #[arg(long)]
     half_periods: bool,
@@ -40,6 +40,9 @@ pub(crate) struct Measured {
     pub(crate) period_uncertainties: Option<Vec<f64>>,
     pub(crate) table: LengthTable,
     pub(super) dropped: usize,
+    /// The units that the header says.
+    pub(super) told: Vec<String>,
+    pub(super) half_periods: bool,
 }
 
 impl Input {
@@ -52,15 +55,15 @@ impl Input {
         let columns = self.columns(table.width())?;
         let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
-        let mut numbers = selection.columns.into_iter();
-        let [lengths, periods, of_lengths, of_periods, amplitudes] =
-            columns.each_ref().map(|column| column.as_ref().and_then(|_| numbers.next()));
+        let units =
+            ColumnUnits::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        let [lengths, periods, length_uncertainties, of_periods, amplitudes] =
+            units.in_si(selection.columns, &columns);
         let full = |column: Vec<f64>| match self.half_periods {
             true => column.into_iter().map(|time| 2.0 * time).collect(),
             false => column,
         };
-        let lengths = self.length_unit.metres(&lengths.unwrap_or_default());
-        let length_uncertainties = of_lengths.map(|column| self.length_unit.metres(&column));
+        let lengths = lengths.unwrap_or_default();
         let periods: Vec<f64> = full(periods.unwrap_or_default());
         let period_uncertainties = of_periods.map(full);
         let columns = LengthColumns {
@@ -78,7 +81,15 @@ impl Input {
             period_uncertainties,
             table,
             dropped: selection.dropped,
+            told: units.told,
+            half_periods: self.half_periods,
         })
+    }
+
+    fn wanted(&self) -> [Wanted; 5] {
+        let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::times());
+        let of_both = [lengths.uncertainties(0), periods.uncertainties(1)];
+        [lengths, periods, of_both[0], of_both[1], Wanted::amplitudes(self.amplitude_unit)]
     }
 
     /// The column of amplitudes, or the one of all rows, or none.
@@ -89,10 +100,7 @@ impl Input {
                 "--amplitude",
                 "a column of amplitudes is given too: leave out one of them",
             )),
-            (Some(column), None) => {
-                let radians = self.amplitude_unit.radians(&column).map_err(|error| self.no_answer(error))?;
-                Ok(radians.into_iter().map(exactly).collect())
-            }
+            (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
             (None, amplitude) => Ok(amplitude.map(|angle| exactly(angle.radians())).into_iter().collect()),
         }
     }

@@ -4,8 +4,8 @@ use super::input::Measured;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{Column, Table, sheet};
-use crate::output::{Form, csv, number};
-use libration::fit::{LengthFit, LengthsFit};
+use crate::output::{self, Form, csv, number};
+use libration::fit::{GRAVITY_ON_EARTH, LengthFit, LengthsFit};
 use libration::quantity::Quantity;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -33,6 +33,7 @@ impl Answer<'_> {
         Record::new()
             .with("rows", self.measured.table.len())
             .with("rows_incomplete", self.measured.dropped)
+            .with("told_from_file", self.measured.told.clone())
             .with("weighting", self.weighting())
             .with("law", best.model.name())
             .number("gravity_m_per_s2", best.g.value)
@@ -40,7 +41,24 @@ impl Answer<'_> {
             .number_or("offset_m", offset.map(|offset| offset.value), none)
             .number_or("offset_uncertainty_m", offset.and_then(|offset| offset.uncertainty), none)
             .with("laws", self.fit.fits.iter().map(|fit| law_record(fit).into()).collect::<Vec<Value>>())
-            .with("warnings", self.fit.warnings.clone())
+            .with("warnings", self.fit.warnings.iter().cloned().chain(self.doubt()).collect::<Vec<_>>())
+    }
+
+    /// What to think of a gravity that is found nowhere on Earth.
+    fn doubt(&self) -> Option<String> {
+        let found = self.fit.best().g;
+        let doubt = output::budget::found_nowhere(found.value, found.uncertainty.unwrap_or(0.0))?;
+        let times_too_large = found.value / GRAVITY_ON_EARTH[0];
+        let advice = match self.measured.half_periods {
+            false if (3.0..5.0).contains(&times_too_large) => {
+                "it is about four times as large here: if the times are half periods, say --half-periods"
+            }
+            true if (0.2..0.3).contains(&times_too_large) => {
+                "it is about a quarter of that here: if the times are whole periods, leave out --half-periods"
+            }
+            _ => "check the units of lengths and periods, and that periods are whole ones",
+        };
+        Some(format!("{doubt}: {advice}"))
     }
 
     fn weighting(&self) -> &'static str {
@@ -99,6 +117,10 @@ impl Answer<'_> {
             ("weights", self.weighting().to_owned()),
             ("gravity", number::with_uncertainty(best.g.value, best.g.uncertainty.unwrap_or(0.0), "m/s²")),
         ];
+        if !self.measured.told.is_empty() {
+            lines.insert(1, ("units", self.measured.told.join("; ")));
+        }
+        lines.extend(self.doubt().map(|doubt| ("doubtful", doubt)));
         if let Some(offset) = best.offset {
             let millimetres = [offset.value, offset.uncertainty.unwrap_or(0.0)].map(|metres| 1e3 * metres);
             let text = number::with_uncertainty(millimetres[0], millimetres[1], "mm");

@@ -1,6 +1,6 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
-use crate::arguments::{AmplitudeUnit, DialectOptions, optional_column};
+use crate::arguments::{AmplitudeUnit, ColumnUnits, DialectOptions, Wanted, optional_column};
 use crate::failure::Failure;
 use libration::fit::{PeriodTable, Uncertainties};
 use libration::measurement::{Column, Selection};
@@ -9,14 +9,14 @@ use std::path::PathBuf;
 /// Which file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
-    /// A table of amplitudes and periods (s), perhaps with their uncertainties; - for the standard input
+    /// A table of amplitudes and periods, perhaps with their uncertainties; - for the standard input
     file: PathBuf,
     /// Columns of amplitude, period, and the uncertainties of both, by number or name; - for none [default: 1,2 or 1,2,3,4]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Unit of the amplitudes and of their uncertainties
-    #[arg(long, value_enum, default_value = "rad")]
-    amplitude_unit: AmplitudeUnit,
+    /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
+    #[arg(long, value_enum)]
+    amplitude_unit: Option<AmplitudeUnit>,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -28,6 +28,8 @@ pub(crate) struct Measured {
     pub(super) table: PeriodTable,
     pub(super) lines: Vec<u64>,
     pub(super) dropped: usize,
+    /// The units that the header says.
+    pub(super) told: Vec<String>,
 }
 
 /// One row: rad and s.
@@ -57,7 +59,14 @@ impl Input {
         let columns = self.columns(table.width())?;
         let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
-        self.measured(&columns, selection)
+        let units =
+            ColumnUnits::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        self.measured(&columns, selection, units)
+    }
+
+    fn wanted(&self) -> [Wanted; 4] {
+        let (amplitudes, periods) = (Wanted::amplitudes(self.amplitude_unit), Wanted::times());
+        [amplitudes, periods, amplitudes.uncertainties(0), periods.uncertainties(1)]
     }
 
     /// The columns of amplitude, period and their uncertainties.
@@ -88,13 +97,14 @@ impl Input {
         Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
     }
 
-    fn measured(&self, columns: &[Option<Column>; 4], selection: Selection) -> Result<Measured, Failure> {
-        let mut numbers = selection.columns.into_iter();
-        let [amplitudes, periods, of_amplitudes, of_periods] =
-            columns.each_ref().map(|column| column.as_ref().and_then(|_| numbers.next()));
-        let amplitudes = self.radians(&amplitudes.unwrap_or_default())?;
-        let periods = periods.unwrap_or_default();
-        let of_amplitudes = of_amplitudes.map(|column| self.radians(&column)).transpose()?;
+    fn measured(
+        &self,
+        columns: &[Option<Column>; 4],
+        selection: Selection,
+        units: ColumnUnits<4>,
+    ) -> Result<Measured, Failure> {
+        let [amplitudes, periods, of_amplitudes, of_periods] = units.in_si(selection.columns, columns);
+        let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
         let uncertainties =
             Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
         let table =
@@ -106,11 +116,7 @@ impl Input {
             period_uncertainty: of_periods.as_ref().map(|column| column[index]),
         };
         let rows = (0..periods.len()).map(row).collect();
-        Ok(Measured { rows, table, lines: selection.lines, dropped: selection.dropped })
-    }
-
-    fn radians(&self, values: &[f64]) -> Result<Vec<f64>, Failure> {
-        self.amplitude_unit.radians(values).map_err(|error| self.no_answer(error))
+        Ok(Measured { rows, table, lines: selection.lines, dropped: selection.dropped, told: units.told })
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {

@@ -39,6 +39,7 @@ impl Answer<'_> {
         let record = Record::new()
             .with("rows", self.fit.table.len())
             .with("rows_incomplete", self.measured.dropped)
+            .with("told_from_file", self.measured.told.clone())
             .with("weighting", weighting(self.fit.weighting))
             .with("outlier_lines", self.outlier_lines())
             .with("laws", laws);
@@ -122,6 +123,9 @@ impl Answer<'_> {
             ("T₀, exact law", number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
             ("β", self.beta_line()),
         ];
+        if !self.measured.told.is_empty() {
+            lines.insert(1, ("units", self.measured.told.join("; ")));
+        }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
             let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
             let value = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");

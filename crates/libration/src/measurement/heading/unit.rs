@@ -38,6 +38,8 @@ pub enum Unit {
     Centimetre,
     /// mm
     Millimetre,
+    /// in
+    Inch,
     /// A pixel of a picture.
     Pixel,
 }
@@ -52,7 +54,7 @@ pub(in crate::measurement) enum Measures {
 }
 
 /// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
-const UNITS: [(Unit, &str, &[&str]); 16] = [
+const UNITS: [(Unit, &str, &[&str]); 17] = [
     (
         Unit::Second,
         "s",
@@ -105,6 +107,7 @@ const UNITS: [(Unit, &str, &[&str]); 16] = [
     (Unit::Metre, "m", &["meter", "meters", "metre", "metres"]),
     (Unit::Centimetre, "cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
     (Unit::Millimetre, "mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
+    (Unit::Inch, "in", &["inch", "inches"]),
     (Unit::Pixel, "px", &["pixel", "pixels", "pix"]),
 ];
 
@@ -116,12 +119,13 @@ impl Unit {
             }
             Self::Radian | Self::Milliradian | Self::Degree | Self::Turn | Self::Count => Measures::Angle,
             Self::RadianPerSecond | Self::DegreePerSecond => Measures::AngularVelocity,
-            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Pixel => Measures::Length,
+            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Inch | Self::Pixel => Measures::Length,
         }
     }
 
     /// A value in seconds, radians, radians per second or metres; counts and pixels stay as they are.
-    pub(in crate::measurement) fn to_si(self, value: f64) -> f64 {
+    #[must_use]
+    pub fn to_si(self, value: f64) -> f64 {
         match self {
             Self::Millisecond | Self::Millimetre | Self::Milliradian => value / 1e3,
             Self::Microsecond => value / 1e6,
@@ -130,6 +134,8 @@ impl Unit {
             Self::Degree | Self::DegreePerSecond => value * (PI / 180.0),
             Self::Turn => value * TAU,
             Self::Centimetre => value / 1e2,
+            // 0.0254 itself is no double.
+            Self::Inch => value * 254.0 / 1e4,
             _ => value,
         }
     }

@@ -241,8 +241,11 @@ impl Group<'_> {
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
             [] => {
-                let others: Vec<usize> =
-                    self.members.iter().copied().filter(|&place| place != time).collect();
+                let may_be = |&place: &usize| place != time && !self.heading_is(place, Quantity::Gate);
+                let others: Vec<usize> = self.members.iter().copied().filter(may_be).collect();
+                if others.is_empty() {
+                    return Err(MeasurementError::OnlyTimes(self.sheet.describe(time)));
+                }
                 let question = "no column is named an angle, an angular velocity or a position";
                 Err(self.undecided(question, Choice::Angle, &others))
             }

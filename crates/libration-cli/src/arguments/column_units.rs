@@ -1,0 +1,122 @@
+//! The units of chosen columns: said by an option, else written in the header, else those of the SI.
+
+use libration::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
+
+/// What a column is to hold, and what an option says of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wanted {
+    role: Role,
+    /// The option of the unit, and the unit where it is said.
+    option: Option<(&'static str, Option<Unit>)>,
+    /// The place of what these are the uncertainties of.
+    uncertainties_of: Option<usize>,
+}
+
+/// The units of the columns, and what was told from the header.
+#[derive(Clone, Debug)]
+pub(crate) struct ColumnUnits<const N: usize> {
+    units: [Unit; N],
+    pub(crate) told: Vec<String>,
+}
+
+impl Wanted {
+    pub(crate) fn times() -> Self {
+        Self { role: Role::Times, option: None, uncertainties_of: None }
+    }
+
+    pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
+        let option = Some(("--length-unit", said.map(Into::into)));
+        Self { role: Role::Lengths, option, uncertainties_of: None }
+    }
+
+    pub(crate) fn amplitudes(said: Option<impl Into<Unit>>) -> Self {
+        let option = Some(("--amplitude-unit", said.map(Into::into)));
+        Self { role: Role::Angles, option, uncertainties_of: None }
+    }
+
+    /// The uncertainties of what the column at this place holds.
+    pub(crate) fn uncertainties(self, of: usize) -> Self {
+        Self { uncertainties_of: Some(of), ..self }
+    }
+
+    fn usual(self) -> Unit {
+        match self.role {
+            Role::Times => Unit::Second,
+            Role::Lengths => Unit::Metre,
+            Role::Angles => Unit::Radian,
+        }
+    }
+
+    fn written(self, table: &Table, column: &Column) -> Result<WrittenUnit, MeasurementError> {
+        match self.uncertainties_of {
+            Some(_) => table.unit_of_uncertainty(column, self.role),
+            None => table.unit(column, self.role),
+        }
+    }
+
+    /// The unit of a column, with a sentence where the header says one.
+    fn unit(self, table: &Table, column: &Column, usual: Unit) -> Result<(Unit, Option<String>), String> {
+        let written = self.written(table, column).map_err(refusal)?;
+        let place = table.describe(column).map_err(refusal)?;
+        let said = self.option.and_then(|(option, said)| Some((option, said?)));
+        Ok(match (said, written) {
+            (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => {
+                (unit, Some(format!("{place} is taken in {unit} as {option} says, and not in {other}")))
+            }
+            (Some((_, unit)), _) => (unit, None),
+            (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),
+            (None, WrittenUnit::Nothing) => (usual, None),
+            (None, WrittenUnit::Unknown(text)) => match self.option {
+                Some((option, _)) if self.uncertainties_of.is_none() => {
+                    return Err(format!(
+                        "{place}: `{text}` is no unit of {} that is known here: say which with {option}",
+                        self.role
+                    ));
+                }
+                _ => (
+                    usual,
+                    Some(format!("{place} is taken in {usual}: `{text}` is no unit that is known here")),
+                ),
+            },
+        })
+    }
+}
+
+impl<const N: usize> ColumnUnits<N> {
+    /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
+    pub(crate) fn of(
+        table: &Table,
+        columns: &[Option<Column>; N],
+        wanted: &[Wanted; N],
+    ) -> Result<Self, String> {
+        let (mut units, mut told) = (wanted.map(Wanted::usual), Vec::new());
+        for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
+            let Some(column) = column else { continue };
+            let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
+            let (unit, sentence) = wanted.unit(table, column, usual)?;
+            units[place] = unit;
+            told.extend(sentence);
+        }
+        Ok(Self { units, told })
+    }
+
+    /// The numbers of the columns in units of the SI.
+    pub(crate) fn in_si(
+        &self,
+        columns: Vec<Vec<f64>>,
+        chosen: &[Option<Column>; N],
+    ) -> [Option<Vec<f64>>; N] {
+        let mut columns = columns.into_iter();
+        std::array::from_fn(|place| {
+            let numbers = chosen[place].as_ref().and_then(|_| columns.next())?;
+            Some(numbers.into_iter().map(|number| self.units[place].to_si(number)).collect())
+        })
+    }
+}
+
+fn refusal(error: MeasurementError) -> String {
+    match error {
+        MeasurementError::HoldsOther { .. } => format!("{error} (--columns)"),
+        _ => error.to_string(),
+    }
+}
