@@ -1,7 +1,7 @@
 //! What would make a measurement better, said to those who make it.
 
 use super::answer::{Answer, Pendulum};
-use super::warnings::SIGNIFICANT;
+use super::warnings::doubtful_beta;
 use crate::output::number::rounded;
 use libration::measurement::{Faults, Seen, Trace};
 
@@ -53,7 +53,7 @@ fn about_length(answer: &Answer<'_>) -> Option<String> {
 }
 
 fn about_scale(answer: &Answer<'_>) -> Option<String> {
-    answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?.scale_error()?;
+    doubtful_beta(answer)?.scale_error()?;
     let hint = match answer.measured.traces[0].seen() {
         Seen::Angle => {
             "film from far away and straight at the plane of the swing, check the pixels for being square, the origin for \

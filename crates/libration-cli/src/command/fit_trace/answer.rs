@@ -85,6 +85,24 @@ impl<'a> Answer<'a> {
         rivals.filter(|rival| !preferred.is_part_of(*rival)).map(|rival| rival.to_string()).collect()
     }
 
+    /// By which part the amplitude falls in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.
+    pub(super) fn fall_in_a_cycle(&self) -> Option<f64> {
+        let all = self.cycles.iter().flatten().map(|found| &found.cycles);
+        // Cycles overlap by half.
+        let pairs = all.flat_map(|cycles| cycles.windows(3).map(|three| (three[0], three[2])));
+        let (weights, sum) = pairs.fold((0.0, 0.0), |(weights, sum), (earlier, later)| {
+            let weight = earlier.period_ratio - 1.0;
+            let cycles = (later.time - earlier.time) / earlier.period;
+            (weights + weight, sum + weight * (1.0 - later.amplitude / earlier.amplitude) / cycles)
+        });
+        (weights > 0.0).then(|| sum / weights)
+    }
+
+    /// Whether the scale of the angles was fitted.
+    pub(super) fn scale_is_fitted(&self) -> bool {
+        self.fit.parameters.iter().any(|parameter| parameter.name == "scale")
+    }
+
     /// The largest and the smallest amplitude of a cycle, in radians.
     pub(super) fn amplitudes(&self) -> Option<(f64, f64)> {
         let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude);
@@ -140,6 +158,7 @@ impl Beta {
         let counted = cycles.iter().flatten().flat_map(|found| found.cycles.iter().step_by(2));
         let counted: Vec<&Cycle> = counted.filter(|cycle| !cycle.outlier).collect();
         let column = |of: fn(&Cycle) -> f64| counted.iter().map(|cycle| of(cycle)).collect::<Vec<f64>>();
+        cycles::cycles_tell_beta(counted.iter().copied()).map_err(|error| error.to_string())?;
         let of_amplitudes = column(|cycle| cycle.amplitude_uncertainty);
         let of_periods = column(|cycle| cycle.period_uncertainty);
         let uncertainties = Uncertainties { amplitudes: Some(&of_amplitudes), periods: Some(&of_periods) };

@@ -107,7 +107,10 @@ fn cycles(answer: &Answer<'_>) -> String {
 /// β with what it should be, or why there is none.
 pub(super) fn beta(answer: &Answer<'_>) -> String {
     match &answer.beta {
-        Ok(beta) => format!("{}  (1 is the exact law)", with_uncertainty(beta.value, beta.uncertainty, "")),
+        Ok(beta) => {
+            let angles = if answer.scale_is_fitted() { "; of the angles before they are scaled" } else { "" };
+            format!("{}  (1 is the exact law{angles})", with_uncertainty(beta.value, beta.uncertainty, ""))
+        }
         Err(reason) => format!("none: {reason}"),
     }
 }

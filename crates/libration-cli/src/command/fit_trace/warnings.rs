@@ -1,6 +1,6 @@
 //! What casts doubt on a fit, in sentences.
 
-use super::answer::{Answer, Pendulum};
+use super::answer::{Answer, Beta, Pendulum};
 use crate::output;
 use crate::output::number::rounded;
 use libration::fit::trace::TraceFit;
@@ -23,8 +23,11 @@ pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
     warnings.extend(of_rivals(answer));
     warnings.extend(of_residuals(fit));
     warnings.extend(of_stated_uncertainties(fit));
+    warnings.extend(of_strong_damping(answer));
     warnings.extend(of_beta(answer));
     warnings.extend(of_periods(answer));
+    warnings.extend(of_different_pendulums(answer));
+    warnings.extend(of_length(answer));
     warnings.extend(of_outliers(fit));
     warnings.extend(of_cycles(answer));
     warnings
@@ -55,9 +58,10 @@ fn of_rivals(answer: &Answer<'_>) -> Option<String> {
 }
 
 fn of_residuals(fit: &TraceFit) -> Option<String> {
+    const WORTH_A_WORD: f64 = 1.2;
     let time = fit.autocorrelation.time;
     let inflation = fit.parameters[0].uncertainty / fit.parameters[0].formal_uncertainty;
-    (!fit.autocorrelation.is_noise()).then(|| {
+    (!fit.autocorrelation.is_noise() && inflation >= WORTH_A_WORD).then(|| {
         format!(
             "the residuals are not noise: they are alike over about {} rows, so the pendulum does something the model does \
              not, or the instrument does. Formal uncertainties would be too small; those given are {} times as large by \
@@ -83,8 +87,34 @@ fn of_stated_uncertainties(fit: &TraceFit) -> Option<String> {
     }
 }
 
-fn of_beta(answer: &Answer<'_>) -> Option<String> {
+/// By which part the amplitude falls in a cycle, where that is so much that the period of single cycles, which the exact
+/// law gives for a constant amplitude, says little.
+fn strong_damping(answer: &Answer<'_>) -> Option<f64> {
+    const STRONG: f64 = 0.1;
+    answer.fall_in_a_cycle().filter(|&fall| fall > STRONG)
+}
+
+/// In place of what β and the periods of the cycles would say.
+fn of_strong_damping(answer: &Answer<'_>) -> Option<String> {
+    let fall = strong_damping(answer)?;
+    let beta = answer.beta.as_ref().is_ok_and(|beta| beta.deviation() > SIGNIFICANT);
+    (beta || other_period(answer).is_some()).then(|| {
+        format!(
+            "the amplitude falls by {} % in a cycle: with such strong damping the periods of single cycles follow the exact law \
+             only roughly, so β means little; the fit of the whole motion is what counts",
+            rounded(100.0 * fall, 2)
+        )
+    })
+}
+
+/// A β that the exact law does not explain, and neither strong damping nor a scale that is fitted.
+pub(super) fn doubtful_beta<'a>(answer: &'a Answer<'_>) -> Option<&'a Beta> {
     let beta = answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
+    (!answer.scale_is_fitted() && strong_damping(answer).is_none()).then_some(beta)
+}
+
+fn of_beta(answer: &Answer<'_>) -> Option<String> {
+    let beta = doubtful_beta(answer)?;
     let deviation = rounded(beta.deviation(), 2);
     let told = format!(
         "β is {deviation} standard uncertainties from 1: the period does not change with the amplitude as the exact law says"
@@ -107,15 +137,53 @@ fn of_beta(answer: &Answer<'_>) -> Option<String> {
 
 /// Whether single cycles and the whole motion agree about T0.
 fn of_periods(answer: &Answer<'_>) -> Option<String> {
+    let told = !answer.scale_is_fitted() && strong_damping(answer).is_none();
+    let (t0, deviation) = other_period(answer).filter(|_| told)?;
+    Some(format!(
+        "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
+        rounded(t0, 6),
+        rounded(deviation, 2),
+        rounded(answer.fit.small_angle_period().0, 6)
+    ))
+}
+
+/// T0 by the cycles of a single trace, where it is not that of the whole motion, and by how many uncertainties.
+fn other_period(answer: &Answer<'_>) -> Option<(f64, f64)> {
+    /// Below this part the ways of measuring may differ.
+    const WORTH_A_WORD: f64 = 1e-4;
     let [Ok(cycles)] = &answer.cycles[..] else { return None };
     let (period, uncertainty) = answer.fit.small_angle_period();
-    let deviation = (cycles.t0 - period).abs() / cycles.t0_uncertainty.hypot(uncertainty);
-    (deviation > SIGNIFICANT).then(|| {
+    let difference = (cycles.t0 - period).abs();
+    let deviation = difference / cycles.t0_uncertainty.hypot(uncertainty);
+    (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period).then_some((cycles.t0, deviation))
+}
+
+/// Traces that are fitted as of one pendulum and are not.
+fn of_different_pendulums(answer: &Answer<'_>) -> Option<String> {
+    const APART: f64 = 0.01;
+    let named = answer.measured.traces.iter().zip(&answer.cycles);
+    let known: Vec<_> =
+        named.filter_map(|(trace, found)| Some((trace.name(), found.as_ref().ok()?))).collect();
+    let (name, short) = known.iter().min_by(|one, two| one.1.t0.total_cmp(&two.1.t0))?;
+    let (other, long) = known.iter().max_by(|one, two| one.1.t0.total_cmp(&two.1.t0))?;
+    let difference = long.t0 - short.t0;
+    let apart = difference > SIGNIFICANT * short.t0_uncertainty.hypot(long.t0_uncertainty);
+    (apart && difference > APART * short.t0).then(|| {
         format!(
-            "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
-            rounded(cycles.t0, 6),
-            rounded(deviation, 2),
-            rounded(period, 6)
+            "the traces are not of one pendulum: by its cycles {name} has T₀ {} s, and {other} has {} s. Fit them one by one",
+            rounded(short.t0, 5),
+            rounded(long.t0, 5)
+        )
+    })
+}
+
+/// A pendulum that no one would build.
+fn of_length(answer: &Answer<'_>) -> Option<String> {
+    let Pendulum::Length { value, .. } = answer.pendulum else { return None };
+    (!(0.01..=100.0).contains(&value)).then(|| {
+        format!(
+            "a simple pendulum with this period would be {} m long: check the unit of the times (--time-unit)",
+            rounded(value, 2)
         )
     })
 }

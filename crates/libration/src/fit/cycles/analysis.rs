@@ -9,7 +9,7 @@ use super::landmarks::{Landmarks, landmarks};
 use super::passage::Passage;
 use super::period_law::{self, Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
-use super::swings::swings;
+use super::swings::{Swings, swings};
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
 use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
@@ -61,7 +61,7 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
             &found,
             &rows,
             outliers.len(),
-            swings.rotations,
+            &swings,
             &longest.centre,
             unit(trace.seen()),
         ),
@@ -190,7 +190,7 @@ fn warnings(
     found: &Found,
     rows: &[Row],
     outliers: usize,
-    rotations: usize,
+    swings: &Swings,
     centre: &Centre,
     unit: &str,
 ) -> Vec<String> {
@@ -200,9 +200,14 @@ fn warnings(
             warnings.push(format!("{what}: {count}"));
         }
     };
-    say(rotations, "swings that lead over the top, left out");
+    say(swings.rotations, "swings that lead over the top, left out");
     say(found.cycles.len() - rows.len(), "incomplete cycles (gaps, too few rows, or too faint), left out");
     say(outliers, "cycles with a period far from the law, left out");
+    if let Some(time) = swings.lost {
+        warnings.push(format!(
+            "from {time:.4} s on the swing is lost in the noise: the cycles are those before"
+        ));
+    }
     if centre.wander > 0.0 {
         warnings.push(format!(
             "the centre of the swing wanders by {:.2e} {unit} (standard deviation), more than the noise explains; it was \

@@ -12,8 +12,10 @@ pub enum CyclesError {
     NothingSwings(f64),
     /// Less than a full cycle between passages of the centre.
     #[error(
-        "the trace shows {turning_points} turning points between passages of the centre, and a full cycle needs two: \
-         record for longer, or give the part where the pendulum swings freely"
+        "the trace shows {} between passages of the centre, {}: \
+         record for longer, or give the part where the pendulum swings freely",
+        counted(*turning_points, "turning point"),
+        if *turning_points < 2 { "but a full cycle takes two" } else { "but no full cycle that can be measured" }
     )]
     TooShort {
         /// Turning points that have a passage of the centre before and after them.
@@ -35,19 +37,35 @@ pub enum CyclesError {
     OnlyRotations,
     /// Cycles whose amplitudes are all the same, or fewer than three of them.
     #[error(
-        "{cycles} cycles of nearly the same amplitude leave beta open: record until the amplitude has fallen, or \
-         begin with a larger one"
+        "{} of nearly the same amplitude cannot tell beta: record until the amplitude has fallen, or \
+         begin with a larger one",
+        counted(*cycles, "cycle")
     )]
     EqualAmplitudes {
         /// How many there are.
         cycles: usize,
     },
+    /// Amplitudes that scatter by their noise so much, beside what they change by, that β would be drawn towards 0.
+    #[error(
+        "the amplitudes change by too little beside their noise, which is {:.0} % of the variance of T/T0, and would draw \
+         beta towards 0: record until the amplitude has fallen, or begin with a larger one",
+        100.0 * noise_part.min(1.0)
+    )]
+    NoisyAmplitudes {
+        /// The part of the variance of the T/T0 by the amplitudes that is noise.
+        noise_part: f64,
+    },
     /// Too few extremes to tell how the amplitude falls.
-    #[error("{found} turning points tell nothing about the damping: record at least {needed}")]
+    #[error("{} cannot tell the damping: record at least {needed}", counted(*found, "turning point"))]
     TooFewHalfSwings {
         /// How many there are.
         found: usize,
         /// How many would do.
         needed: usize,
     },
+}
+
+/// `1 cycle`, `2 cycles`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

@@ -37,7 +37,7 @@ mod analysis;
 pub use analysis::cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
-pub use period_law::Beta;
+pub use period_law::{Beta, cycles_tell_beta};
 
 /// How cycles are analysed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,15 @@
 //! T = T0·[1 + β(R − 1)] through the cycles, whose errors are not independent: cycles share passages with those before
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
-use super::CyclesError;
+use super::{Cycle, CyclesError};
 use super::generalised::{Generalised, fit};
 use crate::fit::Law;
 use crate::fit::robust::{median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
 const ROUNDS: usize = 5;
+/// With more of the variance of T/T0 than this from the noise of the amplitudes, β is biased by as much.
+const MOST_NOISE: f64 = 0.05;
 
 /// A cycle with what its errors come from.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +83,11 @@ impl Row {
         self.period / self.ratio
     }
 
+    /// Of the ratio, from the noise of the amplitudes.
+    fn ratio_variance(&self) -> f64 {
+        self.sides.iter().map(|side| side.slope * side.slope * side.variance).sum()
+    }
+
     /// The covariance that the noise gives two rows, when the period changes by `slope`·R′ with the amplitude.
     pub(super) fn noise_with(&self, other: &Self, slope: f64) -> f64 {
         let mut sum = 0.0;
@@ -125,8 +132,32 @@ pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     if rows.len() < 3 || high - low <= 1e-9 {
         return Err(open);
     }
+    amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
     settled(rows, &columns, 1).map(|found| Beta::of(&found)).ok_or(open)
+}
+
+/// Whether these cycles can tell β, for those who put the cycles of several traces together.
+///
+/// # Errors
+/// [`CyclesError::NoisyAmplitudes`] where more than 5 % of the variance of T/T0 by the amplitudes is their noise: a
+/// regression on values with errors is drawn towards 0 by that part.
+pub fn cycles_tell_beta<'a>(cycles: impl Iterator<Item = &'a Cycle>) -> Result<(), CyclesError> {
+    amplitudes_tell(cycles.map(|cycle| {
+        let deviation = Law::exact().slope_at(cycle.amplitude) * cycle.amplitude_uncertainty;
+        (cycle.period_ratio, deviation * deviation)
+    }))
+}
+
+/// The same for ratios T/T0 with the variances that the noise gives them.
+fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), CyclesError> {
+    let (ratios, variances): (Vec<f64>, Vec<f64>) = ratios.unzip();
+    #[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
+    let count = ratios.len() as f64;
+    let mean = ratios.iter().sum::<f64>() / count;
+    let spread: f64 = ratios.iter().map(|ratio| (ratio - mean) * (ratio - mean)).sum();
+    let noise_part = variances.iter().sum::<f64>() / spread;
+    if noise_part > MOST_NOISE { Err(CyclesError::NoisyAmplitudes { noise_part }) } else { Ok(()) }
 }
 
 /// The fit with the weights that belong to one of its coefficients.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::CyclesError;
-use crate::fit::robust::median;
+use crate::fit::robust::{median, robust_deviation};
 use crate::measurement::{Seen, Trace};
 
 /// A turn counts when the value has gone back by this part of the last swing.
@@ -12,6 +12,8 @@ const RETURN: f64 = 0.3;
 const FIRST_RETURN: f64 = 0.2;
 /// Swings shorter than this part of the median one are disturbances.
 const SHORTEST: f64 = 0.35;
+/// A swing is lost where its amplitude is below so many standard deviations of the noise of the pendulum at rest.
+const FAINTEST: f64 = 5.0;
 
 /// Successive swings to and fro about one centre, by the rows of their turning points.
 #[derive(Clone, Debug)]
@@ -25,6 +27,8 @@ pub(super) struct Stretch {
 pub(super) struct Swings {
     pub(super) stretches: Vec<Stretch>,
     pub(super) rotations: usize,
+    /// From when on, in seconds, the swing is lost in the noise, and left out.
+    pub(super) lost: Option<f64>,
 }
 
 /// The swings of a trace.
@@ -34,13 +38,16 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
         return Err(CyclesError::TooFewRows(trace.len()));
     }
     let calm = without_spikes(trace.values());
-    let turns = without_disturbances(turns(&calm, whole_turn(trace.seen()))?, trace.times());
-    let swings = match trace.seen() {
+    let turns = turns(&calm, whole_turn(trace.seen()))?;
+    let heard = above_noise(trace.values(), &turns);
+    let lost = turns.get(heard).map(|&row| trace.times()[row]);
+    let turns = without_disturbances(turns[..heard].to_vec(), trace.times());
+    let found = match trace.seen() {
         Seen::Angle => of_angles(&calm, &turns),
         Seen::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
     };
-    match swings {
-        Swings { stretches, rotations } if stretches.is_empty() && (rotations > 0 || turns_over(trace)) => {
+    match (Swings { lost, ..found }) {
+        Swings { stretches, rotations, .. } if stretches.is_empty() && (rotations > 0 || turns_over(trace)) => {
             Err(CyclesError::OnlyRotations)
         }
         Swings { stretches, .. } if stretches.is_empty() => Err(CyclesError::TooShort { turning_points: 0 }),
@@ -107,6 +114,36 @@ fn range(values: &[f64]) -> f64 {
     highest - lowest
 }
 
+/// How many of the turns come before the swing is lost in the noise, if the trace ends at rest.
+fn above_noise(values: &[f64], turns: &[usize]) -> usize {
+    /// Swings that must be faint one after the other: single ones may be small for other reasons.
+    const IN_A_ROW: usize = 3;
+    let Some(noise) = noise_at_rest(values) else { return turns.len() };
+    let faint: Vec<bool> = turns
+        .windows(2)
+        .map(|pair| f64::abs(values[pair[1]] - values[pair[0]]) < 2.0 * FAINTEST * noise)
+        .collect();
+    let first = faint.windows(IN_A_ROW).position(|row| row.iter().all(|&faint| faint));
+    first.map_or(turns.len(), |swing| swing + 1)
+}
+
+/// The noise of the last part of a trace where nothing else is left of it: neighbours are then no more alike than rows far
+/// from each other.
+fn noise_at_rest(values: &[f64]) -> Option<f64> {
+    const PARTS: usize = 20;
+    const FEWEST_ROWS: usize = 24;
+    /// Of differences over √2, and values; 1 for white noise, at most 0.54 for a swing with 8 rows in a period.
+    const WHITE: f64 = 0.6;
+    let last = &values[values.len().saturating_sub(FEWEST_ROWS.max(values.len() / PARTS))..];
+    let middle = median(last.to_vec())?;
+    let scatter = robust_deviation(&last.iter().map(|value| value - middle).collect::<Vec<f64>>())?;
+    let differences: Vec<f64> = last.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let of_neighbours = robust_deviation(&differences)? / std::f64::consts::SQRT_2;
+    // Of values that jump between few counts, most are equal.
+    let jumps = differences.iter().map(|jump| jump.abs()).filter(|&jump| jump > 0.0).collect();
+    (of_neighbours >= WHITE * scatter).then(|| scatter.max(median(jumps).unwrap_or(0.0)))
+}
+
 /// Without the pairs of turns between which hardly any time passes.
 fn without_disturbances(mut turns: Vec<usize>, times: &[f64]) -> Vec<usize> {
     let durations = |turns: &[usize]| -> Vec<f64> {
@@ -125,7 +162,7 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let rotations = turns.windows(2).filter(|pair| over(pair)).count();
     let middles = turns.windows(2).filter(|pair| !over(pair));
     let middles: Vec<f64> = middles.map(|pair| f64::midpoint(values[pair[0]], values[pair[1]])).collect();
-    let Some(first) = middles.first().copied() else { return Swings { stretches: vec![], rotations } };
+    let Some(first) = middles.first().copied() else { return Swings { stretches: vec![], rotations, lost: None } };
     let whole_turns = |middle: f64| TAU * libm::round((middle - first) / TAU);
     let centre =
         median(middles.iter().map(|&middle| middle - whole_turns(middle)).collect()).unwrap_or(first);
@@ -141,7 +178,7 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
         }
         last = Some(pair[1]);
     }
-    Swings { stretches, rotations }
+    Swings { stretches, rotations, lost: None }
 }
 
 /// Fastest points in alternating directions, between which the pendulum goes less than a turn.
@@ -161,7 +198,7 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
         }
         last = Some(pair[1]);
     }
-    Swings { stretches, rotations }
+    Swings { stretches, rotations, lost: None }
 }
 
 /// Twice the longer way between a fastest point and the rest between two of them, in radians: what a whole swing goes.
