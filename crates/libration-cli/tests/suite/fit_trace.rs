@@ -250,3 +250,111 @@ fn questions_that_are_not_understood_say_what_would_do() {
         assert!(message(&output).contains(expected), "{options}: {}", message(&output));
     }
 }
+
+/// A pendulum with ω0 in rad/s and linear drag in 1/s, released at so many degrees, 40 times a second for so many seconds;
+/// the errors are even ones of up to so many degrees.
+struct Released {
+    omega0: f64,
+    drag: f64,
+    degrees: f64,
+    seconds: u32,
+    error: f64,
+}
+
+impl Released {
+    const USUAL: Self = Self { omega0: 4.4, drag: 0.03, degrees: 60.0, seconds: 20, error: 0.3 };
+
+    fn write(&self, name: &str) -> String {
+        let (mut angle, mut velocity) = (self.degrees.to_radians(), 0.0);
+        let mut text = "t (s),theta (deg)\n".to_owned();
+        let mut state: u64 = 1;
+        for step in 0..self.seconds * 4000 {
+            if step.is_multiple_of(100) {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                let error = self.error * (f64::from((state >> 33) as u32) / f64::from(1_u32 << 30) - 1.0);
+                text += &format!("{},{:.5}\n", f64::from(step) / 4000.0, angle.to_degrees() + error);
+            }
+            let time = 0.25e-3;
+            angle += 0.5 * time * velocity;
+            velocity -= time * (self.omega0 * self.omega0 * f64::sin(angle) + self.drag * velocity);
+            angle += 0.5 * time * velocity;
+        }
+        let path = directory(name).join("swing.csv");
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    }
+}
+
+fn warnings(question: &str) -> String {
+    json(question)["warnings"].to_string()
+}
+
+#[test]
+fn steady_amplitudes_leave_beta_open_without_an_alarm() {
+    let swing = Released { drag: 0.0, ..Released::USUAL }.write("fit-trace-steady");
+    let answer = json(&format!("fit trace {swing} --model undamped"));
+    assert!(answer["beta"].is_null(), "{}", answer["beta"]);
+    assert!(!answer["warnings"].to_string().contains("standard uncertainties"), "{}", answer["warnings"]);
+    // Both traces are steady, and so are both together.
+    let other = Released { drag: 0.0, seconds: 18, ..Released::USUAL }.write("fit-trace-steady-too");
+    let both = json(&format!("fit trace {swing} {other} --model undamped"));
+    assert!(both["beta"].is_null(), "{}", both["beta"]);
+}
+
+#[test]
+fn a_wrong_scale_is_suspected_unless_it_is_fitted_or_the_damping_strong() {
+    let swing = Released { error: 0.03, ..Released::USUAL }.write("fit-trace-scale");
+    // Angles that are 10 % too large.
+    let table = fs::read_to_string(&swing).unwrap();
+    let scaled = table.lines().skip(1).map(|line| {
+        let (time, angle) = line.split_once(',').unwrap();
+        format!("{time},{}\n", 1.1 * angle.parse::<f64>().unwrap())
+    });
+    fs::write(&swing, format!("t (s),theta (deg)\n{}", scaled.collect::<String>())).unwrap();
+    let suspected = warnings(&format!("fit trace {swing} --model linear"));
+    assert!(suspected.contains("too large would do this"), "{suspected}");
+    let fitted = json(&format!("fit trace {swing} --model linear --free-scale"));
+    for text in [fitted["warnings"].to_string(), fitted["advice"].to_string()] {
+        assert!(!text.contains("would do this") && !text.contains("β is not 1"), "{text}");
+        assert!(!text.contains("by single cycles"), "{text}");
+    }
+    let strong = Released { drag: 0.5, degrees: 120.0, seconds: 8, error: 0.01, ..Released::USUAL };
+    let damped = warnings(&format!("fit trace {} --model linear", strong.write("fit-trace-strong")));
+    assert!(damped.contains("such strong damping") && !damped.contains("would do this"), "{damped}");
+}
+
+#[test]
+fn traces_of_different_pendulums_are_told() {
+    let one = Released::USUAL.write("fit-trace-one");
+    let other = Released { omega0: 4.3, degrees: 40.0, ..Released::USUAL }.write("fit-trace-other");
+    let told = warnings(&format!("fit trace {one} {other} --model linear"));
+    assert!(told.contains("not of one pendulum") && told.contains("1.46"), "{told}");
+    let same = Released { degrees: 40.0, ..Released::USUAL }.write("fit-trace-same");
+    let told = warnings(&format!("fit trace {one} {same} --model linear"));
+    assert!(!told.contains("not of one pendulum"), "{told}");
+}
+
+#[test]
+fn a_length_that_no_pendulum_has_points_to_the_unit_of_the_times() {
+    let swing = Released::USUAL.write("fit-trace-unit");
+    let right = warnings(&format!("fit trace {swing} --model linear"));
+    assert!(!right.contains("unit of the times"), "{right}");
+    let wrong = warnings(&format!("fit trace {swing} --model linear --time-unit ms"));
+    assert!(wrong.contains("unit of the times"), "{wrong}");
+}
+
+#[test]
+fn a_tail_at_rest_is_left_out_of_the_cycles() {
+    let resting = Released { drag: 0.4, seconds: 60, ..Released::USUAL }.write("fit-trace-resting");
+    let answer = json(&format!("fit trace {resting} --model linear"));
+    assert!(answer["cycles"].as_array().unwrap().len() > 8);
+    assert!(answer["warnings"].to_string().contains("lost in the noise"), "{}", answer["warnings"]);
+}
+
+/// Without errors the cycles are off by their own small bias alone.
+#[test]
+fn nothing_is_said_of_differences_that_do_not_matter() {
+    let exact = Released { error: 0.0, ..Released::USUAL }.write("fit-trace-exact");
+    let told = warnings(&format!("fit trace {exact} --model linear"));
+    assert!(!told.contains("by single cycles") && !told.contains(" 1.0 times"), "{told}");
+}

@@ -1,6 +1,6 @@
 //! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers and gaps.
 
-use libration::fit::cycles::{Cycles, CyclesError, Options, cycles};
+use libration::fit::cycles::{Cycles, CyclesError, Options, cycles, cycles_tell_beta};
 use libration::fit::trace::DampingTerm;
 use libration::measurement::{Seen, Trace};
 
@@ -190,4 +190,48 @@ fn what_has_no_cycles_is_refused_kindly() {
     assert_eq!(refused(&turning), CyclesError::OnlyRotations);
     let resting = changed(&short, |_, _| Some(0.25));
     assert_eq!(refused(&resting), CyclesError::NothingSwings(0.25));
+}
+
+/// The noise of the amplitudes is then all that T/T0 changes by, and a straight line through it would say β = 0.
+#[test]
+fn amplitudes_that_only_scatter_leave_beta_open() {
+    let steady = Synthetic { linear: 0.0, noise: 0.003, ..Synthetic::USUAL };
+    for seed in 0..8 {
+        let refusal = of(&steady, seed).beta.unwrap_err();
+        let CyclesError::NoisyAmplitudes { noise_part } = refusal else { panic!("{refusal}") };
+        assert!((0.3..3.0).contains(&noise_part), "{noise_part}");
+        assert!(refusal.to_string().contains("record until the amplitude has fallen"), "{refusal}");
+    }
+    let falling = of(&Synthetic { linear: 0.02, ..steady }, 1);
+    assert!(falling.beta.is_ok() && cycles_tell_beta(falling.cycles.iter()).is_ok());
+    assert!(cycles_tell_beta(of(&steady, 1).cycles.iter()).is_err());
+}
+
+#[test]
+fn a_tail_at_rest_is_left_out_and_said() {
+    let base = Synthetic { amplitude: 0.6, rows: 4000, ..Synthetic::USUAL };
+    for case in [
+        Synthetic { linear: 0.3, noise: 0.002, ..base },
+        Synthetic { linear: 0.3, noise: 0.002, rows: 20_000, ..base },
+        Synthetic { linear: 0.2, dry: 0.05, noise: 0.002, ..base },
+        Synthetic { linear: 0.3, noise: 0.002, offset: 0.2, seen: Seen::AngularVelocity, ..base },
+    ] {
+        let found = of(&case, 3);
+        assert!(found.cycles.len() >= 8, "{}: {case:?}", found.cycles.len());
+        assert!((found.t0 / case.t0() - 1.0).abs() < 3e-3, "{}: {case:?}", found.t0);
+        assert!(found.warnings.iter().any(|text| text.contains("lost in the noise")), "{:?}", found.warnings);
+    }
+    // With noise as large the swing goes on to the end.
+    let swinging = of(&Synthetic { noise: 0.01, ..Synthetic::USUAL }, 3);
+    assert!(swinging.warnings.is_empty(), "{:?}", swinging.warnings);
+}
+
+#[test]
+fn refusals_count_in_singular_and_plural() {
+    let said = |turning_points| CyclesError::TooShort { turning_points }.to_string();
+    assert!(said(1).contains("shows 1 turning point between"), "{}", said(1));
+    assert!(said(0).contains("shows 0 turning points between"), "{}", said(0));
+    assert!(said(462).contains("but no full cycle that can be measured"), "{}", said(462));
+    let cycles = CyclesError::EqualAmplitudes { cycles: 1 }.to_string();
+    assert!(cycles.starts_with("1 cycle of"), "{cycles}");
 }

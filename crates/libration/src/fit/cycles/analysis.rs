@@ -57,14 +57,7 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
         t0_uncertainty: law.t0_uncertainty,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept),
-        warnings: warnings(
-            &found,
-            &rows,
-            outliers.len(),
-            &swings,
-            &longest.centre,
-            unit(trace.seen()),
-        ),
+        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, unit(trace.seen())),
     })
 }
 
@@ -204,9 +197,8 @@ fn warnings(
     say(found.cycles.len() - rows.len(), "incomplete cycles (gaps, too few rows, or too faint), left out");
     say(outliers, "cycles with a period far from the law, left out");
     if let Some(time) = swings.lost {
-        warnings.push(format!(
-            "from {time:.4} s on the swing is lost in the noise: the cycles are those before"
-        ));
+        warnings
+            .push(format!("from {time:.4} s on the swing is lost in the noise: the cycles are those before"));
     }
     if centre.wander > 0.0 {
         warnings.push(format!(

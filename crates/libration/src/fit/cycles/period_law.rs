@@ -1,8 +1,8 @@
 //! T = T0·[1 + β(R − 1)] through the cycles, whose errors are not independent: cycles share passages with those before
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
-use super::{Cycle, CyclesError};
 use super::generalised::{Generalised, fit};
+use super::{Cycle, CyclesError};
 use crate::fit::Law;
 use crate::fit::robust::{median, robust_deviation};
 

@@ -47,7 +47,9 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
         Seen::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
     };
     match (Swings { lost, ..found }) {
-        Swings { stretches, rotations, .. } if stretches.is_empty() && (rotations > 0 || turns_over(trace)) => {
+        Swings { stretches, rotations, .. }
+            if stretches.is_empty() && (rotations > 0 || turns_over(trace)) =>
+        {
             Err(CyclesError::OnlyRotations)
         }
         Swings { stretches, .. } if stretches.is_empty() => Err(CyclesError::TooShort { turning_points: 0 }),
@@ -124,7 +126,8 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
         .map(|pair| f64::abs(values[pair[1]] - values[pair[0]]) < 2.0 * FAINTEST * noise)
         .collect();
     let first = faint.windows(IN_A_ROW).position(|row| row.iter().all(|&faint| faint));
-    first.map_or(turns.len(), |swing| swing + 1)
+    // Where nearly all swings are as faint, it is no noise that they are told from.
+    first.filter(|&swing| swing >= IN_A_ROW).map_or(turns.len(), |swing| swing + 1)
 }
 
 /// The noise of the last part of a trace where nothing else is left of it: neighbours are then no more alike than rows far
@@ -162,7 +165,9 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let rotations = turns.windows(2).filter(|pair| over(pair)).count();
     let middles = turns.windows(2).filter(|pair| !over(pair));
     let middles: Vec<f64> = middles.map(|pair| f64::midpoint(values[pair[0]], values[pair[1]])).collect();
-    let Some(first) = middles.first().copied() else { return Swings { stretches: vec![], rotations, lost: None } };
+    let Some(first) = middles.first().copied() else {
+        return Swings { stretches: vec![], rotations, lost: None };
+    };
     let whole_turns = |middle: f64| TAU * libm::round((middle - first) / TAU);
     let centre =
         median(middles.iter().map(|&middle| middle - whole_turns(middle)).collect()).unwrap_or(first);
