@@ -219,7 +219,9 @@ fn a_tail_at_rest_is_left_out_and_said() {
         let found = of(&case, 3);
         assert!(found.cycles.len() >= 8, "{}: {case:?}", found.cycles.len());
         assert!((found.t0 / case.t0() - 1.0).abs() < 3e-3, "{}: {case:?}", found.t0);
-        assert!(found.warnings.iter().any(|text| text.contains("lost in the noise")), "{:?}", found.warnings);
+        // Dry friction ends the last swing all at once, before it is lost.
+        let is_said = found.warnings.iter().any(|text| text.contains("lost in the noise"));
+        assert_eq!(is_said, case.dry <= 0.0, "{:?}", found.warnings);
     }
     // With noise as large the swing goes on to the end.
     let swinging = of(&Synthetic { noise: 0.01, ..Synthetic::USUAL }, 3);
