@@ -14,9 +14,36 @@ pub(crate) struct Wanted {
 
 /// The units of the columns, and what was told from the header.
 #[derive(Clone, Debug)]
-pub(crate) struct ColumnUnits<const N: usize> {
+struct ColumnUnits<const N: usize> {
     units: [Unit; N],
+    told: Vec<String>,
+}
+
+/// The numbers of chosen columns in units of the SI, in the rows that have them all.
+#[derive(Clone, Debug)]
+pub(crate) struct ColumnsInSi<const N: usize> {
+    pub(crate) columns: [Option<Vec<f64>>; N],
+    /// The line each row came from, counted from one.
+    pub(crate) lines: Vec<u64>,
+    /// How many rows are incomplete.
+    pub(crate) dropped: usize,
+    /// What was told from the header.
     pub(crate) told: Vec<String>,
+}
+
+impl<const N: usize> ColumnsInSi<N> {
+    /// The chosen columns of a table, or why they are not what is wanted.
+    pub(crate) fn of(
+        table: &Table,
+        chosen: &[Option<Column>; N],
+        wanted: &[Wanted; N],
+    ) -> Result<Self, String> {
+        let asked: Vec<Column> = chosen.iter().flatten().cloned().collect();
+        let selection = table.select(&asked).map_err(|error| error.to_string())?;
+        let units = ColumnUnits::of(table, chosen, wanted)?;
+        let columns = units.in_si(selection.columns, chosen);
+        Ok(Self { columns, lines: selection.lines, dropped: selection.dropped, told: units.told })
+    }
 }
 
 impl Wanted {
@@ -84,11 +111,7 @@ impl Wanted {
 
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
-    pub(crate) fn of(
-        table: &Table,
-        columns: &[Option<Column>; N],
-        wanted: &[Wanted; N],
-    ) -> Result<Self, String> {
+    fn of(table: &Table, columns: &[Option<Column>; N], wanted: &[Wanted; N]) -> Result<Self, String> {
         let (mut units, mut told) = (wanted.map(Wanted::usual), Vec::new());
         for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
             let Some(column) = column else { continue };
@@ -101,11 +124,7 @@ impl<const N: usize> ColumnUnits<N> {
     }
 
     /// The numbers of the columns in units of the SI.
-    pub(crate) fn in_si(
-        &self,
-        columns: Vec<Vec<f64>>,
-        chosen: &[Option<Column>; N],
-    ) -> [Option<Vec<f64>>; N] {
+    fn in_si(&self, columns: Vec<Vec<f64>>, chosen: &[Option<Column>; N]) -> [Option<Vec<f64>>; N] {
         let mut columns = columns.into_iter();
         std::array::from_fn(|place| {
             let numbers = chosen[place].as_ref().and_then(|_| columns.next())?;

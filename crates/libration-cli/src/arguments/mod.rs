@@ -24,7 +24,7 @@ mod values;
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
 pub(crate) use apparatus::ApparatusOptions;
-pub(crate) use column_units::{ColumnUnits, Wanted};
+pub(crate) use column_units::{ColumnsInSi, Wanted};
 pub(crate) use displacements::displacements;
 pub(crate) use formulas::FormulaChoice;
 pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};

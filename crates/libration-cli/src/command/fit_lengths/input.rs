@@ -1,6 +1,6 @@
 //! The file of a length table: its columns and their units.
 
-use crate::arguments::{AmplitudeUnit, ColumnUnits, DialectOptions, LengthUnit, Wanted, optional_column};
+use crate::arguments::{AmplitudeUnit, ColumnsInSi, DialectOptions, LengthUnit, Wanted, optional_column};
 use crate::failure::Failure;
 use libration::fit::{LengthColumns, LengthTable};
 use libration::measurement::Column;
@@ -53,12 +53,9 @@ impl Input {
     pub(super) fn read(&self) -> Result<Measured, Failure> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns(table.width())?;
-        let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
-        let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
-        let units =
-            ColumnUnits::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
-        let [lengths, periods, length_uncertainties, of_periods, amplitudes] =
-            units.in_si(selection.columns, &columns);
+        let read =
+            ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
         let full = |column: Vec<f64>| match self.half_periods {
             true => column.into_iter().map(|time| 2.0 * time).collect(),
             false => column,
@@ -80,8 +77,8 @@ impl Input {
             length_uncertainties,
             period_uncertainties,
             table,
-            dropped: selection.dropped,
-            told: units.told,
+            dropped: read.dropped,
+            told: read.told,
             half_periods: self.half_periods,
         })
     }

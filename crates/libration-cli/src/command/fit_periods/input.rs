@@ -1,9 +1,9 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
-use crate::arguments::{AmplitudeUnit, ColumnUnits, DialectOptions, Wanted, optional_column};
+use crate::arguments::{AmplitudeUnit, ColumnsInSi, DialectOptions, Wanted, optional_column};
 use crate::failure::Failure;
 use libration::fit::{PeriodTable, Uncertainties};
-use libration::measurement::{Column, Selection};
+use libration::measurement::Column;
 use std::path::PathBuf;
 
 /// Which file, and how to read it.
@@ -57,11 +57,9 @@ impl Input {
     pub(super) fn read(&self) -> Result<Measured, Failure> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns(table.width())?;
-        let asked: Vec<Column> = columns.iter().flatten().cloned().collect();
-        let selection = table.select(&asked).map_err(|error| self.no_answer(error))?;
-        let units =
-            ColumnUnits::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
-        self.measured(&columns, selection, units)
+        let read =
+            ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        self.measured(read)
     }
 
     fn wanted(&self) -> [Wanted; 4] {
@@ -97,13 +95,8 @@ impl Input {
         Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
     }
 
-    fn measured(
-        &self,
-        columns: &[Option<Column>; 4],
-        selection: Selection,
-        units: ColumnUnits<4>,
-    ) -> Result<Measured, Failure> {
-        let [amplitudes, periods, of_amplitudes, of_periods] = units.in_si(selection.columns, columns);
+    fn measured(&self, read: ColumnsInSi<4>) -> Result<Measured, Failure> {
+        let [amplitudes, periods, of_amplitudes, of_periods] = read.columns;
         let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
         let uncertainties =
             Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
@@ -116,7 +109,7 @@ impl Input {
             period_uncertainty: of_periods.as_ref().map(|column| column[index]),
         };
         let rows = (0..periods.len()).map(row).collect();
-        Ok(Measured { rows, table, lines: selection.lines, dropped: selection.dropped, told: units.told })
+        Ok(Measured { rows, table, lines: read.lines, dropped: read.dropped, told: read.told })
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
