@@ -79,3 +79,19 @@ impl Function {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_function_is_found_by_its_name_and_by_no_other() {
+        for function in Function::ALL {
+            assert_eq!(Function::by_name(function.name()), Some(function));
+        }
+        assert_eq!(
+            (Function::by_name("Sin"), Function::by_name("log"), Function::by_name("")),
+            (None, None, None)
+        );
+    }
+}

@@ -270,4 +270,21 @@ mod tests {
             1.0_f64.next_up().to_bits()
         );
     }
+
+    #[test]
+    fn signs_and_whole_numbers_are_told() {
+        for (text, negative, whole) in [
+            ("-7/3", true, false),
+            ("-4/2", true, true),
+            ("0", false, true),
+            ("1/2", false, false),
+            ("6/3", false, true),
+        ] {
+            assert_eq!(
+                (rational(text).is_negative(), rational(text).is_integer()),
+                (negative, whole),
+                "{text}"
+            );
+        }
+    }
 }

@@ -162,4 +162,11 @@ mod tests {
         let other = surd("665857", "470832", "2").to_f64();
         assert!((value * other - 1.0).abs() < 1e-15);
     }
+
+    #[test]
+    fn the_radicand_has_no_square_in_it() {
+        assert_eq!(*surd("2", "-1", "8").radicand(), Rational::from(2));
+        assert_eq!(*surd("0", "1", "1/12").radicand(), Rational::from(3));
+        assert!(surd("1", "1", "9/4").root().is_zero());
+    }
 }

@@ -221,4 +221,13 @@ mod tests {
     fn an_unknown_key_is_refused() {
         assert!(ApproximateMotion::by_key("fourier-4").is_err());
     }
+
+    #[test]
+    fn only_a_release_from_rest_below_the_top_has_an_amplitude() {
+        let of = |angle: &str, velocity| ApproximateMotion::amplitude_of(&angle.parse().unwrap(), velocity);
+        assert_eq!(of("-1.25", 0.0), Ok(-1.25));
+        assert_eq!(of("1.25", 1e-300), Err(ApproximateMotionError::NotFromRest(1e-300)));
+        assert!(matches!(of("180deg", 0.0), Err(ApproximateMotionError::BeyondUpright(_))));
+        assert!(matches!(of("370deg", 0.0), Err(ApproximateMotionError::BeyondUpright(_))));
+    }
 }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
 use libration::period_formulas::{
-    Complexity, ErrorTable, MOST_TERMS, PeriodFormula, catalogue, fractional_errors,
+    Attribution, Complexity, ErrorTable, MOST_TERMS, PeriodFormula, catalogue, fractional_errors,
 };
 use libration::quantity::Angle;
 
@@ -282,5 +282,45 @@ fn errors_that_share_the_exact_period_are_those_of_each_formula_alone() {
             let same = shared == alone || (shared - alone).abs() <= 2.0 * f64::EPSILON * alone.abs();
             assert!(same, "{} at {text}: {shared} beside {alone}", formula.key());
         }
+    }
+}
+
+#[test]
+fn every_key_of_a_formula_finds_it() {
+    for known in catalogue() {
+        for key in known.other_keys() {
+            assert_eq!(formula(key).key(), known.key(), "{key}");
+        }
+    }
+    assert_eq!(formula("carvalhaes_suppes").other_keys(), ["agm_a2", "ingham"]);
+}
+
+#[test]
+fn what_rests_on_memory_says_so_in_its_source() {
+    for known in catalogue() {
+        let by_word = known.source().starts_with("attributed to");
+        assert_eq!(known.attribution() == Attribution::Attributed, by_word, "{}", known.key());
+    }
+}
+
+#[test]
+fn a_formula_that_ends_below_the_top_has_no_error_from_there_on() {
+    for known in catalogue() {
+        let end = known.defined_below();
+        assert!(known.fractional_error_at(end.next_down()).is_finite(), "{}", known.key());
+        assert_eq!(end < core::f64::consts::PI, known.key() == "cubic_force", "{}", known.key());
+    }
+    assert!(formula("cubic_force").fractional_error_at(2.83).is_infinite());
+}
+
+#[test]
+fn two_formulas_cross_where_the_table_says() {
+    let (one, other) = (formula("bernoulli"), formula("kidd_fogg"));
+    let alone: Vec<f64> = one.crossovers_with(&other).iter().map(|it| it.amplitude.radians()).collect();
+    let in_table = TABLE.crossovers(place("bernoulli"), place("kidd_fogg"));
+    assert_eq!(alone, in_table.iter().map(|it| it.amplitude.radians()).collect::<Vec<_>>());
+    for amplitude in alone {
+        let (a, b) = (one.fractional_error_at(amplitude), other.fractional_error_at(amplitude));
+        assert!((a.abs() / b.abs() - 1.0).abs() < 1e-9, "{amplitude}: {a} {b}");
     }
 }

@@ -114,4 +114,10 @@ mod tests {
         assert!(sorted.is_sorted(), "{sorted:?}");
         assert_ne!(Variable::from("a1").cmp(&Variable::from("A1")), Ordering::Equal);
     }
+
+    #[test]
+    fn an_indexed_variable_is_the_one_of_that_name() {
+        assert_eq!(Variable::indexed("a", 11), Variable::from("a11"));
+        assert_eq!((Variable::indexed("B", 3).letters(), Variable::indexed("B", 3).index()), ("B", Some(3)));
+    }
 }
