@@ -83,6 +83,8 @@ def times(motion, seed):
     period = float(motion.period) if motion.excess else 20.0
     chosen = [0.0, 0.1, 1.0, 1e-9, -0.7, period / 4, period / 2, -3 * period, period * 0.1234]
     chosen += [period * 10 ** random.uniform(0, 6) for _ in range(5)] if motion.excess else [5.0, 50.0, 300.0, -40.0]
+    if not motion.excess:  # where sech and complement become plain exponentials, and then underflow
+        chosen += [math.nextafter(600, 0), 600.0, math.nextafter(600, 700), -650.0, 700.0, 708.5, -720.0, 740.0, 745.0, 760.0]
     return chosen
 
 
@@ -93,4 +95,4 @@ if __name__ == "__main__":
         motion = Motion(given, start, velocity)
         for time in times(motion, seed):
             cells = [given] + [float(x).hex() for x in (start, velocity, time)]
-            print(",".join(cells + [nstr(x, 40) for x in (*motion.at(time), motion.period)]))
+            print(",".join(cells + [nstr(x, 40).lstrip("+") for x in (*motion.at(time), motion.period)]))

@@ -36,10 +36,11 @@ static quad agm(quad a, quad b) {
     return (a + b) / 2;  // the next arithmetic mean is already the limit to 2^-113
 }
 
-static quad first(quad kc) { return PI / (2 * agm(1, kc)); }
+static quad first(quad kc) { return kc == 0 ? (quad)INFINITY : PI / (2 * agm(1, kc)); }
 
 static quad second(Modulus m) {
     quad a = 1, b = m.kc, c = m.k, weight = 0.5Q, sum = 0;
+    if (b == 0) return 1;
     while (fabsq(c) > 1e-36Q * a) {
         sum += weight * c * c;
         weight *= 2;
@@ -80,8 +81,8 @@ static quad tangent_of_am(quad x, quad kc) {
 struct Jacobi { quad sn, cn, dn, am; };
 
 static Jacobi jacobi(quad u, Modulus m) {
-    quad quarter = m.kc == 0 ? 0 : first(m.kc);
-    quad turns = m.kc == 0 ? 0 : rintq(u / quarter), x = u - turns * quarter;
+    if (m.kc == 0) return {tanhq(u), 1 / coshq(u), 1 / coshq(u), 2 * atanq(tanhq(u / 2))};
+    quad quarter = first(m.kc), turns = rintq(u / quarter), x = u - turns * quarter;
     int side = x < 0 ? -1 : 1;
     quad t = tangent_of_am(fabsq(x), m.kc), kt = m.kc * t;
     quad sec = sqrtq(1 + t * t), dsec = sqrtq(1 + kt * kt);
@@ -111,6 +112,70 @@ static quad incomplete_first(quad tangent, quad kc) {
     }
     if (y < 0) halves += 1;
     return (atanq(mean / y) + PI * halves) / mean;
+}
+
+// E as a function of the tangent of phi within [0, inf]: Bulirsch's el2 with a = 1, b = kc^2.
+static quad incomplete_second(quad tangent, quad kc) {
+    if (kc == 0) return tangent / sqrtq(1 + tangent * tangent);
+    if (tangent == 0) return 0;
+    quad a = 1, b = kc * kc, c = tangent * tangent, d = 1 + c, p = sqrtq((1 + b * c) / d);
+    d = tangent / d;
+    c = d / (2 * p);
+    quad z = a - b, i = a, y = 1 / tangent, f = 0, mean = 1, root = kc, halves = 0;
+    a = (b + a) / 2;
+    for (;;) {
+        b += i * root;
+        quad e = mean * root, g = e / p, before = mean;
+        d += f * g;
+        f = c;
+        i = a;
+        p += g;
+        c = (d / p + c) / 2;
+        mean += root;
+        a = (b / mean + a) / 2;
+        y -= e / y;
+        if (y == 0) y = sqrtq(e) * 1e-34Q;
+        if (fabsq(before - root) <= 1e-17Q * before) break;
+        root = 2 * sqrtq(e);
+        halves = 2 * halves + (y < 0);
+    }
+    if (y < 0) halves += 1;
+    return (atanq(mean / y) + PI * halves) * a / mean + c * z;
+}
+
+// phi = halves*pi + the angle within [-pi/2, pi/2] of this tangent, by the nearest quarter turn.
+struct Reduced { quad halves, tangent; };
+
+static Reduced reduce(quad phi) {
+    quad quarters = rintq(phi / (PI / 2)), rest = fmaq(-quarters, PI / 2, phi);
+    rest = fmaq(-quarters, PI_LOW / 2, rest);
+    if (fmodq(quarters, 2) == 0) return {quarters / 2, tanq(rest)};
+    return {(rest > 0 ? quarters + 1 : quarters - 1) / 2, -1 / tanq(rest)};
+}
+
+// A function of phi, given its value at pi/2 and as a function of the tangent.
+static quad of_angle(double phi, quad kc, quad quarter, quad (*of_tangent)(quad, quad)) {
+    if (fabs(phi) > 1e20) return phi * (2 * quarter / PI);  // what is left oscillates within a quarter
+    Reduced r = reduce(phi);
+    quad part = of_tangent(fabsq(r.tangent), kc);
+    if (r.halves == 0) return r.tangent < 0 ? -part : part;
+    return 2 * r.halves * quarter + (r.tangent < 0 ? -part : part);
+}
+
+// k and kc of a nome by theta functions of the smaller nome (DLMF 20.9.1, 20.7(viii)).
+static Modulus modulus_of_nome(double nome) {
+    quad log = logq((quad)nome);
+    bool small = log <= -PI;
+    if (!small) log = PI * PI / log;
+    quad second = 1, third = 1, fourth = 1;
+    for (int n = 1; n < 8; n++) {
+        quad square = expq(n * n * log);
+        second += expq(n * (n + 1) * log);
+        third += 2 * square;
+        fourth += n % 2 ? -2 * square : 2 * square;
+    }
+    quad k = 4 * expq(log / 2) * (second / third) * (second / third), kc = (fourth / third) * (fourth / third);
+    return small ? Modulus{k, kc} : Modulus{kc, k};
 }
 
 // ---------------------------------------------------------------- the pendulum, omega0 = 1
@@ -200,6 +265,12 @@ static quad harmonic(quad delta, int n) {
     return ((n / 2) % 2 ? -4 : 4) / (n * coshq(n * x));
 }
 
+// Harmonic n of the rotation with this velocity at the bottom.
+static quad turning_harmonic(quad velocity, int n) {
+    Modulus m = {2 / velocity, sqrtq((velocity - 2) * (velocity + 2)) / velocity};
+    return 2 / (n * coshq(n * PI * first(m.k) / first(m.kc)));
+}
+
 // ---------------------------------------------------------------- inputs
 
 static uint64_t random_state;
@@ -222,16 +293,24 @@ static double neighbour(double x, int reach) {
 
 typedef std::vector<double> Inputs;  // region first
 
+// Next to a place where a kernel changes its expansion, its logarithm its exponent, or a word its last bit.
+static double period_seam() {
+    static const double edges[] = {M_PI_2, M_PI_4, 1, 2, 0.5, 0.25, 3, 2.5, 1.5, 0x1p-26, 0x1p-13, 1e-8};
+    if (choice(2)) return neighbour(edges[choice(12)], 20);
+    return neighbour(M_SQRT2 * std::ldexp(1, -choice(40)), 3);
+}
+
 // kind 0: amplitude, kind 1: complement.
 static Inputs period_inputs() {
-    static const double edges[] = {M_PI_2, M_PI_4, 1, 2, 0.5, 0.25, 3, 2.5, 1.5, 0x1p-26, 0x1p-13, 1e-8};
-    int region = choice(6);
+    int region = choice(8);
     switch (region) {
         case 0: return {0, 0, between(0, M_PI)};
         case 1: return {1, 0, log_between(-150, 0)};
         case 2: return {2, 0, M_PI - log_between(-15.5, 0)};
         case 3: return {3, 1, log_between(-300, 0)};
-        case 4: return {4, 0, neighbour(edges[choice(12)], 20)};
+        case 4: return {4, (double)choice(2), period_seam()};
+        case 6: return {6, 1, between(0, M_PI)};
+        case 7: return {7, (double)choice(2), choice(4) ? between(1.54, 1.61) : neighbour(M_PI_2, 1000)};
         default: return {5, 0, neighbour(std::nextafter(M_PI, 0), 40) > M_PI ? M_PI : M_PI - choice(1000) * 0x1p-51};
     }
 }
@@ -244,13 +323,24 @@ static Inputs excess_inputs() {
 }
 
 // kind 0: m, 1: mc = 1 - m, 2: k, 3: k'.
+static Inputs modulus_seam() {
+    // Equal moduli, where the expansion changes; a scale in the arithmetic-geometric mean; the nome's underflow; the ends.
+    static const double seams[][2] = {{0, 0.5}, {1, 0.5}, {2, M_SQRT1_2}, {3, M_SQRT1_2}, {2, 1e-150}, {3, 1e-150}, {0, 1e-300}};
+    static const double ends[][2] = {{2, 8.89e-161}, {2, 8.9e-162}, {2, 6.3e-162}, {0, 0}, {0, 1}, {2, 5e-324}, {0, 5e-324}};
+    const double *seam = choice(2) ? seams[choice(7)] : ends[choice(7)];
+    double value = seam[1] == 0 || seam[1] == 1 ? seam[1] : neighbour(seam[1], 3);
+    return {6, seam[0], fmax(0, value)};
+}
+
 static Inputs modulus_inputs() {
-    switch (choice(6)) {
+    switch (choice(8)) {
         case 0: return {0, 0, uniform()};
         case 1: return {1, 1, log_between(-300, 0)};
         case 2: return {2, 3, log_between(-300, 0)};
         case 3: return {3, 0, log_between(-300, 0)};
         case 4: return {4, 2, uniform()};
+        case 6: return modulus_seam();
+        case 7: return {7, 2.0 * choice(2), log_between(-323, -140)};
         default: return {5, (double)choice(2), 1 - log_between(-16, 0)};
     }
 }
@@ -264,15 +354,47 @@ static Modulus modulus_of(int kind, quad x) {
     }
 }
 
+// An angle next to a multiple of a quarter turn.
+static double next_to_quarter(double most) {
+    return neighbour((double)(rintq((quad)between(-most, most)) * (PI / 2)), 3);
+}
+
+static double incomplete_angle(int where) {
+    switch (where) {
+        case 0: return between(-M_PI_2, M_PI_2);
+        case 1: return sign() * log_between(-320, 0);
+        case 2: return sign() * (M_PI_2 - log_between(-16, 0));
+        case 3: return next_to_quarter(20);
+        case 4: return next_to_quarter(1e6);
+        case 5: return sign() * log_between(0, 6);
+        case 6: return sign() * log_between(6, 20);
+        case 7: return next_to_quarter(std::ldexp(1, 10 + choice(50)));
+        default: return sign() * (choice(2) ? neighbour(1e18, 20) : log_between(20, 308));
+    }
+}
+
 static Inputs incomplete_inputs() {
     Inputs in = modulus_inputs();
-    in.push_back(choice(2) ? between(0, M_PI_2) : choice(2) ? log_between(-200, 0) : M_PI_2 - log_between(-16, 0));
+    int where = choice(9);
+    in[0] = where;
+    in.push_back(incomplete_angle(where));
     return in;
+}
+
+static Inputs nome_inputs() {
+    switch (choice(5)) {
+        case 0: return {0, between(0, 0.9929)};
+        case 1: return {1, log_between(-307, 0) * 0.99};
+        case 2: return {2, 5e-324 * std::floor(log_between(0, 15))};
+        case 3: return {3, neighbour(std::exp(-M_PI), 20)};
+        default: return {4, 0.9929 - log_between(-6, -1)};
+    }
 }
 
 static Inputs jacobi_inputs() {
     Inputs in = modulus_inputs();
     double quarter = (double)first(modulus_of(in[1], in[2]).kc), u;
+    if (!(quarter < 1e4)) quarter = 20;  // k = 1
     int where = choice(6);
     switch (where) {
         case 0: u = between(-4, 4) * quarter; break;
@@ -304,17 +426,32 @@ static Inputs start_inputs(int region) {
         case 2: a = between(-M_PI, M_PI), b = between(-4, 4); break;
         case 3: a = between(-M_PI, M_PI), b = sign() * neighbour(2 * std::cos(a / 2), 1000); break;
         case 4: kind = 1, a = log_between(-30, 0), b = sign() * neighbour(a * (choice(2) ? 1 : between(0.5, 2)), 3); break;
+        case 6: a = sign() * neighbour(choice(4) ? M_PI_2 : M_PI, 20), a = fmax(-M_PI, fmin(M_PI, a)); break;
+        case 7: a = 0, b = sign() * 2; break;
         default: a = between(-100, 100), b = sign() * log_between(-3, 2);
     }
     return {(double)region, kind, a, b};
 }
 
+// Next to a turn of the expansion (halves of a quarter) or the end of a segment of a table (powers of two more).
+static double seam_of_time(double quarter) {
+    return neighbour(quarter * (choice(257) - 128) / (choice(2) ? 2 : 16 << choice(8)), 3);
+}
+
 static Inputs motion_inputs() {
     // Starts next to the separatrix are dear for the library, a millisecond each, and so kept to one in forty.
-    static const int others[] = {0, 1, 2, 5};
-    Inputs in = start_inputs(choice(40) ? others[choice(4)] : 3 + choice(2));
+    static const int others[] = {0, 1, 2, 5, 6, 7};
+    Inputs in = start_inputs(choice(40) ? others[choice(6)] : 3 + choice(2));
+    if (in[0] == 7) {
+        in.push_back(sign() * (choice(2) ? between(0, 760) : log_between(-8, 3)));
+        return in;
+    }
     double quarter = quarter_period(in[1], in[2], in[3]);
-    in.push_back(choice(2) ? between(-4, 4) * quarter : sign() * quarter * log_between(-8, 6.6));
+    switch (choice(3)) {
+        case 0: in.push_back(between(-4, 4) * quarter); break;
+        case 1: in.push_back(seam_of_time(quarter)); break;
+        default: in.push_back(sign() * quarter * log_between(-8, 6.6));
+    }
     return in;
 }
 
@@ -324,18 +461,25 @@ static Inputs orbit_inputs() {
     static double quarter;
     static int left = 0;
     if (left-- == 0) {
-        start = start_inputs(choice(6));
+        start = start_inputs(choice(7));
         quarter = quarter_period(start[1], start[2], start[3]);
         left = 9999;
     }
     Inputs in = start;
-    in.push_back(choice(2) ? between(-40, 40) * quarter : sign() * quarter * log_between(-3, 6.6));
+    switch (choice(3)) {
+        case 0: in.push_back(between(-40, 40) * quarter); break;
+        case 1: in.push_back(seam_of_time(quarter)); break;
+        default: in.push_back(sign() * quarter * log_between(-3, 6.6));
+    }
     return in;
 }
 
+// kind 0: amplitude, 1: complement, 2: velocity at the bottom, of a rotation.
 static Inputs harmonics_inputs() {
-    int region = choice(3);
+    int region = choice(5);
     double n = 2 * choice(region == 0 ? 6 : 30) + 1;
+    if (region == 3) return {3, (double)choice(2), choice(2) ? neighbour(M_PI_2, 20) : between(1.5, 1.65), n};
+    if (region == 4) return {4, 2, 2 + log_between(-15, 1), (double)(1 + choice(30))};
     if (region == 0) return {0, 0, between(0, M_PI), n};
     if (region == 1) return {1, 1, log_between(-300, 0), n};
     return {2, 0, log_between(-3, 0.49), n};
@@ -354,11 +498,17 @@ static Answers period_answers(const Inputs &in) {
 static Answers complete_answers(const Inputs &in) {
     Modulus m = modulus_of(in[1], in[2]);
     quad k = first(m.kc), kc = first(m.k);
-    return {k, second(m), kc, expq(-PI * kc / k)};
+    return {k, second(m), kc, m.kc == 0 ? 1 : expq(-PI * kc / k)};
 }
 static Answers incomplete_answers(const Inputs &in) {
-    quad phi = in[3], beyond = (M_PI_2q - phi) + PI_LOW / 2;
-    return {incomplete_first(sinq(phi) / sinq(beyond), modulus_of(in[1], in[2]).kc)};
+    Modulus m = modulus_of(in[1], in[2]);
+    double phi = in[3];
+    quad f = m.kc == 0 && fabs(phi) > M_PI_2 ? copysign(INFINITY, phi) : of_angle(phi, m.kc, first(m.kc), incomplete_first);
+    return {f, of_angle(phi, m.kc, second(m), incomplete_second)};
+}
+static Answers nome_answers(const Inputs &in) {
+    Modulus m = modulus_of_nome(in[1]);
+    return {m.k, m.kc};
 }
 static Answers jacobi_answers(const Inputs &in) {
     Jacobi j = jacobi(in[3], modulus_of(in[1], in[2]));
@@ -369,6 +519,7 @@ static Answers motion_answers(const Inputs &in) {
     return {s.angle, s.velocity, s.complement};
 }
 static Answers harmonics_answers(const Inputs &in) {
+    if (in[1] == 2) return {turning_harmonic(in[2], in[3])};
     return {harmonic(in[1] == 1 ? (quad)in[2] : complement_of(in[2]), in[3])};
 }
 
@@ -377,6 +528,7 @@ struct Function { std::function<Inputs()> inputs; std::function<Answers(const In
 static const std::map<std::string, Function> FUNCTIONS = {
     {"period", {period_inputs, period_answers, 3}},       {"excess", {excess_inputs, period_answers, 3}},
     {"complete", {modulus_inputs, complete_answers, 3}},  {"incomplete", {incomplete_inputs, incomplete_answers, 4}},
+    {"nome", {nome_inputs, nome_answers, 2}},
     {"jacobi", {jacobi_inputs, jacobi_answers, 4}},       {"motion", {motion_inputs, motion_answers, 5}},
     {"orbit", {orbit_inputs, motion_answers, 5}},
     {"harmonics", {harmonics_inputs, harmonics_answers, 4}},
@@ -386,7 +538,7 @@ static void write_record(Inputs record, const Answers &answers) {
     for (quad x : answers) {
         double hi = (double)x;
         record.push_back(hi);
-        record.push_back((double)(x - hi));
+        record.push_back(isinfq(x) ? 0 : (double)(x - hi));
     }
     fwrite(record.data(), sizeof(double), record.size(), stdout);
 }
@@ -394,7 +546,7 @@ static void write_record(Inputs record, const Answers &answers) {
 int main(int argc, char **argv) {
     auto found = argc < 2 ? FUNCTIONS.end() : FUNCTIONS.find(argv[1]);
     if (found == FUNCTIONS.end()) {
-        fprintf(stderr, "usage: oracle period|excess|complete|incomplete|jacobi|motion|orbit|harmonics [COUNT SEED]\n");
+        fprintf(stderr, "usage: oracle period|excess|complete|incomplete|nome|jacobi|motion|orbit|harmonics [COUNT SEED]\n");
         return 2;
     }
     const Function &function = found->second;

@@ -31,14 +31,33 @@ def amplitudes():
     hard += [top * random.random() for _ in range(120)]
     hard += [10 ** random.uniform(-9, 0) for _ in range(60)] + [10 ** random.uniform(-150, -9) for _ in range(20)]
     hard += [top - 10 ** random.uniform(-15, 0) for _ in range(60)]
-    return sorted(set(hard))
+    return sorted(set(hard + seam()))
 
 
 def complements():
     random.seed(2)
     hard = [10.0**-n for n in (1, 2, 3, 6, 9, 12, 15, 16, 17, 20, 30, 50, 100, 150, 154, 155, 200, 250, 300)] + [2.0, 3.0, math.pi]
     hard += [10 ** random.uniform(-300, 0) for _ in range(60)] + [10 ** random.uniform(-20, 0.4) for _ in range(40)]
-    return sorted(set(hard))
+    hard += [5e-324, 1.5e-323, 1e-315, 1e-310, 2.2250738585072014e-308, 4.4e-308, 4.5e-308]
+    return sorted(set(hard + seam()))
+
+
+def seam():
+    """Next to pi/2, where the period changes its expansion, from either side."""
+    random.seed(3)
+    chosen = [1.54, 1.57, 1.58, 1.6, 1.61] + [random.uniform(1.54, 1.61) for _ in range(40)]
+    below = above = math.pi / 2
+    for _ in range(8):
+        below, above = math.nextafter(below, 0), math.nextafter(above, 2)
+        chosen += [below, above]
+    return chosen + WORST
+
+
+# Found by the ledger: where errors of the period and its excess are largest within 0.1 of pi/2.
+WORST = [
+    1.5856140646997476, 1.5924752844642647, 1.5823036714601353, 1.8525657374535773, 1.5707963267949003, 1.5707963267947003,
+    1.570796326794859, 1.5707963267948937, 1.549630644254244, 1.6209414836408274, 1.6143471347751024,
+]  # fmt: skip
 
 
 def row(given, value):

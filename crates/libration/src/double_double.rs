@@ -17,7 +17,7 @@ pub(crate) struct DoubleDouble {
 /// Below this the rounding error of a square root underflows.
 const TINY: f64 = 1e-270;
 /// 2¹⁰⁰.
-pub(crate) const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
+const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
 const TWO_TO_200: f64 = TWO_TO_100 * TWO_TO_100;
 
 /// `a + b` and its rounding error, exactly.
@@ -51,6 +51,8 @@ impl DoubleDouble {
     pub(crate) const PI_TAIL: Self = Self::new(Self::PI.lo, -2.9947698097183397e-33);
     /// π/2.
     pub(crate) const FRAC_PI_2: Self = Self::new(1.5707963267948966, 6.123233995736766e-17);
+    /// 2/π.
+    pub(crate) const FRAC_2_PI: Self = Self::new(0.6366197723675814, -3.935735335036497e-17);
     /// ln 2.
     pub(crate) const LN_2: Self = Self::new(0.6931471805599453, 2.3190468138462996e-17);
 
@@ -77,9 +79,20 @@ impl DoubleDouble {
         Self::new(self.hi * power_of_two, self.lo * power_of_two)
     }
 
+    /// Multiplication by 2^exponent, exact barring underflow.
+    pub(crate) fn times_power_of_two(self, exponent: i32) -> Self {
+        Self::new(libm::scalbn(self.hi, exponent), libm::scalbn(self.lo, exponent))
+    }
+
     #[inline(always)]
     pub(crate) fn square(self) -> Self {
         self * self
+    }
+
+    /// The square rounded to one word, also where it overflows or underflows.
+    pub(crate) fn square_to_f64(self) -> f64 {
+        let (_, exponent) = libm::frexp(self.hi);
+        libm::scalbn(self.times_power_of_two(-exponent).square().to_f64(), 2 * exponent)
     }
 
     /// The square root, relative error below 4u² (one Newton step from the one-word root); zero for zero.
@@ -219,6 +232,20 @@ mod tests {
             assert!(((x / DoubleDouble::LN_2) * DoubleDouble::LN_2 - x).to_f64().abs() < 2e-31 * x.hi);
             assert!((x.sqrt().square() - x).to_f64().abs() < 1e-31 * x.hi);
         }
+    }
+
+    #[test]
+    fn squares_are_rounded_once_however_large_or_small() {
+        let x = DoubleDouble::new(1.5, 1e-17);
+        for exponent in [-1074, -600, -537, -530, -400, 0, 400, 511] {
+            let expected = libm::scalbn(x.square().to_f64(), 2 * exponent);
+            let shifted = x.times_power_of_two(exponent);
+            let exact = shifted.lo != 0.0 || exponent < -1000;
+            assert!(exact, "{exponent}: its second word is there, or below the smallest number");
+            assert_eq!(shifted.square_to_f64().to_bits(), expected.to_bits(), "{exponent}");
+        }
+        assert!(x.times_power_of_two(512).square_to_f64().is_infinite());
+        assert_eq!(DoubleDouble::ZERO.square_to_f64().to_bits(), 0);
     }
 
     #[test]

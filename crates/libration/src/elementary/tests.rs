@@ -103,6 +103,30 @@ fn two_word_functions_are_good_to_a_hundred_bits() {
 }
 
 #[test]
+fn the_two_word_logarithm_keeps_its_digits_among_the_smallest_numbers() {
+    for x in
+        [5e-324, 1.5e-323, 1e-310, f64::MIN_POSITIVE, 1e-300, 0.7071067811865475, 0.7071067811865476, 1e308]
+    {
+        let error = (big(two_word::ln(DoubleDouble::from(x))) - word(x).ln()).to_f64().abs();
+        // A part in 2¹⁰⁰ of the largest of them.
+        assert!(error < 745.0 * libm::exp2(-100.0), "{x:e}: {error:e}");
+    }
+}
+
+#[test]
+fn the_two_word_power_is_rounded_once_among_the_smallest_numbers() {
+    for x in [-700.1, -708.3, -708.4, -720.5, -744.4, -745.1, -745.2] {
+        let exact = word(x).exp();
+        let smallest = word(f64::from_bits(1));
+        let error =
+            ((word(two_word::exp(DoubleDouble::from(x)).to_f64()) - exact.clone()) / smallest).to_f64().abs();
+        // Half a unit, and half an ulp where that is more.
+        let ulp = (exact * word(f64::EPSILON) / word(f64::from_bits(1))).to_f64();
+        assert!(error <= 0.5 * ulp.max(1.0) + 1e-9, "{x}: {error}");
+    }
+}
+
+#[test]
 fn the_two_word_arctangent_has_the_sine_and_cosine_of_its_point() {
     let bound = libm::exp2(-100.0);
     for x in uniform() {

@@ -24,7 +24,7 @@ fn sin_cos_series(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (x * sine, cosine)
 }
 
-/// eˣ for |x| ≤ 740; below −700 the second word begins to underflow.
+/// eˣ for −745.2 ≤ x ≤ 709; below −700 the second word begins to underflow, which costs nothing once rounded.
 pub(crate) fn exp(x: DoubleDouble) -> DoubleDouble {
     let n = (x.hi * std::f64::consts::LOG2_E).round();
     let r = x - DoubleDouble::LN_2 * n;
@@ -37,12 +37,17 @@ pub(crate) fn exp(x: DoubleDouble) -> DoubleDouble {
     sum.scaled(libm::exp2(half)).scaled(libm::exp2(n - half))
 }
 
-/// ln x for a normal positive x.
+/// ln x for a positive x, however small.
 pub(crate) fn ln(x: DoubleDouble) -> DoubleDouble {
-    let first = DoubleDouble::from(libm::log(x.hi));
+    let (half_to_one, above) = libm::frexp(x.hi);
+    // Within [√½, √2): near one nothing cancels, and the power below keeps its second word.
+    let exponent = if half_to_one < std::f64::consts::FRAC_1_SQRT_2 { above - 1 } else { above };
+    let fraction = x.times_power_of_two(-exponent);
+    let first = DoubleDouble::from(libm::log(fraction.hi));
     // With y the first guess, ln x = y + 2 artanh((x − eʸ)/(x + eʸ)), and the argument is of order 2⁻⁵³.
     let guess = exp(first);
-    first + ((x - guess) / (x + guess)).scaled(2.0)
+    let missing = ((fraction - guess) / (fraction + guess)).scaled(2.0);
+    DoubleDouble::LN_2 * f64::from(exponent) + (first + missing)
 }
 
 /// The angle of the point (x, y), within [−π, π].

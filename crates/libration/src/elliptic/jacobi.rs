@@ -56,7 +56,7 @@ impl Quotients {
             Expansion::Hyperbolic => first / complementary_first,
         };
         let exponent = DoubleDouble::FRAC_PI_2 * ratio;
-        let root = if exponent.hi < 740.0 { two_word::exp(-exponent) } else { DoubleDouble::ZERO };
+        let root = if exponent.hi < 745.2 { two_word::exp(-exponent) } else { DoubleDouble::ZERO };
         let series = ThetaSeries::new(root.square().to_f64());
         let scale = match expansion {
             Expansion::Circular => DoubleDouble::PI.scaled(2.0),
@@ -168,18 +168,24 @@ fn hyperbolic_limit(u: f64) -> Jacobi {
     if !u.is_finite() {
         return Jacobi { sn: f64::NAN, cn: f64::NAN, dn: f64::NAN, am: f64::NAN };
     }
+    let (tanh, sech, gudermannian) = if size > 0.5 { far(size) } else { near(size) };
     let sign = 1f64.copysign(u);
-    if size > 690.0 {
-        let sech = 2.0 * libm::exp(-size);
-        return Jacobi { sn: sign, cn: sech, dn: sech, am: sign * std::f64::consts::FRAC_PI_2 };
-    }
-    let (sinh, cosh) = sinh_cosh(DoubleDouble::from(size));
+    Jacobi { sn: sign * tanh, cn: sech, dn: sech, am: sign * gudermannian }
+}
+
+/// tanh, sech and the Gudermannian for 0 ≤ u ≤ ½.
+fn near(u: f64) -> (f64, f64, f64) {
+    let (sinh, cosh) = sinh_cosh(DoubleDouble::from(u));
+    let angle = atan_of_ratio(sinh, DoubleDouble::ONE);
+    ((sinh / cosh).to_f64(), cosh.recip().to_f64(), angle.to_f64())
+}
+
+/// The same above: of p = e^−u they are (1 − p²)/(1 + p²), 2p/(1 + p²) and π/2 − 2 atan p.
+fn far(u: f64) -> (f64, f64, f64) {
     let one = DoubleDouble::ONE;
-    let angle = if sinh.hi > 1.0 {
-        DoubleDouble::FRAC_PI_2 - atan_of_ratio(one, sinh)
-    } else {
-        atan_of_ratio(sinh, one)
-    };
-    let sech = cosh.recip().to_f64();
-    Jacobi { sn: sign * (sinh / cosh).to_f64().min(1.0), cn: sech, dn: sech, am: sign * angle.to_f64() }
+    let power = if u < 745.2 { two_word::exp(DoubleDouble::from(-u)) } else { DoubleDouble::ZERO };
+    let square = power.square();
+    let angle = DoubleDouble::FRAC_PI_2 - atan_of_ratio(power, one).scaled(2.0);
+    let sech = power.scaled(2.0) / (one + square);
+    (((one - square) / (one + square)).to_f64(), sech.to_f64(), angle.to_f64())
 }

@@ -257,14 +257,15 @@ impl PhaseClock {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
         let lo = t.mul_add(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
-        Phase::of(DoubleDouble::new(sum.hi, lo)).advanced(self.quarter)
+        Phase::of(DoubleDouble::new(sum.hi, lo), t).advanced(self.quarter)
     }
 }
 
 impl Phase {
-    /// The parts of a number of turns; the words need not be normalised.
+    /// The parts of a number of turns, whose words need not be normalised and may have overflowed; the rest is NaN
+    /// for a time that is not finite.
     #[inline(always)]
-    pub(crate) fn of(turns: DoubleDouble) -> Self {
+    pub(crate) fn of(turns: DoubleDouble, time: f64) -> Self {
         let whole = turns.hi.round_ties_even();
         // The second word may hold turns too, after 2⁵³ of them.
         let fraction = two_sum(turns.hi - whole, turns.lo);
@@ -273,11 +274,14 @@ impl Phase {
         let quarter = (4.0 * fraction_hi).round_ties_even();
         let known = whole.abs() < MOST_TURNS;
         let rest = fast_two_sum(
-            // Zero, but NaN for what is not finite.
-            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 * turns.hi },
+            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 * time },
             if known { fraction.lo } else { 0.0 },
         );
-        Self { turns: whole + more, quarter, rest }
+        Self {
+            turns: if known { whole + more } else { turns.hi },
+            quarter: if known { quarter } else { 0.0 },
+            rest,
+        }
     }
 
     /// The phase so many quarters later, −2 … 2.

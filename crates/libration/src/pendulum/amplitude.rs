@@ -3,8 +3,11 @@
 use super::{PendulumError, period};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
-use crate::elliptic::{Modulus, agm};
+use crate::elliptic::{self, Modulus, agm};
 use crate::quantity::Angle;
+
+/// Half of a complement below this would be rounded among the subnormal numbers.
+const SMALLEST_HALVED: f64 = 2.0 * f64::MIN_POSITIVE;
 
 /// The amplitude of a libration: an angle of at least zero and less than π, with its complement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +59,7 @@ impl Amplitude {
         period::ratio_from_words(self.angle.in_turn_words(), self.angle.complement_words())
     }
 
-    /// T/T0 − 1 with full relative accuracy.
+    /// T/T0 − 1, within 0.92 ulp from θ0 = 1e-150 on.
     #[must_use]
     pub fn period_excess(&self) -> f64 {
         period::excess_from_words(self.angle.in_turn_words(), self.angle.complement_words())
@@ -66,37 +69,40 @@ impl Amplitude {
     #[must_use]
     pub fn nome(&self) -> f64 {
         let (k, complementary) = self.half_angle();
-        if k.hi == 0.0 {
-            return 0.0;
-        }
-        let ratio = agm::complete(complementary, k).first / agm::complete(k, complementary).first;
-        let exponent = (DoubleDouble::PI * ratio).hi;
-        if exponent < 740.0 {
-            two_word::exp(DoubleDouble::PI * -ratio).to_f64()
-        } else {
-            libm::exp(-exponent)
-        }
+        elliptic::nome(self.integrals().first, agm::complete(complementary, k).first)
     }
 
     /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: how many times larger
-    /// the relative error of the period is than that of the amplitude. From DLMF 19.4.1.
+    /// the relative error of the period is than that of the amplitude; ∞ below a complement of 2.5e-311. From
+    /// DLMF 19.4.1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        (self.angle.in_turn_words() * self.logarithmic_slope()).to_f64()
+        let slope = self.logarithmic_slope();
+        // 1/δ is beyond the range of numbers for the smallest complements.
+        if slope.is_finite() { (self.angle.in_turn_words() * slope).to_f64() } else { f64::INFINITY }
     }
 
     /// (1/T)·dT/dθ0 = (E − k′²K)/(2kk′K), in 1/rad.
     pub(super) fn logarithmic_slope(&self) -> DoubleDouble {
         let (k, complementary) = self.half_angle();
-        if k.hi == 0.0 {
-            return DoubleDouble::ZERO;
-        }
-        let integrals = agm::complete(k, complementary);
-        // Two quotients, because the product of the denominators may underflow.
-        integrals.second_less_scaled_first / k / (complementary * integrals.first).scaled(2.0)
+        let integrals = self.integrals();
+        let complement = self.angle.complement_words();
+        let twice = if complement.hi < SMALLEST_HALVED { complement } else { complementary.scaled(2.0) };
+        k * integrals.cosine_part / integrals.first / twice
     }
 
-    /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2).
+    /// The integrals of the modulus; where k′ would be rounded, from K(k′) = K(2k′) + ln 2.
+    fn integrals(&self) -> agm::Complete {
+        let (k, complementary) = self.half_angle();
+        let complement = self.angle.complement_words();
+        if complement.hi >= SMALLEST_HALVED {
+            return agm::complete(k, complementary);
+        }
+        let doubled = agm::complete(k, complement);
+        agm::Complete { first: doubled.first + DoubleDouble::LN_2, ..doubled }
+    }
+
+    /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2), rounded to an `f64` where it is below 2.2e-308.
     #[must_use]
     pub fn modulus(&self) -> Modulus {
         let (k, complementary) = self.half_angle();
@@ -116,8 +122,7 @@ impl Amplitude {
 
     /// 2πR/ω0.
     pub(super) fn period_in_units_of(&self, angular_frequency: DoubleDouble) -> f64 {
-        let (k, complementary) = self.half_angle();
-        (agm::complete(k, complementary).first.scaled(4.0) / angular_frequency).to_f64()
+        (self.integrals().first.scaled(4.0) / angular_frequency).to_f64()
     }
 }
 

@@ -40,7 +40,7 @@ impl Motion {
     /// rest and on the separatrix.
     ///
     /// # Accuracy
-    /// 4e-15 relative for coefficients above 1e-12 rad (ledger in `tests/suite/accuracy.rs`).
+    /// Coefficients of the angle to 0.56 ulp down to 2.3e-308 rad (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn harmonics(&self, tolerance: f64, limit: usize) -> Harmonics {
         match self {
@@ -109,9 +109,6 @@ fn quarter_ratio(modulus: &Modulus) -> DoubleDouble {
 
 /// 1/cosh x for x ≥ 0.
 fn hyperbolic_secant(x: DoubleDouble) -> DoubleDouble {
-    if x.hi > 700.0 {
-        return DoubleDouble::from(2.0 * libm::exp(-x.hi));
-    }
-    let power = two_word::exp(-x);
+    let power = if x.hi < 745.2 { two_word::exp(-x) } else { DoubleDouble::ZERO };
     power.scaled(2.0) / (DoubleDouble::ONE + power.square())
 }

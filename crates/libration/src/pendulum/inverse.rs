@@ -1,6 +1,6 @@
 //! Inverse questions: the amplitude that has a period; the length or the gravity from a measured period.
 
-use super::{Amplitude, Pendulum, PendulumError, positive};
+use super::{Amplitude, Pendulum, PendulumError, USABLE, positive};
 use crate::double_double::{DoubleDouble, two_prod};
 use crate::elementary::two_word;
 use crate::quantity::Angle;
@@ -9,15 +9,18 @@ use crate::quantity::Angle;
 const STEPS: usize = 8;
 const LN_8: f64 = 3.0 * std::f64::consts::LN_2;
 
+/// T/T0 − 1 from which on the complement would be below 1e-300.
+const LARGEST_EXCESS: f64 = 440.08;
+
 impl Amplitude {
     /// The amplitude whose period ratio T/T0 is exactly this `f64`, which must be at least 1; to the last
     /// bits that the ratio determines.
     ///
     /// # Errors
-    /// A ratio below 1, not finite, or beyond the smallest complement kept, 1e-300 (T/T0 about 441).
+    /// A ratio below 1, not finite, or above 441.08, where the complement is below 1e-300.
     pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> {
         // Exact below 2, and above it the excess is not small.
-        Self::from_excess(ratio - 1.0).ok_or(PendulumError::NoSuchPeriod(ratio))
+        Self::from_excess(ratio - 1.0, ratio)
     }
 
     /// The amplitude whose excess T/T0 − 1 is exactly this `f64`.
@@ -25,16 +28,17 @@ impl Amplitude {
     /// # Errors
     /// An excess that is negative, not finite, or too large, as [`Self::from_period_ratio`].
     pub fn from_period_excess(excess: f64) -> Result<Self, PendulumError> {
-        Self::from_excess(excess).ok_or(PendulumError::NoSuchPeriod(1.0 + excess))
+        Self::from_excess(excess, 1.0 + excess)
     }
 
-    fn from_excess(excess: f64) -> Option<Self> {
-        /// T/T0 − 1 for the complement 1e-300.
-        const LARGEST: f64 = 440.1;
-        if !(0.0..LARGEST).contains(&excess) {
-            return None;
+    fn from_excess(excess: f64, ratio: f64) -> Result<Self, PendulumError> {
+        if !(0.0..f64::INFINITY).contains(&excess) {
+            return Err(PendulumError::NoSuchPeriod(ratio));
         }
-        Some(if excess < 0.18 { below(excess) } else { near_top(excess) })
+        if excess > LARGEST_EXCESS {
+            return Err(PendulumError::PeriodTooLong(ratio));
+        }
+        Ok(if excess < 0.18 { below(excess) } else { near_top(excess) })
     }
 }
 
@@ -73,7 +77,8 @@ impl Pendulum {
     /// its gravity is 4π²l(T/T0)²/T².
     ///
     /// # Errors
-    /// A length or period that is not positive and finite, or a gravity outside the range of `f64`.
+    /// A length or period that is not positive and finite, or whose angular frequency or gravity is outside the
+    /// range of `f64`.
     pub fn from_length_and_period(
         length: f64,
         period: f64,
@@ -81,15 +86,21 @@ impl Pendulum {
     ) -> Result<Self, PendulumError> {
         positive("length", length)?;
         positive("period", period)?;
-        let gravity = squared_frequency(period, amplitude) * length;
-        Self::new(length, gravity.to_f64())
+        let frequency = frequency_of(period, amplitude)?;
+        // In this order everything on the way lies between the length and the gravity.
+        let gravity = (frequency * length * frequency).to_f64();
+        if !gravity.is_normal() {
+            return Err(PendulumError::Unattainable { name: "gravity", period });
+        }
+        Self::new(length, gravity)
     }
 
     /// The pendulum under this gravity in m/s² whose libration with this amplitude has this period in
     /// seconds: its length is gT²/(4π²(T/T0)²).
     ///
     /// # Errors
-    /// A gravity or period that is not positive and finite, or a length outside the range of `f64`.
+    /// A gravity or period that is not positive and finite, or whose angular frequency or length is outside the
+    /// range of `f64`.
     pub fn from_gravity_and_period(
         gravity: f64,
         period: f64,
@@ -97,13 +108,18 @@ impl Pendulum {
     ) -> Result<Self, PendulumError> {
         positive("gravity", gravity)?;
         positive("period", period)?;
-        let length = DoubleDouble::from(gravity) / squared_frequency(period, amplitude);
-        Self::new(length.to_f64(), gravity)
+        let frequency = frequency_of(period, amplitude)?;
+        let length = (DoubleDouble::from(gravity) / frequency / frequency).to_f64();
+        if !length.is_normal() {
+            return Err(PendulumError::Unattainable { name: "length", period });
+        }
+        Self::new(length, gravity)
     }
 }
 
-/// ω0² = (2πR/T)².
-fn squared_frequency(period: f64, amplitude: &Amplitude) -> DoubleDouble {
+/// ω0 = 2πR/T.
+fn frequency_of(period: f64, amplitude: &Amplitude) -> Result<DoubleDouble, PendulumError> {
     let turns = two_prod(2.0, amplitude.period_ratio());
-    (DoubleDouble::PI * turns / DoubleDouble::from(period)).square()
+    let frequency = DoubleDouble::PI * turns / DoubleDouble::from(period);
+    if USABLE.contains(&frequency.hi) { Ok(frequency) } else { Err(PendulumError::PeriodOutOfRange(period)) }
 }

@@ -60,17 +60,24 @@ impl Libration {
     }
 
     pub(super) fn energy_ratio(&self) -> f64 {
-        self.modulus.modulus_words().square().to_f64()
+        self.modulus.modulus_words().square_to_f64()
     }
 
     pub(super) fn energy_excess(&self) -> f64 {
-        -self.modulus.complementary_words().square().to_f64()
+        -self.modulus.complementary_words().square_to_f64()
+    }
+
+    /// 2ω0²e.
+    pub(super) fn specific_energy(&self) -> f64 {
+        2.0 * (self.angular_frequency * self.modulus.modulus_words()).square_to_f64()
     }
 
     /// (8ω0/π)·(E − k′²K).
     pub(super) fn action(&self) -> f64 {
-        (self.modulus.second_less_scaled_first() * self.angular_frequency.scaled(8.0) / DoubleDouble::PI)
-            .to_f64()
+        let k = self.modulus.modulus_words();
+        let part = self.modulus.cosine_part().scaled(8.0) / DoubleDouble::PI;
+        // No square of k, which may be below the range of numbers where the action is not.
+        (self.angular_frequency * k * part * k).to_f64()
     }
 
     pub(super) fn angular_frequency(&self) -> DoubleDouble {

@@ -117,11 +117,21 @@ pub enum PendulumError {
     /// An energy below that of the pendulum at rest.
     #[error("the energy ratio is {0}: the least energy, at rest at the bottom, is 0")]
     NegativeEnergy(f64),
-    /// A velocity whose energy leaves the range of `f64`.
+    /// A velocity whose motion leaves the range of `f64`.
     #[error(
-        "a velocity of {0:?} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency"
+        "a velocity of {0:?} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency, and at most 1e307 rad/s"
     )]
     TooFast(f64),
+    /// An energy ratio whose motion leaves the range of `f64`.
+    #[error(
+        "an energy ratio of {0:?} is too large: its motion is beyond the range of numbers; give at most 1e300, and no velocity above 1e307 rad/s"
+    )]
+    TooMuchEnergy(f64),
+    /// A start so close to the upright position that half its complement is no longer a full `f64`.
+    #[error(
+        "a start {0:?} rad from the upright position is closer to it than numbers can tell: give at least 4.5e-308 rad, or exactly the upright position"
+    )]
+    TooCloseToTop(f64),
     /// The energy differs from the separatrix's by less than the range of `f64`.
     #[error("the motion is closer to the separatrix than numbers can tell: give another velocity")]
     TooCloseToSeparatrix,
@@ -130,6 +140,24 @@ pub enum PendulumError {
         "no amplitude has the period ratio T/T0 = {0}: it is 1 for the smallest swings and grows without bound towards the top"
     )]
     NoSuchPeriod(f64),
+    /// A period ratio whose amplitude is closer to the top than is kept.
+    #[error(
+        "the amplitude of the period ratio T/T0 = {0} is less than 1e-300 rad below the upright position: give at most 441.08"
+    )]
+    PeriodTooLong(f64),
+    /// A period whose angular frequency leaves the range of `f64`.
+    #[error("a period of {0:?} s gives an angular frequency out of range: it must be 1e-290 to 1e290 rad/s")]
+    PeriodOutOfRange(f64),
+    /// A period that no length or gravity within the range of `f64` gives.
+    #[error(
+        "the {name} for a period of {period:?} s is beyond the range of numbers: give a period nearer to a second"
+    )]
+    Unattainable {
+        /// What was asked for.
+        name: &'static str,
+        /// The period.
+        period: f64,
+    },
 }
 
 /// Slices of a batch whose lengths differ.
@@ -156,12 +184,12 @@ impl Pendulum {
     /// A pendulum of this length in metres under this gravity in m/s².
     ///
     /// # Errors
-    /// A length or gravity that is not positive and finite, or whose √(g/l) is outside the range of `f64`.
+    /// A length or gravity that is not positive and finite, or whose √(g/l) is outside 1e-290 … 1e290.
     pub fn new(length: f64, gravity: f64) -> Result<Self, PendulumError> {
         positive("length", length)?;
         positive("gravity", gravity)?;
         let pendulum = Self { size: Size::LengthAndGravity { length, gravity } };
-        if !USABLE.contains(&pendulum.angular_frequency()) || !(gravity / length).is_normal() {
+        if !USABLE.contains(&pendulum.angular_frequency()) {
             return Err(PendulumError::OutOfRange { length, gravity });
         }
         Ok(pendulum)
@@ -218,12 +246,18 @@ impl Pendulum {
     /// ω0 in two words.
     fn angular_frequency_words(&self) -> DoubleDouble {
         match self.size {
-            Size::LengthAndGravity { length, gravity } => {
-                (DoubleDouble::from(gravity) / DoubleDouble::from(length)).sqrt()
-            }
+            Size::LengthAndGravity { length, gravity } => root_of_quotient(gravity, length),
             Size::AngularFrequency(angular_frequency) => DoubleDouble::from(angular_frequency),
         }
     }
+}
+
+/// √(a/b), by powers of two apart so that the quotient neither overflows nor underflows.
+fn root_of_quotient(a: f64, b: f64) -> DoubleDouble {
+    let ((a, a_exponent), (b, b_exponent)) = (libm::frexp(a), libm::frexp(b));
+    let exponent = a_exponent - b_exponent;
+    let a = libm::scalbn(a, exponent.rem_euclid(2));
+    (DoubleDouble::from(a) / DoubleDouble::from(b)).sqrt().times_power_of_two(exponent.div_euclid(2))
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), PendulumError> {

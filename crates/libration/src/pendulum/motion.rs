@@ -12,6 +12,12 @@ use crate::quantity::Angle;
 /// The largest |θ′|/2ω0, whose square is the energy ratio.
 const FASTEST: f64 = 1e150;
 
+/// The largest velocity in rad/s, which leaves room for what it is multiplied with on the way.
+const LARGEST_VELOCITY: f64 = 1e307;
+
+/// Half of a complement below this would be rounded among the subnormal numbers.
+const SMALLEST_COMPLEMENT: f64 = 2.0 * f64::MIN_POSITIVE;
+
 /// A motion of the pendulum.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
@@ -70,19 +76,23 @@ impl Pendulum {
         self.launched(angle, 0.0)
     }
 
-    /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact;
-    /// a velocity and angle below 2.2e-308 are rest; the separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
+    /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact, but
+    /// that a velocity below 4.4e-308·ω0 counts as none, and is rest where the angle is below 4.4e-308 too; the
+    /// separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
     ///
     /// # Errors
-    /// A velocity that is not finite or above 2e150·ω0; an energy closer to the separatrix than `f64` can
-    /// tell, which happens only next to the upright position.
+    /// A velocity that is not finite, above 2e150·ω0 or above 1e307 rad/s; an energy closer to the separatrix than
+    /// `f64` can tell, which happens only next to the upright position; an angle within 4.4e-308 of it.
     pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
         finite("velocity", velocity)?;
+        if angle.complement() > 0.0 && angle.complement() < SMALLEST_COMPLEMENT {
+            return Err(PendulumError::TooCloseToTop(angle.complement()));
+        }
         let angular_frequency = self.angular_frequency_words();
         let (sine, cosine) = half_angle(&angle);
-        let scaled_velocity = DoubleDouble::from(velocity) / angular_frequency.scaled(2.0);
+        let scaled_velocity = self.in_units_of_twice_the_frequency(velocity);
         let speed = scaled_velocity.abs();
-        if speed.hi > FASTEST {
+        if speed.hi > FASTEST || velocity.abs() > LARGEST_VELOCITY {
             return Err(PendulumError::TooFast(velocity));
         }
         let still = speed.hi < f64::MIN_POSITIVE;
@@ -104,12 +114,13 @@ impl Pendulum {
     /// velocity at t = 0; e = 1 is the separatrix.
     ///
     /// # Errors
-    /// e negative or not finite.
+    /// e negative or not finite, above 1e300, or so large that the velocity is above 1e307 rad/s.
     pub fn with_energy_ratio(&self, energy_ratio: f64) -> Result<Motion, PendulumError> {
         finite("energy ratio", energy_ratio)?;
         if energy_ratio < 0.0 {
             return Err(PendulumError::NegativeEnergy(energy_ratio));
         }
+        self.reaches(energy_ratio)?;
         let energy = DoubleDouble::from(energy_ratio);
         Ok(self.passing_the_bottom(energy, energy - 1.0))
     }
@@ -118,12 +129,13 @@ impl Pendulum {
     /// an excess exactly this `f64`, however close to the separatrix.
     ///
     /// # Errors
-    /// An excess below −1 or not finite.
+    /// An excess below −1 or not finite, or too large, as [`Self::with_energy_ratio`].
     pub fn with_energy_excess(&self, excess: f64) -> Result<Motion, PendulumError> {
         finite("energy excess", excess)?;
         if excess < -1.0 {
             return Err(PendulumError::NegativeEnergy(1.0 + excess));
         }
+        self.reaches(1.0 + excess)?;
         let excess = DoubleDouble::from(excess);
         Ok(self.passing_the_bottom(excess + 1.0, excess))
     }
@@ -132,6 +144,23 @@ impl Pendulum {
     #[must_use]
     pub fn on_separatrix(&self) -> Motion {
         self.passing_the_bottom(DoubleDouble::ONE, DoubleDouble::ZERO)
+    }
+
+    /// θ′/2ω0, scaled by a power of two so that next to no frequency its second word underflows.
+    fn in_units_of_twice_the_frequency(&self, velocity: f64) -> DoubleDouble {
+        let frequency = self.angular_frequency_words();
+        let (_, exponent) = libm::frexp(frequency.hi);
+        let scaled = DoubleDouble::from(velocity).times_power_of_two(-exponent - 1);
+        scaled / frequency.times_power_of_two(-exponent)
+    }
+
+    /// Whether an energy ratio is within the range of numbers.
+    fn reaches(&self, energy_ratio: f64) -> Result<(), PendulumError> {
+        let speed = libm::sqrt(energy_ratio);
+        if speed > FASTEST || 2.0 * self.angular_frequency() * speed > LARGEST_VELOCITY {
+            return Err(PendulumError::TooMuchEnergy(energy_ratio));
+        }
+        Ok(())
     }
 
     fn passing_the_bottom(&self, energy: DoubleDouble, excess: DoubleDouble) -> Motion {
@@ -228,16 +257,15 @@ impl Motion {
         }
     }
 
-    /// E/(m·l²) in rad²/s², counted from the bottom: 2ω0²e.
+    /// E/(m·l²) in rad²/s², counted from the bottom: 2ω0²e; ∞ or 0 where that is beyond the range of `f64`.
     #[must_use]
     pub fn specific_energy(&self) -> f64 {
-        let omega = match self {
-            Self::Rest(rest) => rest.angular_frequency,
-            Self::Libration(libration) => libration.angular_frequency(),
-            Self::Separatrix(separatrix) => separatrix.angular_frequency(),
-            Self::Rotation(rotation) => return rotation.specific_energy(),
-        };
-        omega.square().to_f64() * (2.0 * self.energy_ratio())
+        match self {
+            Self::Rest(rest) => rest.specific_energy(),
+            Self::Libration(libration) => libration.specific_energy(),
+            Self::Separatrix(separatrix) => separatrix.specific_energy(),
+            Self::Rotation(rotation) => rotation.specific_energy(),
+        }
     }
 
     /// The amplitude, of a libration.
@@ -249,7 +277,7 @@ impl Motion {
         }
     }
 
-    /// The action ∮p dθ/2π per m·l², in rad²/s: over a period of a libration, over a turn of a rotation or
+    /// The action ∮p dθ/2π per m·l², in rad²/s, 0 where that is below the range of `f64`: over a period of a libration, over a turn of a rotation or
     /// the separatrix.
     #[must_use]
     pub fn action(&self) -> f64 {
@@ -263,9 +291,12 @@ impl Motion {
 
     /// The state at this time in seconds; NaN for a time that is not finite.
     ///
+    /// After 1e27 periods, where two words of the frequency say nothing of the phase, that of a whole period stands
+    /// for it. The angle of a rotation is ∞ where it is beyond the range of `f64`.
+    ///
     /// # Accuracy
-    /// 4 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity
-    /// (ledger in `tests/suite/accuracy.rs`).
+    /// 2.3 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
+    /// complement (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn state_at(&self, time: f64) -> State {
         if !time.is_finite() {
@@ -321,6 +352,10 @@ impl Rest {
             return f64::NAN;
         }
         (DoubleDouble::PI.scaled(2.0) / self.angular_frequency).to_f64()
+    }
+
+    fn specific_energy(&self) -> f64 {
+        if self.angle.complement() == 0.0 { 2.0 * self.angular_frequency.square_to_f64() } else { 0.0 }
     }
 
     fn energy_ratio(&self) -> f64 {

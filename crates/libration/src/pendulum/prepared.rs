@@ -41,7 +41,7 @@ impl PreparedMotion {
         &self.motion
     }
 
-    /// The state at this time in seconds; NaN for a time that is not finite.
+    /// The state at this time in seconds; NaN where [`Motion::state_at`] is.
     ///
     /// # Accuracy
     /// As [`Motion::state_at`], with which it agrees within the sum of the bounds.

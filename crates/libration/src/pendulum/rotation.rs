@@ -73,7 +73,7 @@ impl Rotation {
 
     /// 2ω0²e.
     pub(super) fn specific_energy(&self) -> f64 {
-        self.speed.square().scaled(2.0).to_f64()
+        2.0 * self.speed.square_to_f64()
     }
 
     /// (4ω0√e/π)·E.
@@ -167,8 +167,12 @@ impl TurnQuotients {
     /// The unwrapped angle.
     #[inline(always)]
     fn angle(&self, turn: &Turn) -> f64 {
-        let whole = DoubleDouble::PI * (turn.half_turns * self.direction);
-        unwrapped(whole + self.base, turn.sign * self.direction, turn.half.angle)
+        let half_turns = turn.half_turns * self.direction;
+        let whole = DoubleDouble::PI * half_turns;
+        let angle = unwrapped(whole + self.base, turn.sign * self.direction, turn.half.angle);
+        // Infinite beyond the range of numbers, where words cancel to NaN.
+        let rough = DoubleDouble::PI.hi * half_turns;
+        if rough.is_infinite() { rough + turn.half.angle.hi } else { angle }
     }
 }
 

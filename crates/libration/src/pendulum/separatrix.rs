@@ -3,7 +3,7 @@
 use super::motion::Start;
 use super::state::{DoubledArctangent, State, unwrapped};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
-use crate::elementary::sinh_cosh;
+use crate::elementary::{sinh_cosh, two_word};
 use crate::elliptic::first_of_point;
 
 /// A motion on the separatrix, prepared for evaluation at any time.
@@ -16,8 +16,17 @@ pub struct Separatrix {
     base: DoubleDouble,
 }
 
-/// Beyond this |x| the hyperbolic functions are taken as e^|x|/2.
+/// Beyond this |x| the hyperbolic functions are e^|x|/2.
 const FAR: f64 = 600.0;
+
+/// Beyond this |x| even 1e290·e^−|x| is below the range of numbers.
+const AT_THE_TOP: f64 = 1480.0;
+
+/// |θ| and its complement, and sech x as the product of these two, which underflow later than it does.
+struct Point {
+    half: DoubledArctangent,
+    sech: [DoubleDouble; 2],
+}
 
 impl Separatrix {
     /// The motion through this state.
@@ -40,8 +49,9 @@ impl Separatrix {
         self.direction
     }
 
-    pub(super) fn angular_frequency(&self) -> DoubleDouble {
-        self.angular_frequency
+    /// 2ω0².
+    pub(super) fn specific_energy(&self) -> f64 {
+        2.0 * self.angular_frequency.square_to_f64()
     }
 
     /// 4ω0/π.
@@ -50,30 +60,37 @@ impl Separatrix {
     }
 
     pub(super) fn state_at(&self, time: f64) -> State {
-        let product = two_prod(time, self.angular_frequency.hi);
-        let product_lo = time.mul_add(self.angular_frequency.lo, product.lo);
-        let x = fast_two_sum(product.hi, product_lo) + self.offset;
+        let x = self.argument(time);
         let sign = if x.hi < 0.0 { -self.direction } else { self.direction };
-        let (complement_and_angle, sech) =
-            if x.hi.abs() < FAR { Self::near(x.abs()) } else { Self::far(x.hi.abs()) };
+        let Point { half, sech } = if x.hi.abs() < FAR { near(x.abs()) } else { far(x.abs()) };
         State {
             turns: self.turns,
-            angle_in_turn: sign * complement_and_angle.angle.to_f64(),
-            complement: complement_and_angle.complement.to_f64(),
-            angle: unwrapped(self.base, sign, complement_and_angle.angle),
-            velocity: (self.angular_frequency * sech).to_f64() * (2.0 * self.direction),
+            angle_in_turn: sign * half.angle.to_f64(),
+            complement: half.complement.to_f64(),
+            angle: unwrapped(self.base, sign, half.angle),
+            velocity: (self.angular_frequency * sech[0] * sech[1]).to_f64() * (2.0 * self.direction),
         }
     }
 
-    fn near(x: DoubleDouble) -> (DoubledArctangent, DoubleDouble) {
-        let (sinh, cosh) = sinh_cosh(x);
-        (DoubledArctangent::of(sinh, DoubleDouble::ONE), cosh.recip())
+    /// x; infinite where ω0t is beyond the range of numbers.
+    fn argument(&self, time: f64) -> DoubleDouble {
+        let product = two_prod(time, self.angular_frequency.hi);
+        if product.hi.is_infinite() {
+            return DoubleDouble::from(product.hi);
+        }
+        let product_lo = time.mul_add(self.angular_frequency.lo, product.lo);
+        fast_two_sum(product.hi, product_lo) + self.offset
     }
+}
 
-    fn far(x: f64) -> (DoubledArctangent, DoubleDouble) {
-        // 2e^−x, in two factors so that it underflows last.
-        let sech = 2.0 * libm::exp(-0.5 * x) * libm::exp(-0.5 * x);
-        let complement = DoubleDouble::from(2.0 * sech);
-        (DoubledArctangent { angle: DoubleDouble::PI - complement, complement }, DoubleDouble::from(sech))
-    }
+fn near(x: DoubleDouble) -> Point {
+    let (sinh, cosh) = sinh_cosh(x);
+    Point { half: DoubledArctangent::of(sinh, DoubleDouble::ONE), sech: [cosh.recip(), DoubleDouble::ONE] }
+}
+
+fn far(x: DoubleDouble) -> Point {
+    let root = if x.hi < AT_THE_TOP { two_word::exp(-x.scaled(0.5)) } else { DoubleDouble::ZERO };
+    let complement = root.square().scaled(4.0);
+    let half = DoubledArctangent { angle: DoubleDouble::PI - complement, complement };
+    Point { half, sech: [root.scaled(2.0), root] }
 }

@@ -23,7 +23,7 @@ const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.83933
 /// # Domain
 /// |amplitude| up to the last `f64` below π, ω0·t finite; NaN outside.
 /// # Accuracy
-/// 4 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/accuracy.rs`).
+/// 2.3 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/promises.rs`).
 #[must_use]
 pub fn state(amplitude: f64, angular_frequency: f64, time: f64) -> State {
     dispatch(One { amplitude, angular_frequency, time })
@@ -129,7 +129,7 @@ pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> P
     let quotient = turns * inverse;
     let residual = (-quotient).mul_add(ratio.hi, turns) + quotient.mul_add(-ratio.lo, turns_lo);
     let sum = two_sum(quotient, 0.25);
-    Phase::of(DoubleDouble::new(sum.hi, sum.lo + residual * inverse))
+    Phase::of(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), angle.hi)
 }
 
 /// tan(|θ|/2) as a quotient, and the sign of θ.

@@ -112,6 +112,89 @@ fn incomplete_first_inverts_am() {
 }
 
 #[test]
+fn incomplete_integrals_are_odd_bit_for_bit_and_grow_by_two_quarters_in_half_a_turn() {
+    let mut random = Random::seeded(12);
+    for _ in 0..500 {
+        for modulus in moduli(&mut random) {
+            let phi = random.between(0.0, 40.0);
+            for of in [Modulus::incomplete_first, Modulus::incomplete_second] {
+                assert_eq!(of(&modulus, -phi).to_bits(), (-of(&modulus, phi)).to_bits(), "{phi}");
+            }
+            let (first, second) = (modulus.incomplete_first(FRAC_PI_2), modulus.incomplete_second(FRAC_PI_2));
+            assert!(first <= modulus.first() && second <= modulus.second(), "{modulus:?}");
+            // π/2 is rounded down by 6.2e-17, over which the integrands are at most 1/√(k′² + δ²) and 1.
+            let missing = libm::asinh(6.2e-17 / modulus.complementary_modulus());
+            assert!(modulus.first() - first <= ulp(modulus.first()) + 1.01 * missing, "{modulus:?}");
+            assert!(modulus.second() - second <= ulp(second) + 6.2e-17, "{modulus:?}");
+        }
+    }
+}
+
+#[test]
+fn incomplete_integrals_increase_through_every_odd_quarter() {
+    for kc in [1e-300, 1e-20, 1e-8, 0.03, 0.7, 1.0] {
+        let modulus = Modulus::from_complementary_modulus(kc).unwrap();
+        for n in [1.0, 3.0, 5.0, 7.0, 11.0, 101.0, 100_001.0] {
+            let mut phi = n * FRAC_PI_2;
+            for _ in 0..6 {
+                phi = phi.next_down();
+            }
+            for _ in 0..12 {
+                let (here, next) = (modulus.incomplete_first(phi), modulus.incomplete_first(phi.next_up()));
+                assert!(here <= next, "F at {phi}, k′ = {kc}: {here} {next}");
+                let (here, next) = (modulus.incomplete_second(phi), modulus.incomplete_second(phi.next_up()));
+                assert!(here <= next, "E at {phi}, k′ = {kc}: {here} {next}");
+                phi = phi.next_up();
+            }
+        }
+    }
+}
+
+#[test]
+fn incomplete_integrals_of_the_limits_are_elementary() {
+    let (circle, line) = (Modulus::from_parameter(0.0).unwrap(), Modulus::from_parameter(1.0).unwrap());
+    for phi in [5e-324, 1e-310, 1e-8, 0.5, 1.5, 4.0, 1e5, 1e16, 1e18, 1e22, 1e300, f64::MAX] {
+        assert_eq!((circle.incomplete_first(phi), circle.incomplete_second(phi)), (phi, phi), "{phi}");
+        let expected = if phi > FRAC_PI_2 { f64::INFINITY } else { libm::atanh(libm::sin(phi)) };
+        let got = line.incomplete_first(phi);
+        assert!(got == expected || (got - expected).abs() <= 8.0 * ulp(expected), "{phi}: {got} {expected}");
+    }
+    // Two for every half turn, and the sine of the rest.
+    for (phi, expected) in [(0.5, libm::sin(0.5)), (3.0, 2.0 - libm::sin(3.0)), (-7.0, -4.0 - libm::sin(7.0))]
+    {
+        assert!((line.incomplete_second(phi) - expected).abs() <= 2.0 * ulp(expected), "{phi}");
+    }
+    let steep = Modulus::from_complementary_modulus(1e-300).unwrap();
+    assert_eq!(steep.incomplete_first(f64::MAX), f64::INFINITY);
+    for modulus in [circle, line, steep] {
+        for phi in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(
+                modulus.incomplete_first(phi).is_nan() && modulus.incomplete_second(phi).is_nan(),
+                "{phi}"
+            );
+        }
+        assert!(modulus.incomplete_first(-0.0).is_sign_negative());
+    }
+}
+
+#[test]
+fn moduli_and_parameters_are_the_sides_of_a_right_triangle() {
+    let mut random = Random::seeded(13);
+    for _ in 0..500 {
+        for modulus in moduli(&mut random) {
+            let (k, kc) = (modulus.modulus(), modulus.complementary_modulus());
+            // Each side and each square is rounded once.
+            assert!((k * k + kc * kc - 1.0).abs() <= 2.0 * f64::EPSILON, "{modulus:?}");
+            assert!((modulus.parameter() - k * k).abs() <= 2.0 * ulp(k * k), "{modulus:?}");
+            assert!((modulus.complementary_parameter() - kc * kc).abs() <= 2.0 * ulp(kc * kc), "{modulus:?}");
+        }
+        let m = random.log_between(-323.0, 0.0);
+        assert_eq!(Modulus::from_parameter(m).unwrap().parameter(), m);
+        assert_eq!(Modulus::from_complementary_parameter(m).unwrap().complementary_parameter(), m);
+    }
+}
+
+#[test]
 fn complete_integrals_satisfy_legendres_relation() {
     let mut random = Random::seeded(7);
     for _ in 0..5000 {
@@ -142,9 +225,10 @@ fn complementary_moduli_share_their_quarter_periods() {
 fn nome_survives_the_round_trip() {
     let mut random = Random::seeded(9);
     for _ in 0..5000 {
-        for q in [random.between(0.0, 0.9), random.log_between(-300.0, -0.1)] {
+        for q in [random.between(0.0, 0.9), random.log_between(-323.3, -0.1)] {
+            // The moduli between are in two words.
             let back = Modulus::from_nome(q).unwrap().nome();
-            assert!((back - q).abs() <= 8.0 * ulp(q), "{q}: {back}");
+            assert!((back - q).abs() <= ulp(q), "{q}: {back}");
         }
     }
 }

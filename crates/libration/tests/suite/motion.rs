@@ -6,7 +6,7 @@ use crate::random::Random;
 use crate::ulp::ulp;
 use core::f64::consts::{FRAC_PI_2, PI};
 use libration::elliptic::Modulus;
-use libration::pendulum::{self, Motion, Pendulum, Regime, State};
+use libration::pendulum::{self, Motion, Pendulum, PendulumError, Regime, State};
 use libration::quantity::Angle;
 
 fn unit_pendulum() -> Pendulum {
@@ -358,6 +358,154 @@ fn extreme_states_are_answered_or_refused() {
 }
 
 #[test]
+fn motions_at_any_frequency_are_those_at_another_scaled() {
+    // A power of two scales exactly where nothing leaves the range of numbers.
+    let scale = libm::exp2(960.0);
+    for frequency in [scale, 1.0 / scale] {
+        let pendulum = Pendulum::from_angular_frequency(frequency).unwrap();
+        for (angle, velocity) in
+            [(1.0, 0.0), (3.1, 0.0), (0.5, 0.3), (0.0, 2.0), (1.0, 3.0), (-2.0, 1.08), (100.0, -5.0)]
+        {
+            let (unit, scaled) =
+                (launched(angle, velocity), pendulum.launched(radians(angle), velocity * frequency).unwrap());
+            assert_eq!(unit.regime(), scaled.regime(), "{angle} {velocity}");
+            assert_eq!(unit.period(), scaled.period() * frequency, "{angle} {velocity}");
+            assert_eq!(unit.action(), scaled.action() / frequency, "{angle} {velocity}");
+            for time in [0.0, 0.7, -3.0, 1e5] {
+                let (one, other) = (unit.state_at(time), scaled.state_at(time / frequency));
+                assert_eq!(one.angle, other.angle, "{frequency:e} {angle} {velocity} {time}");
+                assert_eq!(
+                    one.velocity,
+                    other.velocity / frequency,
+                    "{frequency:e} {angle} {velocity} {time}"
+                );
+                let (one, other) =
+                    (unit.prepare().state_at(time), scaled.prepare().state_at(time / frequency));
+                assert_eq!(one.angle, other.angle, "{frequency:e} {angle} {velocity} {time}");
+                assert_eq!(
+                    one.velocity,
+                    other.velocity / frequency,
+                    "{frequency:e} {angle} {velocity} {time}"
+                );
+            }
+        }
+    }
+}
+
+/// What is known of a state at any finite time: that it is on its orbit.
+fn assert_on_orbit(motion: &Motion, state: &State, frequency: f64, input: &dyn core::fmt::Debug) {
+    let relative = state.velocity / frequency / (2.0 * motion.energy_ratio().sqrt());
+    assert!(relative.abs() <= 1.0 + 4.0 * f64::EPSILON, "{input:?}: {state:?}");
+    assert!(state.angle_in_turn.abs() <= PI && state.complement >= 0.0, "{input:?}: {state:?}");
+    let rotates = motion.regime() == Regime::Rotation;
+    assert!(state.angle.is_finite() || (rotates && state.angle.is_infinite()), "{input:?}: {state:?}");
+}
+
+#[test]
+fn states_at_any_finite_time_are_on_the_orbit() {
+    for frequency in [1e-290, 1.0, 1e10, 1e150] {
+        let pendulum = Pendulum::from_angular_frequency(frequency).unwrap();
+        for (angle, velocity) in [(1.0, 0.0), (3.0, 0.0), (0.0, 2.0), (0.0, 3.0), (0.0, -3.0)] {
+            let motion = pendulum.launched(radians(angle), velocity * frequency).unwrap();
+            let prepared = motion.prepare();
+            for time in [1e26 / frequency, 1e28 / frequency, 1e300, f64::MAX, -f64::MAX] {
+                let time = time.clamp(-f64::MAX, f64::MAX);
+                let input = (frequency, angle, velocity, time);
+                assert_on_orbit(&motion, &motion.state_at(time), frequency, &input);
+                assert_on_orbit(&motion, &prepared.state_at(time), frequency, &input);
+                let (mut angles, mut velocities) = ([0.0], [0.0]);
+                motion.states_at(&[time], &mut angles, &mut velocities).unwrap();
+                assert_eq!(angles[0], motion.state_at(time).angle, "{input:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_rotation_keeps_its_angle_to_the_last_bit_when_its_phase_is_lost() {
+    let motion = unit_pendulum().launched(radians(0.0), 3.0).unwrap();
+    for time in [1e29, 1e100, 1e300] {
+        let expected = 2.0 * PI / motion.period() * time;
+        assert!((motion.state_at(time).angle / expected - 1.0).abs() <= 4.0 * f64::EPSILON, "{time}");
+        assert!((motion.state_at(-time).angle / expected + 1.0).abs() <= 4.0 * f64::EPSILON, "{time}");
+    }
+    let fast = Pendulum::from_angular_frequency(1e10).unwrap().launched(radians(0.0), 3e10).unwrap();
+    assert_eq!(fast.state_at(1e308).angle, f64::INFINITY);
+    assert_eq!(fast.state_at(-1e308).angle, f64::NEG_INFINITY);
+}
+
+#[test]
+fn the_separatrix_ends_at_the_top() {
+    for frequency in [1e-290, 1.0, 1e290] {
+        let motion = Pendulum::from_angular_frequency(frequency).unwrap().on_separatrix();
+        for time in [1e28 / frequency, f64::MAX] {
+            let time = time.min(f64::MAX);
+            if time * frequency > 2000.0 {
+                let state = motion.state_at(time);
+                assert_eq!(
+                    (state.angle, state.complement, state.velocity),
+                    (PI, 0.0, 0.0),
+                    "{frequency} {time}"
+                );
+                assert_eq!(motion.state_at(-time).angle, -PI, "{frequency} {time}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fast_separatrix_keeps_its_velocity_where_the_complement_is_lost() {
+    // θ′ = 4ω0e^−x at x = 2¹⁰, ω0 = 2⁹⁶⁰, where the complement 4e^−x is below the range of numbers.
+    let frequency = libm::exp2(960.0);
+    let motion = Pendulum::from_angular_frequency(frequency).unwrap().on_separatrix();
+    let state = motion.state_at(libm::exp2(10.0 - 960.0));
+    let expected = 4.0 * (frequency * libm::exp(-512.0)) * libm::exp(-512.0);
+    assert_eq!(state.complement, 0.0);
+    assert!((state.velocity / expected - 1.0).abs() <= 6.0 * f64::EPSILON, "{state:?} {expected}");
+}
+
+#[test]
+fn motions_beyond_the_range_of_numbers_are_refused() {
+    let fast = Pendulum::from_angular_frequency(1e290).unwrap();
+    assert!(matches!(fast.with_energy_ratio(1e154), Err(PendulumError::TooMuchEnergy(_))));
+    assert!(matches!(fast.with_energy_excess(1e154), Err(PendulumError::TooMuchEnergy(_))));
+    assert!(matches!(unit_pendulum().with_energy_ratio(f64::MAX), Err(PendulumError::TooMuchEnergy(_))));
+    assert!(matches!(fast.launched(radians(0.0), 1e308), Err(PendulumError::TooFast(_))));
+    let rotation = fast.launched(radians(0.0), 9e306).unwrap();
+    assert!(rotation.period() > 0.0 && rotation.state_at(1e-300).velocity.is_finite());
+    assert_eq!(rotation.specific_energy(), f64::INFINITY);
+    assert!(matches!(unit_pendulum().with_energy_ratio(-1e-300), Err(PendulumError::NegativeEnergy(_))));
+    assert!(matches!(unit_pendulum().with_energy_excess(f64::NAN), Err(PendulumError::NotFinite { .. })));
+}
+
+#[test]
+fn a_start_closer_to_the_top_than_numbers_can_tell_is_refused() {
+    for complement in [5e-324, 1.5e-323, 1e-310, 4.4e-308] {
+        let angle = Angle::from_complement(complement).unwrap();
+        for velocity in [0.0, 1e-310, 1.0] {
+            let refused = unit_pendulum().launched(angle, velocity).unwrap_err();
+            assert_eq!(refused, PendulumError::TooCloseToTop(complement));
+        }
+    }
+    let motion = unit_pendulum().released_from(Angle::from_complement(4.5e-308).unwrap()).unwrap();
+    assert_eq!(motion.regime(), Regime::Libration);
+    assert!((motion.state_at(0.0).complement / 4.5e-308 - 1.0).abs() <= 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn a_small_velocity_at_a_low_frequency_is_told_from_the_separatrix() {
+    // w = θ′/2ω0 = 1e-18 beside cos(θ/2) = 1.0000001e-18, scaled to where the velocity is 2e-308.
+    let frequency = libm::exp2(-960.0);
+    let pendulum = Pendulum::from_angular_frequency(frequency).unwrap();
+    let (top, velocity) = (Angle::from_complement(2.000_000_2e-18).unwrap(), 2e-18);
+    let (unit, slow) = (
+        unit_pendulum().launched(top, velocity).unwrap(),
+        pendulum.launched(top, velocity * frequency).unwrap(),
+    );
+    assert_eq!(unit.period(), slow.period() * frequency);
+}
+
+#[test]
 fn the_specific_energy_is_that_of_the_initial_state() {
     let pendulum = Pendulum::new(0.7, 9.81).unwrap();
     let square = 9.81 / 0.7;
@@ -395,5 +543,31 @@ fn a_start_next_to_a_quarter_keeps_its_small_part() {
                 assert!(state.turns == 0 && state.angle_in_turn > 3.0, "{complement} {velocity} {state:?}");
             }
         }
+    }
+}
+
+#[test]
+fn the_energy_excess_is_kept_on_both_sides_of_the_separatrix() {
+    for excess in [-1.0, -0.5, -1e-300, 0.0, 5e-324, 1e-300, 1e-16, 0.5, 1e300] {
+        let motion = unit_pendulum().with_energy_excess(excess).unwrap();
+        assert!((motion.energy_excess() - excess).abs() <= ulp(excess), "{excess}");
+        assert!((motion.energy_ratio() - (1.0 + excess)).abs() <= ulp(1.0 + excess), "{excess}");
+    }
+    // 1 − sin²(θ0/2) = sin²(δ/2).
+    let near = unit_pendulum().released_from(Angle::from_complement(2e-100).unwrap()).unwrap();
+    assert!((near.energy_excess() / -1e-200 + -1.0).abs() <= 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn a_motion_tells_its_modulus_and_its_direction() {
+    let Motion::Libration(libration) = launched(1.0, 0.0) else { panic!("a libration") };
+    assert!((libration.modulus().modulus() - libm::sin(0.5)).abs() <= ulp(0.5));
+    for direction in [1.0, -1.0] {
+        let Motion::Rotation(rotation) = launched(0.0, 4.0 * direction) else { panic!("a rotation") };
+        assert_eq!((rotation.modulus().modulus(), rotation.direction()), (0.5, direction));
+        let Motion::Separatrix(separatrix) = launched(0.0, 2.0 * direction) else { panic!("the separatrix") };
+        assert_eq!(separatrix.direction(), direction);
+        let prepared = launched(0.0, 4.0 * direction).prepare();
+        assert_eq!(prepared.motion().state_at(0.3), launched(0.0, 4.0 * direction).state_at(0.3));
     }
 }

@@ -5,7 +5,7 @@ use crate::promises::RATIO;
 use crate::random::Random;
 use crate::ulp::{Truth, ulp};
 use core::f64::consts::PI;
-use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum};
+use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum, PendulumError};
 use libration::quantity::Angle;
 
 #[test]
@@ -178,7 +178,71 @@ fn a_period_gives_its_amplitude_back() {
         RATIO.holds((back.period_ratio() - ratio).abs() / ulp(ratio), &complement);
     }
     for impossible in [0.5, 1.0 - f64::EPSILON, f64::NAN, f64::INFINITY, -1.0] {
-        assert!(Amplitude::from_period_ratio(impossible).is_err(), "{impossible}");
+        assert!(
+            matches!(Amplitude::from_period_ratio(impossible), Err(PendulumError::NoSuchPeriod(_))),
+            "{impossible}"
+        );
+    }
+}
+
+#[test]
+fn a_period_ratio_is_refused_for_its_own_reason_where_its_amplitude_is_too_close_to_the_top() {
+    // T/T0 = 441.085 at the complement 1e-300.
+    assert!(Amplitude::from_period_ratio(441.08).unwrap().complement() >= 1e-300);
+    for long in [441.09, 441.2, 1e10] {
+        let refused = Amplitude::from_period_ratio(long).unwrap_err();
+        assert_eq!(refused, PendulumError::PeriodTooLong(long));
+        assert!(refused.to_string().contains("give at most 441.08"), "{refused}");
+        assert!(Amplitude::from_period_excess(long).is_err(), "{long}");
+    }
+}
+
+#[test]
+fn an_excess_gives_its_amplitude_back_however_small() {
+    for excess in [5e-324, 1e-310, 1e-300, 1e-200, 1e-20, 1e-3, 0.1799, 0.18, 0.1801, 3.0, 440.0] {
+        let amplitude = Amplitude::from_period_excess(excess).unwrap();
+        // The amplitude is rounded, which counts twice in the excess of a small swing; then the promise of the excess.
+        assert!((amplitude.period_excess() - excess).abs() <= 3.0 * ulp(excess), "{excess}");
+    }
+    assert_eq!(Amplitude::from_period_excess(0.0).unwrap().radians(), 0.0);
+    assert!(Amplitude::from_period_excess(-1e-300).is_err());
+}
+
+#[test]
+fn any_length_and_gravity_with_a_usable_frequency_make_a_pendulum() {
+    let (large, small) = (libm::exp2(700.0), libm::exp2(-700.0));
+    assert_eq!(Pendulum::new(large, small).unwrap().angular_frequency(), small);
+    assert_eq!(Pendulum::new(small, large).unwrap().angular_frequency(), large);
+    assert_eq!(Pendulum::new(libm::exp2(-1074.0), 1.0).unwrap().angular_frequency(), libm::exp2(537.0));
+    assert_eq!(Pendulum::new(1.0, libm::exp2(-1074.0)).unwrap().angular_frequency(), libm::exp2(-537.0));
+    for (length, gravity) in [(1e-300, 1e300), (1e300, 1e-300)] {
+        let refused = Pendulum::new(length, gravity).unwrap_err();
+        assert_eq!(refused, PendulumError::OutOfRange { length, gravity });
+    }
+}
+
+#[test]
+fn extreme_periods_give_their_pendulum_back_or_are_refused_for_what_they_are() {
+    let amplitude = Amplitude::new(Angle::from_radians(1.0).unwrap()).unwrap();
+    for (length, period) in [(1e-300, 1e-200), (1e300, 1e200), (1e-200, 1e-20), (1e200, 1e20)] {
+        let gravity =
+            Pendulum::from_length_and_period(length, period, &amplitude).unwrap().gravity().unwrap();
+        let pendulum = Pendulum::from_gravity_and_period(gravity, period, &amplitude).unwrap();
+        assert!((pendulum.length().unwrap() / length - 1.0).abs() <= 4.0 * f64::EPSILON, "{length} {period}");
+        assert!(
+            (pendulum.period(&amplitude) / period - 1.0).abs() <= 4.0 * f64::EPSILON,
+            "{length} {period}"
+        );
+    }
+    for period in [5e-324, 1e-300, 1e300, 1e308] {
+        let refused = Pendulum::from_length_and_period(1.0, period, &amplitude).unwrap_err();
+        assert_eq!(refused, PendulumError::PeriodOutOfRange(period));
+    }
+    for period in [1e-200, 1e200] {
+        let refused = Pendulum::from_length_and_period(1.0, period, &amplitude).unwrap_err();
+        assert_eq!(refused, PendulumError::Unattainable { name: "gravity", period });
+        let refused = Pendulum::from_gravity_and_period(1.0, period, &amplitude).unwrap_err();
+        assert_eq!(refused, PendulumError::Unattainable { name: "length", period });
     }
 }
 

@@ -7,8 +7,8 @@ mod oracle;
 mod tally;
 
 use crate::promises::{
-    COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, Promise, RATIO, STATE,
-    jacobi_allowance,
+    COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, OF_NOME, Promise,
+    RATIO, STATE, SUBNORMAL, jacobi_allowance,
 };
 use libration::elliptic::Modulus;
 use libration::pendulum::{self, Amplitude, Motion, Pendulum, State};
@@ -16,13 +16,38 @@ use libration::quantity::Angle;
 use oracle::{Record, records};
 use tally::Tally;
 
-const MODULUS_REGIONS: [&str; 6] = [
+const MODULUS_REGIONS: [&str; 8] = [
     "m uniform",
     "1 − m from 1e-300",
     "k′ from 1e-300",
     "m from 1e-300",
     "k uniform",
     "m or 1 − m next to 1",
+    "seams",
+    "m, k from 1e-323",
+];
+
+const ANGLES: [&str; 9] = [
+    "φ to π/2",
+    "φ from 1e-320",
+    "π/2 − φ from 1e-16",
+    "next to nπ/2, φ to 20",
+    "next to nπ/2, φ to 1e6",
+    "φ to 1e6",
+    "φ from 1e6 to 1e20",
+    "next to nπ/2, φ to 2⁶⁰",
+    "φ next to 1e18 and beyond 1e20",
+];
+
+const AMPLITUDES: [&str; 8] = [
+    "uniform",
+    "θ0 from 1e-150",
+    "π − θ0 from 1e-15",
+    "complement from 1e-300",
+    "seams",
+    "next to π",
+    "complement uniform",
+    "either from 1.54 to 1.61",
 ];
 
 fn angle(kind: f64, value: f64) -> Angle {
@@ -43,9 +68,7 @@ fn modulus(record: &Record) -> Modulus {
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn period_ratio() {
-    let regions =
-        ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
-    let mut tally = Tally::new(RATIO, &regions);
+    let mut tally = Tally::new(RATIO, &AMPLITUDES);
     for record in records("period", 2, 2) {
         let value = record.inputs[1];
         if record.inputs[0] == 1.0 {
@@ -70,9 +93,7 @@ fn period_excess() {
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn amplitude() {
-    let regions =
-        ["uniform", "θ0 from 1e-150", "π − θ0 from 1e-15", "complement from 1e-300", "edges", "next to π"];
-    let (mut ratio, mut excess) = (Tally::new(RATIO, &regions), Tally::new(EXCESS, &regions));
+    let (mut ratio, mut excess) = (Tally::new(RATIO, &AMPLITUDES), Tally::new(EXCESS, &AMPLITUDES));
     for record in records("period", 2, 2) {
         let amplitude = Amplitude::new(angle(record.inputs[0], record.inputs[1])).unwrap();
         ratio.add(&record, "Amplitude", record.truths[0], amplitude.period_ratio(), 0.0);
@@ -95,7 +116,7 @@ fn complete_integrals() {
         for ((name, got), &truth) in ["K", "E", "K′"].into_iter().zip(got).zip(&record.truths) {
             integrals.add(&record, name, truth, got, 0.0);
         }
-        nome.add(&record, "q", record.truths[3], modulus.nome(), 0.0);
+        nome.add(&record, "q", record.truths[3], modulus.nome(), SUBNORMAL);
     }
     integrals.print();
     nome.print();
@@ -105,10 +126,25 @@ fn complete_integrals() {
 
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
-fn incomplete_first() {
-    let mut tally = Tally::new(INCOMPLETE, &MODULUS_REGIONS);
-    for record in records("incomplete", 3, 1) {
-        tally.add(&record, "F", record.truths[0], modulus(&record).incomplete_first(record.inputs[2]), 0.0);
+fn incomplete_integrals() {
+    let mut tally = Tally::new(INCOMPLETE, &ANGLES);
+    for record in records("incomplete", 3, 2) {
+        let (modulus, phi) = (modulus(&record), record.inputs[2]);
+        tally.add(&record, "F", record.truths[0], modulus.incomplete_first(phi), 0.0);
+        tally.add(&record, "E", record.truths[1], modulus.incomplete_second(phi), 0.0);
+    }
+    tally.report();
+}
+
+#[test]
+#[ignore = "heavy: run by scripts/ledger"]
+fn modulus_of_a_nome() {
+    let regions = ["uniform to 0.9929", "from 1e-307", "subnormal", "next to e^−π", "next to 0.9929"];
+    let mut tally = Tally::new(OF_NOME, &regions);
+    for record in records("nome", 1, 2) {
+        let modulus = Modulus::from_nome(record.inputs[0]).unwrap();
+        tally.add(&record, "k", record.truths[0], modulus.modulus(), 0.0);
+        tally.add(&record, "k′", record.truths[1], modulus.complementary_modulus(), 0.0);
     }
     tally.report();
 }
@@ -135,13 +171,15 @@ fn launched(record: &Record) -> Motion {
     Pendulum::from_angular_frequency(1.0).unwrap().launched(angle(kind, start), velocity).unwrap()
 }
 
-const STARTS: [&str; 6] = [
+const STARTS: [&str; 8] = [
     "from rest",
     "from rest at π − δ, δ from 1e-300",
     "any velocity to 4",
     "next to the separatrix",
     "next to the separatrix at π − δ",
     "many turns, velocity to 100",
+    "from rest next to π/2 and π",
+    "on the separatrix",
 ];
 
 /// The errors of states, and of their complements.
@@ -155,9 +193,10 @@ impl States {
     fn add(&mut self, record: &Record, state: State) {
         let late = FOUR_ROUNDOFFS * record.inputs[3].abs();
         let [angle, velocity, complement] = record.truths[..] else { unreachable!("three answers") };
-        self.0.add(record, "θ", angle, state.angle, late * velocity.hi.abs());
-        self.0.add(record, "θ′", velocity, state.velocity, late * libm::sin(complement.hi).abs());
-        self.1.add(record, "π − θ", complement, state.complement, late * velocity.hi.abs());
+        let (of_angle, of_velocity) = (late * velocity.hi.abs(), late * libm::sin(complement.hi).abs());
+        self.0.add(record, "θ", angle, state.angle, of_angle + SUBNORMAL);
+        self.0.add(record, "θ′", velocity, state.velocity, of_velocity + SUBNORMAL);
+        self.1.add(record, "π − θ", complement, state.complement, of_angle + SUBNORMAL);
     }
 
     fn report(self) {
@@ -197,7 +236,7 @@ fn states_of_prepared_motions() {
 #[ignore = "heavy: run by scripts/ledger"]
 fn states_of_varying_amplitudes() {
     let mut errors = States::new();
-    for record in records("motion", 4, 3).filter(|record| record.region == 0) {
+    for record in records("motion", 4, 3).filter(|record| record.region == 0 || record.region == 6) {
         errors.add(&record, pendulum::state(record.inputs[1], 1.0, record.inputs[3]));
     }
     errors.report();
@@ -206,20 +245,26 @@ fn states_of_varying_amplitudes() {
 #[test]
 #[ignore = "heavy: run by scripts/ledger"]
 fn harmonics() {
-    let mut tally = Tally::new(HARMONICS, &["uniform", "complement from 1e-300", "θ0 from 1e-3"]);
+    let regions = [
+        "uniform",
+        "complement from 1e-300",
+        "θ0 from 1e-3",
+        "either next to π/2",
+        "rotation, velocity from 2",
+    ];
+    let mut tally = Tally::new(HARMONICS, &regions);
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
     for record in records("harmonics", 3, 1) {
         let truth = record.truths[0];
-        if truth.hi.abs() >= 1e-12 {
-            let rest = Pendulum::from_angular_frequency(1.0)
-                .unwrap()
-                .released_from(angle(record.inputs[0], record.inputs[1]));
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "an odd number below 60"
-            )]
+        if truth.hi.abs() >= f64::MIN_POSITIVE {
+            let value = record.inputs[1];
+            let motion = match record.inputs[0] {
+                2.0 => pendulum.launched(angle(0.0, 0.0), value),
+                kind => pendulum.released_from(angle(kind, value)),
+            };
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number below 60")]
             let n = record.inputs[2] as usize;
-            let harmonics = rest.unwrap().harmonics(1e-13, n.div_ceil(2));
+            let harmonics = motion.unwrap().harmonics(0.0, n);
             let found = harmonics.terms.iter().find(|term| term.n == n).map_or(f64::NAN, |term| term.angle);
             tally.add(&record, "a_n", truth, found, 0.0);
         }
