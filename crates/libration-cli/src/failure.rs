@@ -1,5 +1,8 @@
 //! Why a question was not answered, and the exit status that says so.
 
+mod echo;
+
+pub(crate) use echo::excerpt;
 use std::io::{Error, ErrorKind, Write, stderr};
 use std::process::ExitCode;
 
@@ -18,6 +21,18 @@ pub(crate) enum Failure {
     /// The answer cannot be written: exit status 1, or 0 when the reader has gone.
     #[error("cannot write the answer: {0}")]
     Output(#[from] Error),
+}
+
+/// Ends a command whose arguments are not understood, or whose help is asked for, as clap has it; what is repeated of long
+/// arguments is shortened.
+pub(crate) fn refuse(error: &clap::Error) -> ExitCode {
+    let message = error.render().to_string();
+    let shown = echo::shortened(&message);
+    if shown == message {
+        error.exit();
+    }
+    let _ = write!(stderr(), "{shown}");
+    ExitCode::from(2)
 }
 
 impl Failure {
@@ -40,7 +55,7 @@ impl Failure {
             return ExitCode::SUCCESS;
         }
         // Nothing is left to be done when even the error stream is closed.
-        let _ = writeln!(stderr(), "error: {self}");
+        let _ = writeln!(stderr(), "error: {}", echo::shortened(&self.to_string()));
         match self {
             Self::Usage(_) => ExitCode::from(2),
             Self::Interrupted(_) => ExitCode::from(Self::INTERRUPTED),

@@ -15,7 +15,10 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = arguments::protect_negative_values(std::env::args_os());
-    let question = command::Libration::parse_from(arguments);
+    let question = match command::Libration::try_parse_from(arguments) {
+        Ok(question) => question,
+        Err(error) => return failure::refuse(&error),
+    };
     let mut out = BufWriter::with_capacity(1 << 16, stdout().lock());
     let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
     answered.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)

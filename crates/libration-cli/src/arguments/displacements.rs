@@ -1,6 +1,7 @@
 //! Amplitudes of any coordinate: `0.1:3:0.1` or `0.5,1`, and with units where the coordinate is an angle.
 
 use crate::failure::Failure;
+use crate::output::number;
 use libration::quantity::{AngleRange, Dimension, RangeError, angles, numbers};
 
 /// Reads a list or a range of amplitudes above zero.
@@ -21,7 +22,9 @@ pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Resul
             .map_err(|_| refusal(format!("`{}`: give numbers, such as 0.5,1 or 0.1:3:0.1", text.trim())))?,
     };
     match values.iter().find(|value| **value <= 0.0) {
-        Some(value) => Err(refusal(format!("{value} is no amplitude: give numbers above zero"))),
+        Some(value) => {
+            Err(refusal(format!("{} is no amplitude: give numbers above zero", number::exact(*value))))
+        }
         None => Ok(values),
     }
 }

@@ -31,7 +31,7 @@ pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};
 pub(crate) use keys::KeyOptions;
 pub(crate) use lines::bytes as read_bytes;
 pub(crate) use negative::protect_negative_values;
-pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions, is_angle};
+pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told, what_would_decide};

@@ -1,10 +1,10 @@
 //! Which oscillator is meant: a key of the catalogue or an equation, with values for its parameters.
 
 use super::values::{borrowed, is_like_a_key, values};
-use crate::failure::Failure;
+use crate::failure::{Failure, excerpt};
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, Oscillator};
-use libration::quantity::Angle;
+use libration::quantity::{Angle, is_angle_name};
 
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]
@@ -32,9 +32,6 @@ pub(crate) struct Chosen {
     pub(crate) values: Vec<(String, String)>,
 }
 
-/// Names of variables that are angles.
-const ANGLES: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
-
 /// An equation of motion with the words for it.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
@@ -46,15 +43,10 @@ pub(crate) struct Asked {
     pub(crate) values: Vec<(String, String)>,
 }
 
-/// Whether a variable is an angle, by its name.
-pub(crate) fn is_angle(variable: &str) -> bool {
-    ANGLES.contains(&variable)
-}
-
 impl Chosen {
     /// Whether the variable is an angle, by its name.
     pub(crate) fn is_angle(&self) -> bool {
-        is_angle(self.oscillator.variable())
+        is_angle_name(self.oscillator.variable())
     }
 
     /// Reads an amplitude: a number, or an angle where the variable is one.
@@ -103,8 +95,8 @@ impl OscillatorOptions {
             }
             Err(_) => (self.typed(&given)?, None, "an equation of motion".to_owned()),
         };
-        let about = self.about.as_deref().map(str::parse::<Expression>).transpose();
-        let about = about.map_err(|error| Failure::usage("--about", error))?;
+        let variable = equation.variables().first().map_or("", String::as_str);
+        let about = self.about.as_deref().map(|text| place(text, variable)).transpose()?;
         Ok(Asked { equation, about, key, title, values: values_used(named.ok(), &given) })
     }
 
@@ -113,6 +105,32 @@ impl OscillatorOptions {
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
         equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
     }
+}
+
+/// A place on the axis of a variable: a formula of numbers, or an angle where the variable is one.
+fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
+    let refusal = |reason: String| Failure::usage("--about", reason);
+    let formula = text.parse::<Expression>();
+    if let Ok(constant) = formula.as_ref()
+        && constant.symbols().is_empty()
+    {
+        return Ok(constant.clone());
+    }
+    let angle = text.parse::<Angle>().ok().filter(|_| is_angle_name(variable));
+    if let Some(radians) = angle.and_then(|angle| format!("{:e}", angle.radians()).parse().ok()) {
+        return Ok(radians);
+    }
+    let shown = excerpt(text.trim());
+    Err(refusal(match formula {
+        Err(error) => error.to_string(),
+        Ok(_) if is_angle_name(variable) => {
+            format!("`{shown}` is no place: give a number or an angle, such as 0.5, pi/2 or 90deg")
+        }
+        Ok(_) => format!(
+            "`{shown}` is no place: give a number, such as 0.5 or sqrt(2)/2; units of angles are for variables named as \
+             angles are, such as theta"
+        ),
+    }))
 }
 
 fn of_catalogue(named: &NamedOscillator, values: &[(String, Expression)]) -> Result<Equation, Failure> {

@@ -29,7 +29,7 @@ fn progression(start: Expression, stop: Expression, step: Expression) -> Result<
     let (from, to, by) = (value(&start)?, value(&stop)?, value(&step)?);
     let steps = ((to - from) / by * (1.0 + 1e-12)).floor();
     if !(0.0..f64::from(MOST_VALUES)).contains(&steps) {
-        return Err(format!("give a step that leads from {from} to {to} in at most {MOST_VALUES} steps"));
+        return Err(format!("give a step that leads from {from:?} to {to:?} in at most {MOST_VALUES} steps"));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and a million")]
     let count = steps as u32;

@@ -8,7 +8,8 @@ use std::io::{self, Write};
 /// Every equation of two published derivations, verified or corrected by computing it
 ///
 /// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What
-/// they print is compared with what the program computes, exactly where that can be done.
+/// they print is compared with what the program computes, exactly where that can be done. Where they have words and not a
+/// formula, `paraphrase` marks the formula that is ours.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration paper                    every equation with its verdict and evidence
@@ -61,8 +62,8 @@ fn is_named(label: &str, asked: &str) -> bool {
 }
 
 fn verdict(text: &str) -> Result<Verdict, String> {
-    let found = Verdict::ALL.into_iter().find(|verdict| verdict.name() == text);
-    found.ok_or_else(|| format!("`{text}` is no verdict: give verified, typo or wrong"))
+    let found = Verdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
+    found.ok_or_else(|| format!("`{text}` is no verdict: give verified, typo, wrong or not-decided"))
 }
 
 fn document(text: &str) -> Result<Document, String> {
@@ -77,6 +78,8 @@ fn record(row: &Row) -> Record {
         .with("label", row.label.as_str())
         .with("claim", row.claim.as_str())
         .with("printed", row.printed.clone())
+        .with("paraphrase", row.paraphrase)
+        .with("read_from", row.document.read_from())
         .with("verdict", finding.summary())
         .with("correct", finding.correct.as_str())
         .with("evidence", finding.evidence.as_str());
@@ -90,7 +93,17 @@ fn record(row: &Row) -> Record {
 fn write_csv(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
     csv::line(
         out,
-        &["document", "label", "claim", "printed", "verdict", "correct", "evidence", "holds_for_rad"],
+        &[
+            "document",
+            "label",
+            "claim",
+            "printed",
+            "verdict",
+            "correct",
+            "evidence",
+            "holds_for_rad",
+            "paraphrase",
+        ],
     )?;
     for row in rows {
         let finding = &row.finding;
@@ -109,6 +122,7 @@ fn write_csv(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
                 finding.correct.clone(),
                 finding.evidence.clone(),
                 ranges.collect::<Vec<_>>().join("; "),
+                row.paraphrase.to_string(),
             ],
         )?;
     }
@@ -120,7 +134,8 @@ fn write_pages(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
     for document in Document::ALL {
         let chosen: Vec<&Row> = rows.iter().filter(|row| row.document == document).collect();
         if !chosen.is_empty() {
-            writeln!(out, "{}\n", wrapped(document.title(), 0))?;
+            writeln!(out, "{}", wrapped(document.title(), 0))?;
+            writeln!(out, "{}\n", wrapped(&format!("read from {}", document.read_from()), INDENT))?;
         }
         for row in chosen {
             write_row(out, row)?;
@@ -137,7 +152,8 @@ fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
     writeln!(out, "{}", wrapped(&format!("{}  {}", row.label, verdict.trim_end()), 0))?;
     writeln!(out, "{}", wrapped(&row.claim, INDENT))?;
     if !row.printed.is_empty() {
-        writeln!(out, "{}", wrapped(&format!("printed   {}", row.printed.join("; ")), INDENT))?;
+        let said = if row.paraphrase { "paraphrase" } else { "printed  " };
+        writeln!(out, "{}", wrapped(&format!("{said} {}", row.printed.join("; ")), INDENT))?;
     }
     if !finding.correct.is_empty() {
         writeln!(out, "{}", wrapped(&format!("correct   {}", finding.correct), INDENT))?;

@@ -1,6 +1,7 @@
 //! Power series with exact coefficients, to read and in LaTeX.
 
 use libration::algebra::Rational;
+use libration::expression::Expression;
 use libration::perturbation::Precision;
 
 /// How coefficients are written.
@@ -20,7 +21,10 @@ pub(crate) enum Style {
 impl Notation {
     /// A coefficient alone: a fraction, or decimal digits where it is none.
     pub(crate) fn coefficient(self, value: &Rational) -> String {
-        coefficient(value, self.precision)
+        match self.precision {
+            Precision::Exact => fraction(value),
+            digits => coefficient(value, digits),
+        }
     }
 
     /// `1 - 1/16 ε² + …`, the zeros left out; `0` when all are zero.
@@ -75,6 +79,17 @@ impl Notation {
             (_, Style::Text) => format!("{variable}{}", superscript(power)),
         }
     }
+}
+
+/// A fraction as people read it: as it is, or as the decimal that it is where that is much shorter, such as 1e-300.
+pub(crate) fn fraction(value: &Rational) -> String {
+    const LONG: usize = 40;
+    let plain = value.to_string();
+    if plain.len() <= LONG {
+        return plain;
+    }
+    let decimal = Expression::Number(value.clone()).to_string();
+    if 2 * decimal.len() < plain.len() { decimal } else { plain }
 }
 
 /// A fraction as it is, other numbers in decimal digits.

@@ -83,3 +83,55 @@ fn each_is_refused_with_its_exit_status_and_a_message_that_helps() {
 fn messages_have_no_colour_when_nobody_looks() {
     assert!(!message(&libration("period nan")).contains('\u{1b}'));
 }
+
+#[test]
+fn what_is_very_long_is_not_repeated_whole() {
+    let long = "x".repeat(10_000);
+    let sum = "x + ".repeat(2500);
+    let cases: Vec<Vec<&str>> = vec![
+        vec!["period", &long],
+        vec!["period", "60deg", "--formulas", &long],
+        vec!["motion", "60deg", "--times", &long],
+        vec!["expand", &long],
+        vec!["expand", "x'' + x = 0", "--about", &long],
+        vec!["expand", "x'' + x = 0", "--set", &long],
+        vec!["expand", "x'' + x = 0", "--evaluate", &long],
+        vec!["expand", "pendulum", "--about", &sum],
+        vec!["backbone", "duffing", "--amplitudes", &long],
+        vec!["simulate", &long, "--initial", "x=1", "--times", "1"],
+        vec!["simulate", "pendulum", "--initial", &long, "--times", "1"],
+        vec!["simulate", "pendulum", "--initial", "theta=1", "--times", "1", "--events", &long],
+        vec!["modes", "pendulum", "--about", &long],
+        vec!["paper", "--only", &long],
+        vec!["systems", &long],
+        vec!["fit", "periods", &long],
+        vec![&long],
+    ];
+    for arguments in cases {
+        let output = crate::command::run(&arguments);
+        let message = message(&output);
+        assert!(!output.status.success(), "{:?}", &arguments[..1]);
+        assert!(message.chars().count() < 3000, "{}", message.chars().take(400).collect::<String>());
+    }
+}
+
+#[test]
+fn small_numbers_are_not_written_with_hundreds_of_zeros() {
+    for arguments in [
+        "backbone pendulum --amplitudes -1e-300",
+        "figure errors --from -1e-300 --output errors.svg",
+        "simulate pendulum --initial theta=1 --times -1e-300,1e-300",
+        "bifurcation driven_pendulum --vary A=-1e-300:1e300:1e-301 --initial theta=1",
+        "expand duffing --evaluate -1e-300",
+        "decay 60deg --linear -1e-300",
+        "motion 60deg --velocity 1e300",
+    ] {
+        let message = message(&libration(arguments));
+        assert!(
+            message.starts_with("error: ") && !message.contains(&"0".repeat(20)),
+            "{arguments}: {message}"
+        );
+    }
+    let listing = crate::command::text("expand x''=-1e-300*sin(x)-x^3 --order 5");
+    assert!(listing.contains("ω0² = 1e-300") && !listing.contains(&"0".repeat(20)), "{listing}");
+}

@@ -244,7 +244,7 @@ fn an_ambiguous_formula_is_refused_with_a_hint_below_it() {
 
 #[test]
 fn what_cannot_be_expanded_is_refused_with_its_reason() {
-    let cases: [(&[&str], i32, &str); 18] = [
+    let cases: [(&[&str], i32, &str); 28] = [
         (&["expand", "pendulum", "--order", "0"], 2, "1 to 1000"),
         (&["expand", "pendulum", "--order", "99999"], 2, "1 to 1000"),
         (&["expand", "pendulum", "--gauge", "nonsense"], 2, "half_swing"),
@@ -252,10 +252,10 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "duffing", "--gauge", "nome"], 1, "pendulum"),
         (&["expand", "van_der_pol", "--gauge", "x_max"], 1, "leave the gauge out"),
         (&["expand", "x'' - x = 0"], 1, "omega0^2 is -1"),
-        (&["expand", "x'' + 0.1*x' + x = 0"], 1, "decay or grow"),
+        (&["expand", "x'' + 0.1*x' + x = 0"], 1, "decay"),
         (&["expand", "x'' + x = cos(t)"], 1, "depends on t"),
         (&["expand", "x'' + k*x = 0"], 1, "k=0.1"),
-        (&["expand", "double_well", "--about", "0.3"], 1, "0.3 is no equilibrium"),
+        (&["expand", "double_well", "--about", "0.3"], 1, "no equilibrium at 0.3"),
         (&["expand", "pendulum", "--set", "g=9.8"], 2, "its only parameter is omega0"),
         (&["expand", "duffing", "--set", "epsilon"], 2, "NAME=VALUE"),
         (&["expand", "duffing", "--evaluate", "40deg"], 2, "give a number"),
@@ -263,11 +263,87 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "duffing", "--evaluate", "-1"], 1, "above zero"),
         (&["expand", "pendulum", "--evaluate", "1", "--quantity", "a2"], 1, "a1, a3, a5"),
         (&["expand", "pendulum", "--evaluate", "1", "--quantity", "energy"], 2, "frequency"),
+        (&["expand", "x'' + 1/0*x = 0"], 2, "`1/0` has no value: nothing can be divided by zero"),
+        (&["expand", "duffing", "--set", "epsilon=1/0"], 2, "--set: epsilon gets no value: `1/0`"),
+        (&["expand", "x'' + x*a/b = 0", "--set", "a=1,b=0"], 2, "nothing can be divided by zero"),
+        (&["expand", "x'' + x + abs(x)^3 = 0"], 1, "(libration backbone)"),
+        (&["expand", "x'' + x^3 = 0"], 1, "the force drives back"),
+        (&["expand", "x'' - mu*(1-x^2)*x' + x + x^3 = 0"], 1, "(libration simulate)"),
+        (&["expand", "x'' + x + y^2 = 0"], 1, "no value is given for y"),
+        (
+            &["expand", "pendulum", "--about", "foo"],
+            2,
+            "--about: `foo` is no place: give a number or an angle",
+        ),
+        (&["expand", "duffing", "--about", "360deg"], 2, "units of angles are for variables named as angles"),
+        (&["expand", "pendulum", "--about", "1/0"], 1, "`1/0` has no value"),
     ];
     for (arguments, status, part) in cases {
         let message = refusal(arguments, status);
         assert!(message.contains(part), "{arguments:?}: {message}");
         assert!(message.starts_with("error: "), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
+fn advice_is_followed_by_an_answer() {
+    let answered = |arguments: &[&str]| {
+        let output = run(arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+    };
+    for equation in ["x'' + x + abs(x)^3 = 0", "x'' + x + x*abs(x) = 0", "x'' + x^3 = 0"] {
+        answered(&["backbone", equation, "--amplitudes", "0.5"]);
+    }
+    let excited = "x'' - mu*(1-x^2)*x' + x + x^3 = 0";
+    answered(&["simulate", excited, "--set", "mu=0.1", "--initial", "x=1", "--times", "1"]);
+    answered(&["expand", "x'' + x + x^10001 = 0"]);
+    answered(&["expand", "x'' = -(x - 12.5)*exp(-x^2/100)", "--about", "12.5", "--order", "3"]);
+}
+
+#[test]
+fn names_of_angles_are_the_same_for_all_commands() {
+    let about = json("expand pendulum --about 360deg --order 3");
+    close(
+        &about["equilibrium"].as_str().unwrap().parse::<f64>().unwrap().into(),
+        std::f64::consts::TAU,
+        1e-15,
+    );
+    for name in ["theta", "theta1", "phi_2", "vartheta"] {
+        let equation = format!("{name}'' + sin({name}) = 0");
+        for arguments in [
+            &["expand", &equation, "--evaluate", "40deg"][..],
+            &["expand", &equation, "--about", "0deg"],
+            &["backbone", &equation, "--amplitudes", "40deg"],
+            &["simulate", &equation, "--initial", &format!("{name}=40deg"), "--times", "1"],
+        ] {
+            let output = run(arguments);
+            assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_the_orders_that_are_certain() {
+    let running = std::process::Command::new(env!("CARGO_BIN_EXE_libration"))
+        .args(["expand", "pendulum", "--order", "999", "--json"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Long enough for the first primes on any machine, and far too short for a thousand orders.
+    std::thread::sleep(std::time::Duration::from_secs(1));
+    let interrupt = ["-INT", &running.id().to_string()];
+    assert!(std::process::Command::new("kill").args(interrupt).status().unwrap().success());
+    let output = running.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{}", message(&output));
+    assert!(message(&output).starts_with("error: interrupted"), "{}", message(&output));
+    if message(&output).contains("is certain") {
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(answer["interrupted"] == true && answer["order"].as_u64().unwrap() < 999);
+        assert_eq!(answer["of_amplitude"]["period_ratio"][2], "1/16");
+    } else {
+        assert!(message(&output).contains("before any order was certain"), "{}", message(&output));
     }
 }
 

@@ -25,7 +25,10 @@ fn every_equation_of_both_documents_has_a_row() {
             assert!(row[field].is_string(), "{field} of {}", row["label"]);
         }
         let verdict = row["verdict"].as_str().unwrap();
-        assert!(["verified", "typo", "wrong"].iter().any(|known| verdict.starts_with(known)), "{verdict}");
+        assert!(
+            ["verified", "typo", "wrong", "not decided"].iter().any(|known| verdict.starts_with(known)),
+            "{verdict}"
+        );
     }
 }
 
@@ -67,10 +70,26 @@ fn the_page_and_the_csv_say_the_same() {
 }
 
 #[test]
+fn what_the_document_says_in_words_is_called_a_paraphrase() {
+    let answer = json("paper --label accurate");
+    let rows = answer["equations"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["paraphrase"] == true), "{rows:?}");
+    assert!(text("paper --label accurate").contains("    paraphrase ratio = 10\n"));
+    let answer = json("paper --label 53");
+    let equation = &answer["equations"][0];
+    assert_eq!((&equation["label"], &equation["paraphrase"]), (&"(53)".into(), &false.into()));
+    assert!(equation["claim"].as_str().unwrap().contains("in the copy of the text that was read"));
+    assert!(equation["read_from"].as_str().unwrap().starts_with("a copy of its text"));
+    assert!(text("paper --label 53").contains("    printed   T = "));
+}
+
+#[test]
 fn what_is_not_there_is_refused() {
     let unknown = libration("paper --only maybe");
     assert_eq!(unknown.status.code(), Some(2));
-    assert!(message(&unknown).contains("verified, typo or wrong"));
+    assert!(message(&unknown).contains("verified, typo, wrong or not-decided"));
+    let undecided = libration("paper --only not-decided");
+    assert_eq!(undecided.status.code(), Some(1), "{}", message(&undecided));
     let missing = libration("paper --label 99");
     assert_eq!(missing.status.code(), Some(1));
 }

@@ -1,6 +1,6 @@
 //! Multi-precision floats as a ring: for coefficients that are no fractions.
 
-use super::{BigFloat, Function, Rational, Ring};
+use super::{BigFloat, Function, Rational, Rationals, Ring};
 
 /// Binary floats of a fixed precision, in bits; every operation rounds to nearest.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +21,31 @@ impl Floats {
         let (grown, decayed) = (wide.exp(), (-wide).exp());
         let twice = if sine { grown - decayed } else { grown + decayed };
         self.rounded(&twice.halved())
+    }
+
+    /// Powers with whole exponents by squaring, with the bits to spare that n multiplications may lose; `None` where the result
+    /// has more binary places than [`MOST_PLACES`].
+    fn whole_power(self, a: &BigFloat, exponent: &Rational) -> Option<BigFloat> {
+        let n = exponent.magnitude().to_natural()?;
+        if n == 0 {
+            return Some(self.integer(1));
+        }
+        let places = a.exponent()?.unsigned_abs().max(1).checked_mul(usize::try_from(n).ok()?)?;
+        if places > MOST_PLACES {
+            return None;
+        }
+        let spare = usize::try_from(n.ilog2()).ok()? + 8;
+        let wide = Self { precision: self.precision + spare };
+        let base = a.clone() + wide.integer(0);
+        let mut power = base.clone();
+        for bit in (0..n.ilog2()).rev() {
+            power = power.clone() * power;
+            if n >> bit & 1 == 1 {
+                power = power * base.clone();
+            }
+        }
+        let power = if exponent.is_negative() { wide.integer(1) / power } else { power };
+        Some(self.rounded(&power))
     }
 
     fn rounded(self, value: &BigFloat) -> BigFloat {
@@ -100,6 +125,13 @@ impl Ring for Floats {
     }
 
     fn power(&self, a: &BigFloat, exponent: &Rational) -> Option<BigFloat> {
+        if a.is_zero() {
+            let positive = !exponent.is_negative() && !exponent.is_zero();
+            return positive.then(|| self.zero());
+        }
+        if exponent.is_integer() {
+            return self.whole_power(a, exponent);
+        }
         let logarithm = self.value(Function::Ln, a)?;
         self.value(Function::Exp, &(logarithm * self.rational(exponent)?))
     }
@@ -108,6 +140,9 @@ impl Ring for Floats {
         Some(BigFloat::pi(self.precision))
     }
 }
+
+/// Numbers of more binary places take too long as fractions.
+const MOST_PLACES: usize = 1 << 21;
 
 /// Arguments beyond this power of two take too long: exponentials of a million take a second, of a billion minutes.
 const fn largest_exponent(function: Function) -> isize {
@@ -142,6 +177,22 @@ mod tests {
         assert!(close(&(c.clone() * c - s.clone() * s), &floats.integer(1)));
         let root = floats.power(&at, &Rational::new(1, 3).unwrap()).unwrap();
         assert!(close(&(root.clone() * root.clone() * root), &at));
+    }
+
+    #[test]
+    fn powers_of_zero_and_of_negative_numbers_are_those_of_the_real_line() {
+        let floats = Floats { precision: 200 };
+        let power = |base: i64, n: i64, d: i64| {
+            let value = floats.power(&floats.integer(base), &Rational::new(n, d).unwrap());
+            value.map(|value| value.to_f64())
+        };
+        assert_eq!(power(0, 5, 2), Some(0.0));
+        assert_eq!(power(0, 10_001, 1), Some(0.0));
+        assert_eq!([power(0, -1, 2), power(0, 0, 1), power(-2, 1, 2)], [None; 3]);
+        assert_eq!(
+            [power(-2, 3, 1), power(-2, 4, 1), power(-2, -1, 1)],
+            [Some(-8.0), Some(16.0), Some(-0.5)]
+        );
     }
 
     #[test]

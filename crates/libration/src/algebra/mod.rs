@@ -35,7 +35,7 @@ pub(crate) use primes::primes_with_roots;
 pub(crate) use quadratic_field::{Quadratic, QuadraticField};
 pub use rational::{NotARational, Rational};
 pub(crate) use rationals::Rationals;
-pub(crate) use reconstruction::{Images, reconstruct};
+pub(crate) use reconstruction::{Images, Stopped, reconstruct};
 pub(crate) use ring::Ring;
 pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};
 pub use surd::Surd;

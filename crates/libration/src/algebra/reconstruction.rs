@@ -18,6 +18,18 @@ pub(crate) trait Images {
 
     /// The numbers wanted, as residues of `field`; `None` modulo a bad prime.
     fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, Self::Error>;
+
+    /// Asked while fractions are put together from so many primes.
+    fn go_on(&mut self, _primes: usize) -> Result<(), Self::Error> {
+        Ok(())
+    }
+}
+
+/// A computation that has come to an early end, with the residues that were found.
+#[derive(Debug)]
+pub(crate) struct Stopped<E> {
+    pub(crate) error: E,
+    pub(crate) residues: Residues,
 }
 
 /// The numbers whose images are given: more primes are taken until the fractions found agree with fresh ones.
@@ -26,19 +38,24 @@ pub(crate) trait Images {
 pub(crate) fn reconstruct<I: Images>(
     images: &mut I,
     primes: impl Iterator<Item = u64>,
-) -> Result<Option<Vec<Rational>>, I::Error> {
+) -> Result<Option<Vec<Rational>>, Stopped<I::Error>> {
     let mut residues = Residues::default();
     let (mut hint, mut due) = (0, 1);
     for prime in primes {
         let field = PrimeField::new(prime);
-        let Some(image) = images.image(&field)? else { continue };
+        let image = match images.image(&field) {
+            Ok(Some(image)) => image,
+            Ok(None) => continue,
+            Err(error) => return Err(Stopped { error, residues }),
+        };
         residues.push(&field, &image);
         if residues.fields.len() < due + CONFIRMING_PRIMES {
             continue;
         }
-        match residues.fractions(hint) {
-            Ok(fractions) => return Ok(Some(fractions)),
-            Err(unknown) => hint = unknown,
+        match residues.fractions(hint, images) {
+            Ok(Ok(fractions)) => return Ok(Some(fractions)),
+            Ok(Err(unknown)) => hint = unknown,
+            Err(error) => return Err(Stopped { error, residues }),
         }
         due += 1 + due / 4;
     }
@@ -47,7 +64,7 @@ pub(crate) fn reconstruct<I: Images>(
 
 /// The images so far: for each number its residues modulo each prime, or nothing while they are all zero.
 #[derive(Debug, Default)]
-struct Residues {
+pub(crate) struct Residues {
     fields: Vec<PrimeField>,
     residues: Vec<Option<Vec<u64>>>,
 }
@@ -65,21 +82,53 @@ impl Residues {
     }
 
     /// All fractions, the one at `first` before the others; or the place of one that needs more primes.
-    fn fractions(&self, first: usize) -> Result<Vec<Rational>, usize> {
+    fn fractions<I: Images>(
+        &self,
+        first: usize,
+        images: &mut I,
+    ) -> Result<Result<Vec<Rational>, usize>, I::Error> {
         let radix = MixedRadix::new(&self.fields);
-        let one = |at: usize, common: &mut Denominator| match &self.residues[at] {
-            None => Ok(Rational::from(0)),
-            Some(list) => radix.fraction(list, common).ok_or(at),
-        };
-        if first < self.residues.len() {
-            one(first, &mut radix.denominator(UBig::ONE))?;
+        if first < self.residues.len()
+            && self.fraction(first, &radix, &mut radix.denominator(UBig::ONE)).is_none()
+        {
+            return Ok(Err(first));
         }
         // Series end in their largest denominators, which the coefficients before them divide.
         let mut common = radix.denominator(UBig::ONE);
-        let backwards = (0..self.residues.len()).rev().map(|at| one(at, &mut common));
-        let mut fractions = backwards.collect::<Result<Vec<_>, usize>>()?;
+        let mut fractions = vec![];
+        for at in (0..self.residues.len()).rev() {
+            images.go_on(self.fields.len())?;
+            match self.fraction(at, &radix, &mut common) {
+                Some(fraction) => fractions.push(fraction),
+                None => return Ok(Err(at)),
+            }
+        }
         fractions.reverse();
-        Ok(fractions)
+        Ok(Ok(fractions))
+    }
+
+    fn fraction(&self, at: usize, radix: &MixedRadix<'_>, common: &mut Denominator) -> Option<Rational> {
+        match self.residues.get(at)? {
+            None => Some(Rational::from(0)),
+            Some(list) => radix.fraction(list, common),
+        }
+    }
+
+    /// The numbers of the lowest orders that the primes suffice to tell and to confirm, those of higher ones being zero, and
+    /// the highest of these orders. Each number has its order in `orders`.
+    pub(crate) fn of_low_orders(&self, orders: &[usize]) -> Option<(Vec<Rational>, usize)> {
+        let radix = MixedRadix::new(&self.fields);
+        let mut by_order: Vec<usize> = (0..orders.len()).collect();
+        by_order.sort_by_key(|&at| orders[at]);
+        let mut known = vec![Rational::from(0); orders.len()];
+        let mut common = radix.denominator(UBig::ONE);
+        for at in by_order {
+            match self.fraction(at, &radix, &mut common) {
+                Some(fraction) => known[at] = fraction,
+                None => return orders[at].checked_sub(1).map(|complete| (known, complete)),
+            }
+        }
+        Some((known, orders.iter().copied().max()?))
     }
 }
 
@@ -232,6 +281,40 @@ mod tests {
         assert_eq!(found, numbers);
         // 300·(log₂ 22 + log₂ 7) bits are 2180, 36 primes.
         assert!(known.1 >= 36 && known.1 < 55, "{}", known.1);
+    }
+
+    /// The powers of 22/7 with the exponent for their order, broken off after so many primes.
+    struct BrokenOff(Vec<Rational>, usize);
+
+    impl Images for BrokenOff {
+        type Error = ();
+
+        fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, ()> {
+            self.1 = self.1.checked_sub(1).ok_or(())?;
+            Ok(self.0.iter().map(|number| field.rational(number)).collect())
+        }
+    }
+
+    #[test]
+    fn low_orders_are_certain_before_high_ones() {
+        let power = |n: isize| Rational::new(22, 7).unwrap().integer_power(n).unwrap();
+        let numbers: Vec<Rational> = (0..300).map(power).collect();
+        let orders: Vec<usize> = (0..300).collect();
+        let mut before = 0;
+        for primes in [5, 10, 20, 30] {
+            let stopped =
+                reconstruct(&mut BrokenOff(numbers.clone(), primes), primes_with_roots(20)).unwrap_err();
+            let (known, complete) = stopped.residues.of_low_orders(&orders).unwrap();
+            assert_eq!(known[..=complete], numbers[..=complete]);
+            // A power has 7.3 bits an order, a prime 62 bits, two primes confirm and 48 bits are spare.
+            assert!(
+                complete > before && complete > 7 * (primes - 3) && complete < 9 * primes,
+                "{primes}: {complete}"
+            );
+            before = complete;
+        }
+        let stopped = reconstruct(&mut BrokenOff(numbers, 1), primes_with_roots(20)).unwrap_err();
+        assert!(stopped.residues.of_low_orders(&orders).is_none());
     }
 
     #[test]

@@ -49,7 +49,7 @@ pub enum DiagramError {
     #[error(transparent)]
     Section(#[from] SectionError),
     /// A value that is not finite.
-    #[error("the parameter cannot have the value {0}: give finite ones")]
+    #[error("the parameter cannot have the value {0:?}: give finite ones")]
     Value(f64),
 }
 

@@ -8,11 +8,11 @@ use crate::taylor::IntegrationError;
 #[non_exhaustive]
 pub enum DecayError {
     /// A power of the velocity that is negative or no number.
-    #[error("damping in proportion to the velocity to the power {0}: give a power of zero or more")]
+    #[error("damping in proportion to the velocity to the power {0:?}: give a power of zero or more")]
     Exponent(f64),
     /// A coefficient that is negative or not finite.
     #[error(
-        "a coefficient of {coefficient} for the velocity to the power {exponent}: give a finite number, zero or more"
+        "a coefficient of {coefficient:?} for the velocity to the power {exponent:?}: give a finite number, zero or more"
     )]
     Coefficient {
         /// The coefficient.
@@ -28,7 +28,7 @@ pub enum DecayError {
     NoDamping,
     /// A coefficient too large or too small for numbers.
     #[error(
-        "the damping with the velocity to the power {exponent} is {value:?} in units of the pendulum's own time: give a \
+        "the damping with the velocity to the power {exponent:?} is {value:?} in units of the pendulum's own time: give a \
          coefficient nearer to one"
     )]
     OutOfRange {

@@ -137,7 +137,7 @@ pub enum DerivationError {
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
     #[error(
-        "an amplitude of {degrees} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees; `libration period` answers for all"
+        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees; `libration period` answers for all"
     )]
     Amplitude {
         /// The amplitude in degrees.
@@ -166,7 +166,7 @@ pub enum DerivationError {
     #[error(transparent)]
     OpenGauge(#[from] OpenGaugeError),
     /// An amplitude that is none.
-    #[error("an amplitude of {0} is not positive and finite")]
+    #[error("an amplitude of {0:?} is not positive and finite")]
     NotAnAmplitude(f64),
     /// A pendulum that cannot be.
     #[error(transparent)]
@@ -328,14 +328,12 @@ pub(super) fn failed(statement: &Statement, reason: String) -> DerivationError {
 
 impl Check {
     /// Whether there was something to check, and it was computed.
-    #[must_use]
-    pub fn is_computed(&self) -> bool {
+    pub(super) fn is_computed(&self) -> bool {
         !matches!(self, Self::Definition | Self::Premise | Self::Given)
     }
 
     /// The check in words.
-    #[must_use]
-    pub fn to_prose(&self) -> Prose {
+    pub(super) fn to_prose(&self) -> Prose {
         match self {
             Self::Definition => Prose::text("definition"),
             Self::Premise => Prose::text("the starting point"),

@@ -48,10 +48,10 @@ pub struct Modulus {
 #[non_exhaustive]
 pub enum ModulusError {
     /// A nome so close to 1 that k′ is below the range kept.
-    #[error("the nome is {0}: its complementary modulus is below 1e-300; give at most 0.9929, or 1")]
+    #[error("the nome is {0:?}: its complementary modulus is below 1e-300; give at most 0.9929, or 1")]
     NomeTooClose(f64),
     /// Outside [0, 1], or NaN.
-    #[error("{name} is {value}: give a number from 0 to 1")]
+    #[error("{name} is {value:?}: give a number from 0 to 1")]
     OutOfRange {
         /// Which number.
         name: &'static str,

@@ -54,8 +54,7 @@ impl Equation {
     }
 
     /// What multiplies each second derivative as the equations are written: the masses, in `m x'' + k x = 0`.
-    #[must_use]
-    pub fn inertias(&self) -> Vec<Expression> {
+    pub(crate) fn inertias(&self) -> Vec<Expression> {
         let factor = |((left, right), name): (&(Expression, Expression), &String)| {
             let own = Symbol::plain(name).with_primes(2);
             difference(left.derivative(&own), right.derivative(&own))
@@ -74,8 +73,8 @@ impl Equation {
     /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
     ///
     /// # Errors
-    /// A name that is no parameter, or is given twice; a value that has symbols in it; an equation whose second
-    /// derivative drops out.
+    /// A name that is no parameter, or is given twice; a value that has symbols in it, or is none, as 1/0; an equation
+    /// whose second derivative drops out, or that has no value with these.
     pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
         let known = self.parameters();
         let mut written = self.written.clone();
@@ -87,6 +86,9 @@ impl Equation {
             if let Some(inside) = value.symbols().pop_first() {
                 return Err(EquationError::NotConstant { name: symbol.name, inside });
             }
+            if let Some(why) = value.without_value() {
+                return Err(EquationError::ValueWithout { name: symbol.name, why });
+            }
             for side in written.iter_mut().flat_map(|(left, right)| [left, right]) {
                 *side = side.with_value(&symbol, value);
             }
@@ -96,6 +98,10 @@ impl Equation {
 
     /// Solves each equation for its own second derivative.
     fn solved(written: Vec<(Expression, Expression)>) -> Result<Self, EquationError> {
+        let sides = written.iter().flat_map(|(left, right)| [left, right]);
+        if let Some(missing) = sides.into_iter().find_map(Expression::without_value) {
+            return Err(missing.into());
+        }
         let own: Vec<Symbol> = written.iter().map(own_acceleration).collect::<Result<_, _>>()?;
         if let Some(twice) = own.iter().enumerate().find_map(|(i, it)| own[..i].contains(it).then_some(it)) {
             return Err(EquationError::SolvedTwice(twice.name.clone()));
@@ -186,7 +192,7 @@ fn opposite(a: Expression) -> Expression {
 ///
 /// # Errors
 /// Text that is no formula; no `=`, or two; no second derivative or more than one in an equation; an equation that is
-/// not linear in it; derivatives of the third order.
+/// not linear in it; derivatives of the third order; parts that have no value, as 1/0.
 impl FromStr for Equation {
     type Err = EquationError;
 

@@ -178,6 +178,11 @@ impl<'a, R: Ring> Jet<'a, R> {
             }
             Operation::Multiply(a, b) => Some(ring.convolution(&at(a).plain[..=n], &at(b).plain[..=n])),
             Operation::Divide(a, b) => quotient(ring, &at(a).plain[n], &at(place).plain, &at(b).plain),
+            // A whole power of what begins with zero begins beyond that power; other powers have no series there.
+            Operation::Power(a, ref exponent) if ring.is_zero(self.zeroth(a)) => {
+                let begins = exponent.to_natural()?;
+                (u64::try_from(n).ok()? < begins).then(|| ring.zero())
+            }
             Operation::Power(a, ref exponent) => {
                 let exponent = ring.rational(exponent)?;
                 let weighted = weighted_power(ring, &exponent, at(a).both(), at(place).both());

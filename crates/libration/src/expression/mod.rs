@@ -19,6 +19,8 @@ mod symbols;
 mod equation;
 
 mod jet;
+mod no_value;
+mod side;
 mod tape;
 mod value;
 
@@ -30,7 +32,9 @@ pub use error::{Fault, ParseError};
 pub(crate) use jet::{Jet, NoSeries};
 pub(crate) use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
+pub use no_value::NoValue;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
+pub(crate) use side::Side;
 pub use tape::WithoutValue;
 pub(crate) use tape::{Operation, Slope, Tape};
 

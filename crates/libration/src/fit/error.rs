@@ -15,7 +15,7 @@ pub enum FitError {
         expected: usize,
     },
     /// An amplitude that no libration has.
-    #[error("row {row}: the amplitude {amplitude} rad is not below pi: check the unit of the amplitudes")]
+    #[error("row {row}: the amplitude {amplitude:?} rad is not below pi: check the unit of the amplitudes")]
     Amplitude {
         /// Counted from one.
         row: usize,
@@ -23,7 +23,7 @@ pub enum FitError {
         amplitude: f64,
     },
     /// A period that is not a positive finite number.
-    #[error("row {row}: the period {period} s is not a positive number: remove the row")]
+    #[error("row {row}: the period {period:?} s is not a positive number: remove the row")]
     Period {
         /// Counted from one.
         row: usize,
@@ -31,7 +31,7 @@ pub enum FitError {
         period: f64,
     },
     /// A standard deviation that is none.
-    #[error("row {row}: the uncertainty {uncertainty} of the {of} is not usable: {hint}")]
+    #[error("row {row}: the uncertainty {uncertainty:?} of the {of} is not usable: {hint}")]
     Uncertainty {
         /// Counted from one.
         row: usize,
@@ -56,7 +56,7 @@ pub enum FitError {
     #[error("all amplitudes are the same, which leaves beta open: measure at different amplitudes")]
     EqualAmplitudes,
     /// A law that has no positive finite value at a measured amplitude.
-    #[error("the law `{key}` has no value at the amplitude {amplitude} rad: leave it out or the row")]
+    #[error("the law `{key}` has no value at the amplitude {amplitude:?} rad: leave it out or the row")]
     LawUndefined {
         /// Of the law.
         key: String,
@@ -68,7 +68,7 @@ pub enum FitError {
     NoConvergence(&'static str),
     /// A length or its uncertainty that is none.
     #[error(
-        "a length of {value} ± {uncertainty} m is not usable: give a positive length and an uncertainty of at least zero"
+        "a length of {value:?} ± {uncertainty:?} m is not usable: give a positive length and an uncertainty of at least zero"
     )]
     Length {
         /// In metres.
@@ -77,7 +77,7 @@ pub enum FitError {
         uncertainty: f64,
     },
     /// A length in a table that is not a positive finite number.
-    #[error("row {row}: the length {length} m is not a positive number: remove the row")]
+    #[error("row {row}: the length {length:?} m is not a positive number: remove the row")]
     LengthOfRow {
         /// Counted from one.
         row: usize,

@@ -8,10 +8,10 @@ pub enum TraceError {
     #[error("columns of {0:?} rows are no trace: give as many values as times, and at least one")]
     Lengths(Vec<usize>),
     /// A number that is not finite.
-    #[error("{0} is not a finite number: leave the row out")]
+    #[error("{0:?} is not a finite number: leave the row out")]
     NotFinite(f64),
     /// A time that is not after the one before.
-    #[error("the time {after} s follows {before} s: give times that increase")]
+    #[error("the time {after:?} s follows {before:?} s: give times that increase")]
     TimesNotIncreasing {
         /// In seconds.
         before: f64,
@@ -19,7 +19,7 @@ pub enum TraceError {
         after: f64,
     },
     /// An uncertainty that is not positive.
-    #[error("an uncertainty of {0} is not usable: give positive ones, or none at all")]
+    #[error("an uncertainty of {0:?} is not usable: give positive ones, or none at all")]
     Uncertainty(f64),
 }
 

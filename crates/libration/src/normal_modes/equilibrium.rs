@@ -1,6 +1,6 @@
 //! Where a system rests.
 
-use super::error::NoModes;
+use super::error::{NoModes, SearchEnd};
 use crate::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
 use crate::linear::solve;
@@ -64,8 +64,9 @@ fn newton(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Ve
     const MOST_STEPS: usize = 100;
     let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
     let mut at = guess.to_vec();
+    let refusal = |to: &[f64], end| NoModes::NoEquilibrium { from: guess.to_vec(), to: to.to_vec(), end };
     for _ in 0..MOST_STEPS {
-        let Some(step) = newton_step(&tape, &at) else { break };
+        let step = newton_step(&tape, &at).map_err(|end| refusal(&at, end))?;
         let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let last = size(&step) <= 4.0 * f64::EPSILON * size(&at).max(f64::MIN_POSITIVE);
         at = at.iter().zip(&step).map(|(x, change)| x + change).collect();
@@ -73,18 +74,23 @@ fn newton(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Ve
             return Ok(at);
         }
     }
-    Err(NoModes::NoEquilibrium { from: guess.to_vec(), to: at })
+    Err(refusal(&at, SearchEnd::Unsettled))
 }
 
 /// −F′⁻¹·F; nothing where F vanishes.
-fn newton_step(tape: &Tape, at: &[f64]) -> Option<Vec<f64>> {
-    let jet = Jet::new(&Doubles, tape, at).ok()?;
+fn newton_step(tape: &Tape, at: &[f64]) -> Result<Vec<f64>, SearchEnd> {
+    let jet = Jet::new(&Doubles, tape, at).map_err(|_| SearchEnd::NoValue)?;
     let value: Vec<f64> = (0..at.len()).map(|i| -jet.result(i)[0]).collect();
     if value.iter().all(|x| *x == 0.0) {
-        return Some(value);
+        return Ok(value);
     }
-    let gains: Vec<Vec<f64>> = (0..at.len()).map(|j| jet.gains(j)).collect::<Result<_, _>>().ok()?;
+    if !value.iter().all(|x| x.is_finite()) {
+        return Err(SearchEnd::NoValue);
+    }
+    let gains: Result<Vec<Vec<f64>>, _> = (0..at.len()).map(|j| jet.gains(j)).collect();
+    let gains = gains.map_err(|_| SearchEnd::NoSlope)?;
     let row = |i: usize| gains.iter().map(|gain| gain[tape.results()[i]]).collect();
     let slopes: Vec<Vec<f64>> = (0..at.len()).map(row).collect();
-    solve(&Doubles, |x| x.abs(), &slopes, &value).filter(|step| step.iter().all(|x| x.is_finite()))
+    let step = solve(&Doubles, |x| x.abs(), &slopes, &value);
+    step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(SearchEnd::NoSlope)
 }

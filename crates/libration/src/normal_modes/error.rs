@@ -22,17 +22,19 @@ pub enum NoModes {
     },
     /// No place where the accelerations at rest vanish.
     #[error(
-        "no equilibrium is found near {from:?}, where the search came to {to:?}: give a guess nearer to one"
+        "no equilibrium is found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
     )]
     NoEquilibrium {
         /// The guess.
         from: Vec<f64>,
         /// Where Newton's method ended.
         to: Vec<f64>,
+        /// Why it ended there.
+        end: SearchEnd,
     },
     /// Accelerations without derivatives.
     #[error(
-        "at the equilibrium {at:?} the accelerations or their derivatives have no value, or jump, so that small motions are \
+        "at the equilibrium {at:?} the accelerations or their derivatives have no finite value, or jump, so that small motions are \
          not linear there: choose another equilibrium, or other coordinates"
     )]
     NotSmooth {
@@ -42,4 +44,19 @@ pub enum NoModes {
     /// Eigenvalues that are not found.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
     NoEigenvalues,
+}
+
+/// Why the search for an equilibrium ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SearchEnd {
+    /// No value, or one beyond `f64`.
+    #[error("where the accelerations at rest have no finite value")]
+    NoValue,
+    /// Nothing in the slopes that leads to zero.
+    #[error("where they are not zero and their slopes do not tell where they are")]
+    NoSlope,
+    /// As many steps as are made.
+    #[error("where it was given up, as it does not settle")]
+    Unsettled,
 }

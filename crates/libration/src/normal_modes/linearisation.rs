@@ -2,9 +2,8 @@
 
 use super::equilibrium::{Equilibrium, substituted};
 use super::error::NoModes;
-use super::kinks::Side;
 use crate::algebra::{Doubles, Rational};
-use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
+use crate::expression::{Equation, Expression, Jet, Side, Symbol, Tape};
 
 /// A and G by rows.
 #[derive(Clone, Debug)]

@@ -8,7 +8,6 @@ mod error;
 mod mode;
 
 mod equilibrium;
-mod kinks;
 mod linearisation;
 
 mod polynomial;
@@ -23,7 +22,7 @@ mod shift;
 
 mod modes;
 
-pub use error::NoModes;
+pub use error::{NoModes, SearchEnd};
 pub use mode::{Behaviour, Mode, Shift};
 pub use modes::NormalModes;
 pub use resonance::Resonance;

@@ -38,7 +38,7 @@ pub enum NoOrbit {
     #[error("the accelerations vanish at {0:?}: what is released there stays there")]
     AtRest(Vec<f64>),
     /// A motion that comes to rest no more.
-    #[error("released at {start} the motion does not come back: {why}")]
+    #[error("released at {start:?} the motion does not come back: {why}")]
     NoReturn {
         /// The place of the release.
         start: f64,
@@ -47,13 +47,13 @@ pub enum NoOrbit {
     },
     /// A motion that conserves energy and yet comes to rest elsewhere than it began.
     #[error(
-        "released at {0} the motion comes so near an unstable equilibrium that rounding errors decide where it goes from \
+        "released at {0:?} the motion comes so near an unstable equilibrium that rounding errors decide where it goes from \
          there: the release is on the separatrix to all digits"
     )]
     Separatrix(f64),
     /// An oscillation about another equilibrium than the one that is meant.
     #[error(
-        "released at {start} the motion goes to {other_side} and back, about another equilibrium than the one at {centre}"
+        "released at {start:?} the motion goes to {other_side:?} and back, about another equilibrium than the one at {centre:?}"
     )]
     Elsewhere {
         /// The place of the release.
@@ -65,7 +65,7 @@ pub enum NoOrbit {
     },
     /// A motion that comes to rest elsewhere than it began.
     #[error(
-        "released at {start} the motion comes to rest at {end} after one oscillation: it is damped or excited and has \
+        "released at {start:?} the motion comes to rest at {end:?} after one oscillation: it is damped or excited and has \
          no period"
     )]
     NotClosed {
@@ -76,7 +76,7 @@ pub enum NoOrbit {
     },
     /// A motion that nearly stops on the way.
     #[error(
-        "released at {start} the motion comes so near an unstable equilibrium that rounding errors decide its period, \
+        "released at {start:?} the motion comes so near an unstable equilibrium that rounding errors decide its period, \
          {period:.3} or infinite: the release is on the separatrix to all digits"
     )]
     Unsure {
@@ -114,12 +114,12 @@ pub enum Lost {
     #[error("{0}")]
     Stopped(IntegrationError),
     /// Rest that is approached for ever, or a way out without end.
-    #[error("it moves on in one direction as far as it was followed, to t = {0}")]
+    #[error("it moves on in one direction as far as it was followed, to t = {0:?}")]
     OneWay(f64),
     /// Rest.
     #[error("it comes to rest in an equilibrium")]
     Rest,
     /// Neither.
-    #[error("it does not repeat itself up to t = {0}")]
+    #[error("it does not repeat itself up to t = {0:?}")]
     Irregular(f64),
 }

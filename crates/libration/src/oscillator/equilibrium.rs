@@ -1,9 +1,10 @@
 //! Where an oscillator can rest, and whether it returns there.
 
 use super::constant::{Approximation, Constant, PRECISION};
-use super::error::{Refusal, Unfit};
+use super::error::{Found, OscillatorError, Refusal, Unfit};
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
-use super::roots::{LARGEST_DEGREE, SEARCHED, polynomial_zeros, zeros};
+use super::neighbourhood::{Neighbourhood, Roughness};
+use super::roots::{LARGEST_DEGREE, Seen, polynomial_zeros, zeros};
 use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 
@@ -20,25 +21,30 @@ pub(super) struct Equilibrium {
     pub(super) omega0_squared: Constant,
 }
 
-/// Numbers next to which the force at rest vanishes, and where they were looked for.
+/// Numbers next to which the force at rest vanishes.
 pub(super) struct Candidates {
     /// The nearest to zero first, of equal distance the positive one.
     pub(super) near: Vec<f64>,
-    pub(super) searched: String,
+    /// What is said if none of them is a zero.
+    pub(super) none: OscillatorError,
 }
 
 /// Where the force at rest passes zero, to double precision.
 pub(super) fn candidates(force: &Force) -> Candidates {
     let at_rest = force.at_rest();
     let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
-    let (mut near, searched) = match (polynomial, Curve::new(&at_rest, &force.x)) {
-        (Some(coefficients), _) => (polynomial_zeros(&scaled(&coefficients)), "all real numbers".to_owned()),
-        (None, Some(curve)) => (zeros(|x| curve.at(x)), format!("from -{SEARCHED} to {SEARCHED}")),
-        (None, None) => (vec![], "nothing".to_owned()),
+    let everywhere = polynomial.and_then(|coefficients| polynomial_zeros(&scaled(&coefficients)));
+    let (mut near, none) = match (everywhere, Curve::new(&at_rest, &force.x)) {
+        (Some(zeros), _) => (zeros, OscillatorError::NoEquilibrium),
+        (None, Some(curve)) => {
+            let Seen { zeros, has_values } = zeros(|x| curve.at(x));
+            (zeros, if has_values { OscillatorError::NotFound } else { OscillatorError::NoValues })
+        }
+        (None, None) => (vec![], OscillatorError::NoValues),
     };
     near.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(b.total_cmp(a)));
     near.dedup();
-    Candidates { near, searched }
+    Candidates { near, none }
 }
 
 /// The coefficients over the last one, rounded.
@@ -125,24 +131,50 @@ fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
 
 /// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
 pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Refusal> {
-    let refusal = |why| Refusal { at: at.to_string(), why };
+    match omega0_squared_at(force, &at).and_then(|omega0_squared| {
+        refuse_losses(force, &at)?;
+        Ok(omega0_squared)
+    }) {
+        Ok(omega0_squared) => Ok(Equilibrium { at, omega0_squared }),
+        Err(why) => Err(Refusal { at: at.to_string(), why }),
+    }
+}
+
+/// ω0², where the force drives back in proportion to the displacement.
+fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Unfit> {
     let (at_rest, place) = (force.at_rest(), at.digits());
+    let about = Neighbourhood::new(&at_rest, &force.x, at);
+    let found = |passed: bool| match (passed, force.is_reversible()) {
+        (false, _) => Found::Nowhere,
+        (true, true) => Found::ByOrbits,
+        (true, false) => Found::ByMotion,
+    };
+    let rough = || Unfit::NotAnalytic {
+        roughness: about.as_ref().map_or(Roughness::Other, Neighbourhood::roughness),
+        force: about.as_ref().and_then(Neighbourhood::tendency),
+        found: found(about.as_ref().is_some_and(Neighbourhood::is_analytic_on_both_sides)),
+    };
     if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&place)) {
-        return Err(refusal(Unfit::NotSmooth));
+        return Err(rough());
     }
-    let stiffness = value_at(force, &force.stiffness(), &at);
-    let omega0_squared = stiffness.ok_or_else(|| refusal(Unfit::NotSmooth))?;
-    if !omega0_squared.is_positive() {
-        return Err(refusal(Unfit::NotRestoring { omega0_squared: omega0_squared.to_string() }));
+    let omega0_squared = value_at(force, &force.stiffness(), at).ok_or_else(rough)?;
+    if omega0_squared.is_positive() {
+        return Ok(omega0_squared);
     }
-    if !force.is_reversible() {
-        let damping = value_at(force, &force.damping(), &at).filter(|it| it.to_f64() != 0.0);
-        return Err(refusal(match damping {
-            Some(damping) => Unfit::Damped { damping: damping.to_string() },
-            None => Unfit::Irreversible,
-        }));
+    if omega0_squared.exact().is_some_and(Rational::is_zero) {
+        let force = about.as_ref().and_then(Neighbourhood::tendency);
+        return Err(Unfit::NoLinearPart { force, found: found(true) });
     }
-    Ok(Equilibrium { at, omega0_squared })
+    Err(Unfit::NotRestoring { omega0_squared: omega0_squared.to_string() })
+}
+
+/// Refuses forces that take or give energy.
+fn refuse_losses(force: &Force, at: &Constant) -> Result<(), Unfit> {
+    if force.is_reversible() {
+        return Ok(());
+    }
+    let damping = value_at(force, &force.damping(), at).filter(|it| it.to_f64() != 0.0);
+    Err(damping.map_or(Unfit::Irreversible, |damping| Unfit::Damped { damping: damping.to_string() }))
 }
 
 /// The value of a formula at a constant; one that is zero to its digits is zero.

@@ -1,5 +1,7 @@
 //! Why an equation is no oscillator.
 
+use super::neighbourhood::{Roughness, Tendency};
+use super::roots::SEARCHED;
 use crate::expression::EquationError;
 
 /// Why an equation of motion cannot be taken as an oscillator about an equilibrium.
@@ -10,7 +12,12 @@ pub enum OscillatorError {
     #[error(transparent)]
     Equation(#[from] EquationError),
     /// More than one variable.
-    #[error("there are {} variables, {}: give one equation of motion", names.len(), names.join(", "))]
+    #[error(
+        "there are {} variables, {}: give one equation of motion; small oscillations of several are their normal modes \
+         (libration modes)",
+        names.len(),
+        names.join(", ")
+    )]
     SeveralVariables {
         /// Their names.
         names: Vec<String>,
@@ -20,8 +27,8 @@ pub enum OscillatorError {
     DependsOnTime,
     /// Parameters that have no value.
     #[error(
-        "no value is given for {}: give one, as {}=0.1; only the strength of a self-excitation may stay open, as mu in \
-         x'' - mu*(1-x^2)*x' + x = 0",
+        "no value is given for {}: give each one, as {}=0.1; only the strength of a self-excitation may stay open, as mu in \
+         x'' - mu*(1-x^2)*x' + x = 0, and a second variable, which no expansion has, would need an equation of its own",
         names.join(", "),
         names.first().map_or("mu", String::as_str)
     )]
@@ -29,21 +36,58 @@ pub enum OscillatorError {
         /// Their names.
         names: Vec<String>,
     },
+    /// A self-excitation of what is no linear oscillator.
+    #[error(
+        "a limit cycle is expanded in {parameter} only about a linear oscillator with fractions, as x'' = -2*x, and what is left \
+         at {parameter} = 0 is {variable}'' = {left}: at a value of {parameter} its motion can be followed (libration simulate)"
+    )]
+    ExcitedNonlinear {
+        /// The open parameter.
+        parameter: String,
+        /// The variable.
+        variable: String,
+        /// The acceleration at strength zero.
+        left: String,
+    },
+    /// An open parameter that is more than the strength of a self-excitation.
+    #[error(
+        "{parameter} has no value, and is not the strength of a self-excitation, as the acceleration is not the same when both \
+         {parameter} and the velocity change sign: give it a value, as {parameter}=0.1"
+    )]
+    NoStrength {
+        /// The open parameter.
+        parameter: String,
+    },
+    /// A force without values.
+    #[error("the acceleration at rest has no value at any place looked at, from -{SEARCHED} to {SEARCHED}")]
+    NoValues,
     /// A force that vanishes nowhere.
     #[error(
-        "the acceleration at rest passes zero nowhere ({searched} was searched): there is no equilibrium to oscillate about"
+        "there is no equilibrium to oscillate about: the acceleration at rest passes through zero nowhere"
     )]
-    NoEquilibrium {
-        /// Where it was looked for.
-        searched: String,
-    },
-    /// Equilibria, but none about which there are oscillations.
-    #[error("there are no oscillations about any equilibrium: {}", list(.0))]
+    NoEquilibrium,
+    /// A force that was not seen to vanish.
+    #[error(
+        "no equilibrium is found: from -{SEARCHED} to {SEARCHED}, where one is looked for, the acceleration at rest does not \
+         pass through zero; if there is one further out, name it, as --about {}",
+        2.0 * SEARCHED
+    )]
+    NotFound,
+    /// Equilibria, but none that can be expanded about.
+    #[error("there is no expansion about any equilibrium: {}", list(.0))]
     NoStableEquilibrium(Vec<Refusal>),
+    /// What is given as the equilibrium is no constant.
+    #[error("`{place}` is no place: {why}")]
+    NotAPlace {
+        /// What is given, shortened.
+        place: String,
+        /// The reason.
+        why: String,
+    },
     /// A place given as the equilibrium where the force does not vanish.
-    #[error("{at} is no equilibrium: the acceleration does not vanish there")]
+    #[error("there is no equilibrium at {at}: the acceleration does not vanish there, nor next to it")]
     NotAnEquilibrium {
-        /// The place.
+        /// The place, shortened.
         at: String,
     },
 }
@@ -62,27 +106,90 @@ pub struct Refusal {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unfit {
-    /// The force drives away, or has no linear part.
-    #[error("the force does not drive back: omega0^2 is {omega0_squared} and must be positive")]
+    /// The force drives away.
+    #[error("the force drives away: omega0^2 is {omega0_squared} and must be positive")]
     NotRestoring {
         /// −∂F/∂x.
         omega0_squared: String,
     },
-    /// The force has no derivative there.
-    #[error("the acceleration has no derivative")]
-    NotSmooth,
+    /// The force has no linear part.
+    #[error("{}", without_linear_part(*.force, *.found))]
+    NoLinearPart {
+        /// Which way it drives all the same, where that is known.
+        force: Option<Tendency>,
+        /// What finds a frequency there.
+        found: Found,
+    },
+    /// The force has no power series there.
+    #[error("the acceleration {roughness}, which an expansion needs{}", without_series(*.force, *.found))]
+    NotAnalytic {
+        /// What is wrong with it.
+        roughness: Roughness,
+        /// Which way it drives all the same, where that is known.
+        force: Option<Tendency>,
+        /// What finds a frequency there.
+        found: Found,
+    },
     /// Energy is lost or won in small oscillations.
     #[error(
-        "small motions decay or grow, as the acceleration holds {damping} times the velocity: leave that out, or leave \
-         open a parameter that multiplies it for a limit cycle"
+        "small motions {}, as the acceleration holds {damping} times the velocity: a simulation follows them (libration \
+         simulate); for an expansion leave that out, or, where it is a self-excitation of a linear oscillator, its strength open",
+        if damping.starts_with('-') { "decay" } else { "grow" }
     )]
     Damped {
         /// ∂F/∂x′.
         damping: String,
     },
     /// Energy is lost or won in larger ones, or it cannot be excluded.
-    #[error("the acceleration is not the same for the opposite velocity, so that motions may decay or grow")]
+    #[error(
+        "the acceleration is not the same for the opposite velocity, so that motions may decay or grow: a simulation follows \
+         them (libration simulate)"
+    )]
     Irreversible,
+}
+
+/// What finds the frequency of oscillations that have no expansion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// An orbit for each amplitude.
+    ByOrbits,
+    /// The motion in time.
+    ByMotion,
+    /// Neither, as integration does not pass the equilibrium.
+    Nowhere,
+}
+
+impl Found {
+    fn advice(self) -> &'static str {
+        match self {
+            Self::ByOrbits => ": the frequency at an amplitude is found without one (libration backbone)",
+            Self::ByMotion => ": the motion is followed without one (libration simulate)",
+            Self::Nowhere => "",
+        }
+    }
+}
+
+fn without_linear_part(force: Option<Tendency>, found: Found) -> String {
+    match force {
+        Some(Tendency::Back) => format!(
+            "the force drives back, but has no part in proportion to the displacement: omega0^2 is 0, so that the frequency \
+             goes to zero with the amplitude and has no expansion{}",
+            found.advice()
+        ),
+        Some(Tendency::Away) => "the force drives away, though omega0^2 is 0".to_owned(),
+        Some(Tendency::OneWay) => "the force drives the same way on both sides, omega0^2 being 0".to_owned(),
+        Some(Tendency::None) => "there is no force all about it: omega0^2 is 0".to_owned(),
+        None => "omega0^2 is 0 and must be positive".to_owned(),
+    }
+}
+
+fn without_series(force: Option<Tendency>, found: Found) -> &'static str {
+    match force {
+        Some(Tendency::Back) => found.advice(),
+        Some(Tendency::Away) => ", and drives away",
+        Some(Tendency::OneWay) => ", and drives the same way on both sides",
+        _ => "",
+    }
 }
 
 fn list(refusals: &[Refusal]) -> String {

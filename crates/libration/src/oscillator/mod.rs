@@ -6,6 +6,7 @@ mod named;
 mod constant;
 mod equilibrium;
 mod force;
+mod neighbourhood;
 mod roots;
 
 mod error;
@@ -14,9 +15,10 @@ mod model;
 mod periodic_motion;
 
 pub use constant::{Approximation, Constant};
-pub use error::{OscillatorError, Refusal, Unfit};
+pub use error::{Found, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
 pub use named::{NamedOscillator, Parameter, UnknownOscillator, catalogue};
+pub use neighbourhood::{Roughness, Tendency};
 pub use periodic_motion::{NoPeriodicMotion, PeriodicMotion};
 
 #[cfg(test)]

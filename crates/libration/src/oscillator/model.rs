@@ -6,6 +6,7 @@ use super::equilibrium::{Candidates, Equilibrium, assessed, candidates, given, r
 use super::force::Force;
 use crate::algebra::Rational;
 use crate::expression::{Equation, Expression, Symbol};
+use crate::quantity::excerpt;
 
 /// So many places of rest, the nearest to zero, are looked at.
 const MOST_PLACES: usize = 20;
@@ -72,7 +73,8 @@ impl Oscillator {
         if let Some(parameter) = open_parameter(equation)? {
             return Err(OscillatorError::WithoutValue { names: vec![parameter] });
         }
-        let refusal = || OscillatorError::NotAnEquilibrium { at: place.to_string() };
+        let refusal = || OscillatorError::NotAnEquilibrium { at: excerpt(&place.to_string()) };
+        refuse_no_place(place)?;
         let equilibrium = assessed(&force, given(&force, place).ok_or_else(refusal)?);
         let equilibrium =
             equilibrium.map_err(|refusal| OscillatorError::NoStableEquilibrium(vec![refusal]))?;
@@ -88,7 +90,7 @@ impl Oscillator {
                 Err(refusal) => refusals.push(refusal),
             }
         }
-        let Candidates { near, searched } = candidates(&force);
+        let Candidates { near, none } = candidates(&force);
         let places = near.into_iter().take(MOST_PLACES).filter_map(|near| refined(&force, near));
         for place in places.filter(|place| *place != zero) {
             match assessed(&force, place) {
@@ -97,7 +99,7 @@ impl Oscillator {
             }
         }
         Err(match refusals.as_slice() {
-            [] => OscillatorError::NoEquilibrium { searched },
+            [] => none,
             _ => OscillatorError::NoStableEquilibrium(refusals),
         })
     }
@@ -113,11 +115,17 @@ impl Oscillator {
 
     /// A self-excitation of the linear oscillator that is left at strength zero.
     fn limit_cycle(equation: &Equation, force: Force, parameter: &str) -> Result<Self, OscillatorError> {
-        let refusal = || OscillatorError::WithoutValue { names: vec![parameter.to_owned()] };
         let symbol = Symbol::plain(parameter);
-        let equilibrium = linear_rest(&force, &symbol).ok_or_else(refusal)?;
+        if !force.uses_velocity() {
+            return Err(OscillatorError::WithoutValue { names: vec![parameter.to_owned()] });
+        }
+        let equilibrium = linear_rest(&force, &symbol).ok_or_else(|| OscillatorError::ExcitedNonlinear {
+            parameter: parameter.to_owned(),
+            variable: force.x.name.clone(),
+            left: excerpt(&left_without(&force, &symbol).to_string()),
+        })?;
         if !force.is_reversible_with(&symbol) {
-            return Err(refusal());
+            return Err(OscillatorError::NoStrength { parameter: parameter.to_owned() });
         }
         let odd = equilibrium.at.exact().is_some_and(|place| force.is_odd_about(place));
         let kind = Kind::LimitCycle { parameter: parameter.to_owned() };
@@ -189,13 +197,27 @@ fn open_parameter(equation: &Equation) -> Result<Option<String>, OscillatorError
     Ok(names.pop())
 }
 
+/// Refuses what is no constant with a value.
+fn refuse_no_place(place: &Expression) -> Result<(), OscillatorError> {
+    let why = match (place.symbols().pop_first(), place.without_value()) {
+        (Some(inside), _) => format!("{inside} in it has no value; give a number, such as 0.5 or pi/2"),
+        (None, Some(missing)) => missing.to_string(),
+        (None, None) => return Ok(()),
+    };
+    Err(OscillatorError::NotAPlace { place: excerpt(&place.to_string()), why })
+}
+
+/// What is left of the acceleration at strength zero.
+fn left_without(force: &Force, parameter: &Symbol) -> Expression {
+    force.formula.substitute(parameter, &Expression::from(0)).simplified()
+}
+
 /// The equilibrium of what is left at strength zero, when that is a linear oscillator with fractions.
 fn linear_rest(force: &Force, parameter: &Symbol) -> Option<Equilibrium> {
-    let linear = force.formula.substitute(parameter, &Expression::from(0)).simplified();
-    let coefficients = linear.polynomial_coefficients(&force.x)?;
+    let coefficients = left_without(force, parameter).polynomial_coefficients(&force.x)?;
     let [constant, slope] = coefficients.as_slice() else { return None };
     let omega0_squared = -slope.clone();
     let at = constant.checked_div(&omega0_squared)?;
-    let stable = !omega0_squared.is_negative();
+    let stable = !omega0_squared.is_negative() && !omega0_squared.is_zero();
     stable.then_some(Equilibrium { at: Constant::Exact(at), omega0_squared: Constant::Exact(omega0_squared) })
 }

@@ -7,8 +7,16 @@ const PIECES: i32 = 2000;
 /// Polynomials up to this degree are searched everywhere.
 pub(super) const LARGEST_DEGREE: usize = 40;
 
-/// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`], ascending.
-pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Vec<f64> {
+/// What a search has seen of a function.
+pub(super) struct Seen {
+    /// Where it changes its sign through zero, ascending.
+    pub(super) zeros: Vec<f64>,
+    /// Whether it has a value anywhere.
+    pub(super) has_values: bool,
+}
+
+/// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`].
+pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Seen {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
     let mut found: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
@@ -21,17 +29,17 @@ pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Vec<f64> {
         }
     }
     found.sort_by(f64::total_cmp);
-    found
+    Seen { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
 }
 
 /// The zeros at which a polynomial changes sign, ascending: between those of its derivative it is monotonic. The
-/// coefficients are given from the constant term on.
-pub(super) fn polynomial_zeros(coefficients: &[f64]) -> Vec<f64> {
+/// coefficients are given from the constant term on; `None` where `f64`s do not hold them side by side.
+pub(super) fn polynomial_zeros(coefficients: &[f64]) -> Option<Vec<f64>> {
     let mut derivatives = vec![coefficients.to_vec()];
     while let Some(last) = derivatives.last().filter(|it| it.len() > 2) {
         derivatives.push(derivative(last));
     }
-    derivatives.iter().rev().fold(vec![], |turns, polynomial| monotonic_zeros(polynomial, &turns))
+    derivatives.iter().rev().try_fold(vec![], |turns, polynomial| monotonic_zeros(polynomial, &turns))
 }
 
 fn derivative(coefficients: &[f64]) -> Vec<f64> {
@@ -40,13 +48,16 @@ fn derivative(coefficients: &[f64]) -> Vec<f64> {
 }
 
 /// The zeros of a polynomial that is monotonic between the turns.
-fn monotonic_zeros(polynomial: &[f64], turns: &[f64]) -> Vec<f64> {
+fn monotonic_zeros(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
     let value = |x: f64| polynomial.iter().rev().fold(0.0, |sum, c| sum * x + c);
     // Cauchy: no zero is further out.
     let last = polynomial.last().copied().unwrap_or(0.0).abs();
     let bound = 1.0 + polynomial.iter().fold(0.0, |most: f64, c| most.max(c.abs())) / last;
+    if polynomial.len() < 2 {
+        return Some(vec![]);
+    }
     if !bound.is_finite() {
-        return vec![];
+        return None;
     }
     let ends: Vec<f64> = std::iter::once(-bound).chain(turns.iter().copied()).chain([bound]).collect();
     let mut found: Vec<f64> = turns.iter().copied().filter(|&turn| value(turn) == 0.0).collect();
@@ -56,7 +67,7 @@ fn monotonic_zeros(polynomial: &[f64], turns: &[f64]) -> Vec<f64> {
             .map(|pair| bisected(value, pair[0], pair[1])),
     );
     found.sort_by(f64::total_cmp);
-    found
+    Some(found)
 }
 
 /// Where the sign changes between two places, to the last bit.
@@ -78,19 +89,22 @@ mod tests {
     #[test]
     fn zeros_of_polynomials_are_found_everywhere() {
         // (x − 1)(x − 2)(x + 300).
-        let zeros = polynomial_zeros(&[600.0, -898.0, 297.0, 1.0]);
+        let zeros = polynomial_zeros(&[600.0, -898.0, 297.0, 1.0]).unwrap();
         assert_eq!(zeros.len(), 3);
         for (zero, expected) in zeros.iter().zip([-300.0, 1.0, 2.0]) {
             assert!((zero - expected).abs() < 1e-12 * expected.abs(), "{zero}");
         }
-        assert!(polynomial_zeros(&[1.0, 0.0, 1.0]).is_empty());
-        assert!(polynomial_zeros(&[1.0]).is_empty() && polynomial_zeros(&[]).is_empty());
+        for none in [&[1.0, 0.0, 1.0][..], &[1.0], &[]] {
+            assert_eq!(polynomial_zeros(none), Some(vec![]));
+        }
+        assert_eq!(polynomial_zeros(&[f64::INFINITY, 0.0, 1.0]), None);
     }
 
     #[test]
     fn poles_are_no_zeros() {
-        assert!(zeros(|x| 1.0 / (x - 0.123)).is_empty());
-        let found = zeros(|x| libm::exp(x) - 2.0);
+        assert!(zeros(|x| 1.0 / (x - 0.123)).zeros.is_empty());
+        assert!(!zeros(|_| f64::NAN).has_values);
+        let found = zeros(|x| libm::exp(x) - 2.0).zeros;
         assert!((found[0] - core::f64::consts::LN_2).abs() < 1e-15 && found.len() == 1);
     }
 }

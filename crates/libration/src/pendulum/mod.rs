@@ -111,11 +111,11 @@ pub enum PendulumError {
     },
     /// An amplitude at or beyond the upright position.
     #[error(
-        "an amplitude of {0} rad is not below pi: a pendulum at rest there does not swing; give a smaller angle or an initial velocity"
+        "an amplitude of {0:?} rad is not below pi: a pendulum at rest there does not swing; give a smaller angle or an initial velocity"
     )]
     AmplitudeBeyondTop(f64),
     /// An energy below that of the pendulum at rest.
-    #[error("the energy ratio is {0}: the least energy, at rest at the bottom, is 0")]
+    #[error("the energy ratio is {0:?}: the least energy, at rest at the bottom, is 0")]
     NegativeEnergy(f64),
     /// A velocity whose motion leaves the range of `f64`.
     #[error(
@@ -137,7 +137,7 @@ pub enum PendulumError {
     TooCloseToSeparatrix,
     /// A period ratio that no amplitude has.
     #[error(
-        "no amplitude has the period ratio T/T0 = {0}: it is 1 for the smallest swings and grows without bound towards the top"
+        "no amplitude has the period ratio T/T0 = {0:?}: it is 1 for the smallest swings and grows without bound towards the top"
     )]
     NoSuchPeriod(f64),
     /// A period ratio whose amplitude is closer to the top than is kept.

@@ -4,6 +4,7 @@ use super::limit_cycle::first_sine;
 use super::model::{Model, Motion, Selected, values_at};
 use super::selection::interpolated;
 use super::series_set::SeriesSet;
+use super::watch::{Stage, Watch};
 use crate::algebra::{BigFloat, Floats, HarmonicSums, Rational, Ring};
 use crate::expression::{Jet, Tape};
 
@@ -21,16 +22,24 @@ pub(crate) type Prepared = (Model<BigFloat>, BigFloat);
 /// The series with ω0² and the equilibrium.
 pub(crate) type Approximated = (SeriesSet<Rational>, Rational, Rational);
 
-/// The series once two precisions agree to [`DIGITS`]; `None` when none do, or there are no series.
-pub(crate) fn approximate_series(prepare: &dyn Fn(Floats) -> Option<Prepared>) -> Option<Approximated> {
+/// The series once two precisions agree to [`DIGITS`]; when it is broken off while they are compared, to the order that both
+/// have. `None` when none do, or there are no series.
+pub(crate) fn approximate_series(
+    prepare: &dyn Fn(Floats) -> Option<Prepared>,
+    watch: &mut Watch<'_>,
+) -> Option<Approximated> {
     let mut precision = bits(DIGITS) + 64;
-    let mut coarse = series_at(prepare, precision)?.0.numbers();
+    let mut coarse = series_at(prepare, precision, watch)?.0;
     for _ in 0..6 {
+        if watch.is_broken_off() {
+            return None;
+        }
         let before = precision;
         precision += precision / 2;
-        let (set, omega0_squared, equilibrium) = series_at(prepare, precision)?;
+        let (set, omega0_squared, equilibrium) = series_at(prepare, precision, watch)?;
         let fine = set.numbers();
-        let pairs = coarse.iter().zip(&fine);
+        let coarser = coarse.in_common_with(&set).numbers();
+        let pairs = coarser.iter().zip(&fine);
         let numbers = pairs.map(|(coarse, fine)| {
             settled(Rounded { number: coarse, precision: before }, Rounded { number: fine, precision })
         });
@@ -38,7 +47,7 @@ pub(crate) fn approximate_series(prepare: &dyn Fn(Floats) -> Option<Prepared>) -
             let set = set.with_numbers(numbers.into_iter())?;
             return Some((set, omega0_squared.to_rational(), cleaned(&equilibrium).to_rational()));
         }
-        coarse = fine;
+        coarse = set;
     }
     None
 }
@@ -46,11 +55,13 @@ pub(crate) fn approximate_series(prepare: &dyn Fn(Floats) -> Option<Prepared>) -
 fn series_at(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
     precision: usize,
+    watch: &mut Watch<'_>,
 ) -> Option<(SeriesSet<BigFloat>, BigFloat, BigFloat)> {
     let floats = Floats { precision };
     let (model, equilibrium) = prepare(floats)?;
     let ring = HarmonicSums { numbers: floats };
-    let set = model.series(&ring, |x| Some(x.clone()), |x| Some(x.sqrt()))?;
+    watch.stage = Stage::Floats { bits: precision };
+    let set = model.series(&ring, |x| Some(x.clone()), |x| Some(x.sqrt()), watch)?;
     Some((set, model.omega0_squared, equilibrium))
 }
 

@@ -4,37 +4,52 @@ use super::conservative::{displacement, period_ratio};
 use super::first_integral;
 use super::model::Model;
 use super::series_set::SeriesSet;
+use super::watch::Watch;
 use crate::algebra::{HarmonicSums, Rational, Rationals, Ring};
 use crate::expression::Jet;
 use crate::series::truncated::product;
 
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
-/// whatever the gauge. `None` when a number is not rational.
-pub(crate) fn agrees_with_the_potential(model: &Model<Rational>, set: &SeriesSet<Rational>) -> Option<bool> {
-    let square = squared_energy_amplitude(model, &set.x_max)?;
-    if square != squared_energy_amplitude(model, &set.x_min)? {
+/// whatever the gauge. `None` when a number is not rational, or the check is broken off.
+pub(crate) fn agrees_with_the_potential(
+    model: &Model<Rational>,
+    set: &SeriesSet<Rational>,
+    watch: &mut Watch<'_>,
+) -> Option<bool> {
+    let square = squared_energy_amplitude(model, &set.x_max, watch)?;
+    if square != squared_energy_amplitude(model, &set.x_min, watch)? {
         return Some(false);
     }
     let x = displacement(&Rationals, &model.tape, model.values.clone(), &model.omega0_squared, model.order)?;
     let by_square: Vec<Rational> = period_ratio(&Rationals, &x)?.into_iter().step_by(2).collect();
     let length = set.frequency.len();
-    let period = by_square.iter().rev().fold(vec![Rationals.zero(); length], |sum, coefficient| {
-        let mut next = product(&Rationals, &sum, &square, length);
-        next[0] = Rationals.add(&next[0], coefficient);
-        next
-    });
+    let mut period = vec![Rationals.zero(); length];
+    for (n, coefficient) in by_square.iter().enumerate().rev() {
+        if !watch.goes_on(2 * n) {
+            return None;
+        }
+        period = product(&Rationals, &period, &square, length);
+        period[0] = Rationals.add(&period[0], coefficient);
+    }
     let mut one = vec![Rationals.zero(); length];
     one[0] = Rational::from(1);
     Some(product(&Rationals, &period, &set.frequency, length) == one)
 }
 
 /// ρ² = 2V/ω0² at a displacement that is itself a series: −2/ω0²·∫ F dx.
-fn squared_energy_amplitude(model: &Model<Rational>, x: &[Rational]) -> Option<Vec<Rational>> {
+fn squared_energy_amplitude(
+    model: &Model<Rational>,
+    x: &[Rational],
+    watch: &mut Watch<'_>,
+) -> Option<Vec<Rational>> {
     let mut jet = Jet::with_values(&Rationals, &model.tape, model.values.clone());
     let mut square = vec![Rationals.zero(), Rationals.zero()];
     let mut slope = vec![];
     for (n, coefficient) in x.iter().enumerate().skip(1) {
+        if !watch.goes_on(n) {
+            return None;
+        }
         let mut inputs = vec![Rationals.zero(); model.tape.inputs()];
         *inputs.first_mut()? = coefficient.clone();
         jet.extend(&inputs).ok()?;
@@ -67,8 +82,9 @@ pub(crate) fn agrees_with_the_first_integral(
 pub(crate) fn agrees_with_plain_rationals(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
+    watch: &mut Watch<'_>,
 ) -> Option<bool> {
     let ring = HarmonicSums { numbers: Rationals };
-    let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root)?;
-    Some(plain.numbers() == set.numbers())
+    let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
+    (!watch.is_broken_off()).then(|| plain.numbers() == set.numbers())
 }

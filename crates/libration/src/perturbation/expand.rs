@@ -12,6 +12,7 @@ use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
 use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
+use super::watch::{Progress, Stage, Watch};
 use crate::algebra::{Rational, Rationals};
 use crate::expression::{Expression, Symbol, Tape, WithoutValue};
 use crate::oscillator::{Kind, Oscillator};
@@ -56,8 +57,8 @@ pub fn expand(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Ex
     expand_watched(oscillator, order, gauge, &mut |_| ControlFlow::Continue(()))
 }
 
-/// [`expand`], telling `watch` how many primes are done; it may break off, which gives
-/// [`ExpansionError::BrokenOff`].
+/// [`expand`], telling `watch` again and again how far it is; it may break off, which gives
+/// [`ExpansionError::BrokenOff`] with the orders that are certain.
 ///
 /// # Errors
 /// As [`expand`].
@@ -65,15 +66,16 @@ pub fn expand_watched(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
-    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Expansion, ExpansionError> {
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order));
     }
     let question = Question::new(oscillator, order, gauge)?;
+    let mut watch = Watch::new(watch);
     match question.exact_model()? {
-        Some(model) => question.solve_exactly(&model, watch),
-        None => question.solve_in_digits(),
+        Some(model) => question.solve_exactly(&model, &mut watch),
+        None => question.solve_in_digits(&mut watch),
     }
 }
 
@@ -169,31 +171,40 @@ impl<'a> Question<'a> {
     fn solve_exactly(
         &self,
         model: &Model<Rational>,
-        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+        watch: &mut Watch<'_>,
     ) -> Result<Expansion, ExpansionError> {
-        let set = exact_series(model, watch).map_err(|unsolved| match unsolved {
-            Unsolved::BrokenOff(primes) => ExpansionError::BrokenOff { primes },
-            Unsolved::NoPrimes => ExpansionError::NoPrimes,
-        })?;
-        let certificate = self.certificate(model, &set)?;
         let unit_squared = match &model.motion {
             Motion::LimitCycle(selected) => selected.unit_squared.clone(),
             Motion::Centre { .. } => Rational::from(1),
         };
-        Ok(Expansion::new(self.heading(Precision::Exact, unit_squared), set, certificate))
+        let answer = |set: SeriesSet<Rational>, certificate| {
+            let heading =
+                Heading { order: set.order(), ..self.heading(Precision::Exact, unit_squared.clone()) };
+            Expansion::new(heading, set, certificate)
+        };
+        let set = exact_series(model, watch).map_err(|unsolved| match unsolved {
+            Unsolved::BrokenOff(known) => {
+                broken_off(known.map(|known| answer(*known, Certificate::FreshPrimes)))
+            }
+            Unsolved::NoPrimes => ExpansionError::NoPrimes,
+        })?;
+        watch.stage = Stage::Check;
+        let certificate = self.certificate(model, &set, watch)?;
+        let answer = answer(set, certificate);
+        if watch.is_broken_off() { Err(broken_off(Some(answer))) } else { Ok(answer) }
     }
 
     fn certificate(
         &self,
         model: &Model<Rational>,
         set: &SeriesSet<Rational>,
+        watch: &mut Watch<'_>,
     ) -> Result<Certificate, ExpansionError> {
-        let plain =
-            || agrees_with_plain_rationals(model, set).map(|agrees| (Certificate::PlainRationals, agrees));
         let independent = match self.oscillator.kind() {
-            _ if self.order <= PLAIN_ORDER => plain(),
+            _ if self.order <= PLAIN_ORDER => agrees_with_plain_rationals(model, set, watch)
+                .map(|agrees| (Certificate::PlainRationals, agrees)),
             Kind::Conservative => {
-                agrees_with_the_potential(model, set).map(|it| (Certificate::Potential, it))
+                agrees_with_the_potential(model, set, watch).map(|it| (Certificate::Potential, it))
             }
             Kind::Reversible if self.oscillator.is_odd() && self.order <= FIRST_INTEGRAL_ORDER => {
                 agrees_with_the_first_integral(model, set).map(|it| (Certificate::FirstIntegral, it))
@@ -207,35 +218,38 @@ impl<'a> Question<'a> {
         }
     }
 
-    fn solve_in_digits(&self) -> Result<Expansion, ExpansionError> {
-        let (set, omega0_squared, equilibrium) = match self.oscillator.kind() {
-            Kind::LimitCycle { .. } => self.limit_cycle_in_digits()?,
-            kind => self.centre_in_digits(*kind != Kind::Conservative).ok_or(ExpansionError::NoDigits)?,
+    fn solve_in_digits(&self, watch: &mut Watch<'_>) -> Result<Expansion, ExpansionError> {
+        let solved = match self.oscillator.kind() {
+            Kind::LimitCycle { .. } => self.limit_cycle_in_digits(watch),
+            kind => self.centre_in_digits(*kind != Kind::Conservative, watch).ok_or(ExpansionError::NoDigits),
+        };
+        let (set, omega0_squared, equilibrium) = match solved {
+            Err(_) if watch.is_broken_off() => return Err(broken_off(None)),
+            solved => solved?,
         };
         let heading = self.heading(Precision::Digits(super::approximate::DIGITS), Rational::from(1));
         let own = self.oscillator;
         let heading = Heading {
+            order: set.order(),
             omega0_squared: own.omega0_squared().exact().cloned().unwrap_or(omega0_squared),
             equilibrium: own.equilibrium().exact().cloned().unwrap_or(equilibrium),
             ..heading
         };
-        Ok(Expansion::new(heading, set, Certificate::TwoPrecisions))
+        let answer = Expansion::new(heading, set, Certificate::TwoPrecisions);
+        if watch.is_broken_off() { Err(broken_off(Some(answer))) } else { Ok(answer) }
     }
 
-    fn centre_in_digits(&self, uses_velocity: bool) -> Option<Approximated> {
+    fn centre_in_digits(&self, uses_velocity: bool, watch: &mut Watch<'_>) -> Option<Approximated> {
         let near = self.oscillator.equilibrium().to_f64();
-        approximate_series(&|floats| {
-            centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order)
-        })
+        let prepare = |floats| centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order);
+        approximate_series(&prepare, watch)
     }
 
-    fn limit_cycle_in_digits(&self) -> Result<Approximated, ExpansionError> {
+    fn limit_cycle_in_digits(&self, watch: &mut Watch<'_>) -> Result<Approximated, ExpansionError> {
         let (degree, symmetric) = (self.degree()?, self.oscillator.is_odd());
         let omega0_squared = self.oscillator.omega0_squared().exact().ok_or(ExpansionError::NoDigits)?;
-        let solved = approximate_series(&|floats| {
-            limit_cycle(floats, &self.tape, omega0_squared, degree, symmetric, self.order)
-        });
-        solved.ok_or(ExpansionError::NoCycleInDigits)
+        let prepare = |floats| limit_cycle(floats, &self.tape, omega0_squared, degree, symmetric, self.order);
+        approximate_series(&prepare, watch).ok_or(ExpansionError::NoCycleInDigits)
     }
 
     fn heading(&self, precision: Precision, unit_squared: Rational) -> Heading {
@@ -313,7 +327,7 @@ pub enum ExpansionError {
     /// A self-excitation that is no polynomial.
     #[error(
         "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree \
-         {MAX_DEGREE} or less"
+         {MAX_DEGREE} or less: at a value of the parameter its motion can be followed (libration simulate)"
     )]
     NotPolynomial,
     /// No amplitude at which the self-excitation does no work.
@@ -327,10 +341,10 @@ pub enum ExpansionError {
         repelling: usize,
     },
     /// The computation was broken off.
-    #[error("broken off after {primes} primes")]
+    #[error("broken off when {}", certain(known.as_deref()))]
     BrokenOff {
-        /// How many were done.
-        primes: usize,
+        /// What was certain by then: an expansion to a lower order, or one that was not checked by another road yet.
+        known: Option<Box<Expansion>>,
     },
     /// No series modulo many primes, although the model is rational.
     #[error("the acceleration has no power series about the equilibrium in fractions or their roots")]
@@ -348,6 +362,17 @@ pub enum ExpansionError {
         "two independent computations of this expansion disagree, which must not happen: please report the equation"
     )]
     Contradiction,
+}
+
+fn broken_off(known: Option<Expansion>) -> ExpansionError {
+    ExpansionError::BrokenOff { known: known.map(Box::new) }
+}
+
+fn certain(known: Option<&Expansion>) -> String {
+    known.map_or_else(
+        || "nothing was certain".to_owned(),
+        |known| format!("order {} was certain", known.order),
+    )
 }
 
 fn apart_from(repelling: usize) -> String {

@@ -6,6 +6,7 @@
 //! appears, fixes the amplitude of cos τ one order below. The lowest of these conditions gives the amplitude x₀.
 
 use super::lindstedt::Family;
+use super::watch::Watch;
 use crate::algebra::{Harmonic, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::next_square_root;
@@ -65,14 +66,18 @@ fn next_inputs<R: PhaseRing>(ring: &R, n: usize) -> Option<[R::Element; 3]> {
     Some([ring.zero(), ring.zero(), mu])
 }
 
-/// The limit cycle up to μᴺ. `None` when a number is not in the ring.
+/// The limit cycle up to μᴺ, or up to the last order that was solved when it was broken off. `None` when a number is not in the ring.
 pub(crate) fn limit_cycle<R: PhaseRing>(
     ring: &R,
     excitation: &Excitation<'_, R>,
     order: usize,
+    watch: &mut Watch<'_>,
 ) -> Option<Family<Number<R>>> {
     let mut expansion = Expansion::new(ring, excitation)?;
-    for _ in 1..=order {
+    for n in 1..=order {
+        if !watch.goes_on(n) && n > 1 {
+            break;
+        }
         expansion.extend()?;
     }
     // The last amplitude of cos τ is fixed by the order that follows.

@@ -25,6 +25,7 @@ mod restoring_force;
 mod selection;
 mod series_set;
 mod truncated_system;
+mod watch;
 
 pub use evaluation::{
     Certainty, Convergence, Evaluation, Pade, Pole, Remainder, Singularity, Step, pendulum_period_remainder,
@@ -36,3 +37,4 @@ pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
 pub use restoring_force::restoring_force;
 pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
+pub use watch::{Progress, Stage};

@@ -5,6 +5,7 @@ use super::gauge::Gauge;
 use super::limit_cycle::{Excitation, highest_harmonic, limit_cycle};
 use super::lindstedt::{Centre, Family, family};
 use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, half_turns, substituted};
+use super::watch::Watch;
 use crate::algebra::{Number, PhaseRing, Rational, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::{powers, powers_of_inverse};
@@ -54,20 +55,21 @@ impl<N> Model<N> {
         }
     }
 
-    /// All series, over a ring into which the model's numbers are taken by `number`, and their roots by `root`.
-    /// `None` when one of them is not in the ring.
+    /// All series, over a ring into which the model's numbers are taken by `number`, and their roots by `root`; when it is
+    /// broken off, to the order that was solved. `None` when one of them is not in the ring.
     pub(crate) fn series<R: PhaseRing>(
         &self,
         ring: &R,
         number: impl Fn(&N) -> Option<Number<R>>,
         root: impl Fn(&N) -> Option<Number<R>>,
+        watch: &mut Watch<'_>,
     ) -> Option<SeriesSet<Number<R>>> {
         let values = self.values.iter().map(&number).collect::<Option<Vec<_>>>()?;
         let omega0_squared = number(&self.omega0_squared)?;
         let numbers = Numbers { values, omega0: root(&self.omega0_squared), omega0_squared };
         match &self.motion {
             Motion::Centre { gauge, symmetric } => {
-                let family = self.centre_family(ring, &numbers, gauge)?;
+                let family = self.centre_family(ring, &numbers, gauge, watch)?;
                 let amplitudes = if *symmetric { Amplitudes::One } else { Amplitudes::Both };
                 SeriesSet::new(ring.numbers(), family, amplitudes)
             }
@@ -81,7 +83,7 @@ impl<N> Model<N> {
                     degree: selected.degree,
                     symmetric: selected.symmetric,
                 };
-                let family = limit_cycle(ring, &excitation, self.order)?;
+                let family = limit_cycle(ring, &excitation, self.order, watch)?;
                 SeriesSet::new(field, in_units(field, family, &unit)?, Amplitudes::None)
             }
         }
@@ -92,24 +94,26 @@ impl<N> Model<N> {
         ring: &R,
         given: &Numbers<Number<R>>,
         gauge: &Gauge,
+        watch: &mut Watch<'_>,
     ) -> Option<Family<Number<R>>> {
         let numbers = ring.numbers();
         let omega0 = if self.uses_velocity { Some(given.omega0.clone()?) } else { None };
         let values = given.values.iter().map(|value| constant(ring, value)).collect();
         let omega0_squared = given.omega0_squared.clone();
         let centre = Centre { tape: &self.tape, values, omega0_squared, omega0 };
-        let family = family(ring, centre, &self.fundamental(numbers, gauge)?)?;
+        let family = family(ring, centre, &self.fundamental(numbers, gauge)?, watch)?;
+        let order = family.harmonics.first().map_or(0, Vec::len) - 1;
         match gauge {
             Gauge::Fundamental | Gauge::Coefficients(_) => Some(family),
             Gauge::XMax => by_inverse(numbers, &family, &half_turns(numbers, &family).0),
             Gauge::HalfSwing => by_inverse(numbers, &family, &half_swing(numbers, &family)?),
             Gauge::Energy => {
-                let x = self.displacement(numbers, given.values.clone(), &given.omega0_squared)?;
+                let x = self.displacement(numbers, given.values.clone(), &given.omega0_squared, order)?;
                 let inverse = powers_of_inverse(numbers, &half_turns(numbers, &family).0)?.first();
                 let first_harmonic = powers(numbers, &x)?.composed(numbers, &inverse);
                 substituted(numbers, &family, &first_harmonic)
             }
-            Gauge::Nome => substituted(numbers, &family, &self.of_nome(numbers)?),
+            Gauge::Nome => substituted(numbers, &family, &of_nome(numbers, order)?),
         }
     }
 
@@ -119,8 +123,9 @@ impl<N> Model<N> {
         ring: &R,
         values: Vec<R::Element>,
         omega0_squared: &R::Element,
+        order: usize,
     ) -> Option<Vec<R::Element>> {
-        conservative::displacement(ring, &self.tape, values, omega0_squared, self.order)
+        conservative::displacement(ring, &self.tape, values, omega0_squared, order)
     }
 
     /// 0, A₁, A₂, …; for the gauges that have a name those of the fundamental one.
@@ -136,17 +141,17 @@ impl<N> Model<N> {
         }
         Some(list)
     }
+}
 
-    /// The pendulum's first harmonic 8√q/(1 + q) with ε = 8√q.
-    fn of_nome<R: Ring>(&self, ring: &R) -> Option<Vec<R::Element>> {
-        let mut term = ring.rational(&Rational::from(1))?;
-        let mut series = vec![ring.zero(); self.order + 1];
-        for a in series.iter_mut().skip(1).step_by(2) {
-            *a = term.clone();
-            term = ring.over_integer(&ring.negate(&term), 64)?;
-        }
-        Some(series)
+/// The pendulum's first harmonic 8√q/(1 + q) with ε = 8√q.
+fn of_nome<R: Ring>(ring: &R, order: usize) -> Option<Vec<R::Element>> {
+    let mut term = ring.rational(&Rational::from(1))?;
+    let mut series = vec![ring.zero(); order + 1];
+    for a in series.iter_mut().skip(1).step_by(2) {
+        *a = term.clone();
+        term = ring.over_integer(&ring.negate(&term), 64)?;
     }
+    Some(series)
 }
 
 struct Numbers<E> {

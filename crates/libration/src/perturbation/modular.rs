@@ -1,12 +1,11 @@
 //! A model's series in exact fractions, put together from its series modulo primes.
 
-use std::ops::ControlFlow;
-
 use super::gauge::Gauge;
 use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
+use super::watch::{Stage, Watch};
 use crate::algebra::{
-    Images, PrimeField, Rational, Ring, SampledHarmonics, Symmetry, primes_with_roots, reconstruct,
+    Images, PrimeField, Rational, Ring, SampledHarmonics, Stopped, Symmetry, primes_with_roots, reconstruct,
 };
 
 /// Roots of unity of order 2²⁰ are in every field used, enough for half a million harmonics.
@@ -15,23 +14,33 @@ const LOG_ROOTS: u32 = 20;
 /// More primes than any order that is allowed needs.
 const MOST_PRIMES: usize = 4000;
 
-/// The series modulo as many primes as it takes. `watch` is told the number of primes done and may break off.
+/// The series modulo as many primes as it takes.
 pub(crate) fn exact_series(
     model: &Model<Rational>,
-    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    watch: &mut Watch<'_>,
 ) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
-    let numbers = reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES))?
-        .ok_or(Unsolved::NoPrimes)?;
+    let numbers = match reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES)) {
+        Ok(numbers) => numbers.ok_or(Unsolved::NoPrimes)?,
+        Err(Stopped { error: NoImage::NoPrimes, .. }) => return Err(Unsolved::NoPrimes),
+        Err(Stopped { error: NoImage::BrokenOff, residues }) => {
+            let known = images.shape.and_then(|shape| {
+                let (numbers, complete) = residues.of_low_orders(&shape.orders(model.order))?;
+                let set = shape.with_numbers(numbers.into_iter())?.without_last(model.order - complete);
+                (complete > 0).then_some(set)
+            });
+            return Err(Unsolved::BrokenOff(known.map(Box::new)));
+        }
+    };
     let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));
     set.ok_or(Unsolved::NoPrimes)
 }
 
 /// Why there are no exact series.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Unsolved {
-    /// It was broken off after this many primes.
-    BrokenOff(usize),
+    /// It was broken off, when these were certain.
+    BrokenOff(Option<Box<SeriesSet<Rational>>>),
     /// The computation failed modulo every prime that was tried.
     NoPrimes,
 }
@@ -51,35 +60,52 @@ fn symmetry(model: &Model<Rational>) -> Symmetry {
 /// After this many primes in a row without an image it is not the primes that are bad.
 const MOST_BAD_PRIMES: usize = 64;
 
-struct ModelImages<'a> {
+/// Why there is no image.
+enum NoImage {
+    BrokenOff,
+    NoPrimes,
+}
+
+struct ModelImages<'a, 'w> {
     model: &'a Model<Rational>,
     symmetry: Symmetry,
-    watch: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
+    watch: &'a mut Watch<'w>,
     done: usize,
     bad: usize,
     /// The set of the first prime, for the lengths of its lists.
     shape: Option<SeriesSet<u64>>,
 }
 
-impl Images for ModelImages<'_> {
-    type Error = Unsolved;
+impl Images for ModelImages<'_, '_> {
+    type Error = NoImage;
 
-    fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, Unsolved> {
+    fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, NoImage> {
+        self.watch.stage = Stage::Prime { done: self.done };
         let degree = self.model.highest_harmonic();
         let set = SampledHarmonics::new(field.clone(), degree, self.symmetry).and_then(|ring| {
-            self.model.series(&ring, |number| field.rational(number), |square| root(field, square))
+            self.model.series(
+                &ring,
+                |number| field.rational(number),
+                |square| root(field, square),
+                self.watch,
+            )
         });
+        if self.watch.is_broken_off() {
+            return Err(NoImage::BrokenOff);
+        }
         let Some(set) = set else {
             self.bad += 1;
-            return if self.bad > MOST_BAD_PRIMES { Err(Unsolved::NoPrimes) } else { Ok(None) };
+            return if self.bad > MOST_BAD_PRIMES { Err(NoImage::NoPrimes) } else { Ok(None) };
         };
         (self.bad, self.done) = (0, self.done + 1);
-        if (self.watch)(self.done).is_break() {
-            return Err(Unsolved::BrokenOff(self.done));
-        }
         let numbers = set.numbers();
         self.shape.get_or_insert(set);
         Ok(Some(numbers))
+    }
+
+    fn go_on(&mut self, primes: usize) -> Result<(), NoImage> {
+        self.watch.stage = Stage::Fractions { primes };
+        if self.watch.goes_on(self.model.order) { Ok(()) } else { Err(NoImage::BrokenOff) }
     }
 }
 

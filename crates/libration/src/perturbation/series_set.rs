@@ -76,6 +76,68 @@ impl<E: Clone> SeriesSet<E> {
         }
     }
 
+    /// For each number, in the order of [`Self::numbers`], the least order of an expansion that has it, where this one goes
+    /// to `order`.
+    pub(crate) fn orders(&self, order: usize) -> Vec<usize> {
+        let of = |series: &[E]| orders_of(series.len(), order);
+        let of_amplitude = |of_own: &OfAmplitude<E>| OfAmplitude {
+            frequency: of(&of_own.frequency),
+            period: of(&of_own.period),
+            epsilon: of(&of_own.epsilon),
+            harmonics: of_own.harmonics.iter().map(|series| of(series)).collect(),
+        };
+        let both = |n: usize| Harmonic { cosine: n, sine: n };
+        let of_harmonic =
+            |series: &Vec<Harmonic<E>>| orders_of(series.len(), order).into_iter().map(both).collect();
+        let orders = SeriesSet {
+            frequency: of(&self.frequency),
+            harmonics: self.harmonics.iter().map(of_harmonic).collect(),
+            x_max: of(&self.x_max),
+            x_min: of(&self.x_min),
+            of_amplitude: self.of_amplitude.as_ref().map(of_amplitude),
+            of_half_swing: self.of_half_swing.as_ref().map(of_amplitude),
+        };
+        orders.numbers()
+    }
+
+    /// The set of an expansion to a lower order.
+    pub(crate) fn without_last(mut self, orders: usize) -> Self {
+        fn shortened<T>(series: &mut Vec<T>, orders: usize) {
+            series.truncate(series.len().saturating_sub(orders));
+        }
+        for series in [&mut self.frequency, &mut self.x_max, &mut self.x_min] {
+            shortened(series, orders);
+        }
+        self.harmonics.iter_mut().for_each(|series| shortened(series, orders));
+        for of in [&mut self.of_amplitude, &mut self.of_half_swing].into_iter().flatten() {
+            let series = [&mut of.frequency, &mut of.period, &mut of.epsilon];
+            series.into_iter().chain(&mut of.harmonics).for_each(|series| shortened(series, orders));
+        }
+        self
+    }
+
+    /// The part of the set that another, of a lower order, has as well.
+    pub(crate) fn in_common_with(self, lower: &Self) -> Self {
+        let orders = self.order().saturating_sub(lower.order());
+        let mut common = self.without_last(orders);
+        common.harmonics.truncate(lower.harmonics.len());
+        let pairs = [
+            (&mut common.of_amplitude, &lower.of_amplitude),
+            (&mut common.of_half_swing, &lower.of_half_swing),
+        ];
+        for (own, lower) in pairs {
+            if let (Some(own), Some(lower)) = (own, lower) {
+                own.harmonics.truncate(lower.harmonics.len());
+            }
+        }
+        common
+    }
+
+    /// The order to which the displacement is given.
+    pub(crate) fn order(&self) -> usize {
+        self.x_max.len().saturating_sub(1)
+    }
+
     /// The same set with other numbers, taken in the order of [`Self::numbers`]; `None` when they are too few.
     pub(crate) fn with_numbers<T>(&self, mut numbers: impl Iterator<Item = T>) -> Option<SeriesSet<T>> {
         let mut list = |length: usize| (0..length).map(|_| numbers.next()).collect::<Option<Vec<T>>>();
@@ -109,6 +171,11 @@ impl<E: Clone> OfAmplitude<E> {
         let harmonics = harmonics.into_iter().map(|h| h.into_iter().map(|h| h.cosine).collect()).collect();
         Some(Self { frequency, period, epsilon: inverse.first(), harmonics })
     }
+}
+
+/// The orders that the terms of a series belong to, whose last term belongs to the order of the expansion.
+fn orders_of(length: usize, order: usize) -> Vec<usize> {
+    (0..length).map(|n| (n + order + 1).saturating_sub(length)).collect()
 }
 
 /// The family with its variable replaced by a series in another one.

@@ -7,10 +7,10 @@ use super::Dimension;
 #[non_exhaustive]
 pub enum QuantityError {
     /// Not finite, or too large for its turns to be counted.
-    #[error("{0} is not a usable angle: give a finite angle of at most 2^53 rad")]
+    #[error("{0:?} is not a usable angle: give a finite angle of at most 2^53 rad")]
     NotAnAngle(f64),
     /// Not within [0, π].
-    #[error("{0} is not the complement of an angle: give a number of radians from 0 to pi")]
+    #[error("{0:?} is not the complement of an angle: give a number of radians from 0 to pi")]
     NotAComplement(f64),
     /// Text that does not follow the grammar of angles.
     #[error("cannot read `{text}` as an angle: {hint}")]

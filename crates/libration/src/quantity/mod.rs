@@ -7,6 +7,7 @@
 //! converted exactly and rounded to two words.
 
 mod angle;
+mod angle_name;
 mod angle_text;
 mod decimal;
 mod error;
@@ -20,6 +21,7 @@ mod range;
 mod unit;
 
 pub use angle::Angle;
+pub use angle_name::is_angle_name;
 pub use error::QuantityError;
 pub(crate) use excerpt::excerpt;
 pub(crate) use nearest::nearest;

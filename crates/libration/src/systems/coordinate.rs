@@ -1,5 +1,7 @@
 //! The coordinates of a model with their units.
 
+use crate::quantity::is_angle_name;
+
 /// A coordinate of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
@@ -11,14 +13,10 @@ pub struct Coordinate {
     pub rest: f64,
 }
 
-/// Names that are those of angles, with or without a number behind them.
-const ANGLES: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
-
 impl Coordinate {
-    /// A coordinate of which only the name is known: with a Greek letter that is used for angles it is one.
+    /// A coordinate of which only the name is known.
     pub(super) fn by_name(name: &str) -> Self {
-        let letter = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
-        let unit = if ANGLES.contains(&letter) { "rad" } else { "" };
+        let unit = if is_angle_name(name) { "rad" } else { "" };
         Self { name: name.to_owned(), unit: unit.to_owned(), rest: 0.0 }
     }
 
@@ -29,8 +27,7 @@ impl Coordinate {
     }
 
     /// The unit of its velocity, with times in seconds; empty where its own is not known.
-    #[must_use]
-    pub fn velocity_unit(&self) -> String {
+    pub(super) fn velocity_unit(&self) -> String {
         if self.unit.is_empty() { String::new() } else { format!("{}/s", self.unit) }
     }
 }

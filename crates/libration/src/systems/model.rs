@@ -185,13 +185,7 @@ impl Model {
         self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
     }
 
-    /// The energy as a formula of the state, whether it is conserved or not, where one is known, and its unit.
-    #[must_use]
-    pub fn energy_formula(&self) -> Option<(&Expression, &'static str)> {
-        self.known.as_ref().map(|known| (&known.energy, known.energy_unit))
-    }
-
-    /// What that energy gains per time, a formula of the state and the time t.
+    /// What the energy of a named system gains per time, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
         self.known.as_ref().map(|known| &known.power)

@@ -23,13 +23,15 @@ pub enum IntegrationError {
         wanted: usize,
     },
     /// A state or a time at the beginning that is infinite or no number.
-    #[error("the motion cannot begin with {0}: give finite numbers")]
+    #[error("the motion cannot begin with {0:?}: give finite numbers")]
     StartNotFinite(f64),
     /// Times that are not finite.
-    #[error("{0} is no time: give finite ones")]
+    #[error("{0:?} is no time: give finite ones")]
     TimeNotFinite(f64),
     /// Times that go back and forth.
-    #[error("the time {after} follows {before}: let all times go forward from the start, or all backward")]
+    #[error(
+        "the time {after:?} follows {before:?}: let all times go forward from the start, or all backward"
+    )]
     TimesNotInOrder {
         /// The one before, or the start.
         before: f64,

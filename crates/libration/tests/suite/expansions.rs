@@ -5,8 +5,11 @@ use crate::random::Random;
 use libration::algebra::Rational;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::period_formulas::period_in_amplitude;
-use libration::perturbation::{Certificate, Expansion, Gauge, Precision, expand};
+use libration::perturbation::{
+    Certificate, Expansion, ExpansionError, Gauge, Precision, Progress, Stage, expand, expand_watched,
+};
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 
 type Series = Vec<Rational>;
 
@@ -384,4 +387,95 @@ fn digits_hold_for_small_coefficients_too() {
         }
     }
     assert_eq!(exact.harmonics.len(), digits.harmonics.len());
+}
+
+/// The expansion that is certain when the watch breaks off at the first progress of this kind.
+fn certain_at(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+    end: impl Fn(Progress) -> bool,
+) -> Option<Expansion> {
+    let mut watch = |progress| if end(progress) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    match expand_watched(oscillator, order, gauge, &mut watch) {
+        Err(ExpansionError::BrokenOff { known }) => known.map(|known| *known),
+        other => panic!("not broken off: {other:?}"),
+    }
+}
+
+#[test]
+fn an_expansion_broken_off_gives_the_orders_that_are_certain() {
+    let cases = [
+        ("x'' = -sin(x)", Gauge::Fundamental, 101),
+        ("x'' = -sin(x)", Gauge::Nome, 101),
+        ("x'' = -x - x^2", Gauge::HalfSwing, 40),
+        ("x'' = -x - x^3/3", Gauge::Energy, 71),
+        ("x'' = mu*(1 - x^2)*x' - x", Gauge::Fundamental, 24),
+    ];
+    for (equation, gauge, order) in cases {
+        let oscillator = oscillator(equation);
+        let mut before = 0;
+        for primes in [4, 7] {
+            let at = |progress: Progress| {
+                matches!(progress.stage, Stage::Prime { done } if done >= primes)
+                    && progress.order > order / 2
+            };
+            let known = certain_at(&oscillator, order, &gauge, at).unwrap();
+            let direct = expand(&oscillator, known.order, &gauge).unwrap();
+            assert_eq!(known.certificate, Certificate::FreshPrimes);
+            assert_eq!(Expansion { certificate: direct.certificate, ..known.clone() }, direct, "{equation}");
+            assert!(
+                before <= known.order && 0 < known.order && known.order < order,
+                "{equation}: {}",
+                known.order
+            );
+            before = known.order;
+        }
+        assert_eq!(certain_at(&oscillator, order, &gauge, |_| true), None, "{equation}");
+    }
+}
+
+#[test]
+fn a_check_broken_off_leaves_the_answer_unchecked() {
+    for order in [9, 31] {
+        let pendulum = oscillator("x'' = -sin(x)");
+        let checked = expand(&pendulum, order, &Gauge::Fundamental).unwrap();
+        let known = certain_at(&pendulum, order, &Gauge::Fundamental, |it| it.stage == Stage::Check).unwrap();
+        assert!(checked.certificate.is_proof() && known.certificate == Certificate::FreshPrimes);
+        assert_eq!(Expansion { certificate: checked.certificate, ..known }, checked);
+    }
+}
+
+#[test]
+fn digits_are_certain_to_the_order_that_two_precisions_have() {
+    for (equation, order) in [("x'' = -x - sqrt(2)*x^2", 12), ("x'' = mu*(1 - sqrt(2)*x^2)*x' - x", 7)] {
+        let oscillator = oscillator(equation);
+        let mut precisions = vec![];
+        let mut watch = |Progress { stage, .. }| {
+            if !precisions.contains(&stage) {
+                precisions.push(stage);
+            }
+            ControlFlow::Continue(())
+        };
+        expand_watched(&oscillator, order, &Gauge::Fundamental, &mut watch).unwrap();
+        assert_eq!(precisions.len(), 2, "{precisions:?}");
+        let during = |stage: Stage| {
+            let at = |progress: Progress| progress.stage == stage && progress.order == order - 2;
+            certain_at(&oscillator, order, &Gauge::Fundamental, at)
+        };
+        assert_eq!(during(precisions[0]), None);
+        let known = during(precisions[1]).unwrap();
+        assert_eq!(known.order, order - 3, "{equation}");
+        let direct = expand(&oscillator, known.order, &Gauge::Fundamental).unwrap();
+        assert_eq!(known.frequency_ratio, direct.frequency_ratio, "{equation}");
+        assert_eq!(known.harmonics, direct.harmonics, "{equation}");
+    }
+}
+
+#[test]
+fn a_series_is_in_the_strength_for_limit_cycles_only() {
+    let named = |key: &str| NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+    let in_strength = |key: &str| expand(&named(key), 3, &Gauge::Fundamental).unwrap().variable.is_strength();
+    assert!(in_strength("van_der_pol") && in_strength("rayleigh"));
+    assert!(!in_strength("pendulum") && !in_strength("quadratic"));
 }

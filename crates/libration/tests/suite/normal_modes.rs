@@ -1,7 +1,7 @@
 //! Normal modes beside textbooks, exact numbers, and periodic orbits found by integration.
 
 use libration::expression::Equation;
-use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes};
+use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes, SearchEnd};
 use libration::orbit::{Near, Orbit};
 use std::f64::consts::{PI, TAU};
 
@@ -248,6 +248,17 @@ fn what_has_no_modes_is_refused_for_a_reason() {
     assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), NoModes::Guess { wanted: 1, .. }));
     assert!(matches!(refusal("x'' = -x^2 - 1", &[0.3]), NoModes::NoEquilibrium { .. }));
     assert!(matches!(refusal("x'' = -sqrt(x)", &[0.0]), NoModes::NotSmooth { .. }));
+    for (text, end) in [
+        ("x'' = 1", SearchEnd::NoSlope),
+        ("x'' = -ln(x)", SearchEnd::NoValue),
+        ("x'' = -x^2 - 1", SearchEnd::Unsettled),
+    ] {
+        let refused = refusal(text, &[0.3 * f64::from(u8::from(end == SearchEnd::Unsettled))]);
+        assert!(
+            matches!(refused, NoModes::NoEquilibrium { end: found, .. } if found == end),
+            "{text}: {refused}"
+        );
+    }
     // Kinks and dry friction are no linear forces, though both vanish at rest.
     assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), NoModes::NotSmooth { .. }));
     assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), NoModes::NotSmooth { .. }));

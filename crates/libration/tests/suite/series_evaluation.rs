@@ -4,10 +4,12 @@ use std::f64::consts::PI;
 
 use crate::golden::Table;
 use libration::algebra::{Complex, Rational};
+use libration::comparison::{Quantity, Relation};
+use libration::oscillator::NamedOscillator;
 use libration::pendulum::Pendulum;
 use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 use libration::perturbation::{
-    Certainty, Convergence, Evaluation, Pade, Singularity, pendulum_period_remainder,
+    Certainty, Convergence, Evaluation, Gauge, Pade, Singularity, expand, pendulum_period_remainder,
 };
 use libration::quantity::Angle;
 
@@ -363,4 +365,31 @@ fn approximants_that_do_not_exist_are_refused() {
     assert_eq!(Pade::new(&[], 0, 0), None);
     let zero = Pade::new(&[Rational::from(0), Rational::from(0)], 0, 1).unwrap();
     assert_eq!((zero.value_at(3.0), zero.poles().len()), (0.0, 0));
+}
+
+#[test]
+fn the_smallest_term_is_where_a_diverging_series_helps_no_more() {
+    // Σ n!·xⁿ: the term n is n·x times the one before.
+    let factorials: Vec<Rational> = (1..30)
+        .scan(Rational::from(1), |product, n| {
+            let term = product.clone();
+            *product = product.clone() * Rational::from(n);
+            Some(term)
+        })
+        .collect();
+    let diverging = Evaluation::new(&factorials, 0.095);
+    assert_eq!(diverging.smallest_term().map(|step| step.power), Some(10));
+    assert!(period(20, 1.0).smallest_term().is_none());
+}
+
+#[test]
+fn an_approximant_has_its_first_pole_in_the_amplitude() {
+    let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
+    let expansion = expand(&pendulum, 7, &Gauge::Fundamental).unwrap();
+    let approximant = Relation::new(&pendulum, &expansion, Quantity::Period).approximant(1).unwrap();
+    // 1 + z/16 + 11z²/3072 + …: [1/1] has its pole at z = A² = (1/16)/(11/3072) = 192/11.
+    let pole = approximant.first_pole().unwrap();
+    assert!((pole - (192.0_f64 / 11.0).sqrt()).abs() < 1e-14, "{pole}");
+    let amplitude = Relation::new(&pendulum, &expansion, Quantity::Cosine(3)).approximant(0).unwrap();
+    assert_eq!(amplitude.first_pole(), None);
 }

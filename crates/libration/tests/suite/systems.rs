@@ -155,3 +155,13 @@ fn a_driven_pendulum_comes_to_its_attractor() {
     // The time of fifty periods is rounded to 3e-14, the angle to its own ulp.
     assert!(error(&[angle - turns * TAU, velocity], &truths(row)) < 1e-13, "{angle} {velocity}");
 }
+
+#[test]
+fn the_numbers_of_a_state_have_units_where_they_are_known() {
+    let spring = Model::by_key("spring_pendulum", &[], &[]).unwrap();
+    assert_eq!(spring.state_units(), ["m", "rad", "m/s", "rad/s"]);
+    let typed = Model::typed("theta1'' = -sin(theta1) + x; x'' = -x; omega'' = 0", &[], &[]).unwrap();
+    assert_eq!(typed.state_units(), ["rad", "", "", "rad/s", "", ""]);
+    let angles: Vec<bool> = typed.coordinates().iter().map(|coordinate| coordinate.is_angle()).collect();
+    assert_eq!(angles, [true, false, false]);
+}

@@ -8,6 +8,7 @@ use crate::figure;
 use crate::output::{Form, FormOptions};
 use libration::comparison::{Backbone as Curve, BackbonePoint};
 use libration::perturbation::MAX_ORDER;
+use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -50,7 +51,7 @@ struct Answer {
 
 impl Answer {
     fn is_angle(&self) -> bool {
-        arguments::is_angle(&self.asked.equation.variables()[0])
+        is_angle_name(&self.asked.equation.variables()[0])
     }
 }
 
@@ -81,7 +82,7 @@ impl Backbone {
     fn computed(&self) -> Result<Answer, Failure> {
         let asked = self.oscillator.asked()?;
         let variable = asked.equation.variables().first().map_or("", String::as_str);
-        let is_angle = arguments::is_angle(variable);
+        let is_angle = is_angle_name(variable);
         let amplitudes = arguments::displacements("--amplitudes", &self.amplitudes, is_angle)?;
         if amplitudes.len() > MOST_AMPLITUDES {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", amplitudes.len());

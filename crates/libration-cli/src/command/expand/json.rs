@@ -43,7 +43,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         .with("of_half_swing", of(&expansion.of_half_swing))
         .with("certified", expansion.certificate.is_proof())
         .with("certificate", certificate(expansion.certificate));
-    json::document(out, record)
+    json::document(out, if answer.interrupted.is_some() { record.with("interrupted", true) } else { record })
 }
 
 fn parameters(answer: &Answer) -> Value {

@@ -1,7 +1,7 @@
 //! The expansion to read, and in LaTeX.
 
 use super::Answer;
-use crate::output::series::{Notation, Style, subscript, superscript, wrapped};
+use crate::output::series::{Notation, Style, fraction, subscript, superscript, wrapped};
 use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
@@ -70,7 +70,7 @@ impl<'a> Symbols<'a> {
 
 fn number(value: &Rational, precision: Precision) -> String {
     match precision {
-        Precision::Exact => value.to_string(),
+        Precision::Exact => fraction(value),
         Precision::Digits(_) => value.to_decimal(SHORT),
     }
 }

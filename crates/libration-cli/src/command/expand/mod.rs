@@ -6,13 +6,13 @@ mod listing;
 
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
-use crate::output::progress::Progress;
 use crate::output::{Form, FormOptions};
+use crate::{interrupt, parallel};
 use libration::comparison::Quantity;
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, expand_watched};
+use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progress, Stage, expand_watched};
 use std::io::Write;
-use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 /// Exact series of an oscillator's frequency, harmonics and period, to any order
 ///
@@ -31,7 +31,9 @@ use std::ops::ControlFlow;
   libration oscillators                                    the oscillators known by name
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing, energy (ε = √(2E)/ω0),
-nome (pendulum, ε = 8√q), or the coefficients of a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.")]
+nome (pendulum, ε = 8√q), or the coefficients of a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
+
+Ctrl-C ends long work early and writes the orders that are certain by then.")]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,
@@ -71,6 +73,8 @@ struct Answer {
     is_angle: bool,
     oscillator: Oscillator,
     expansion: Expansion,
+    /// The order that was asked for, when Ctrl-C was pressed before it was reached.
+    interrupted: Option<usize>,
 }
 
 impl Expand {
@@ -79,30 +83,59 @@ impl Expand {
         let amplitude =
             self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
         let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
-        let mut progress = Progress::new();
-        let mut watch = |primes| {
-            progress.show(|| format!("order {order}: {primes} primes done"));
-            ControlFlow::Continue(())
+        interrupt::listen()?;
+        let answer = match expanded(&chosen.oscillator, order, &self.gauge) {
+            Ok(expansion) => Answer::new(chosen, expansion, None),
+            Err(ExpansionError::BrokenOff { known: Some(known) }) => Answer::new(chosen, *known, Some(order)),
+            Err(ExpansionError::BrokenOff { known: None }) => {
+                return Err(Failure::Interrupted("interrupted before any order was certain".to_owned()));
+            }
+            Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
-        let expansion = expand_watched(&chosen.oscillator, order, &self.gauge, &mut watch)
-            .map_err(|error| Failure::no_answer("expansion", error))?;
-        drop(progress);
-        let answer = Answer::new(chosen, expansion);
+        self.write(out, &answer, amplitude)?;
+        out.flush()?;
+        answer.interruption().map_or(Ok(()), Err)
+    }
+
+    fn write(&self, out: &mut dyn Write, answer: &Answer, amplitude: Option<f64>) -> Result<(), Failure> {
         if let Some(amplitude) = amplitude {
-            return evaluate::write(out, self.form.form(), &answer, self.quantity, amplitude);
+            return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
         }
         match self.form.form() {
-            Form::Json => json::write(out, &answer)?,
-            Form::Csv => json::write_csv(out, &answer)?,
-            Form::Table if self.latex => listing::write_latex(out, &answer)?,
-            Form::Table => listing::write(out, &answer)?,
+            Form::Json => json::write(out, answer)?,
+            Form::Csv => json::write_csv(out, answer)?,
+            Form::Table if self.latex => listing::write_latex(out, answer)?,
+            Form::Table => listing::write(out, answer)?,
         }
         Ok(())
     }
 }
 
+/// The expansion, with a line of progress while it takes long, until Ctrl-C is pressed.
+fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
+    let latest = Mutex::new(None);
+    let mut watch = |progress| {
+        if let Ok(mut latest) = latest.lock() {
+            *latest = Some(progress);
+        }
+        interrupt::go_on()
+    };
+    let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
+    let how_far = || format!("order {order}: {}", how_far());
+    parallel::with_progress(how_far, || expand_watched(oscillator, order, gauge, &mut watch))
+}
+
+fn in_words(Progress { stage, order }: Progress) -> String {
+    match stage {
+        Stage::Prime { done } => format!("{done} primes done, order {order} modulo the next"),
+        Stage::Fractions { primes } => format!("fractions from {primes} primes"),
+        Stage::Floats { bits } => format!("order {order} with {bits} bits"),
+        _ => format!("checking order {order}"),
+    }
+}
+
 impl Answer {
-    fn new(chosen: Chosen, expansion: Expansion) -> Self {
+    fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
         let equation = chosen.oscillator.equation();
         Self {
             key: chosen.key,
@@ -113,6 +146,15 @@ impl Answer {
             values: chosen.values,
             oscillator: chosen.oscillator,
             expansion,
+            interrupted,
         }
+    }
+
+    /// What is left to be said after an answer that ends early.
+    fn interruption(&self) -> Option<Failure> {
+        let asked = self.interrupted?;
+        let order = self.expansion.order;
+        let left = if order < asked { "which is certain" } else { "which is not checked by another road" };
+        Some(Failure::Interrupted(format!("interrupted: order {order} of {asked}, {left}, is written")))
     }
 }

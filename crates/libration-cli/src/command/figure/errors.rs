@@ -45,11 +45,11 @@ impl Errors {
     pub(super) fn picture(&self) -> Result<Picture, Failure> {
         let (from, to) = (self.from.degrees(), self.to.degrees());
         if !(0.0 <= from && from < to && to <= 180.0) {
-            let got = format!("from {from}° to {to}°: give 0 ≤ from < to ≤ 180deg");
+            let got = format!("from {from:?}° to {to:?}°: give 0 ≤ from < to ≤ 180deg");
             return Err(Failure::no_answer("--from, --to", got));
         }
         if self.lowest >= self.highest {
-            let got = format!("{} is not below {}", self.lowest, self.highest);
+            let got = format!("{:?} is not below {:?}", self.lowest, self.highest);
             return Err(Failure::no_answer("--lowest, --highest", got));
         }
         let formulas = self.curves()?;

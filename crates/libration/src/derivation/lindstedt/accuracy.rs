@@ -11,6 +11,7 @@ use crate::algebra::Rational;
 use crate::oscillator::PeriodicMotion;
 use crate::pendulum::period_ratio;
 use crate::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
+use crate::quantity::is_angle_name;
 
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
@@ -41,7 +42,7 @@ pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<S
 }
 
 pub(super) fn is_angle(question: &Question) -> bool {
-    question.variable.letter == "θ"
+    is_angle_name(question.oscillator.variable())
 }
 
 /// Whether the exact period is known: the pendulum below the upright position.

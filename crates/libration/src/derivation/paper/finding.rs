@@ -11,19 +11,22 @@ pub enum Verdict {
     Typo,
     /// It is wrong.
     Wrong,
+    /// It could not be evaluated here, which tells nothing about it.
+    NotDecided,
 }
 
 impl Verdict {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Verified, Self::Typo, Self::Wrong];
+    pub const ALL: [Self; 4] = [Self::Verified, Self::Typo, Self::Wrong, Self::NotDecided];
 
-    /// `verified`, `typo` or `wrong`.
+    /// `verified`, `typo`, `wrong` or `not decided`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Verified => "verified",
             Self::Typo => "typo",
             Self::Wrong => "wrong",
+            Self::NotDecided => "not decided",
         }
     }
 }
@@ -37,7 +40,7 @@ impl fmt::Display for Verdict {
 /// The verdict on a statement, with its reasons.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// Verified, typo or wrong.
+    /// What became of the statement.
     pub verdict: Verdict,
     /// Where the verdict holds, if not everywhere; often empty.
     pub restriction: String,
@@ -66,6 +69,10 @@ impl Finding {
 
     pub(super) fn wrong(correct: impl Into<String>, evidence: impl Into<String>) -> Self {
         Self { verdict: Verdict::Wrong, ..Self::typo(correct, evidence) }
+    }
+
+    pub(super) fn not_decided(evidence: impl Into<String>) -> Self {
+        Self { verdict: Verdict::NotDecided, ..Self::verified(evidence) }
     }
 
     /// Verified if `right`, else wrong with this correction.

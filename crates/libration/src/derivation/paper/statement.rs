@@ -25,6 +25,18 @@ impl Document {
         }
     }
 
+    /// What was read of it.
+    #[must_use]
+    pub const fn read_from(self) -> &'static str {
+        match self {
+            Self::BlackVel => {
+                "a copy of its text, which has lost the lines of roots and fractions: where a formula hangs on one, the error may be \
+                 the copy's"
+            }
+            Self::Cote => "its source, in which formulas are LaTeX",
+        }
+    }
+
     /// Author, title and place.
     #[must_use]
     pub const fn title(self) -> &'static str {
@@ -49,11 +61,13 @@ pub struct Row {
     pub claim: String,
     /// What stands there, as formulas; integrals and sums by what is under them.
     pub printed: Vec<String>,
+    /// Whether the document has words, or an inequality, where `printed` has a formula of ours that says the same.
+    pub paraphrase: bool,
     /// What was found.
     pub finding: Finding,
 }
 
-/// A check: what is printed against what is computed; `None` when the printed formulas cannot be evaluated.
+/// A check: what is printed against what is computed; `None` when a formula cannot be evaluated.
 pub(super) type Check = fn(&Printed) -> Option<Finding>;
 
 #[derive(Clone, Copy, Debug)]
@@ -63,19 +77,26 @@ pub(super) struct Statement {
     pub(super) label: &'static str,
     pub(super) claim: &'static str,
     pub(super) printed: &'static [&'static str],
+    pub(super) paraphrase: bool,
     pub(super) check: Check,
 }
 
 /// The evidence where a check could not be carried out.
-pub(super) const NOT_EVALUATED: &str = "the printed formula has no value where it is needed";
+pub(super) const NOT_EVALUATED: &str = "the check could not be carried out, as a formula has no value here where one is needed: that says nothing about the statement";
 
 impl Statement {
+    /// The same, `printed` being ours for words of the document.
+    pub(super) const fn paraphrased(self) -> Self {
+        Self { paraphrase: true, ..self }
+    }
+
     pub(super) fn row(&self, document: Document) -> Row {
         Row {
             document,
             label: self.label.to_owned(),
             claim: self.claim.to_owned(),
             printed: self.printed.iter().map(|&text| text.to_owned()).collect(),
+            paraphrase: self.paraphrase,
             finding: self.finding(self.printed),
         }
     }
@@ -83,7 +104,7 @@ impl Statement {
     /// What the check finds when this is printed.
     pub(super) fn finding(&self, printed: &[&str]) -> Finding {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
-        finding.unwrap_or_else(|| Finding::wrong("", NOT_EVALUATED))
+        finding.unwrap_or_else(|| Finding::not_decided(NOT_EVALUATED))
     }
 }
 
@@ -104,7 +125,7 @@ pub(super) const fn text_after(
     printed: &'static [&'static str],
     check: Check,
 ) -> Statement {
-    Statement { after, label, claim, printed, check }
+    Statement { after, label, claim, printed, paraphrase: false, check }
 }
 
 /// The statements of a document's groups in the order of the document.

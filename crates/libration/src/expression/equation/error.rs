@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Expression, Symbol};
-use crate::expression::ParseError;
+use crate::expression::{NoValue, ParseError};
 use crate::quantity::excerpt;
 
 /// Why a text is not a set of equations of motion, or why values do not fit it.
@@ -56,6 +56,17 @@ pub enum EquationError {
     /// A second derivative with a factor of zero.
     #[error("{0} drops out of the equation, its factor being zero: write an equation that holds it")]
     DropsOut(Symbol),
+    /// A part that has no value, as 1/0.
+    #[error(transparent)]
+    NoValue(#[from] NoValue),
+    /// A value that is none, as 1/0.
+    #[error("{name} gets no value: {why}")]
+    ValueWithout {
+        /// The parameter.
+        name: String,
+        /// The part without a value.
+        why: NoValue,
+    },
     /// A value for what is no parameter.
     #[error("the equation has no parameter `{name}`: {known}")]
     UnknownParameter {

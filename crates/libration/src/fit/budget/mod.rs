@@ -22,7 +22,7 @@ use crate::quantity::Quantity;
 #[non_exhaustive]
 pub enum BudgetError {
     /// A quantity that must be above zero.
-    #[error("the {name} is {value}: give a finite number above zero")]
+    #[error("the {name} is {value:?}: give a finite number above zero")]
     NotPositive {
         /// Which one.
         name: &'static str,
@@ -30,7 +30,7 @@ pub enum BudgetError {
         value: f64,
     },
     /// An uncertainty below zero.
-    #[error("the uncertainty of the {name} is {value}: give a finite number of zero or more")]
+    #[error("the uncertainty of the {name} is {value:?}: give a finite number of zero or more")]
     Uncertainty {
         /// Of which quantity.
         name: &'static str,
@@ -39,7 +39,7 @@ pub enum BudgetError {
     },
     /// A bob that reaches to the pivot.
     #[error(
-        "a bob of radius {radius} m does not fit a pendulum of {length} m: the length goes to the centre of the bob"
+        "a bob of radius {radius:?} m does not fit a pendulum of {length:?} m: the length goes to the centre of the bob"
     )]
     BobTooLarge {
         /// In metres.
@@ -51,7 +51,7 @@ pub enum BudgetError {
     #[error("the bob is not denser than the air: check its mass and radius, or its density")]
     BobTooLight,
     /// An amplitude that is none.
-    #[error("the amplitude {0} rad is not below pi")]
+    #[error("the amplitude {0:?} rad is not below pi")]
     Amplitude(f64),
     /// The mass of the rod counts relative to that of the bob.
     #[error("a mass of the rod without one of the bob tells nothing: give the mass of the bob too")]

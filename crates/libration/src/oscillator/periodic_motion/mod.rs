@@ -45,16 +45,18 @@ pub enum NoPeriodicMotion {
     #[error("a limit cycle has no amplitude to choose, and other oscillators have no limit cycle")]
     OtherKind,
     /// A force that does not drive back.
-    #[error("at the displacement {0} from the equilibrium the force does not drive back: give a smaller one")]
+    #[error(
+        "at the displacement {0:?} from the equilibrium the force does not drive back: give a smaller one"
+    )]
     NotRestoring(f64),
     /// A motion that passes a barrier, or leaves the domain of the force.
     #[error(
-        "a release at the displacement {0} from the equilibrium does not come to rest on the other side and return: \
+        "a release at the displacement {0:?} from the equilibrium does not come to rest on the other side and return: \
          give a smaller one"
     )]
     NoReturn(f64),
     /// A limit cycle that is not reached.
-    #[error("no limit cycle is found at the strength {0}: give one nearer to zero")]
+    #[error("no limit cycle is found at the strength {0:?}: give one nearer to zero")]
     NoLimitCycle(f64),
 }
 

@@ -109,3 +109,19 @@ fn motions_that_do_not_return_are_refused() {
     assert!(PeriodicMotion::limit_cycle(&named("van_der_pol"), 0.0, 2.0).is_err());
     assert!(PeriodicMotion::limit_cycle(&named("duffing"), 1.0, 2.0).is_err());
 }
+
+#[test]
+fn displacements_count_from_the_equilibrium() {
+    let motion = |equation: &str, from: f64| {
+        let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
+        PeriodicMotion::from_turning_point(&oscillator, from).unwrap()
+    };
+    let harmonic = motion("x'' = -4*(x - 3)", 0.5);
+    for time in [0.0, 0.3, 1.0, 1.5, 2.0, 3.0, 3.14] {
+        let exact = 0.5 * libm::cos(2.0 * time);
+        assert!((harmonic.displacement_at(time) - exact).abs() < 1e-13, "{time}");
+    }
+    let swing = motion("x'' = -x - x^2", 0.3);
+    let half = swing.displacement_at(0.5 * swing.period());
+    assert!((half - swing.x_min().unwrap()).abs() < 1e-15 && half < -0.3);
+}

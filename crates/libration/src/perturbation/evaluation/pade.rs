@@ -57,11 +57,15 @@ impl Pade {
             let (quotient, rest) = divide(before, &remainder)?;
             let next = subtract_product(factor_before, &quotient, &factor);
             (before, factor_before) = (remainder, factor);
-            (remainder, factor) = (rest, next);
+            // Remainders that begin with one have numerators and denominators that grow linearly, others quadratically.
+            let unit = rest.last().and_then(|leading| Rational::from(1).checked_div(leading));
+            (remainder, factor) = match unit {
+                Some(unit) => (scaled(rest, &unit), scaled(next, &unit)),
+                None => (rest, next),
+            };
         }
         let unit = Rational::from(1).checked_div(factor.first()?)?;
-        let scaled = |terms: Vec<Rational>| terms.into_iter().map(|term| term * unit.clone()).collect();
-        let (numerator, denominator) = (scaled(remainder), scaled(factor));
+        let (numerator, denominator) = (scaled(remainder, &unit), scaled(factor, &unit));
         Some(Self { numerator, denominator, series: series.to_vec(), degrees: (m, n) })
     }
 
@@ -178,6 +182,10 @@ fn subtract_product(mut a: Vec<Rational>, b: &[Rational], c: &[Rational]) -> Vec
         }
     }
     trimmed(a)
+}
+
+fn scaled(terms: Vec<Rational>, by: &Rational) -> Vec<Rational> {
+    terms.into_iter().map(|term| term * by.clone()).collect()
 }
 
 /// Without zeros at the end.

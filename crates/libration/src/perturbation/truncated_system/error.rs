@@ -33,7 +33,7 @@ pub enum TruncatedSystemError {
         degree: usize,
     },
     /// Not a positive finite number.
-    #[error("the amplitude is {amplitude}; it must be positive and finite")]
+    #[error("the amplitude is {amplitude:?}; it must be positive and finite")]
     Amplitude {
         /// What was given.
         amplitude: f64,

@@ -22,35 +22,40 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "The ratio of the errors is about this.",
         &["ratio = 10"],
         carvalhaes_suppes,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(53)",
         "text: (53) is two orders of magnitude more accurate",
         "The ratio of the errors is this or more; than which formula is not said.",
         &["ratio = 100"],
         belendez,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(6)",
         "text: (6) is best for theta0 <= pi/2",
         "Kidd and Fogg's formula is meant for amplitudes up to this.",
         &["theta0 = pi/2"],
         kidd_fogg,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(53)",
         "text: for a measurement error of 1 part in 1000 the 1-term formula suffices",
         "Its error stays below this in an undergraduate laboratory, on 0 <= theta0 <= pi/2.",
         &["error = 1/1000"],
         undergraduate,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(7)",
         "text: (7) is for initial displacements around 180 degrees",
         "Butikov's formula is good at the top.",
         &["error = 1/1000"],
         butikov,
-    ),
+    )
+    .paraphrased(),
 ];
 
 /// The quotient of exact leading errors of the same power.

@@ -35,7 +35,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "Appendix A: the frequency has even powers of epsilon alone.",
         &["d3 = 0"],
         odd_corrections,
-    ),
+    )
+    .paraphrased(),
 ];
 
 pub(super) fn number(value: i64) -> Polynomial {
@@ -72,9 +73,9 @@ fn first_correction(printed: &Printed) -> Option<Finding> {
 fn odd_corrections(printed: &Printed) -> Option<Finding> {
     let claimed = printed.number(0)?;
     let (every, odd) = (Expansion::every_gauge(5)?, Expansion::odd_gauge(6)?);
-    let odd_vanish = ["d1", "d3", "d5"]
-        .iter()
-        .all(|name| odd.named(name).is_some_and(|d| d.to_constant() == Some(claimed.clone())));
+    let corrections = ["d1", "d3", "d5"].map(|name| odd.named(name));
+    let corrections = corrections.into_iter().collect::<Option<Vec<_>>>()?;
+    let odd_vanish = corrections.iter().all(|d| d.to_constant() == Some(claimed.clone()));
     let evidence = format!(
         "with A2 = A4 = 0 it holds to d5, exactly; with every An open d1 = {}, d3 = {}, and B4 = {}: an A2 is the \
          change epsilon -> epsilon + (A2/A1)*epsilon^2 of the parameter, not of the motion",

@@ -126,7 +126,7 @@ fn even_orders(printed: &Printed) -> Option<Finding> {
         computed(5, "C2")?,
         if agree { " as printed" } else { ", not as printed" }
     );
-    let forced = factor(1).is_some_and(|at_one| !at_one.is_zero()) && agree;
+    let forced = !factor(1)?.is_zero() && agree;
     let correct = "for n = 1 the even A_m are a choice of gauge; for n >= 3 it holds for m = 2, and for m >= 4 where \
                    A2 = A4 = ... = 0";
     let finding = Finding::verified_if(forced, correct, evidence);

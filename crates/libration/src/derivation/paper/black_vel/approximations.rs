@@ -24,7 +24,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "Matching the first correction of the period fixes the exponent a, and (5) follows.",
         &["F = (sin(theta0)/theta0)^(3/4)", "T = T0*(theta0/sin(theta0))^(3/8)"],
         exponent_of_molina,
-    ),
+    )
+    .paraphrased(),
     statement(
         "(5)",
         "Molina's period, whose first correction is that of the exact one.",

@@ -32,13 +32,17 @@ fn damping(printed: &Printed) -> Option<Finding> {
             driving.push(n.to_string());
         }
     }
-    let conserved = integral_of_square_damping(printed).unwrap_or(false);
+    let conserved = match integral_of_square_damping(printed) {
+        Some(true) => "is conserved to t^7",
+        Some(false) => "is not conserved",
+        None => "is not followed, as this has no series",
+    };
     let evidence = format!(
         "theta' times it gives dE/dt = -c*theta'^(n+1); of n = 1, 2, 3, 4 the term drives the backward swing for n = \
          {}; at n = 2 theta'^2*exp(2c*theta) + 2*exp(2c*theta)*(2c*sin(theta) - cos(theta))/(4c^2 + 1) {} (exact series \
          of a motion, c = 1/3, omega0 = 1): no damping at all",
         driving.join(", "),
-        if conserved { "is conserved to t^7" } else { "is not conserved" }
+        conserved
     );
     let correct = "theta'' + c*theta'*|theta'|^(n-1) + omega0^2*sin(theta) = 0";
     let finding = Finding::verified_if(driving.is_empty(), correct, evidence);

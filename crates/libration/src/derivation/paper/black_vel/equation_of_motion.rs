@@ -172,7 +172,8 @@ fn velocity_at_an_angle(printed: &Printed) -> Option<Finding> {
     let mut largest = 0.0_f64;
     for instant in instants(&amplitude, 48)? {
         // Rounding may make the difference of the cosines negative at the turning points.
-        let speed = decimal(printed.formula(0)?, &instant.values(amplitude.radians())).unwrap_or(0.0);
+        let turns = (instant.velocity.abs() < 1e-6).then_some(0.0);
+        let speed = decimal(printed.formula(0)?, &instant.values(amplitude.radians())).or(turns)?;
         largest = largest.max((speed * speed - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);
     }
     let evidence = format!(

@@ -29,7 +29,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     statement(
         "(53)",
-        "Belendez and others' period; r is what stands under each root.",
+        "Belendez and others' period; r is what stands under each root in the copy of the text that was read, where a line may be lost.",
         &["T = 64*T0/(16*(1 + sqrt(r))^2 - (1 - sqrt(r))^4)", "r = 1 + cos(theta0/2)"],
         belendez,
     ),

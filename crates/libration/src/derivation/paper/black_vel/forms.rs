@@ -50,7 +50,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "How many constants the nine equations leave free.",
         &["free = 1", "theta'' + omega0^2*(theta - theta^3/6 + theta^5/120)"],
         free_constants,
-    ),
+    )
+    .paraphrased(),
 ];
 
 fn three_harmonics(printed: &Printed) -> Option<Finding> {

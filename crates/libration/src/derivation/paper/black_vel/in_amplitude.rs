@@ -29,10 +29,10 @@ pub(super) const STATEMENTS: &[Statement] = &[
 ];
 
 /// A quantity as printed in θ0 against the same in ε: with θ0(ε) inserted they must agree whatever the gauge.
-fn in_every_gauge(stands: &[Rational], computed: &[Polynomial], amplitude: &[Polynomial]) -> bool {
+fn in_every_gauge(stands: &[Rational], computed: &[Polynomial], amplitude: &[Polynomial]) -> Option<bool> {
     let stands: Vec<Polynomial> = stands.iter().cloned().map(Polynomial::constant).collect();
-    let inserted = powers(&Polynomials, amplitude).map(|powers| powers.composed(&Polynomials, &stands));
-    inserted.is_some_and(|inserted| inserted.iter().zip(computed).all(|(a, b)| a == b))
+    let inserted = powers(&Polynomials, amplitude)?.composed(&Polynomials, &stands);
+    Some(inserted.iter().zip(computed).all(|(a, b)| a == b))
 }
 
 fn fundamental(printed: &Printed) -> Option<Finding> {
@@ -50,7 +50,7 @@ fn fifth_harmonic(printed: &Printed) -> Option<Finding> {
 fn harmonic_in_amplitude(printed: &Printed, k: u32) -> Option<Finding> {
     let expansion = Expansion::odd_gauge(5)?;
     let stands = series_in("theta0", 6, printed.formula(0)?, &[])?;
-    let right = in_every_gauge(&stands, &expansion.harmonic(k), &expansion.amplitude());
+    let right = in_every_gauge(&stands, &expansion.harmonic(k), &expansion.amplitude())?;
     let exact = compose_with_inverse(k)?;
     let evidence = format!(
         "with theta0(epsilon) inserted it equals the harmonic to epsilon^5 for every A1, A3, A5, exactly; in the \
@@ -75,7 +75,7 @@ pub(super) fn period(printed: &Printed) -> Option<Finding> {
     let ratio = ratio_series(printed.formula(0)?, TERMS)?;
     let frequency = ring.divide(&ring.rational(&Rational::from(1))?, &ratio)?;
     let expansion = Expansion::odd_gauge(7)?;
-    let right = in_every_gauge(&frequency, &expansion.frequency()?, expansion.amplitude().get(..TERMS)?);
+    let right = in_every_gauge(&frequency, &expansion.frequency()?, expansion.amplitude().get(..TERMS)?)?;
     let exact = agreement(printed.formula(0)?, 6)?;
     let next = crate::period_formulas::frequency_in_amplitude(4).pop()?;
     let evidence = format!(

@@ -22,42 +22,48 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "The best of Fig. 1 on the lower half of the amplitudes.",
         &["theta0 = pi/2"],
         best_on_the_lower_half,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "Fig. 1",
         "text: the 1-term formula is more accurate than the 2- and 3-term ones for pi/2 < theta0 <= pi",
         "On the upper half of the amplitudes one term beats two and three.",
         &["theta0 = pi/2"],
         one_term_on_the_upper_half,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "Fig. 1",
         "text: the error of the 1-term formula decreases noticeably for pi/2 < theta0 <= pi",
         "The dip of its curve.",
         &["theta0 = pi/2"],
         dip_of_one_term,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "Fig. 1",
         "text: some interplay between the elliptic integral and the 1-term formula",
         "Left unexplored there: why one term does so well.",
         &["T = T0/(1 - theta0^2/16)"],
         interplay,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "Fig. 1",
         "text: (implicit) the 1/T form is worth its while against the power series (14)",
         "With as many corrections the series of 1/T is more accurate than that of T.",
         &["corrections = 3"],
         against_the_power_series,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "Fig. 1",
         "text: the approximations are on a par with the formulas of the introduction",
         "The largest errors up to 90 degrees.",
         &["theta0 = pi/2"],
         on_a_par,
-    ),
+    )
+    .paraphrased(),
 ];
 
 /// The amplitude that the claim names.

@@ -17,28 +17,32 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "An upper bound of a1 over all amplitudes up to pi.",
         &["a1 = pi"],
         largest_fundamental,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(24)",
         "text: a3 is much smaller than 1 for 0 < theta0 <= pi",
         "A bound of |a3| over all amplitudes; much smaller is taken as a tenth.",
         &["a3 = 1/10"],
         largest_third,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(27)",
         "text: a1*a3 stays much less than 1, so a1^3 is much greater than a1^4*a3",
         "A bound of |a1*a3| over all amplitudes; already 1 is too much.",
         &["a1*a3 = 1"],
         product_of_both,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(24)",
         "text: a1 >> Delta - 1 >> a3",
         "The corrections decrease: |a3| is much smaller than |Delta - 1|, taken as a fifth of it.",
         &["a3/(Delta - 1) = 1/5"],
         order_of_corrections,
-    ),
+    )
+    .paraphrased(),
 ];
 
 /// The amplitude closest to the top that the library takes for granted.

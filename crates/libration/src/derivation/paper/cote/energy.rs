@@ -159,7 +159,8 @@ fn rising_quarter(printed: &Printed) -> Option<Finding> {
     let (mut squares, mut rising) = (0.0_f64, true);
     for instant in instants(&theta0, 48)? {
         // Rounding may make the difference of the cosines negative at the turning points.
-        let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians())).unwrap_or(0.0);
+        let turns = (instant.velocity.abs() < 1e-6).then_some(0.0);
+        let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians())).or(turns)?;
         squares =
             squares.max((stands * stands - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);
         rising &= instant.velocity <= 1e-9 || (stands - instant.velocity).abs() < 1e-7;

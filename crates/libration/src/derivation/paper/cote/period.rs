@@ -42,7 +42,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "The amplitudes for which the series converges, up to this.",
         &["theta0 = pi"],
         any_starting_angle,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(37)",
         "text: at small angles the period becomes 2*pi*sqrt(l/g)",
@@ -56,14 +57,16 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "The terms that a relative error of this takes.",
         &["error = 1/1000000"],
         terms_needed,
-    ),
+    )
+    .paraphrased(),
     text_after(
         "(37)",
         "text: a physical pendulum requires the centre of mass",
         "What the period of a rod of length L needs: the point mass at half its length has this period.",
         &["T = 2*pi*sqrt(L/(2*g))"],
         physical_pendulum,
-    ),
+    )
+    .paraphrased(),
 ];
 
 /// A sum that should be K(m).

@@ -19,7 +19,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "Where the sum begins, and with it the recursion.",
         &["n = 1", "odd/even*m^n*I"],
         lowest_index,
-    ),
+    )
+    .paraphrased(),
     statement("(27)", "The integral at n = 1.", &["I = pi/4"], first_integral),
     statement(
         "(28)",

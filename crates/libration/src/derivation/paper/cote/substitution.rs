@@ -87,7 +87,8 @@ pub(super) const STATEMENTS: &[Statement] = &[
         "The values of m for which the integral exists.",
         &["m = 1"],
         largest_parameter,
-    ),
+    )
+    .paraphrased(),
 ];
 
 /// θ of ψ.

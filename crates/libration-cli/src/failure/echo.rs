@@ -1,0 +1,64 @@
+//! What a message repeats of what was typed, shortened.
+
+/// Longer words and quotations are cut in the middle. Names of files are shorter.
+const LONGEST_QUOTATION: usize = 300;
+/// Longer lines are cut in the middle. Lists of all keys are shorter.
+const LONGEST_LINE: usize = 2000;
+
+/// The beginning of a text, as a message may show it.
+pub(crate) fn excerpt(text: &str) -> String {
+    const SHOWN: usize = 60;
+    cut(text, SHOWN)
+}
+
+/// The message with whatever is very long in it cut: quotations, words, lines.
+pub(super) fn shortened(message: &str) -> String {
+    message.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// Every second part between backquotes is a quotation.
+fn line(line: &str) -> String {
+    let parts = line.split('`').enumerate();
+    let shown =
+        parts.map(|(place, part)| if place % 2 == 1 { cut(part, LONGEST_QUOTATION) } else { words(part) });
+    cut(&shown.collect::<Vec<_>>().join("`"), LONGEST_LINE)
+}
+
+/// A text whose long words are cut.
+fn words(text: &str) -> String {
+    text.split(' ').map(|word| cut(word, LONGEST_QUOTATION)).collect::<Vec<_>>().join(" ")
+}
+
+/// The beginning and the end of what is longer than so many characters.
+fn cut(text: &str, longest: usize) -> String {
+    let letters = text.chars().count();
+    if letters <= longest {
+        return text.to_owned();
+    }
+    let kept = longest / 2;
+    let (begin, end): (String, String) =
+        (text.chars().take(kept).collect(), text.chars().skip(letters - kept).collect());
+    format!("{begin}…({} characters)…{end}", letters - 2 * kept)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_short_stays_as_it_is() {
+        let message = "--about: `foo` is no place: give a number,\nsuch as 0.5";
+        assert_eq!(shortened(message), message);
+    }
+
+    #[test]
+    fn long_words_quotations_and_lines_are_cut_in_the_middle() {
+        let long = "é".repeat(10_000);
+        for message in [format!("`{long}` is no place"), format!("{long} is no place"), "x + ".repeat(3000)] {
+            let shown = shortened(&message);
+            assert!(shown.chars().count() < LONGEST_LINE + 40 && shown.contains("characters)…"), "{shown}");
+        }
+        assert!(shortened(&format!("`{}` is no place", "x + ".repeat(3000))).ends_with("` is no place"));
+        assert_eq!(excerpt(&long).chars().count(), 60 + "…(9940 characters)…".chars().count());
+    }
+}
