@@ -1,6 +1,6 @@
 //! Multi-precision floats as a ring: for coefficients that are no fractions.
 
-use super::{BigFloat, Function, Rational, Rationals, Ring};
+use super::{BigFloat, Function, Rational, Ring};
 
 /// Binary floats of a fixed precision, in bits; every operation rounds to nearest.
 #[derive(Clone, Copy, Debug)]

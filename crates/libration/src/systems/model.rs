@@ -31,7 +31,6 @@ pub struct Model {
 #[derive(Clone, Debug)]
 struct Known {
     energy: Expression,
-    energy_unit: &'static str,
     power: Expression,
     drive_frequency: Option<Expression>,
 }
@@ -75,7 +74,6 @@ impl Model {
         let coordinates = coordinates.collect::<Result<_, ModelError>>()?;
         let known = Known {
             energy: put_in(named.energy)?,
-            energy_unit: named.energy_unit,
             power: put_in(named.power)?,
             drive_frequency: named.drive_frequency.map(put_in).transpose()?,
         };
