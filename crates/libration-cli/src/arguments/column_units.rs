@@ -1,5 +1,6 @@
 //! The units of chosen columns: said by an option, else written in the header, else those of the SI.
 
+use super::CountedOptions;
 use libration::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
 
 /// What a column is to hold, and what an option says of it.
@@ -10,12 +11,16 @@ pub(crate) struct Wanted {
     option: Option<(&'static str, Option<Unit>)>,
     /// The place of what these are the uncertainties of.
     uncertainties_of: Option<usize>,
+    /// Of times that may last several periods.
+    counted: Option<CountedOptions>,
 }
 
 /// The units of the columns, and what was told from the header.
 #[derive(Clone, Debug)]
 struct ColumnUnits<const N: usize> {
     units: [Unit; N],
+    /// How many periods each time lasts; one of what is no time.
+    counts: [f64; N],
     told: Vec<String>,
 }
 
@@ -27,6 +32,8 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) lines: Vec<u64>,
     /// How many rows are incomplete.
     pub(crate) dropped: usize,
+    /// How many periods the times of each column lasted.
+    pub(crate) counts: [f64; N],
     /// What was told from the header.
     pub(crate) told: Vec<String>,
 }
@@ -42,23 +49,30 @@ impl<const N: usize> ColumnsInSi<N> {
         let selection = table.select(&asked).map_err(|error| error.to_string())?;
         let units = ColumnUnits::of(table, chosen, wanted)?;
         let columns = units.in_si(selection.columns, chosen);
-        Ok(Self { columns, lines: selection.lines, dropped: selection.dropped, told: units.told })
+        Ok(Self {
+            columns,
+            lines: selection.lines,
+            dropped: selection.dropped,
+            counts: units.counts,
+            told: units.told,
+        })
     }
 }
 
 impl Wanted {
-    pub(crate) fn times() -> Self {
-        Self { role: Role::Times, option: None, uncertainties_of: None }
+    /// Periods, from times that may last several of them.
+    pub(crate) fn periods(counted: CountedOptions) -> Self {
+        Self { role: Role::Times, option: None, uncertainties_of: None, counted: Some(counted) }
     }
 
     pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--length-unit", said.map(Into::into)));
-        Self { role: Role::Lengths, option, uncertainties_of: None }
+        Self { role: Role::Lengths, option, uncertainties_of: None, counted: None }
     }
 
     pub(crate) fn amplitudes(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--amplitude-unit", said.map(Into::into)));
-        Self { role: Role::Angles, option, uncertainties_of: None }
+        Self { role: Role::Angles, option, uncertainties_of: None, counted: None }
     }
 
     /// The uncertainties of what the column at this place holds.
@@ -112,23 +126,30 @@ impl Wanted {
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
     fn of(table: &Table, columns: &[Option<Column>; N], wanted: &[Wanted; N]) -> Result<Self, String> {
-        let (mut units, mut told) = (wanted.map(Wanted::usual), Vec::new());
+        let (mut units, mut counts, mut told) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
         for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
             let Some(column) = column else { continue };
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
             let (unit, sentence) = wanted.unit(table, column, usual)?;
             units[place] = unit;
             told.extend(sentence);
+            if let Some(counted) = wanted.counted {
+                let usual = wanted.uncertainties_of.map_or(1.0, |of| counts[of]);
+                let (count, sentence) = counted.count(table, column, usual)?;
+                counts[place] = count;
+                told.extend(sentence);
+            }
         }
-        Ok(Self { units, told })
+        Ok(Self { units, counts, told })
     }
 
-    /// The numbers of the columns in units of the SI.
+    /// The numbers of the columns in units of the SI, times as those of one period.
     fn in_si(&self, columns: Vec<Vec<f64>>, chosen: &[Option<Column>; N]) -> [Option<Vec<f64>>; N] {
         let mut columns = columns.into_iter();
         std::array::from_fn(|place| {
             let numbers = chosen[place].as_ref().and_then(|_| columns.next())?;
-            Some(numbers.into_iter().map(|number| self.units[place].to_si(number)).collect())
+            let (unit, count) = (self.units[place], self.counts[place]);
+            Some(numbers.into_iter().map(|number| unit.to_si(number) / count).collect())
         })
     }
 }

@@ -1,9 +1,9 @@
 //! Files that hold one value per line; `-` is the standard input.
 
+use super::read_bytes;
 use crate::failure::Failure;
 use std::fmt::Display;
 use std::path::Path;
-use std::{fs, io};
 
 /// Reads every line that is neither empty nor a comment (`#`) and parses it.
 pub(crate) fn read<T, E: Display>(
@@ -29,18 +29,8 @@ pub(crate) fn read<T, E: Display>(
     Ok(values)
 }
 
-/// The bytes of a file or of the standard input.
-pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    let mut bytes = vec![];
-    let read = match path.as_os_str() == "-" {
-        true => io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes).map(|_| bytes),
-        false => fs::read(path),
-    };
-    read.map_err(|error| Failure::NoAnswer(format!("cannot read {}: {error}", path.display())))
-}
-
 fn text(path: &Path) -> Result<String, Failure> {
-    let text = String::from_utf8(bytes(path)?).ok().filter(|text| !text.contains('\0'));
+    let text = String::from_utf8(read_bytes(path)?).ok().filter(|text| !text.contains('\0'));
     let text = text.ok_or_else(|| {
         Failure::no_answer(&path.display().to_string(), "not a text file: write one value per line, in UTF-8")
     })?;

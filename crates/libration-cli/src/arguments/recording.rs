@@ -4,7 +4,7 @@ use super::read_bytes;
 use crate::failure::Failure;
 use libration::measurement::{
     Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options, Recording,
-    Traces, Unit,
+    Stamps, Traces, Unit,
 };
 use std::path::Path;
 
@@ -45,6 +45,18 @@ pub(crate) struct RecordingOptions {
     /// Column of the photogate's state, 1 or blocked, 0 or unblocked
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     gate: Option<Column>,
+    /// Leave out rows before this time, in the time of the file
+    #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
+    from: Option<f64>,
+    /// Leave out rows after this time
+    #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
+    to: Option<f64>,
+    /// Take the even times of which those in the file are roundings
+    #[arg(long, conflicts_with = "times_as_written")]
+    even_times: bool,
+    /// Take the times as they are written, even where they are roundings of even ones
+    #[arg(long)]
+    times_as_written: bool,
     /// The run: its name, or its number as in `Run #3`; several as 1,2,6
     #[arg(long, value_name = "RUN,…")]
     run: Option<String>,
@@ -118,6 +130,13 @@ impl RecordingOptions {
             pivot: self.pivot,
             uncertainty: self.uncertainty.clone(),
             gate: self.gate.clone(),
+            from: self.from,
+            to: self.to,
+            stamps: match (self.even_times, self.times_as_written) {
+                (true, _) => Some(Stamps::Even),
+                (false, true) => Some(Stamps::AsWritten),
+                (false, false) => None,
+            },
         }
     }
 
@@ -155,6 +174,9 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
         MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
             message + " (--header)"
         }
+        MeasurementError::NotEven { .. } => message + " (without --even-times)",
+        MeasurementError::CoarseTimes { .. } => message + ", or take them as they are (--times-as-written)",
+        MeasurementError::NothingBetween { .. } => message + " (--from, --to)",
         MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for `libration fit gates`)",
         MeasurementError::NotGateTimes { .. } => {
             message + " Tables of periods are for `libration fit periods` and `libration fit lengths`"

@@ -47,3 +47,24 @@ fn a_place_that_cannot_be_written_is_named() {
     assert_eq!(output.status.code(), Some(1));
     assert!(message(&output).contains("/nonexistent/directory/spectrum.svg"));
 }
+
+/// A device that never ends, a file of a gigabyte without a byte on the disk, and the device as the standard input.
+#[cfg(unix)]
+#[test]
+fn no_file_is_read_beyond_the_limit_which_is_named() {
+    let sparse = directory("sparse").join("swing.csv");
+    fs::File::create(&sparse).unwrap().set_len(1 << 30).unwrap();
+    let sparse = sparse.display().to_string();
+    for command in ["inspect", "fit trace", "fit gates", "fit periods", "fit lengths", "period --from-file"] {
+        let output = libration(&format!("{command} /dev/zero"));
+        assert_eq!(output.status.code(), Some(1), "{command}");
+        let said = message(&output);
+        assert!(said.contains("/dev/zero") && said.contains("67108864 bytes"), "{command}: {said}");
+        let said = message(&libration(&format!("{command} {sparse}")));
+        assert!(said.contains("has 1073741824 bytes") && said.contains("67108864"), "{command}: {said}");
+    }
+    let zeros = fs::File::open("/dev/zero").unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_libration"));
+    let output = command.args(["inspect", "-"]).stdin(zeros).output().unwrap();
+    assert!(message(&output).contains("67108864 bytes"), "{}", message(&output));
+}

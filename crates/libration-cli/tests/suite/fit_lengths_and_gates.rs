@@ -170,9 +170,98 @@ fn columns_that_hold_something_else_are_refused() {
     }
     let swapped = file("lengths-in-order", &rows("T (s),L (cm)", &swapped));
     assert!((gravity(&format!("fit lengths {swapped} --columns 2,1")) - 9.81).abs() < 1e-9);
-    let between = file("lengths-between", "L,sigma_L,T,sigma_T\n1,0.1,2.0,0.1\n0.5,0.1,1.4,0.1\n");
-    let refused = message(&libration(&format!("fit lengths {between}")));
-    assert!(refused.contains("`sigma_L`") && refused.contains("uncertainties"), "{refused}");
+}
+
+#[test]
+fn uncertainties_beside_their_values_are_told_from_the_header() {
+    let table = |name: &str, header: &str, order: [usize; 4]| {
+        let line = |(length, period): (f64, f64)| {
+            let cells = [length, period, 0.2, 0.001];
+            order.map(|place| cells[place].to_string()).join(",") + "\n"
+        };
+        file(name, &format!("{header}\n{}", swings(1.0).into_iter().map(line).collect::<String>()))
+    };
+    let plain = json(&format!("fit lengths {}", table("lengths-plain", "L (cm),T,σ_L,σ_T", [0, 1, 2, 3])));
+    for (name, header) in [
+        ("lengths-between", "L (cm),sigma_L,T,sigma_T"),
+        ("lengths-plus-minus", "L (cm),±,T (s),±"),
+        ("lengths-u", "L (cm),u(L),T,u(T)"),
+    ] {
+        let between = json(&format!("fit lengths {}", table(name, header, [0, 2, 1, 3])));
+        for field in ["gravity_m_per_s2", "gravity_uncertainty_m_per_s2"] {
+            assert_eq!(between[field], plain[field], "{header}");
+        }
+    }
+    let three = file("periods-three", "A (deg),T (s),±\n10,2.0038,0.001\n40,2.0626,0.001\n70,2.2042,0.001\n");
+    let answer = json(&format!("fit periods {three}"));
+    assert!(answer["weighting"] == "uncertainties of periods", "{answer}");
+}
+
+/// T of 10°, 40° and 70° where T0 is 2 s, in these multiples and with these uncertainties of them.
+fn periods(name: &str, header: &str, count: f64) -> String {
+    let ratios = [(10.0, 1.001907188), (40.0, 1.031340519), (70.0, 1.102144914)];
+    let line = |(angle, ratio)| format!("{angle},{},{}\n", 2.0 * count * ratio, 0.002 * count);
+    file(name, &format!("{header}\n{}", ratios.map(line).concat()))
+}
+
+#[test]
+fn headers_say_how_many_periods_a_time_lasts() {
+    let one = json(&format!("fit periods {}", periods("periods-one", "A (deg),T (s),±", 1.0)));
+    let of = |answer: &serde_json::Value, field: &str| answer["laws"][0][field].as_f64().unwrap();
+    let (t0, spread) = (of(&one, "t0_s"), of(&one, "t0_uncertainty_s"));
+    assert!((t0 - 2.0).abs() < 1e-7, "{one}");
+    for (name, header, count, options) in [
+        ("periods-half", "A (deg),half period (s),±", 0.5, ""),
+        ("periods-ten", "A (deg),time of 10 periods (s),±", 10.0, ""),
+        ("periods-10T", "A (deg),10T,u(10T)", 10.0, ""),
+        ("periods-20T", "A (deg),20 T (s),σ", 20.0, ""),
+        ("periods-T/2", "A (deg),T/2,±", 0.5, ""),
+        ("periods-said", "A (deg),T,±", 0.5, "--half-periods"),
+        ("periods-counted", "A (deg),T10 (s),±", 10.0, "--periods-per-row 10"),
+    ] {
+        let name = name.replace('/', "-");
+        let answer = json(&format!("fit periods {} {options}", periods(&name, header, count)));
+        for (field, expected) in [("t0_s", t0), ("t0_uncertainty_s", spread)] {
+            let found = of(&answer, field);
+            assert!((found / expected - 1.0).abs() < 1e-12, "{header}: {field} {found} {expected}");
+        }
+        let told = answer["told_from_file"].to_string();
+        assert!(told.contains("period"), "{header}: {told}");
+    }
+    let halves = file("lengths-half-said", &rows("L (cm),half period (s)", &swings(0.5)));
+    assert!((gravity(&format!("fit lengths {halves}")) - 9.81).abs() < 1e-9);
+    let tens = file("lengths-ten", &rows("L (cm),10 T (s)", &swings(10.0)));
+    assert!((gravity(&format!("fit lengths {tens}")) - 9.81).abs() < 1e-9);
+    let both = libration(&format!("fit lengths {tens} --half-periods --periods-per-row 3"));
+    assert_eq!(both.status.code(), Some(2));
+}
+
+#[test]
+fn what_may_be_several_periods_is_asked() {
+    for (command, table) in [
+        ("periods", periods("periods-unclear", "A (deg),T10 (s),±", 10.0)),
+        ("lengths", file("lengths-unclear", &rows("L (cm),10 swings (s)", &swings(10.0)))),
+    ] {
+        let refused = libration(&format!("fit {command} {table}"));
+        assert_eq!(refused.status.code(), Some(1));
+        assert!(message(&refused).contains("--periods-per-row"), "{}", message(&refused));
+    }
+}
+
+#[test]
+fn a_trace_and_milliseconds_without_a_unit_are_no_passages() {
+    let swing: String =
+        (0..300).map(|n| format!("{:.4},{:.4}\n", f64::from(n) / 30.0, (f64::from(n) / 7.0).cos())).collect();
+    let swing = file("gate-swing", &format!("time,angle\n{swing}"));
+    let refused = libration(&format!("fit gates {swing}"));
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(message(&refused).contains("--time 1"), "{}", message(&refused));
+    let passages: String = (1..20).map(|n| format!("{}\n", 760 * n + 3 * (n % 2))).collect();
+    let passages = file("gate-milliseconds", &format!("time\n{passages}"));
+    let refused = message(&libration(&format!("fit gates {passages}")));
+    assert!(refused.contains("--time-unit s, ms, us or min"), "{refused}");
+    let answer = json(&format!("fit gates {passages} --time-unit ms"));
+    assert!((answer["mean_period_s"].as_f64().unwrap() - 1.52).abs() < 1e-9, "{answer}");
 }
 
 #[test]

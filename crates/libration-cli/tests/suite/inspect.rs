@@ -96,3 +96,42 @@ fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
     assert_eq!(unknown.status.code(), Some(2));
     assert!(message(&unknown).contains("rad, deg"), "{}", message(&unknown));
 }
+
+#[test]
+fn times_with_three_significant_digits_are_described_as_the_even_ones() {
+    let row = |n: i32| {
+        let shown: f64 = format!("{:.2e}", f64::from(n) / 30.0).parse().unwrap();
+        format!("{shown},{:.4}\n", (f64::from(n) / 7.0).cos())
+    };
+    let table = format!("t (s),theta (rad)\n{}", (0..900).map(row).collect::<String>());
+    let path = file("inspect-digits", &table);
+    let answer = json(&format!("inspect {}", path.display()));
+    assert_eq!(answer["traces"][0]["rows"], 900);
+    close(&answer["traces"][0]["interval_s"], 1.0 / 30.0, 2e-4);
+    let options = answer["findings"].to_string();
+    assert!(options.contains("--times-as-written"), "{options}");
+    let written = json(&format!("inspect {} --times-as-written", path.display()));
+    assert!(written["traces"][0]["rows"].as_u64().unwrap() < 600);
+    let uneven = file("inspect-uneven", "t (s),theta (rad)\n0,0.1\n0.1,0.2\n0.35,0.1\n0.4,0.0\n");
+    let refused = json(&format!("inspect {} --even-times", uneven.display()));
+    assert!(refused["undecided"]["why"].as_str().unwrap().contains("without --even-times"), "{refused}");
+}
+
+#[test]
+fn a_part_of_a_file_is_judged_alone() {
+    let row = |n: i32| {
+        format!(
+            "{:.2},{:.4}\n",
+            if n < 20 { 0.05 * f64::from(n % 2) } else { 0.05 * f64::from(n) },
+            f64::from(n).cos()
+        )
+    };
+    let path = file("inspect-part", &format!("t (s),theta (rad)\n{}", (0..100).map(row).collect::<String>()));
+    assert!(
+        json(&format!("inspect {}", path.display()))["undecided"]["why"].as_str().unwrap().contains("line 4")
+    );
+    let part = json(&format!("inspect {} --from 1s --to 4s", path.display()));
+    assert_eq!(part["traces"][0]["rows"], 61);
+    let nothing = json(&format!("inspect {} --from 100s", path.display()));
+    assert!(nothing["undecided"]["why"].as_str().unwrap().contains("--from"), "{nothing}");
+}

@@ -54,6 +54,21 @@ pub struct Choices {
     pub uncertainty: Option<Column>,
     /// The column that says whether a photogate is blocked.
     pub gate: Option<Column>,
+    /// Leave out rows before this time, in seconds of the file's own time.
+    pub from: Option<f64>,
+    /// Leave out rows after this time.
+    pub to: Option<f64>,
+    /// Which times are taken where those of the file are rounded.
+    pub stamps: Option<Stamps>,
+}
+
+/// Which times are taken where those of the file are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stamps {
+    /// As they are written.
+    AsWritten,
+    /// The even times of which they are roundings.
+    Even,
 }
 
 /// The name of something that can be said, as an option has it.
@@ -92,6 +107,8 @@ pub enum Choice {
     Uncertainty,
     /// The column of the photogate's state.
     Gate,
+    /// Times as they are written, even where they are roundings of even ones.
+    TimesAsWritten,
 }
 
 impl fmt::Display for Choice {
@@ -113,6 +130,7 @@ impl fmt::Display for Choice {
             Self::Pivot => "pivot",
             Self::Uncertainty => "uncertainty",
             Self::Gate => "gate",
+            Self::TimesAsWritten => "times-as-written",
         })
     }
 }

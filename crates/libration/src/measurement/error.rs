@@ -124,9 +124,9 @@ pub enum MeasurementError {
         /// What would decide it.
         choices: Vec<Suggestion>,
     },
-    /// A time that goes back.
+    /// Times that go back more often than a clock is set back or a row misplaced.
     #[error(
-        "line {line}: the time {after} follows {before}: put the rows in the order of time, or split the runs"
+        "line {line}: the time {after} follows {before}, and not only there: put the rows in the order of time, or split the runs"
     )]
     TimeGoesBack {
         /// Counted from one.
@@ -183,6 +183,45 @@ pub enum MeasurementError {
         /// Of how many.
         rows: usize,
     },
+    /// Accelerations, from which alone neither angle nor angular velocity follows.
+    #[error(
+        "{column} holds accelerations: along the string g·cos θ + r·θ′², which goes through two periods in one swing, across it \
+         g·sin θ + r·θ″, which vanishes where the pendulum is a simple one of length r. What is missing is the sensor's distance r \
+         from the pivot, its direction and its sign: record the gyroscope, whose angular velocity needs none of them"
+    )]
+    Accelerations {
+        /// Its number and name.
+        column: String,
+    },
+    /// Times so coarse that rows share them, and that are no roundings of even ones.
+    #[error(
+        "{run}the times have {digits} significant digits, so that rows share them, and no even times round to them, as where rows \
+         are missing: export the times with more digits"
+    )]
+    CoarseTimes {
+        /// Whose they are, with a colon, or nothing.
+        run: String,
+        /// How many.
+        digits: usize,
+    },
+    /// Times that are no roundings of even ones.
+    #[error("{run}the times are not rounded ones of even intervals: take them as they are written")]
+    NotEven {
+        /// Whose they are, with a colon, or nothing.
+        run: String,
+    },
+    /// No row between the times that are asked for.
+    #[error(
+        "{run}no row is left between the times that are asked for: its times are from {first} to {last} s"
+    )]
+    NothingBetween {
+        /// Whose they are, with a colon, or nothing.
+        run: String,
+        /// In seconds.
+        first: f64,
+        /// In seconds.
+        last: f64,
+    },
     /// A unit that does not fit what it is said of.
     #[error("{unit} is no unit of {of}: give one such as {examples}")]
     WrongUnit {
@@ -222,6 +261,7 @@ fn listed(choices: &[Suggestion], name: &dyn Fn(Choice) -> String) -> String {
             None => "",
             Some(same) if same == *choice && again => ", ",
             Some(other) if other == *choice || is_the_scale(other) && is_the_scale(*choice) => " or ",
+            Some(_) if *choice == Choice::X => ", or ",
             Some(_) => " and ",
         };
         if before != Some(*choice) {

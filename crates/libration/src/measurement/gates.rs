@@ -1,6 +1,7 @@
 //! Times at which a photogate was blocked or freed.
 
 use super::choices::{Choice, Choices, Finding, Suggestion};
+use super::faults::statistics::median;
 use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
@@ -35,6 +36,9 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     let mut findings = Vec::new();
     let time = time_column(sheet, choices, &mut findings)?;
     let state = state_column(sheet, choices, &mut findings)?;
+    if state.is_none() && choices.time.is_none() {
+        refuse_samples(sheet, time)?;
+    }
     let unit = unit(sheet, time, choices, &mut findings)?;
     let mut gates = Gates {
         times: Vec::new(),
@@ -45,7 +49,12 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     };
     for row in 0..sheet.rows() {
         let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
+        let is_asked = |time: f64| {
+            let time = unit.to_si(time);
+            choices.from.is_none_or(|from| time >= from) && choices.to.is_none_or(|to| time <= to)
+        };
         match (sheet.number(time, row)?, state) {
+            (Some(time), _) if !is_asked(time) => {}
             (Some(time), None | Some(Some(_))) => {
                 gates.times.push(unit.to_si(time));
                 gates.lines.push(sheet.lines[row]);
@@ -61,6 +70,40 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     }
     refuse_what_is_no_clock(&gates.times)?;
     Ok(gates)
+}
+
+/// A trace beside its times is no table of a gate: nor is any other measured column, if the times come as evenly as samples do.
+fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
+    let is_traced = |place: usize| {
+        let heading = &sheet.channels[place].heading;
+        let traced =
+            [Quantity::Angle, Quantity::AngularVelocity, Quantity::X, Quantity::Y, Quantity::Acceleration];
+        traced.contains(&heading.quantity) && !heading.is_uncertainty
+    };
+    let is_measured = |place: usize| {
+        let channel = &sheet.channels[place];
+        channel.heading.quantity == Quantity::Other && !channel.heading.is_uncertainty && channel.count() > 0
+    };
+    let others = (0..sheet.channels.len()).filter(|&place| place != time);
+    let is_even = || has_even_steps(&sheet.channels[time].numbers().flatten().collect::<Vec<_>>());
+    let found = others.clone().find(|&place| is_traced(place));
+    let found = found.or_else(|| others.clone().find(|&place| is_measured(place)).filter(|_| is_even()));
+    let Some(other) = found else { return Ok(()) };
+    let (times, other) = (sheet.describe(time), sheet.describe(other));
+    Err(MeasurementError::Undecided {
+        question: format!(
+            "{times} stands beside {other} as in a trace of a swing, whose times are no passages of a gate; if these are"
+        ),
+        choices: vec![Suggestion::new(Choice::Time, (time + 1).to_string())],
+    })
+}
+
+/// Samples come with steps that are alike to a hundredth. The passages of a gate do too where it stands at the centre and the
+/// amplitude stays: it takes another column beside them to ask.
+fn has_even_steps(times: &[f64]) -> bool {
+    let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let Some(usual) = median(steps.clone()).filter(|_| steps.len() > 2) else { return false };
+    steps.iter().filter(|&step| (step - usual).abs() > 0.01 * usual.abs()).count() * 10 < steps.len()
 }
 
 /// A clock may be set back once, or a row be out of place; a column of periods goes up and down.
@@ -117,7 +160,7 @@ fn state_column(
     Ok(found)
 }
 
-/// Seconds where no unit is written: periods of other units would be far from those of a pendulum, which the fit sees.
+/// The unit said, the one written, or seconds where a pendulum can have such periods.
 fn unit(
     sheet: &Sheet,
     place: usize,
@@ -128,16 +171,39 @@ fn unit(
     let (unit, why) = match (choices.time_unit, heading.unit, &heading.unit_text) {
         (Some(unit), ..) => return of_time(unit),
         (None, Some(unit), _) => (of_time(unit)?, "as the header says"),
-        (None, None, None) => (Unit::Second, "since no unit is written"),
+        (None, None, None) => {
+            refuse_unlikely_seconds(sheet, place)?;
+            (Unit::Second, "since no unit is written")
+        }
         (None, None, Some(text)) => {
-            let question = format!("`{text}` is no unit of time that is known here");
-            let choices =
-                ["s", "ms", "us", "min"].map(|unit| Suggestion::new(Choice::TimeUnit, unit)).to_vec();
-            return Err(MeasurementError::Undecided { question, choices });
+            return Err(which_unit(format!("`{text}` is no unit of time that is known here")));
         }
     };
     findings.push(Finding::new(format!("times are in {unit}, {why}"), Choice::TimeUnit));
     Ok(unit)
+}
+
+fn which_unit(question: String) -> MeasurementError {
+    let choices = ["s", "ms", "us", "min"].map(|unit| Suggestion::new(Choice::TimeUnit, unit)).to_vec();
+    MeasurementError::Undecided { question, choices }
+}
+
+/// Half periods of pendulums, in seconds: of one of 2.5 mm, and of one of 3.6 km.
+const HALF_PERIODS: std::ops::RangeInclusive<f64> = 0.05..=60.0;
+
+/// The larger half of the steps are half periods, whether the times are passages or edges.
+fn refuse_unlikely_seconds(sheet: &Sheet, place: usize) -> Result<(), MeasurementError> {
+    let mut times: Vec<f64> = sheet.channels[place].numbers().flatten().collect();
+    times.sort_by(f64::total_cmp);
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    match steps.get(3 * steps.len() / 4) {
+        Some(step) if !HALF_PERIODS.contains(step) => Err(which_unit(format!(
+            "nothing says the unit of time of {}, and half periods of {step} s are not likely",
+            sheet.describe(place)
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn of_time(unit: Unit) -> Result<Unit, MeasurementError> {

@@ -1,6 +1,6 @@
 //! The lines above the numbers of a text → the names, units and titles of its columns.
 
-use super::dialect::{Dialect, Row};
+use super::dialect::{Delimiter, Dialect, Row};
 use super::heading::{Heading, bare};
 use super::table::Header;
 use super::text::COMMENT;
@@ -11,6 +11,8 @@ pub(super) struct Names {
     pub(super) headings: Vec<Heading>,
     pub(super) line: Option<u64>,
     pub(super) preamble: Vec<(u64, String)>,
+    /// Names beyond the last column.
+    pub(super) beyond: Vec<String>,
 }
 
 impl Names {
@@ -37,9 +39,9 @@ impl Names {
                 .last()
                 .is_some_and(|row| Some(row.filled()) == names.as_ref().map(Row::filled) && row.filled() > 1);
         let names = if short_names { above.pop() } else { names };
-        let cells = match &names {
-            Some(row) => name_cells(row, width)?,
-            None => vec![String::new(); width],
+        let (cells, beyond) = match &names {
+            Some(row) => name_cells(row, text, dialect, width)?,
+            None => (vec![String::new(); width], Vec::new()),
         };
         let groups = groups(&cells, &mut above);
         let heading = |(place, name): (usize, &String)| {
@@ -49,10 +51,11 @@ impl Names {
                 groups.get(place).map(String::as_str),
             )
         };
-        let headings = cells.iter().enumerate().map(heading).collect();
+        let mut headings: Vec<Heading> = cells.iter().enumerate().map(heading).collect();
+        number_runs(&mut headings);
         let preamble =
             above.iter().map(|row| (row.line, row.cells.iter().collect::<Vec<_>>().join(" "))).collect();
-        Ok(Self { headings, line: names.map(|row| row.line), preamble })
+        Ok(Self { headings, line: names.map(|row| row.line), preamble, beyond })
     }
 }
 
@@ -71,23 +74,57 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
     let (line, comment) = lines.last()?;
     let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
     let row = Row { line, cells: row.cells };
-    let cells = name_cells(&row, width).ok()?;
+    let (cells, beyond) = name_cells(&row, comment, dialect, width).ok()?;
     let knows = |cell: &String| Heading::read(cell, None, None).quantity != Quantity::Other;
-    (cells.len() == width && row.filled() == width && cells.iter().any(knows)).then_some(row)
+    (cells.len() == width && beyond.is_empty() && row.filled() == width && cells.iter().any(knows))
+        .then_some(row)
 }
 
-/// As many names as columns; words that blanks have torn apart are joined at brackets and strokes.
-fn name_cells(row: &Row, width: usize) -> Result<Vec<String>, MeasurementError> {
+/// As many names as columns, and those that are more. Words that blanks have torn apart are joined at brackets and strokes, or
+/// where there is but one blank between them; other names beyond the last column have no numbers below them.
+fn name_cells(
+    row: &Row,
+    text: &str,
+    dialect: Dialect,
+    width: usize,
+) -> Result<(Vec<String>, Vec<String>), MeasurementError> {
     let mut cells: Vec<String> = row.cells.iter().map(String::from).collect();
     if row.filled() > width {
         cells = joined(&cells);
     }
-    let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
-    if filled > width || cells.len() < width {
-        return Err(MeasurementError::HeaderWidth { line: row.line, names: filled, columns: width });
+    let filled =
+        |cells: &[String]| cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
+    let is_torn = dialect.delimiter == Delimiter::Whitespace;
+    if is_torn && filled(&cells) > width {
+        cells = between_wide_blanks(row, text).filter(|names| names.len() == width).unwrap_or(cells);
     }
-    cells.truncate(width);
-    Ok(cells)
+    let names = filled(&cells);
+    if cells.len() < width || names > width && (is_torn || cells[..width].iter().any(String::is_empty)) {
+        return Err(MeasurementError::HeaderWidth { line: row.line, names, columns: width });
+    }
+    cells.truncate(names.max(width));
+    let beyond = cells.split_off(width);
+    Ok((cells, beyond))
+}
+
+/// `elapsed time (s)   swing angle (deg)`: names with tabs, or two blanks or more, between them.
+fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
+    let line = text.lines().nth(usize::try_from(row.line).ok()?.checked_sub(1)?)?;
+    let spaced = line.replace('\t', "  ");
+    Some(spaced.split("  ").map(str::trim).filter(|name| !name.is_empty()).map(String::from).collect())
+}
+
+/// `t_1, θ_1, t_2, θ_2` are two runs, since each has times of its own; `t, θ_1, θ_2` are not.
+fn number_runs(headings: &mut [Heading]) {
+    let of_times = |heading: &Heading| heading.index.clone().filter(|_| heading.is(Quantity::Time));
+    let times: Vec<String> = headings.iter().filter_map(of_times).collect();
+    if times.len() < 2 {
+        return;
+    }
+    for heading in headings.iter_mut().filter(|heading| heading.run.is_none()) {
+        heading.run =
+            heading.index.as_ref().filter(|index| times.contains(index)).map(|it| format!("run {it}"));
+    }
 }
 
 fn joined(cells: &[String]) -> Vec<String> {

@@ -21,6 +21,8 @@ pub(super) struct Layout {
     pub(super) first_line: u64,
     /// The lines above the header that are not numbers.
     pub(super) preamble: Vec<(u64, String)>,
+    /// Names in the header beyond the last column.
+    pub(super) beyond: Vec<String>,
 }
 
 impl Layout {
@@ -44,7 +46,13 @@ impl Layout {
         let named = above.iter().rev().take(3).map(Row::filled).filter(|&names| names <= length).max();
         let width = named.unwrap_or(0).max(filled).max(1);
         let names = Names::of(text, above, width, dialect, header, first_line)?;
-        Ok(Self { headings: names.headings, header_line: names.line, first_line, preamble: names.preamble })
+        Ok(Self {
+            headings: names.headings,
+            header_line: names.line,
+            first_line,
+            preamble: names.preamble,
+            beyond: names.beyond,
+        })
     }
 }
 

@@ -11,6 +11,7 @@
 mod ambiguity;
 mod choices;
 mod container;
+mod counted_periods;
 mod dialect;
 mod error;
 mod faults;
@@ -26,9 +27,11 @@ mod table;
 mod text;
 mod trace;
 mod traces;
+mod value_columns;
 
-pub use choices::{Choice, Choices, Column, Finding, Suggestion};
+pub use choices::{Choice, Choices, Column, Finding, Stamps, Suggestion};
 pub use container::Format;
+pub use counted_periods::CountedPeriods;
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Run, unwrapped};
@@ -42,3 +45,4 @@ pub use table::{Header, Options, Selection, Table};
 pub use text::Encoding;
 pub use trace::{Seen, Trace, TraceError};
 pub use traces::Traces;
+pub use value_columns::ValueColumn;

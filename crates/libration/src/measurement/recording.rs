@@ -154,6 +154,14 @@ impl Sheet {
             None => format!("{of}there is no header"),
         };
         findings.push(Finding::new(header, Choice::Header));
+        if let Some(first) = self.names_beyond.first() {
+            let (columns, names) = (self.channels.len(), self.channels.len() + self.names_beyond.len());
+            let text = format!(
+                "{of}the header has {names} names and the rows have {columns} cells: `{}` and what follows it have no column",
+                excerpt(first)
+            );
+            findings.push(Finding::new(text, Choice::Header));
+        }
         if let Some((line, text)) = self.preamble.first() {
             let (more, verb) = match self.preamble.len() - 1 {
                 0 => (String::new(), "is"),

@@ -49,6 +49,7 @@ pub struct Trace {
     times: Vec<f64>,
     values: Vec<f64>,
     uncertainties: Option<Vec<f64>>,
+    clock_uncertainty: f64,
 }
 
 impl Trace {
@@ -78,7 +79,25 @@ impl Trace {
         if let Some(&value) = uncertainties.iter().flatten().find(|&&value| value <= 0.0) {
             return Err(TraceError::Uncertainty(value));
         }
-        Ok(Self { name: name.to_owned(), seen, times, values, uncertainties })
+        Ok(Self { name: name.to_owned(), seen, times, values, uncertainties, clock_uncertainty: 0.0 })
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: &str) -> Self {
+        Self { name: name.to_owned(), ..self }
+    }
+
+    /// The same, all times of which may be too long or too short by this part of them: one standard deviation.
+    #[must_use]
+    pub fn with_clock_uncertainty(self, clock_uncertainty: f64) -> Self {
+        Self { clock_uncertainty, ..self }
+    }
+
+    /// By which part all times together may be too long or too short, one standard deviation; zero where that is not known.
+    #[must_use]
+    pub fn clock_uncertainty(&self) -> f64 {
+        self.clock_uncertainty
     }
 
     /// Whose it is.
@@ -127,6 +146,8 @@ impl Trace {
             (0..column.len()).filter(|&row| keep(row)).map(|row| column[row]).collect()
         };
         let uncertainties = self.uncertainties.as_deref().map(chosen);
-        Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)
+        let part =
+            Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)?;
+        Ok(part.with_clock_uncertainty(self.clock_uncertainty))
     }
 }

@@ -33,6 +33,7 @@ mod period;
 mod period_formulas;
 mod quantity;
 mod recording;
+mod rounded_times;
 mod series;
 mod series_evaluation;
 mod systems;

@@ -1,7 +1,7 @@
 //! Files as instruments write them: what is told from them, and what is chosen instead.
 
 use libration::measurement::{
-    Choices, Column, Format, MeasurementError, Options, Recording, Seen, Table, Traces, Unit,
+    Choices, Column, Format, MeasurementError, Options, Recording, Seen, Stamps, Table, Traces, Unit,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -188,7 +188,10 @@ fn every_guess_can_be_overridden() {
 fn a_file_without_a_header_says_what_must_be_said() {
     let file = "0.03 -1.148 0.1\n0.06 -1.159 0.2\n0.10 -1.204 0.1\n";
     let refused = traces(file, &Choices::default()).unwrap_err().to_string();
-    assert!(refused.ends_with("column 2, column 3: say angle=2 or 3 and unit=rad or deg"), "{refused}");
+    assert!(
+        refused.ends_with("column 2, column 3: say angle=2 or 3 and unit=rad or deg, or x=2 and y=3"),
+        "{refused}"
+    );
     let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
     let found = traces(file, &chosen).unwrap();
     assert_eq!(found.traces[0].values(), [-1.148, -1.159, -1.204]);
@@ -225,6 +228,200 @@ fn an_old_workbook_is_read_by_its_sheets() {
     assert!(book.findings()[0].text.contains("`Metadata Device` is left out"));
     let table = Table::read(include_bytes!("../data/workbook.xls"), &Options::default()).unwrap();
     assert_eq!(table.select(&["Time (s)".parse().unwrap()]).unwrap().columns[0][1], 0.125);
+}
+
+/// 30 frames a second for 55 s as a table on a screen shows them: 0.0333, 0.0667, …, 10.0, 10.0, 10.1.
+#[test]
+fn times_with_three_significant_digits_are_the_even_times_they_come_from() {
+    let table = |missing: Option<u32>, rate: f64| {
+        let row = |row: u32| {
+            let time = f64::from(row) / rate;
+            let shown = format!("{time:.2e}").parse::<f64>().unwrap();
+            format!("{shown},{:.5}\n", 0.7 * libm::cos(4.2 * time))
+        };
+        let rows = (0..1650).filter(|&row| Some(row) != missing).map(row);
+        format!("t (s),theta (rad)\n{}", rows.collect::<String>())
+    };
+    for rate in [30.0, 29.97] {
+        let found = traces(&table(None, rate), &Choices::default()).unwrap();
+        let trace = &found.traces[0];
+        assert_eq!(trace.len(), 1650);
+        assert!(
+            told(&found).contains("with 3 significant digits (times-as-written says otherwise)"),
+            "{}",
+            told(&found)
+        );
+        assert!(
+            !told(&found).contains("not by rounding") && !told(&found).contains("left out"),
+            "{}",
+            told(&found)
+        );
+        let span = trace.times()[1649] - trace.times()[0];
+        let error = (span * rate / 1649.0 - 1.0).abs();
+        assert!(
+            error < 2.0 * trace.clock_uncertainty() && trace.clock_uncertainty() < 1.5e-4,
+            "{rate}: {error:e}"
+        );
+    }
+    let written = Choices { stamps: Some(Stamps::AsWritten), ..Choices::default() };
+    assert!(traces(&table(None, 30.0), &written).unwrap().traces[0].len() < 800);
+    let gap = traces(&table(Some(1200), 30.0), &Choices::default()).unwrap_err();
+    assert!(matches!(gap, MeasurementError::CoarseTimes { digits: 3, .. }), "{gap}");
+    // Where the digits still tell the frames apart, so do they tell the one that is missing.
+    let early = traces(&table(Some(20), 30.0), &Choices::default()).unwrap();
+    assert_eq!(early.traces[0].len(), 1649);
+    assert!(told(&early).contains("1 gap of 1 row in all (after line 21)"), "{}", told(&early));
+}
+
+/// A 200 Hz record with times to a hundredth of a second: every time stands twice.
+#[test]
+fn rows_that_share_times_are_kept_with_even_ones() {
+    let row = |row: u32| {
+        let time = f64::from(row) / 200.0;
+        format!("{:.2},{:.4}\n", (100.0 * time).floor() / 100.0, 0.5 * libm::cos(4.0 * time))
+    };
+    let file = format!("t (s),theta (rad)\n{}", (0..800).map(row).collect::<String>());
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].len(), 800);
+    let steps = found.traces[0].times().windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(steps.into_iter().all(|step| (step - 0.005).abs() < 1e-5));
+    assert!(told(&found).contains("so coarse that rows share them"), "{}", told(&found));
+    let uneven = file.replace("0.03,", "0.031,");
+    let asked = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    assert!(matches!(traces(&uneven, &asked), Err(MeasurementError::NotEven { .. })));
+}
+
+/// A swing of 400 rows at 100 Hz, its times changed.
+fn timed(change: impl Fn(usize, f64) -> f64) -> String {
+    let row = |row: usize| {
+        let time = 0.01 * f64::from(u16::try_from(row).unwrap());
+        format!("{:.2},{:.6}\n", change(row, time), libm::cos(4.0 * time))
+    };
+    format!("Time (s),Angle (rad)\n{}", (0..400).map(row).collect::<String>())
+}
+
+#[test]
+fn one_time_out_of_order_costs_one_row_and_a_clock_set_back_cuts_the_run() {
+    let stray = timed(|row, time| if row == 200 { 0.005 } else { time });
+    let found = traces(&stray, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].len(), 399);
+    assert!(
+        told(&found).contains("line 202: the time is out of order and belongs nowhere: left out"),
+        "{}",
+        told(&found)
+    );
+    let set_back = timed(|row, time| if row < 150 { time } else { time - 0.5 });
+    let found = traces(&set_back, &Choices::default()).unwrap();
+    assert_eq!(found.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
+    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["run 1", "run 2"]);
+    assert!(told(&found).contains("line 152: the time goes back and begins anew: cut there into 2 runs"));
+    let second = traces(&set_back, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
+    assert_eq!(second.traces, found.traces[1..]);
+    for run in ["3", "Anna"] {
+        let missing = traces(&set_back, &Choices { run: Some(run.into()), ..Choices::default() });
+        assert!(matches!(missing, Err(MeasurementError::NoSuch { .. })));
+    }
+    let none = traces(&timed(|_, time| time), &Choices { run: Some("1".into()), ..Choices::default() });
+    assert_eq!(none.unwrap_err().to_string(), "there is no run `1`: the file has one run only");
+}
+
+#[test]
+fn what_is_not_asked_for_is_not_judged() {
+    // Nonsense before one second and after three.
+    let file =
+        timed(
+            |row, time| {
+                if (100..=300).contains(&row) { time } else { 0.2 + 0.3 * f64::from(u8::from(row % 2 == 0)) }
+            },
+        );
+    assert!(matches!(traces(&file, &Choices::default()), Err(MeasurementError::TimeGoesBack { .. })));
+    let part = Choices { from: Some(1.0), to: Some(3.0), ..Choices::default() };
+    let found = traces(&file, &part).unwrap();
+    let times = found.traces[0].times();
+    assert_eq!((times.len(), times[0], times[200]), (201, 1.0, 3.0));
+    assert!(!told(&found).contains("out of order"), "{}", told(&found));
+    let nothing = traces(&file, &Choices { from: Some(7.0), ..Choices::default() }).unwrap_err();
+    assert!(matches!(nothing, MeasurementError::NothingBetween { last, .. } if last == 3.0), "{nothing}");
+}
+
+#[test]
+fn a_tilted_gyroscope_is_read_about_the_axis_that_it_turns_about() {
+    let mut file = "Time (s),Gyroscope x (deg/s),Gyroscope y (deg/s),Gyroscope z (deg/s)\n".to_owned();
+    for row in 0..400 {
+        let (time, rate) = (0.01 * f64::from(row), 90.0 * libm::sin(0.04 * f64::from(row)));
+        file += &format!("{time:.2},{:.6},{:.6},{:.6}\n", -0.36 * rate, 0.48 * rate, 0.8 * rate);
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].seen(), Seen::AngularVelocity);
+    for (row, value) in (0..).zip(found.traces[0].values()) {
+        assert!((value - radians(90.0 * libm::sin(0.04 * f64::from(row)))).abs() < 1e-7);
+    }
+    assert!(told(&found).contains("(-0.360, 0.480, 0.800)"), "{}", told(&found));
+}
+
+#[test]
+fn an_acceleration_is_no_angle_whatever_is_said() {
+    let file = "Time (s),Acceleration x (m/s^2)\n0,9.5\n0.1,9.9\n0.2,9.5\n";
+    for choices in [
+        Choices::default(),
+        Choices { unit: Some(Unit::Radian), ..Choices::default() },
+        Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() },
+        Choices { angular_velocity: Some(Column::Number(2)), ..Choices::default() },
+    ] {
+        let refused = traces(file, &choices).unwrap_err();
+        assert!(matches!(refused, MeasurementError::Accelerations { .. }), "{refused}");
+    }
+    let with_gyroscope =
+        file.replace("(m/s^2)\n", "(m/s^2),Gyroscope z (rad/s)\n").replace("9.5\n", "9.5,1\n");
+    let found = traces(&with_gyroscope.replace("9.9\n", "9.9,2\n"), &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values(), [1.0, 2.0, 1.0]);
+}
+
+#[test]
+fn the_column_behind_the_angles_holds_their_uncertainties() {
+    let file = "t (s),±,θ (deg),± (deg)\n0,0.001,30,0.5\n0.1,0.001,20,0.5\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let empty = "t (s),θ (deg),±\n0,30,\n0.1,20,\n";
+    assert_eq!(traces(empty, &Choices::default()).unwrap().traces[0].uncertainties(), None);
+}
+
+#[test]
+fn nanoseconds_and_turns_are_units_of_headings() {
+    let file = "timestamp (ns),angle (turns)\n0,0.25\n20000000,0.125\n40000000,0\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].times(), [0.0, 0.02, 0.04]);
+    assert_eq!(found.traces[0].values(), [0.25 * TAU, 0.125 * TAU, 0.0]);
+}
+
+#[test]
+fn samples_of_a_swing_are_no_times_of_a_gate() {
+    let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
+    let swing = timed(|_, time| time);
+    let refused = gates(&swing, &Choices::default()).unwrap_err();
+    assert!(refused.to_string().ends_with("if these are: say time=1"), "{refused}");
+    let unnamed = gates(&swing.replace("Angle (rad)", "channel A"), &Choices::default());
+    assert!(matches!(unnamed, Err(MeasurementError::Undecided { .. })));
+    let said = Choices { time: Some(Column::Number(1)), ..Choices::default() };
+    assert_eq!(gates(&swing, &said).unwrap().times.len(), 400);
+    let speeds = "Time (s),Speed (m/s)\n0.1,1.0\n0.9,0.9\n2.1,1.0\n2.9,0.9\n4.1,1.0\n4.9,0.9\n";
+    assert_eq!(gates(speeds, &Choices::default()).unwrap().times.len(), 6);
+    let part = Choices { from: Some(0.5), to: Some(4.5), ..Choices::default() };
+    assert_eq!(gates(speeds, &part).unwrap().times, [0.9, 2.1, 2.9, 4.1]);
+}
+
+#[test]
+fn passages_without_a_unit_are_seconds_only_where_a_pendulum_has_such_periods() {
+    let passages =
+        |unit: f64| (1..20).map(|n| format!("{}\n", unit * 0.76 * f64::from(n))).collect::<String>();
+    let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
+    assert_eq!(gates(&passages(1.0), &Choices::default()).unwrap().times[0], 0.76);
+    for unit in [1e3, 1e6, 1.0 / 60.0] {
+        let refused = gates(&passages(unit), &Choices::default()).unwrap_err();
+        assert!(refused.to_string().contains("time-unit=s, ms, us or min"), "{refused}");
+    }
+    let said = Choices { time_unit: Some(Unit::Millisecond), ..Choices::default() };
+    assert_eq!(gates(&passages(1e3), &said).unwrap().times[0], 0.76);
 }
 
 #[test]

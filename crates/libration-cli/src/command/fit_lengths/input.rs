@@ -1,9 +1,10 @@
 //! The file of a length table: its columns and their units.
 
-use crate::arguments::{AmplitudeUnit, ColumnsInSi, DialectOptions, LengthUnit, Wanted, optional_column};
+use crate::arguments::{
+    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
+};
 use crate::failure::Failure;
 use libration::fit::{LengthColumns, LengthTable};
-use libration::measurement::Column;
 use libration::quantity::{Angle, Quantity};
 use std::path::PathBuf;
 
@@ -12,9 +13,8 @@ use std::path::PathBuf;
 pub(super) struct Input {
     /// A table of lengths and periods, perhaps with their uncertainties; - for the standard input
     file: PathBuf,
-    /// Columns of length, period, the uncertainties of both, and amplitude, by number or name; - for none [default: 1,2 or 1,2,3,4]
-    #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
-    columns: Vec<String>,
+    #[command(flatten)]
+    columns: ColumnsOption,
     /// Unit of the lengths and of their uncertainties [default: that of the header, else m]
     #[arg(long, value_enum)]
     length_unit: Option<LengthUnit>,
@@ -24,9 +24,8 @@ pub(super) struct Input {
     /// Unit of a column of amplitudes [default: that of the header, else rad]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
-    /// The times are half periods: from one side to the other
-    #[arg(long)]
-    half_periods: bool,
+    #[command(flatten)]
+    counted: CountedOptions,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -52,22 +51,17 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<Measured, Failure> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns(table.width())?;
+        let columns = self.columns.choose(&self.name(), &table, "length and period")?;
         let read =
             ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
         let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
-        let full = |column: Vec<f64>| match self.half_periods {
-            true => column.into_iter().map(|time| 2.0 * time).collect(),
-            false => column,
-        };
         let lengths = lengths.unwrap_or_default();
-        let periods: Vec<f64> = full(periods.unwrap_or_default());
-        let period_uncertainties = of_periods.map(full);
+        let periods = periods.unwrap_or_default();
         let columns = LengthColumns {
             lengths: &lengths,
             periods: &periods,
             length_uncertainties: length_uncertainties.as_deref(),
-            period_uncertainties: period_uncertainties.as_deref(),
+            period_uncertainties: of_periods.as_deref(),
             amplitudes: &self.amplitudes(amplitudes)?,
         };
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
@@ -75,16 +69,16 @@ impl Input {
             lengths,
             periods,
             length_uncertainties,
-            period_uncertainties,
+            period_uncertainties: of_periods,
             table,
             dropped: read.dropped,
             told: read.told,
-            half_periods: self.half_periods,
+            half_periods: read.counts[1].total_cmp(&0.5).is_eq(),
         })
     }
 
     fn wanted(&self) -> [Wanted; 5] {
-        let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::times());
+        let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::periods(self.counted));
         let of_both = [lengths.uncertainties(0), periods.uncertainties(1)];
         [lengths, periods, of_both[0], of_both[1], Wanted::amplitudes(self.amplitude_unit)]
     }
@@ -100,29 +94,6 @@ impl Input {
             (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
             (None, amplitude) => Ok(amplitude.map(|angle| exactly(angle.radians())).into_iter().collect()),
         }
-    }
-
-    /// The columns of length, period, their uncertainties, and amplitude.
-    fn columns(&self, width: usize) -> Result<[Option<Column>; 5], Failure> {
-        let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
-        let columns: Vec<Option<Column>> = match (self.columns.len(), width) {
-            (0, 2) => first(2),
-            (0, 4..) => first(4),
-            (2..=5, _) => self.columns.iter().map(|text| optional_column(text)).collect(),
-            (0, _) => {
-                let reason = format!("the table has {width} columns, not 2 or 4: say which with --columns");
-                return Err(self.no_answer(reason));
-            }
-            (given, _) => {
-                let reason = format!("{given} columns given: name 2 to 5, as in 1,2,-,3");
-                return Err(Failure::usage("--columns", reason));
-            }
-        };
-        if columns[0].is_none() || columns[1].is_none() {
-            let reason = "length and period are needed: - stands only for an uncertainty";
-            return Err(Failure::usage("--columns", reason));
-        }
-        Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
     }
 
     pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {

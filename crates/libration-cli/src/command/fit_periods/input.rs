@@ -1,9 +1,8 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
-use crate::arguments::{AmplitudeUnit, ColumnsInSi, DialectOptions, Wanted, optional_column};
+use crate::arguments::{AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, Wanted};
 use crate::failure::Failure;
 use libration::fit::{PeriodTable, Uncertainties};
-use libration::measurement::Column;
 use std::path::PathBuf;
 
 /// Which file, and how to read it.
@@ -11,12 +10,13 @@ use std::path::PathBuf;
 pub(super) struct Input {
     /// A table of amplitudes and periods, perhaps with their uncertainties; - for the standard input
     file: PathBuf,
-    /// Columns of amplitude, period, and the uncertainties of both, by number or name; - for none [default: 1,2 or 1,2,3,4]
-    #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
-    columns: Vec<String>,
+    #[command(flatten)]
+    columns: ColumnsOption,
     /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
+    #[command(flatten)]
+    counted: CountedOptions,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -56,43 +56,15 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<Measured, Failure> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns(table.width())?;
+        let columns = self.columns.choose(&self.name(), &table, "amplitude and period")?;
         let read =
             ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
         self.measured(read)
     }
 
     fn wanted(&self) -> [Wanted; 4] {
-        let (amplitudes, periods) = (Wanted::amplitudes(self.amplitude_unit), Wanted::times());
+        let (amplitudes, periods) = (Wanted::amplitudes(self.amplitude_unit), Wanted::periods(self.counted));
         [amplitudes, periods, amplitudes.uncertainties(0), periods.uncertainties(1)]
-    }
-
-    /// The columns of amplitude, period and their uncertainties.
-    fn columns(&self, width: usize) -> Result<[Option<Column>; 4], Failure> {
-        let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
-        let columns: Vec<Option<Column>> = match (self.columns.len(), width) {
-            (0, 2) => first(2),
-            (0, 4..) => first(4),
-            (2..=4, _) => self.columns.iter().map(|text| optional_column(text)).collect(),
-            (0, _) => {
-                return Err(self.no_answer(format!(
-                    "the table has {width} columns, not 2 or 4: say which with --columns"
-                )));
-            }
-            (given, _) => {
-                return Err(Failure::usage(
-                    "--columns",
-                    format!("{given} columns given: name 2 to 4, as in 1,2,-,3"),
-                ));
-            }
-        };
-        if columns[0].is_none() || columns[1].is_none() {
-            return Err(Failure::usage(
-                "--columns",
-                "amplitude and period are needed: - stands only for an uncertainty",
-            ));
-        }
-        Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
     }
 
     fn measured(&self, read: ColumnsInSi<4>) -> Result<Measured, Failure> {

@@ -8,6 +8,9 @@ use libration::taylor::Moment;
 use serde_json::Value;
 use std::path::Path;
 
+/// The most bytes of an earlier answer: memory ends before.
+const LARGEST: usize = 1 << 30;
+
 /// What an earlier answer holds.
 #[derive(Clone, Debug)]
 pub(super) struct Earlier {
@@ -21,7 +24,7 @@ pub(super) struct Earlier {
 impl Earlier {
     /// Reads a JSON or CSV answer of `libration simulate` about the same system.
     pub(super) fn read(path: &Path, model: &Model) -> Result<Self, Failure> {
-        let bytes = arguments::read_bytes(path)?;
+        let bytes = arguments::read_at_most(path, LARGEST)?;
         let text = String::from_utf8_lossy(&bytes);
         let earlier = match text.trim_start().starts_with('{') {
             true => from_json(&text, model),

@@ -26,6 +26,8 @@ mod bootstrap;
 mod random;
 mod uncertainty;
 
+mod clock;
+
 mod profile;
 
 mod compare;

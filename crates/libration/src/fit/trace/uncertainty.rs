@@ -6,7 +6,7 @@ use super::layout::Layout;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
-use super::{bootstrap, count, huber, profile};
+use super::{bootstrap, clock, count, huber, profile};
 use crate::measurement::Trace;
 
 /// The fit with its uncertainties.
@@ -47,6 +47,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         search.weights.clone_from(&minimum.weights);
         profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
     }
+    clock::add(traces, &mut parameters[0]);
     Ok(TraceFit {
         damping: search.layout.terms(),
         correlations: correlations(&covariance),

@@ -1,5 +1,7 @@
 //! How the times follow each other: the usual interval, the grid they are on, gaps, and what rounding did.
 
+use super::even_times::EvenTimes;
+use super::significant_digits::SignificantDigits;
 use super::statistics::{mean, median, number, root_mean_square};
 
 /// How the times of a table follow each other. Units are seconds.
@@ -10,6 +12,11 @@ pub struct Clock {
     pub interval: f64,
     /// The decimal step all times are written in, such as 0.001; none where there is none down to 1e-9.
     pub resolution: Option<f64>,
+    /// How many significant digits all times are written with, where these limit them: the steps of rounding then grow with
+    /// the times.
+    pub significant_digits: Option<usize>,
+    /// Whether the times are written so coarsely that rows share them.
+    pub shares_times: bool,
     /// Even times which differ from those written by no more than two steps of their rounding, where there are such
     /// and the times are not even already.
     pub grid: Option<Grid>,
@@ -37,6 +44,8 @@ pub struct Grid {
     pub first: f64,
     /// In seconds.
     pub interval: f64,
+    /// Its standard uncertainty: what the rounding leaves open.
+    pub interval_uncertainty: f64,
     /// The root mean square difference of the times as written from these, in seconds.
     pub off: f64,
     /// The largest difference, in seconds.
@@ -71,28 +80,37 @@ impl Clock {
         let within = intervals(&increasing).filter(|length| *length < GAP * interval);
         let jitter = root_mean_square(within.map(|length| length - interval));
         // Where times are written more coarsely than they follow each other, each row is one step.
-        let repeats = times.len() - kept.len() > times.len() / 10 + 1;
+        let shares_times = times.len() - kept.len() > times.len() / 10 + 1;
+        let digits = SignificantDigits::of(times, resolution);
+        let by_digits = digits.and_then(|digits| grid_of_digits(times, digits, interval));
+        let significant_digits =
+            digits.filter(|_| by_digits.is_some() || shares_times).map(|digits| digits.count);
         let by_rows = || grid(times, &(0..times.len()).collect::<Vec<_>>(), resolution);
         let by_times = || grid_of_increasing(times, kept, interval, resolution);
-        if let Some(grid) = repeats.then(by_rows).flatten() {
-            return Some(Self {
-                interval: grid.interval,
-                resolution,
-                grid: Some(grid),
-                jitter,
-                gaps: Vec::new(),
-            });
+        let whole = by_digits.or_else(|| by_rows().filter(|_| shares_times && significant_digits.is_none()));
+        let clock = Self {
+            interval,
+            resolution,
+            significant_digits,
+            shares_times,
+            grid: None,
+            jitter,
+            gaps: Vec::new(),
+        };
+        if let Some(grid) = whole {
+            let gaps = missing(&grid);
+            return Some(Self { interval: grid.interval, grid: Some(grid), gaps, ..clock });
         }
-        let grid = by_times();
+        let grid = by_times().filter(|_| significant_digits.is_none());
         let gaps = gaps(&increasing, kept, interval, grid.is_none() && jitter > UNEVEN * interval);
         let interval = grid.as_ref().map_or(interval, |grid| grid.interval);
-        Some(Self { interval, resolution, grid, jitter, gaps })
+        Some(Self { interval, grid, gaps, ..clock })
     }
 
     /// Whether the intervals vary, and not by rounding.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
-        self.grid.is_none() && self.jitter > 0.05 * self.interval
+        self.grid.is_none() && self.significant_digits.is_none() && self.jitter > 0.05 * self.interval
     }
 
     /// What the errors of the rounded times do to values that change as these, of the kept rows.
@@ -122,6 +140,44 @@ fn resolution(times: &[f64]) -> Option<f64> {
     let steps = (0..=9).map(|places| 10_u32.pow(places)).map(f64::from);
     let is_whole = |value: f64| (value - value.round()).abs() <= 1e-9 + 4.0 * f64::EPSILON * value.abs();
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
+}
+
+/// The grid of times with so many significant digits: row by row, or with gaps where the early times, which have finer steps
+/// than the rows, show them.
+fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Option<Grid> {
+    let half_steps: Vec<f64> = times
+        .iter()
+        .map(|&time| (0.5 * digits.step_at(time)).max(0.5 * NEGLIGIBLE_ROUNDING * interval))
+        .collect();
+    let rows: Vec<usize> = (0..times.len()).collect();
+    let is_fine = |row: &usize| half_steps[*row] < 0.1 * (times[*row] - times[*row - 1]);
+    let fine: Vec<f64> = (1..times.len()).filter(is_fine).map(|row| times[row] - times[row - 1]).collect();
+    let seen = median(fine).unwrap_or(interval);
+    let mut place = 0;
+    let with_gaps: Vec<usize> = rows
+        .iter()
+        .map(|&row| {
+            let steps =
+                if row > 0 && is_fine(&row) { whole((times[row] - times[row - 1]) / seen).max(1) } else { 1 };
+            place += if row > 0 { steps } else { 0 };
+            place
+        })
+        .collect();
+    let mut places = [rows, with_gaps].into_iter();
+    let grid = places
+        .find_map(|places| Some(EvenTimes::through(times, &places, &half_steps)?.grid(times, &places)))?;
+    (grid.off > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
+}
+
+/// Where the places of a grid leave out some.
+fn missing(grid: &Grid) -> Vec<Gap> {
+    let steps = grid.numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).enumerate();
+    let gap = |(after, steps): (usize, usize)| Gap {
+        after,
+        duration: grid.interval * number(steps),
+        missing: steps - 1,
+    };
+    steps.filter(|(_, steps)| *steps > 1).map(gap).collect()
 }
 
 /// The grid with gaps where intervals are several usual ones; the length of gaps needs a good interval, so that
@@ -164,15 +220,17 @@ fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid
     });
     let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
     let interval = products / squares;
-    let even =
-        Grid { first: interval.mul_add(-x, t), interval, off: 0.0, most_off: 0.0, numbers: places.to_vec() };
-    let errors: Vec<f64> = even.times().iter().zip(times).map(|(even, written)| even - written).collect();
-    let off = root_mean_square(errors.iter().copied());
-    let most_off = errors.iter().fold(0.0, |largest: f64, error| largest.max(error.abs()));
+    let bounds = EvenTimes::through(times, places, &vec![0.5 * resolution; times.len()]);
+    // Independent errors of rounding, for programs that add up rounded intervals.
+    let usual = resolution / (12.0 * squares).sqrt();
+    let interval_uncertainty = bounds.map_or(usual, |bounds| bounds.interval_uncertainty);
+    let even = EvenTimes { first: interval.mul_add(-x, t), interval, interval_uncertainty };
+    let even = even.grid(times, places);
+    let (off, most_off) = (even.off, even.most_off);
     // Half a step of the rounding itself; programs that add up rounded intervals are off by more.
     let is_within = most_off < 2.0 * resolution && off < 0.7 * resolution;
     let is_worth_it = resolution > NEGLIGIBLE_ROUNDING * interval && off > 0.1 * resolution;
-    (interval > 0.0 && is_within && is_worth_it).then_some(Grid { off, most_off, ..even })
+    (interval > 0.0 && is_within && is_worth_it).then_some(even)
 }
 
 fn gaps(times: &[f64], kept: &[usize], interval: f64, is_uneven: bool) -> Vec<Gap> {

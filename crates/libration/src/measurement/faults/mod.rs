@@ -6,10 +6,12 @@
 
 mod clipping;
 mod clock;
-mod order;
+mod even_times;
+pub(in crate::measurement) mod order;
 mod outliers;
 mod sentences;
-mod statistics;
+mod significant_digits;
+pub(in crate::measurement) mod statistics;
 #[cfg(test)]
 mod tests;
 

@@ -4,12 +4,12 @@
 const WITNESSES: usize = 5;
 
 /// The rows with the time of the row before.
-pub(super) fn repeated(times: &[f64]) -> Vec<usize> {
+pub(in crate::measurement) fn repeated(times: &[f64]) -> Vec<usize> {
     (1..times.len()).filter(|&row| times[row].total_cmp(&times[row - 1]).is_eq()).collect()
 }
 
 /// The rows at which the times fall below all of the last ones and go on from there.
-pub(super) fn restarts(times: &[f64]) -> Vec<usize> {
+pub(in crate::measurement) fn restarts(times: &[f64]) -> Vec<usize> {
     let begins_anew = |&row: &usize| {
         let before = &times[row.saturating_sub(WITNESSES)..row];
         let after = &times[row..times.len().min(row + WITNESSES)];
@@ -24,7 +24,7 @@ pub(super) fn restarts(times: &[f64]) -> Vec<usize> {
 
 /// The fewest rows without which the times increase, those that repeat left aside: all that are not on the
 /// longest increasing subsequence, found by patience sorting.
-pub(super) fn out_of_order(times: &[f64], repeated: &[usize]) -> Vec<usize> {
+pub(in crate::measurement) fn out_of_order(times: &[f64], repeated: &[usize]) -> Vec<usize> {
     let rows: Vec<usize> = (0..times.len()).filter(|row| repeated.binary_search(row).is_err()).collect();
     let mut before = vec![None; times.len()];
     // The last row of the best subsequence of each length.

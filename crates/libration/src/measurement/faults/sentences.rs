@@ -28,6 +28,7 @@ impl Faults {
             }),
             self.clock.as_ref().and_then(|clock| of_gaps(clock, lines)),
             self.clock.as_ref().and_then(|clock| of_rounding(clock, self.rounding_noise, unit)),
+            self.clock.as_ref().and_then(of_coarse_times),
             self.clock.as_ref().filter(|clock| clock.is_uneven()).map(of_uneven_clock),
             of(&self.wraps, |rows, places| {
                 format!("{rows} after a jump by a whole turn ({places}): the turns can be taken out")
@@ -72,8 +73,19 @@ fn of_rounding(clock: &Clock, noise: Option<f64>, unit: &str) -> Option<String> 
     let cost = noise
         .map_or_else(String::new, |noise| format!(", which acts as an error of {} {unit}", short(noise)));
     let (interval, off) = (interval.trim_end_matches('0'), short(grid.most_off));
+    let to = match clock.significant_digits {
+        Some(digits) => format!("{digits} significant digits"),
+        None => format!("{resolution} s"),
+    };
     Some(format!(
-        "the times are rounded to {resolution} s{cost}: even times with an interval of {interval} s fit them within {off} s"
+        "the times are rounded to {to}{cost}: even times with an interval of {interval} s fit them within {off} s"
+    ))
+}
+
+fn of_coarse_times(clock: &Clock) -> Option<String> {
+    let digits = clock.significant_digits.filter(|_| clock.grid.is_none())?;
+    Some(format!(
+        "the times have {digits} significant digits, so that rows share them, and no even times round to them: export more digits"
     ))
 }
 

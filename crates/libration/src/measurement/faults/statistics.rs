@@ -4,7 +4,7 @@
 pub(super) const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
 
 /// The middle value, of an even number of values the lower of the two; nothing of none.
-pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
+pub(in crate::measurement) fn median(mut values: Vec<f64>) -> Option<f64> {
     let middle = values.len().checked_sub(1)? / 2;
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
@@ -20,7 +20,7 @@ pub(super) fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
 
 /// A number of rows as a float.
 #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2⁵³")]
-pub(super) fn number(rows: usize) -> f64 {
+pub(in crate::measurement) fn number(rows: usize) -> f64 {
     rows as f64
 }
 

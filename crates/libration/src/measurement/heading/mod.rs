@@ -5,6 +5,7 @@ mod words;
 
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
+use words::Words;
 
 /// What the numbers of a column are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +21,8 @@ pub enum Quantity {
     X,
     /// A vertical position.
     Y,
+    /// What an accelerometer measures.
+    Acceleration,
     /// Whether a photogate is blocked.
     Gate,
     /// Which run a row belongs to.
@@ -45,6 +48,8 @@ pub struct Heading {
     pub unit_text: Option<String>,
     /// The run, as in `Run #3` or `Latest`.
     pub run: Option<String>,
+    /// The number behind the symbol, as in `t_{1}` or `theta2`.
+    pub index: Option<String>,
 }
 
 impl Heading {
@@ -52,25 +57,38 @@ impl Heading {
     pub(super) fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
         let text = text.trim();
         let (rest, run) = split_run(text);
-        let (name, in_name, after) = split_unit(rest);
+        let (rest, is_uncertainty) = without_sign_of_uncertainty(rest);
+        let (name, in_name, after) = split_unit(&rest);
         let unit_text = unit.map(bare).filter(|unit| !unit.is_empty()).or(in_name);
         let run = run.or(after).or(group).map(str::trim).filter(|run| !run.is_empty());
         let unit = unit_text.and_then(|unit| unit.parse().ok());
-        let (quantity, is_uncertainty) = quantity(name, unit, unit_text.is_some());
+        let words = Words::read(name);
         Self {
             text: text.into(),
             name: name.into(),
-            quantity,
-            is_uncertainty,
+            quantity: quantity(words.quantity, unit, unit_text),
+            is_uncertainty: is_uncertainty || words.is_uncertainty,
             unit,
             unit_text: unit_text.map(Into::into),
             run: run.map(Into::into),
+            index: words.index,
         }
     }
 
     /// Whether the numbers are this quantity itself.
     pub(super) fn is(&self, quantity: Quantity) -> bool {
         self.quantity == quantity && !self.is_uncertainty
+    }
+
+    /// Whether it speaks of an uncertainty and does not say of what: `±`, `error (deg)`.
+    pub(super) fn is_bare_uncertainty(&self) -> bool {
+        self.is_uncertainty && words::without_uncertainty(&self.name).0.is_empty()
+    }
+
+    /// Whether both name the same, uncertainty or not.
+    pub(super) fn is_of_the_same(&self, other: &Self) -> bool {
+        let plain = |heading: &Self| words::without_uncertainty(&heading.name).0;
+        !plain(self).is_empty() && plain(self) == plain(other)
     }
 
     /// Whether it bears this name, with or without the unit.
@@ -84,6 +102,20 @@ impl Heading {
 /// A unit without the brackets or the stroke around it.
 pub(super) fn bare(unit: &str) -> &str {
     unit.trim().trim_start_matches(['(', '[', '/', '{']).trim_end_matches([')', ']', '}']).trim()
+}
+
+/// `u(θ)`, `σ(θ)`, `Δ(θ)` → θ; `+/-` → ±. A capital U of what is not known here is a voltage.
+fn without_sign_of_uncertainty(text: &str) -> (String, bool) {
+    let text = text.replace("+/-", "±").replace("+-", "±");
+    let lower = text.to_lowercase();
+    let is_signed = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta("].iter().any(|sign| lower.starts_with(sign));
+    let parts = text.split_once('(').and_then(|(_, rest)| rest.split_once(')')).filter(|_| is_signed);
+    match parts {
+        Some((of, after)) if !text.starts_with('U') || Words::read(of).quantity != Quantity::Other => {
+            (format!("{of}{after}"), true)
+        }
+        _ => (text, false),
+    }
 }
 
 /// `Latest: Time (s)`, `Data Set 1:Time(s)`, `Time (s) Run #3` → what is left, and the run.
@@ -118,7 +150,7 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
             return (name.trim().trim_end_matches('/').trim(), Some(unit.trim()), after);
         }
     }
-    if let Some((name, unit)) = text.split_once('/').filter(|(name, _)| !name.trim().is_empty()) {
+    if let Some((name, unit)) = split_at_stroke(text) {
         return (name.trim(), Some(bare(unit)), None);
     }
     let known = |unit: &str| unit.parse::<Unit>().is_ok();
@@ -130,22 +162,30 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     (text, None, None)
 }
 
+/// `t / s` and not `T/2`, whose 2 is no unit: of `T/2 / s` the unit is s.
+fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
+    let (name, rest) = text.split_once('/').filter(|(name, _)| !name.trim().is_empty())?;
+    match rest.trim_start().starts_with(|letter: char| letter.is_ascii_digit()) {
+        true => text.rsplit_once('/').filter(|(before, _)| before.len() > name.len()),
+        false => Some((name, rest)),
+    }
+}
+
 /// What a name and its unit say; a unit that contradicts the name leaves nothing known.
-fn quantity(name: &str, unit: Option<Unit>, has_unit: bool) -> (Quantity, bool) {
-    let (words, is_uncertainty) = words::without_uncertainty(name);
-    let named = words::named(&words);
-    let quantity = match (unit.map(Unit::measures), named) {
+fn quantity(named: Quantity, unit: Option<Unit>, unit_text: Option<&str>) -> Quantity {
+    match (unit.map(Unit::measures), named) {
         (Some(Measures::Time), Quantity::Time) => Quantity::Time,
         (Some(Measures::Angle), Quantity::Angle | Quantity::Other) => Quantity::Angle,
         (Some(Measures::AngularVelocity), Quantity::Gate | Quantity::Run | Quantity::Time) => Quantity::Other,
         (Some(Measures::AngularVelocity), _) => Quantity::AngularVelocity,
         (Some(Measures::Length), Quantity::X | Quantity::Y) => named,
-        (None, named) if !has_unit => named,
+        (None, Quantity::Acceleration) => Quantity::Acceleration,
+        (None, named) if unit_text.is_none() => named,
+        (None, _) if unit_text.is_some_and(words::is_of_acceleration) => Quantity::Acceleration,
         // Of a unit that is not known here it is asked later.
         (None, Quantity::Angle | Quantity::AngularVelocity | Quantity::Gate | Quantity::Run) => named,
         _ => Quantity::Other,
-    };
-    (quantity, is_uncertainty)
+    }
 }
 
 #[cfg(test)]
@@ -154,7 +194,7 @@ mod tests {
 
     #[test]
     fn headers_of_instruments_are_understood() {
-        use Quantity::{Angle, AngularVelocity, Gate, Other, Run, Time, X};
+        use Quantity::{Acceleration, Angle, AngularVelocity, Gate, Other, Run, Time, X};
         for (text, quantity, unit, run) in [
             ("Time (s)", Time, "s", None),
             ("t [ms]", Time, "ms", None),
@@ -175,6 +215,18 @@ mod tests {
             ("packet", Run, "", None),
             ("Time shift (s)", Other, "s", None),
             ("Angular Acceleration (rad/s²)", Other, "", None),
+            ("Acceleration x (m/s^2)", Acceleration, "", None),
+            ("Absolute acceleration (m/s²)", Acceleration, "", None),
+            ("a_x / m/s²", Acceleration, "", None),
+            ("Acceleration (g)", Acceleration, "", None),
+            ("t_{1}", Time, "", None),
+            ("θ_{1} (deg)", Angle, "deg", None),
+            ("timestamp (ns)", Time, "ns", None),
+            ("t / nsec", Time, "ns", None),
+            ("Angle (turns)", Angle, "turn", None),
+            ("θ [rev]", Angle, "turn", None),
+            ("T/2", Other, "", None),
+            ("Δt (s)", Other, "s", None),
             ("Angle (furlong)", Angle, "", None),
         ] {
             let heading = Heading::read(text, None, None);
@@ -186,11 +238,29 @@ mod tests {
 
     #[test]
     fn uncertainties_are_told_from_what_they_belong_to() {
-        for text in ["sigma_theta", "θ error", "σθ", "err_angle (rad)", "uncertainty of angle (deg)"] {
+        for text in [
+            "sigma_theta",
+            "θ error",
+            "σθ",
+            "err_angle (rad)",
+            "uncertainty of angle (deg)",
+            "u(θ)",
+            "u(θ) / °",
+            "U(theta) (deg)",
+            "σ(angle)",
+            "Δθ (rad)",
+            "delta_theta",
+            "u_theta",
+            "± (deg)",
+            "+/- (rad)",
+        ] {
             let heading = Heading::read(text, None, None);
             assert!(heading.is_uncertainty && heading.quantity == Quantity::Angle, "{text}: {heading:?}");
             assert!(!heading.is(Quantity::Angle));
         }
+        assert!(!Heading::read("U(V)", None, None).is_uncertainty, "a voltage");
+        let bare = |text| Heading::read(text, None, None).is_bare_uncertainty();
+        assert!(bare("±") && bare("error (deg)") && !bare("u(θ)") && !bare("θ"));
     }
 
     #[test]

@@ -31,6 +31,8 @@ const NAMES: [(Quantity, &[&str]); 7] = [
             "φ",
             "ϕ",
             "phi",
+            "vartheta",
+            "varphi",
             "angle",
             "winkel",
             "angolo",
@@ -60,8 +62,8 @@ const NAMES: [(Quantity, &[&str]); 7] = [
             "theta'",
         ],
     ),
-    (Quantity::X, &["x", "x position", "position x", "x pos", "pos x"]),
-    (Quantity::Y, &["y", "y position", "position y", "y pos", "pos y"]),
+    (Quantity::X, &["x", "x position", "position x", "x pos", "pos x", "horizontal", "horizontal position"]),
+    (Quantity::Y, &["y", "y position", "position y", "y pos", "pos y", "vertical", "vertical position"]),
     (
         Quantity::Gate,
         &["gatestate", "gate state", "gate", "state", "blocked", "photogate", "photogate state"],
@@ -69,33 +71,139 @@ const NAMES: [(Quantity, &[&str]); 7] = [
     (Quantity::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
 ];
 
+/// What the words of a name say.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Words {
+    pub(super) quantity: Quantity,
+    /// Whether they speak of the uncertainty of it.
+    pub(super) is_uncertainty: bool,
+    /// The number behind the symbol, as in `t_{1}` or `theta2`.
+    pub(super) index: Option<String>,
+}
+
+impl Words {
+    pub(super) fn read(name: &str) -> Self {
+        let (plain, is_uncertainty) = without_uncertainty(name);
+        let (symbol, index) = without_index(&plain);
+        match (named(&plain), named(&symbol)) {
+            (Quantity::Other, Quantity::Other) => match named_as_acceleration(&plain) {
+                true => Self { quantity: Quantity::Acceleration, is_uncertainty, index: None },
+                false => Self { quantity: Quantity::Other, is_uncertainty, index: None },
+            },
+            (Quantity::Other, quantity) => Self { quantity, is_uncertainty, index },
+            (quantity, _) => Self { quantity, is_uncertainty, index: None },
+        }
+    }
+}
+
+/// What is written for the uncertainty of what follows, as one word.
+const UNCERTAINTY: [&str; 21] = [
+    "uncertainty",
+    "uncertainties",
+    "uncert",
+    "unc",
+    "error",
+    "errors",
+    "err",
+    "sigma",
+    "std",
+    "stdev",
+    "stddev",
+    "unsicherheit",
+    "messunsicherheit",
+    "fehler",
+    "incertezza",
+    "errore",
+    "incertitude",
+    "incertidumbre",
+    "σ",
+    "±",
+    "standardabweichung",
+];
+
 /// The words of a name in lower case, and whether they speak of an uncertainty.
 pub(super) fn without_uncertainty(name: &str) -> (String, bool) {
-    const WORDS: [&str; 14] = [
-        "uncertainty",
-        "uncert",
-        "error",
-        "err",
-        "sigma",
-        "std",
-        "stdev",
-        "unsicherheit",
-        "fehler",
-        "incertezza",
-        "errore",
-        "incertitude",
-        "σ",
-        "±",
-    ];
-    let lower = name.to_lowercase().replace('σ', "σ ").replace('±', "± ");
+    let lower = name.to_lowercase().replace(['\\', '$'], "").replace('σ', "σ ").replace('±', "± ");
+    if let Some(of) = difference(&lower) {
+        return (of, true);
+    }
     let parts: Vec<&str> =
         lower.split(|letter: char| letter.is_whitespace() || "_-.".contains(letter)).collect();
-    let is_uncertainty = parts.iter().any(|part| WORDS.contains(part));
-    let kept = parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !WORDS.contains(part));
+    let is_uncertainty = parts.iter().any(|part| UNCERTAINTY.contains(part));
+    let kept =
+        parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !UNCERTAINTY.contains(part));
     (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
 }
 
+/// `Δθ`, `delta theta`, `u_theta` → θ. A Δ of times is as often an interval, which is neither time nor uncertainty.
+fn difference(lower: &str) -> Option<String> {
+    let rest = ["δ", "∆", "delta", "u_", "u "].iter().find_map(|sign| lower.strip_prefix(sign))?;
+    let of = rest.trim_start_matches([' ', '_']).trim_end();
+    let (symbol, _) = without_index(of);
+    let quantity = [of, &symbol].map(named).into_iter().find(|quantity| *quantity != Quantity::Other)?;
+    (quantity != Quantity::Time || lower.starts_with('u')).then(|| of.to_owned())
+}
+
+/// `t_{1}`, `theta 1`, `x₂` → the symbol, and the number.
+fn without_index(words: &str) -> (String, Option<String>) {
+    let subscript = |letter: char| match letter {
+        '₀'..='₉' => char::from_digit(u32::from(letter) - u32::from('₀'), 10).unwrap_or(letter),
+        other => other,
+    };
+    let plain: String = words.chars().filter(|letter| !"{}".contains(*letter)).map(subscript).collect();
+    let symbol = plain.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    let index = &plain[symbol.len()..];
+    let index = (!index.is_empty()).then(|| index.to_owned());
+    (symbol.trim_end_matches([' ', '_']).to_owned(), index)
+}
+
 /// The quantity of this name.
-pub(super) fn named(words: &str) -> Quantity {
+fn named(words: &str) -> Quantity {
     NAMES.iter().find(|(_, names)| names.contains(&words)).map_or(Quantity::Other, |(quantity, _)| *quantity)
+}
+
+/// An angular acceleration is none of the accelerometer's.
+fn named_as_acceleration(words: &str) -> bool {
+    const STEMS: [&str; 6] = ["accel", "beschleunigung", "accél", "aceler", "accelerazione", "versnelling"];
+    const ANGULAR: [&str; 3] = ["angul", "winkel", "ángul"];
+    STEMS.iter().any(|stem| words.contains(stem)) && !ANGULAR.iter().any(|stem| words.contains(stem))
+}
+
+/// Whether it is a unit of accelerations as instruments spell them.
+pub(super) fn is_of_acceleration(unit: &str) -> bool {
+    let plain: String = unit.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
+    ["m/s²", "m/s^2", "m/s2", "m/s/s", "m·s⁻²", "ms⁻²", "ms^-2", "m*s^-2", "cm/s²", "cm/s^2"]
+        .contains(&plain.as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_behind_a_symbol_are_no_part_of_it() {
+        for (name, quantity, index) in [
+            ("t_{1}", Quantity::Time, Some("1")),
+            ("$t_1$", Quantity::Time, Some("1")),
+            ("theta2", Quantity::Angle, Some("2")),
+            ("\\theta_{12}", Quantity::Angle, Some("12")),
+            ("x₃", Quantity::X, Some("3")),
+            ("t", Quantity::Time, None),
+            ("Kanal 1", Quantity::Other, None),
+        ] {
+            let words = Words::read(name);
+            assert_eq!((words.quantity, words.index.as_deref()), (quantity, index), "{name}");
+        }
+    }
+
+    #[test]
+    fn accelerations_are_known_by_name_and_unit() {
+        for name in ["Acceleration x", "Linear Accelerometer z", "Beschleunigung", "Absolute acceleration"] {
+            assert_eq!(Words::read(name).quantity, Quantity::Acceleration, "{name}");
+        }
+        for name in ["Angular acceleration", "Winkelbeschleunigung", "a"] {
+            assert_eq!(Words::read(name).quantity, Quantity::Other, "{name}");
+        }
+        assert!(is_of_acceleration("m/s^2") && is_of_acceleration("m / s²") && !is_of_acceleration("g"));
+    }
 }

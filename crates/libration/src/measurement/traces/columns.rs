@@ -4,6 +4,7 @@ use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
 use super::super::{Column, MeasurementError, Quantity, Seen};
+use super::gyroscope;
 use super::runs::Group;
 
 /// The columns of one run.
@@ -19,10 +20,26 @@ pub(super) struct Columns {
 }
 
 /// What was seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Value {
     Column(usize, Seen),
-    Positions { x: usize, y: usize },
+    Positions {
+        x: usize,
+        y: usize,
+    },
+    /// Three axes of a gyroscope, and the direction about which it turns.
+    Axes([usize; 3], [f64; 3]),
+}
+
+impl Value {
+    /// The columns it needs.
+    pub(super) fn places(self) -> Vec<usize> {
+        match self {
+            Self::Column(place, _) => vec![place],
+            Self::Positions { x, y } => vec![x, y],
+            Self::Axes(places, _) => places.to_vec(),
+        }
+    }
 }
 
 impl Columns {
@@ -131,11 +148,12 @@ impl Group<'_> {
         choices: &Choices,
         findings: &mut Vec<Finding>,
     ) -> Result<Value, MeasurementError> {
-        if let Some(place) = self.chosen(choices.angle.as_ref())? {
-            return Ok(Value::Column(place, Seen::Angle));
-        }
-        if let Some(place) = self.chosen(choices.angular_velocity.as_ref())? {
-            return Ok(Value::Column(place, Seen::AngularVelocity));
+        for (chosen, seen) in
+            [(&choices.angle, Seen::Angle), (&choices.angular_velocity, Seen::AngularVelocity)]
+        {
+            if let Some(place) = self.chosen(chosen.as_ref())? {
+                return self.no_acceleration(place).map(|()| Value::Column(place, seen));
+            }
         }
         if choices.x.is_some() || choices.y.is_some() {
             return self.positions(time, choices);
@@ -155,6 +173,13 @@ impl Group<'_> {
             [] if has_positions => self.positions(time, choices),
             [] => self.velocity(time, choices, findings),
             _ => Err(self.undecided("several columns are angles: {}", Choice::Angle, &angles)),
+        }
+    }
+
+    fn no_acceleration(&self, place: usize) -> Result<(), MeasurementError> {
+        match self.heading_is(place, Quantity::Acceleration) {
+            true => Err(MeasurementError::Accelerations { column: self.sheet.describe(place) }),
+            false => Ok(()),
         }
     }
 
@@ -183,28 +208,33 @@ impl Group<'_> {
         let mut velocities = self.all_of(Quantity::AngularVelocity);
         // The absolute value has lost the sign.
         velocities.retain(|&place| !self.sheet.channels[place].heading.name.to_lowercase().contains("abs"));
-        let chosen = match velocities[..] {
+        let (value, why) = match velocities[..] {
             [] => return self.unnamed(time, choices, findings),
-            [place] => Some(place),
-            _ => self.strongest(&velocities),
+            [place] => (Some(Value::Column(place, Seen::AngularVelocity)), ""),
+            _ => match gyroscope::strongest(self.sheet, &velocities) {
+                Some(place) => (
+                    Some(Value::Column(place, Seen::AngularVelocity)),
+                    ", since it has nearly all of the motion",
+                ),
+                None => (gyroscope::about_one_axis(self.sheet, &velocities), ""),
+            },
         };
-        let question = "several columns are angular velocities, and none has nearly all of the motion: {}";
-        let chosen = chosen.ok_or_else(|| self.undecided(question, Choice::AngularVelocity, &velocities))?;
-        let why = if velocities.len() > 1 { ", since it has nearly all of the motion" } else { "" };
-        let text = format!("{} is the angular velocity{why}", self.sheet.describe(chosen));
+        let question =
+            "several columns are angular velocities, and they are not those of a turning about one axis: {}";
+        let value = value.ok_or_else(|| self.undecided(question, Choice::AngularVelocity, &velocities))?;
+        let text = match value {
+            Value::Axes(places, axis) => {
+                let [x, y, z] = axis.map(|part| format!("{part:.3}"));
+                let columns = places.map(|place| (place + 1).to_string()).join(", ");
+                format!(
+                    "columns {columns} are the angular velocity about the axis ({x}, {y}, {z}) of the device, about which nearly all \
+                     of the motion is"
+                )
+            }
+            _ => format!("{} is the angular velocity{why}", self.sheet.describe(value.places()[0])),
+        };
         findings.push(Finding::new(text, Choice::AngularVelocity));
-        Ok(Value::Column(chosen, Seen::AngularVelocity))
-    }
-
-    /// The axis of a gyroscope with 95 % of the mean square.
-    fn strongest(&self, places: &[usize]) -> Option<usize> {
-        let power = |&place: &usize| {
-            let numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
-            numbers.iter().map(|number| number * number).sum::<f64>()
-        };
-        let powers: Vec<f64> = places.iter().map(power).collect();
-        let total: f64 = powers.iter().sum();
-        places.iter().zip(&powers).find(|(_, power)| **power > 0.95 * total).map(|(place, _)| *place)
+        Ok(value)
     }
 
     /// The columns of numbers that nothing is known of.
@@ -240,16 +270,37 @@ impl Group<'_> {
                 let question = format!("nothing says what {} holds", self.sheet.describe(place));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
-            [] => {
-                let may_be = |&place: &usize| place != time && !self.heading_is(place, Quantity::Gate);
-                let others: Vec<usize> = self.members.iter().copied().filter(may_be).collect();
-                if others.is_empty() {
-                    return Err(MeasurementError::OnlyTimes(self.sheet.describe(time)));
-                }
-                let question = "no column is named an angle, an angular velocity or a position";
-                Err(self.undecided(question, Choice::Angle, &others))
-            }
+            [] => Err(self.nothing_known(time)),
             ref several => Err(self.which_and_in_which_unit(several)),
+        }
+    }
+
+    /// No column may be an angle without a word: what the others can be.
+    fn nothing_known(&self, time: usize) -> MeasurementError {
+        if let Some(place) = self.all_of(Quantity::Acceleration).first() {
+            return MeasurementError::Accelerations { column: self.sheet.describe(*place) };
+        }
+        let may_be = |&place: &usize| place != time && !self.heading_is(place, Quantity::Gate);
+        let others: Vec<usize> = self.members.iter().copied().filter(may_be).collect();
+        let is_length = |place: &usize| {
+            let unit = self.sheet.channels[*place].heading.unit;
+            unit.is_some_and(|unit| unit.measures() == Measures::Length)
+        };
+        match (&others[..], &others.iter().copied().filter(is_length).collect::<Vec<_>>()[..]) {
+            ([], _) => MeasurementError::OnlyTimes(self.sheet.describe(time)),
+            (_, &[x, y]) => {
+                let [first, second] = [x, y].map(|place| self.sheet.describe(place));
+                MeasurementError::Undecided {
+                    question: format!(
+                        "nothing says which of {first} and {second} is the horizontal position"
+                    ),
+                    choices: vec![at(Choice::X, x), at(Choice::Y, y)],
+                }
+            }
+            (others, _) => {
+                let question = "no column is named an angle, an angular velocity or a position";
+                self.undecided(question, Choice::Angle, others)
+            }
         }
     }
 
@@ -258,6 +309,9 @@ impl Group<'_> {
         let mut error = self.undecided(question, Choice::Angle, open);
         if let MeasurementError::Undecided { choices, .. } = &mut error {
             choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));
+        }
+        if let (MeasurementError::Undecided { choices, .. }, &[x, y]) = (&mut error, open) {
+            choices.extend([at(Choice::X, x), at(Choice::Y, y)]);
         }
         error
     }
@@ -275,7 +329,9 @@ impl Group<'_> {
         let quantity = self.sheet.channels[place].heading.quantity;
         let belongs = |other: &usize| {
             let heading = &self.sheet.channels[*other].heading;
-            heading.is_uncertainty && heading.quantity == quantity && quantity != Quantity::Other
+            let is_of_it = heading.quantity == quantity && quantity != Quantity::Other;
+            let follows = *other == place + 1 && heading.is_bare_uncertainty();
+            heading.is_uncertainty && (is_of_it || follows) && self.sheet.channels[*other].count() > 0
         };
         let found: Vec<usize> = self.members.iter().copied().filter(belongs).collect();
         if let [uncertainty] = found[..] {
@@ -285,6 +341,10 @@ impl Group<'_> {
         }
         Ok(None)
     }
+}
+
+fn at(choice: Choice, place: usize) -> Suggestion {
+    Suggestion::new(choice, (place + 1).to_string())
 }
 
 /// What can be said of a column that nothing is known of.

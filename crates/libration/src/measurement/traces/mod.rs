@@ -2,9 +2,12 @@
 
 mod circle;
 mod columns;
+mod gyroscope;
 mod positions;
 mod rows;
 mod runs;
+mod sequence;
+mod stamps;
 mod turns;
 mod units;
 
@@ -48,9 +51,10 @@ fn traces_of(sheet: &Sheet, choices: &Choices) -> Result<Traces, MeasurementErro
     let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
     for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
         for rows in Rows::of_runs(sheet, &columns, choices, &mut found.findings)? {
-            let (trace, lines) = rows.trace(sheet, &columns, choices, &mut found.findings)?;
-            found.traces.push(trace);
-            found.lines.push(lines);
+            for (trace, lines) in rows.traces(sheet, &columns, choices, &mut found.findings)? {
+                found.traces.push(trace);
+                found.lines.push(lines);
+            }
         }
     }
     Ok(found)

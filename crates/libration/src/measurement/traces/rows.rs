@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
-use super::super::{Faults, MeasurementError, Seen, Trace};
+use super::super::{Faults, MeasurementError, Seen, Trace, Unit};
 use super::columns::{Columns, Value};
-use super::{positions, turns, units};
+use super::sequence::Sequence;
+use super::{positions, runs, stamps, turns, units};
 
 /// A column with more numbers than this numbers no runs.
 const MOST_RUNS: usize = 1000;
@@ -18,9 +19,10 @@ pub(super) struct Rows {
     /// From zero.
     rows: Vec<usize>,
     times: Vec<f64>,
+    /// One for each column that the values are made of.
+    columns: Vec<Vec<f64>>,
+    /// What the columns make, once they are scaled.
     values: Vec<f64>,
-    /// The vertical positions, where the values are the horizontal ones.
-    heights: Vec<f64>,
     uncertainties: Vec<f64>,
     incomplete: usize,
 }
@@ -65,10 +67,11 @@ impl Rows {
         name: String,
         rows: impl Iterator<Item = usize>,
     ) -> Result<Self, MeasurementError> {
-        let mut found = Self { name, ..Self::default() };
+        let places = columns.value.places();
+        let mut found = Self { name, columns: vec![Vec::new(); places.len()], ..Self::default() };
         let mut blank = 0;
         for row in rows {
-            match found.take(sheet, columns, row)? {
+            match found.take(sheet, columns, &places, row)? {
                 Taken::Whole => {
                     found.incomplete += blank;
                     blank = 0;
@@ -84,60 +87,170 @@ impl Rows {
         Ok(found)
     }
 
-    fn take(&mut self, sheet: &Sheet, columns: &Columns, row: usize) -> Result<Taken, MeasurementError> {
-        let (value, height) = match columns.value {
-            Value::Column(value, _) => (value, None),
-            Value::Positions { x, y } => (x, Some(y)),
-        };
+    fn take(
+        &mut self,
+        sheet: &Sheet,
+        columns: &Columns,
+        places: &[usize],
+        row: usize,
+    ) -> Result<Taken, MeasurementError> {
         let time = sheet.number(columns.time, row)?;
-        let value = sheet.number(value, row)?;
-        let others = [height, columns.uncertainty]
-            .map(|place| place.map(|place| sheet.number(place, row)).transpose());
-        let [height, uncertainty] = others;
-        let (height, uncertainty) = (height?, uncertainty?);
-        let is_blank = time.is_none() && value.is_none();
-        let (Some(time), Some(value), false, false) =
-            (time, value, height == Some(None), uncertainty == Some(None))
+        let values: Vec<Option<f64>> =
+            places.iter().map(|&place| sheet.number(place, row)).collect::<Result<_, _>>()?;
+        let uncertainty = columns.uncertainty.map(|place| sheet.number(place, row)).transpose()?;
+        let is_blank = time.is_none() && values[0].is_none();
+        let (Some(time), Some(values), false) =
+            (time, values.into_iter().collect::<Option<Vec<f64>>>(), uncertainty == Some(None))
         else {
             return Ok(if is_blank { Taken::Blank } else { Taken::Part });
         };
-        if let Some(&before) = self.times.last().filter(|&&before| time < before) {
-            return Err(MeasurementError::TimeGoesBack { line: sheet.lines[row], before, after: time });
-        }
         self.rows.push(row);
         self.times.push(time);
-        self.values.push(value);
-        self.heights.extend(height.flatten());
+        self.columns.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
         self.uncertainties.extend(uncertainty.flatten());
         Ok(Taken::Whole)
     }
 
-    /// The trace in seconds and radians, and the line of each row.
-    pub(super) fn trace(
+    /// The traces in seconds and radians, one for each setting of the clock, and the line of each row.
+    pub(super) fn traces(
         mut self,
         sheet: &Sheet,
         columns: &Columns,
         choices: &Choices,
         findings: &mut Vec<Finding>,
-    ) -> Result<(Trace, Vec<u64>), MeasurementError> {
+    ) -> Result<Vec<(Trace, Vec<u64>)>, MeasurementError> {
         let mut tell = |finding: Finding| {
             if !findings.contains(&finding) {
                 findings.push(finding);
             }
         };
-        units::seconds(&mut self.times, sheet, columns.time, choices, &mut tell)?;
-        let seen = self.scale(sheet, columns, choices, &mut tell)?;
-        if seen == Seen::Angle {
-            turns::unwrap(&mut self.values, &self.name, &mut tell);
+        if self.incomplete > 0 {
+            let rows = if self.incomplete == 1 { "row" } else { "rows" };
+            tell(Finding::fact(format!("{}{} incomplete {rows} left out", self.run(), self.incomplete)));
         }
-        let faults = self.faults(sheet, seen, &mut tell);
+        let unit = units::of_times(&self.times, sheet, columns.time, choices, &mut tell)?;
+        self.keep_between(unit, choices)?;
+        let sequence = self.sequence(sheet)?;
+        self.times.iter_mut().for_each(|time| *time = unit.to_si(*time));
+        let seen = self.scale(sheet, columns, choices, &mut tell)?;
+        let lines: Vec<u64> = self.rows.iter().map(|&row| sheet.lines[row]).collect();
+        sequence.findings(&self.run(), &lines).into_iter().for_each(&mut tell);
+        let mut traces: Vec<(Trace, Vec<u64>)> = Vec::new();
+        for piece in self.pieces(&sequence, choices)? {
+            let (trace, rows) =
+                piece.trace(sheet, seen, columns.uncertainty.is_some(), choices, &mut tell)?;
+            let is_same = |other: &Trace| other.times() == trace.times() && other.values() == trace.values();
+            match traces.iter().find(|(other, _)| is_same(other)) {
+                Some((other, _)) => {
+                    let text = format!("{} repeats {} row by row: left out", trace.name(), other.name());
+                    tell(Finding::fact(text));
+                }
+                None => traces.push((trace, rows)),
+            }
+        }
+        Ok(traces)
+    }
+
+    fn run(&self) -> String {
+        if self.name.is_empty() { String::new() } else { format!("{}: ", self.name) }
+    }
+
+    /// These rows, in this order.
+    fn chosen(&self, name: String, rows: &[usize]) -> Self {
+        let of = |column: &Vec<f64>| -> Vec<f64> {
+            if column.is_empty() { Vec::new() } else { rows.iter().map(|&row| column[row]).collect() }
+        };
+        Self {
+            name,
+            rows: rows.iter().map(|&row| self.rows[row]).collect(),
+            times: of(&self.times),
+            columns: self.columns.iter().map(of).collect(),
+            values: of(&self.values),
+            uncertainties: of(&self.uncertainties),
+            incomplete: self.incomplete,
+        }
+    }
+
+    /// Leaves out what is before and after the times that are asked for.
+    fn keep_between(&mut self, unit: Unit, choices: &Choices) -> Result<(), MeasurementError> {
+        let (from, to) = (choices.from.unwrap_or(f64::NEG_INFINITY), choices.to.unwrap_or(f64::INFINITY));
+        let is_between = |row: &usize| (from..=to).contains(&unit.to_si(self.times[*row]));
+        let kept: Vec<usize> = (0..self.rows.len()).filter(is_between).collect();
+        if kept.is_empty() {
+            let [first, last] = [f64::min, f64::max]
+                .map(|end| unit.to_si(self.times.iter().copied().reduce(end).unwrap_or(f64::NAN)));
+            return Err(MeasurementError::NothingBetween { run: self.run(), first, last });
+        }
+        *self = self.chosen(self.name.clone(), &kept);
+        Ok(())
+    }
+
+    fn sequence(&self, sheet: &Sheet) -> Result<Sequence, MeasurementError> {
+        Sequence::of(&self.times).map_err(|row| MeasurementError::TimeGoesBack {
+            line: sheet.lines[self.rows[row]],
+            before: self.times[row - 1],
+            after: self.times[row],
+        })
+    }
+
+    /// The rows of each setting of the clock, as runs of their own if there are several.
+    fn pieces(&self, sequence: &Sequence, choices: &Choices) -> Result<Vec<Self>, MeasurementError> {
+        let asked = choices.run.as_ref().filter(|_| self.name.is_empty());
+        match (&sequence.pieces[..], asked) {
+            ([_], Some(asked)) => {
+                let available = "one run only".to_owned();
+                return Err(MeasurementError::NoSuch { what: "run", asked: asked.clone(), available });
+            }
+            ([piece], None) => return Ok(vec![self.chosen(self.name.clone(), piece)]),
+            _ => {}
+        }
+        let name = |number: usize| match self.name.is_empty() {
+            true => format!("run {number}"),
+            false => format!("{}, part {number}", self.name),
+        };
+        let pieces = sequence.pieces.iter().zip(1..).map(|(piece, number)| self.chosen(name(number), piece));
+        let mut pieces: Vec<Self> = pieces.collect();
+        if let Some(asked) = asked {
+            let available =
+                pieces.iter().map(|piece| format!("`{}`", piece.name)).collect::<Vec<_>>().join(", ");
+            let is_asked = |piece: &Self| asked.split(',').any(|asked| runs::is_run(&piece.name, asked));
+            pieces.retain(is_asked);
+            if pieces.is_empty() {
+                return Err(MeasurementError::NoSuch { what: "run", asked: asked.clone(), available });
+            }
+        }
+        Ok(pieces)
+    }
+
+    /// The trace of one setting of the clock: without faults, and with the times that are taken.
+    fn trace(
+        mut self,
+        sheet: &Sheet,
+        seen: Seen,
+        has_uncertainties: bool,
+        choices: &Choices,
+        tell: &mut impl FnMut(Finding),
+    ) -> Result<(Trace, Vec<u64>), MeasurementError> {
+        if seen == Seen::Angle {
+            turns::unwrap(&mut self.values, &self.name, tell);
+        }
+        let clock_uncertainty =
+            match stamps::even(&self.times, &self.values, choices.stamps, &self.run(), tell)? {
+                Some(even) => {
+                    self.times = even.times;
+                    even.relative_uncertainty
+                }
+                None => 0.0,
+            };
+        let faults = self.faults(sheet, seen, tell);
         let repeated = faults.left_out();
         let kept: Vec<usize> =
             (0..self.rows.len()).filter(|row| repeated.binary_search(row).is_err()).collect();
-        let of_kept = |column: &[f64]| kept.iter().map(|&row| column[row]).collect::<Vec<f64>>();
-        let uncertainties = columns.uncertainty.map(|_| of_kept(&self.uncertainties));
-        let trace = Trace::new(&self.name, seen, of_kept(&self.times), of_kept(&self.values), uncertainties)?;
-        Ok((trace, kept.iter().map(|&row| sheet.lines[self.rows[row]]).collect()))
+        let Self { name, rows, times, values, uncertainties, .. } = self.chosen(self.name.clone(), &kept);
+        let uncertainties = has_uncertainties.then_some(uncertainties);
+        let trace =
+            Trace::new(&name, seen, times, values, uncertainties)?.with_clock_uncertainty(clock_uncertainty);
+        Ok((trace, rows.iter().map(|&row| sheet.lines[row]).collect()))
     }
 
     fn scale(
@@ -148,11 +261,20 @@ impl Rows {
         tell: &mut impl FnMut(Finding),
     ) -> Result<Seen, MeasurementError> {
         let (place, seen) = match columns.value {
-            Value::Column(place, seen) => (place, seen),
+            Value::Column(place, seen) => {
+                self.values = self.columns[0].clone();
+                (place, seen)
+            }
+            Value::Axes(places, axis) => {
+                let rate =
+                    |row: usize| self.columns.iter().zip(axis).map(|(rates, part)| part * rates[row]).sum();
+                self.values = (0..self.rows.len()).map(rate).collect();
+                (places[0], Seen::AngularVelocity)
+            }
             Value::Positions { x, y } => {
                 positions::same_unit(sheet, x, y)?;
                 self.values =
-                    positions::angles(&self.values, &self.heights, choices.pivot, &self.name, tell)?;
+                    positions::angles(&self.columns[0], &self.columns[1], choices.pivot, &self.name, tell)?;
                 return Ok(Seen::Angle);
             }
         };
@@ -165,13 +287,9 @@ impl Rows {
         Ok(seen)
     }
 
-    /// Tells of the rows that are left out and of what is strange in the others.
+    /// Tells what is strange in the rows.
     fn faults(&self, sheet: &Sheet, seen: Seen, tell: &mut impl FnMut(Finding)) -> Faults {
-        let run = if self.name.is_empty() { String::new() } else { format!("{}: ", self.name) };
-        if self.incomplete > 0 {
-            let rows = if self.incomplete == 1 { "row" } else { "rows" };
-            tell(Finding::fact(format!("{run}{} incomplete {rows} left out", self.incomplete)));
-        }
+        let run = self.run();
         let faults = Faults::find(&self.times, &self.values, None);
         let lines: Vec<u64> = self.rows.iter().map(|&row| sheet.lines[row]).collect();
         let unit = if seen == Seen::Angle { "rad" } else { "rad/s" };

@@ -25,14 +25,14 @@ impl Scale {
     }
 }
 
-/// Makes seconds of times: the unit said, the unit written, or seconds if the steps can be seconds.
-pub(super) fn seconds(
-    times: &mut [f64],
+/// The unit of times: the one said, the one written, or seconds if the steps can be seconds.
+pub(super) fn of_times(
+    times: &[f64],
     sheet: &Sheet,
     place: usize,
     choices: &Choices,
     tell: &mut impl FnMut(Finding),
-) -> Result<(), MeasurementError> {
+) -> Result<Unit, MeasurementError> {
     let heading = &sheet.channels[place].heading;
     let unit = match (choices.time_unit, heading.unit, &heading.unit_text) {
         (Some(unit), ..) => unit,
@@ -61,8 +61,7 @@ pub(super) fn seconds(
     if unit.measures() != Measures::Time {
         return Err(MeasurementError::WrongUnit { unit, of: "time", examples: "s, ms, us, min" });
     }
-    times.iter_mut().for_each(|time| *time = unit.to_si(*time));
-    Ok(())
+    Ok(unit)
 }
 
 /// A pendulum is sampled between once in half a second and a hundred thousand times a second.
@@ -70,8 +69,10 @@ fn can_be_seconds(times: &[f64]) -> bool {
     times.len() < 2 || (1e-5..=0.5).contains(&median_step(times))
 }
 
+/// Of the steps forward: others are no steps of a clock.
 fn median_step(times: &[f64]) -> f64 {
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let mut steps: Vec<f64> = steps.filter(|step| *step > 0.0).collect();
     steps.sort_unstable_by(f64::total_cmp);
     steps.get(steps.len() / 2).copied().unwrap_or(0.0)
 }

@@ -114,12 +114,20 @@ impl Workbench {
     /// Rows out of order.
     fn order(&mut self) {
         let swapped = self.with_rows(|rows| rows.swap(ROW - 1, ROW));
-        self.refuse("two rows exchanged", swapped, &[&self.line(), "time"]);
+        self.read("two rows exchanged", swapped, self.style.truth());
         let reversed = self.with_rows(|rows| rows.reverse());
         self.refuse("time runs back", reversed, &["time"]);
+        let mixed = self.with_rows(|rows| (0..ROWS / 2).for_each(|pair| rows.swap(2 * pair, 2 * pair + 1)));
+        self.refuse(
+            "every pair of rows exchanged",
+            mixed,
+            &["time", &format!("line {}", self.style.line_of(1))],
+        );
+        let late = self.style.cell(900.0);
+        let strange = self.with_rows(|rows| rows[ROW][0] = late);
+        self.read("a time that belongs nowhere", strange, self.truth_without(&[ROW]));
         let twice = self.with_rows(|rows| rows.extend(rows.clone()));
-        let again = format!("line {}", self.style.line_of(ROWS));
-        self.refuse("the same run twice", twice, &[&again, "time"]);
+        self.read("the same run twice", twice, self.style.truth());
         let doubled = self.with_rows(|rows| rows.insert(ROW, rows[ROW - 1].clone()));
         self.read("a row twice", doubled, self.style.truth());
     }
@@ -146,8 +154,9 @@ impl Workbench {
         self.refuse("units exchanged", with(&["t/rad", "theta/s"]), &["angle=2"]);
         self.refuse("two columns of time", with(&["t/s", "time/s"]), &["times", "time=1"]);
         self.refuse("names with numbers", with(&["1", "2"]), &[]);
-        if style.delimiter != " " {
-            self.refuse("too many names", with(&[time, angle, "height"]), &[&first_line]);
+        match style.is_spaced() {
+            true => self.refuse("too many names", with(&[time, angle, "of", "it"]), &[&first_line]),
+            false => self.read("too many names", with(&[time, angle, "height"]), style.truth()),
         }
         if has_header_words {
             let three: Vec<Vec<String>> =
@@ -166,15 +175,15 @@ impl Workbench {
             self.read(what, text, truth);
         }
         let (empty, truth) = (self.with_cell(1, ""), self.truth_without(&[ROW]));
-        match self.style.delimiter {
-            " " => self.refuse("a blank", empty, &[&self.line()]),
-            _ => self.read("a blank", empty, truth),
+        match self.style.is_spaced() {
+            true => self.refuse("a blank", empty, &[&self.line()]),
+            false => self.read("a blank", empty, truth),
         }
         let spaced = self.with_rows(|rows| rows.insert(ROW, vec![String::new()]));
         self.read("an empty line", spaced, self.style.truth());
         let remark = self.with_rows(|rows| rows.insert(ROW, vec!["# the door was opened".into()]));
         self.read("a comment", remark, self.style.truth());
-        if self.style.delimiter != " " {
+        if !self.style.is_spaced() {
             let trailing = self.with_rows(|rows| rows.iter_mut().for_each(|row| row.push(String::new())));
             let header = self.style.header();
             let trailing = trailing.replacen(&header, &format!("{header}{}", self.style.delimiter), 1);

@@ -8,7 +8,10 @@ fn rows(rows: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 pub(crate) fn cases() -> Vec<Case> {
-    [nothing_in_it(), commas(), headers(), runs(), units(), quotes()].into_iter().flatten().collect()
+    [nothing_in_it(), commas(), headers(), uncertainties(), runs(), accelerations(), units(), quotes()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn nothing_in_it() -> Vec<Case> {
@@ -98,6 +101,33 @@ fn headers() -> Vec<Case> {
     ]
 }
 
+fn uncertainties() -> Vec<Case> {
+    let with = |names: &str| format!("{names}\n0,0.5,0.01\n0.1,0.4,0.01\n0.2,0.2,0.01\n");
+    let same = rows(&[(0.0, 0.5), (0.1, 0.4), (0.2, 0.2)]);
+    ["±", "+/-", "σ", "u(θ)", "σ_θ (rad)", "Δθ", "err", "uncertainty (rad)", "Fehler"]
+        .map(|name| {
+            let names = format!("t/s,θ/rad,{name}");
+            Case::read(format!("an uncertainty headed {name}"), with(&names), same.clone())
+        })
+        .into_iter()
+        .chain([Case::refused("angles headed as uncertainties", with("t/s,±,u(θ)"), &[])])
+        .collect()
+}
+
+/// A whole swing is two periods of what an accelerometer along the string shows: no angle is to be taken from it.
+fn accelerations() -> Vec<Case> {
+    let with = |names: &str| format!("{names}\n0,9.5\n0.1,9.9\n0.2,9.5\n0.3,9.1\n");
+    [
+        "Time (s),Acceleration x (m/s^2)",
+        "\"Time (s)\",\"Linear Acceleration y (m/s²)\"",
+        "t/s,a/m/s²",
+        "t/s,Beschleunigung",
+        "Time (s),Absolute acceleration (m/s^2)",
+    ]
+    .map(|names| Case::refused(names, with(names), &["accelerations", "gyroscope", "distance"]))
+    .into()
+}
+
 fn runs() -> Vec<Case> {
     let pasco = "Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2\n\
                  0.00,0.5,0.00,0.3\n0.05,0.4,0.05,0.2\n,,0.10,0.1\n";
@@ -118,6 +148,18 @@ fn runs() -> Vec<Case> {
             rows(&[(1.0, 0.5), (3.0, 0.3), (2.0, 0.4), (4.0, 0.2)]),
         ),
         Case::refused("a run twice", "packet,t/s,θ/rad\n0,1,0.5\n0,2,0.4\n1,1,0.3\n0,1,0.2\n", &["line 5"]),
+        Case::read(
+            "runs told by numbers behind symbols",
+            "t_{1};theta_{1};t_{2};theta_{2}\n0;1.0;0.01;2.0\n0.1;1.1;0.11;2.1\n"
+                .replace("theta_{1}", "theta_{1}/rad")
+                .replace("theta_{2}", "theta_{2}/rad"),
+            rows(&[(0.0, 1.0), (0.1, 1.1), (0.01, 2.0), (0.11, 2.1)]),
+        ),
+        Case::refused(
+            "two angles of one double pendulum",
+            "t/s,theta1/rad,theta2/rad\n0,0.5,0.4\n0.1,0.4,0.3\n",
+            &["angles", "angle=2 or 3"],
+        ),
         Case::refused("times of one run back", pasco.replace("\n0.05,", "\n-0.05,"), &["line 3"]),
     ]
 }
@@ -142,6 +184,11 @@ fn units() -> Vec<Case> {
             &["time-unit=s, ms"],
         ),
         Case::refused(
+            "positions without a name",
+            "t/s,right/m,up/m\n0,0.1,0.2\n0.1,0.2,0.1\n0.2,0.3,0.1\n",
+            &["x=2 and y=3"],
+        ),
+        Case::refused(
             "positions in two units",
             "t/s,x/m,y/cm\n0,0.1,0.2\n0.1,0.2,0.1\n0.2,0.3,0.1\n",
             &["m", "cm"],
@@ -153,10 +200,24 @@ fn units() -> Vec<Case> {
         ),
         Case::refused(
             "three axes of one strength",
+            three_axes(|n| [libm::sin(n), libm::cos(n), libm::sin(1.7 * n)]),
+            &["angular-velocity=2"],
+        ),
+        Case::refused(
+            "three axes and two rows",
             "t/s,gx (rad/s),gy (rad/s),gz (rad/s)\n0,1,1,1\n0.1,2,2,2\n",
             &["angular-velocity=2"],
         ),
     ]
+}
+
+/// A gyroscope with these rates.
+fn three_axes(rates: impl Fn(f64) -> [f64; 3]) -> String {
+    let row = |n: u8| {
+        let [x, y, z] = rates(f64::from(n));
+        format!("{},{x:.4},{y:.4},{z:.4}\n", 0.05 * f64::from(n))
+    };
+    format!("t/s,gx (rad/s),gy (rad/s),gz (rad/s)\n{}", (0..60).map(row).collect::<String>())
 }
 
 fn quotes() -> Vec<Case> {

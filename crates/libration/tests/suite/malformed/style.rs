@@ -28,7 +28,7 @@ const PLAIN: Style = Style {
     degrees: false,
 };
 
-pub(crate) const STYLES: [Style; 10] = [
+pub(crate) const STYLES: [Style; 13] = [
     PLAIN,
     Style {
         name: "quoted header in degrees",
@@ -71,6 +71,20 @@ pub(crate) const STYLES: [Style; 10] = [
         ..PLAIN
     },
     Style { name: "space", delimiter: " ", header: ["t/s", "theta/rad"], ..PLAIN },
+    Style { name: "numbered symbols", delimiter: ";", header: ["t1", "theta1 (rad)"], ..PLAIN },
+    Style {
+        name: "LaTeX",
+        delimiter: "\t",
+        header: ["$t_{1}$ (s)", "$\\theta_{1}$ (deg)"],
+        degrees: true,
+        ..PLAIN
+    },
+    Style {
+        name: "names of several words between wide blanks",
+        delimiter: "   ",
+        header: ["elapsed time (s)", "angular position (rad)"],
+        ..PLAIN
+    },
     Style { name: "comma, quoted decimal commas", decimal_comma: true, quoted: true, ..PLAIN },
 ];
 
@@ -78,6 +92,11 @@ pub(crate) const STYLES: [Style; 10] = [
 pub(crate) const ROWS: usize = 40;
 
 impl Style {
+    /// Whether nothing but blanks stand between cells, so that no cell can be empty.
+    pub(crate) fn is_spaced(&self) -> bool {
+        self.delimiter.chars().all(|letter| letter == ' ')
+    }
+
     /// A number with four decimals, as the style writes it.
     pub(crate) fn cell(&self, number: f64) -> String {
         let text = format!("{number:.4}");

@@ -1,0 +1,70 @@
+//! How many periods a row of a table holds: said by an option, else written in the header, else one.
+
+use libration::measurement::{Column, CountedPeriods, Table};
+
+/// How many periods each time of the table lasts.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct CountedOptions {
+    /// The times are half periods: from one side to the other
+    #[arg(long, conflicts_with = "periods_per_row")]
+    half_periods: bool,
+    /// The times are each of so many periods [default: as the header says, such as 10T or half period, else 1]
+    #[arg(long, value_name = "N", value_parser = super::positive)]
+    periods_per_row: Option<f64>,
+}
+
+impl CountedOptions {
+    /// What is said, with the option that says it.
+    fn said(self) -> Option<(&'static str, f64)> {
+        match (self.half_periods, self.periods_per_row) {
+            (true, _) => Some(("--half-periods", 0.5)),
+            (false, count) => Some(("--periods-per-row", count?)),
+        }
+    }
+
+    /// How many periods the times of a column last, with a sentence where that is not one; `usual` where nothing says it.
+    pub(super) fn count(
+        self,
+        table: &Table,
+        column: &Column,
+        usual: f64,
+    ) -> Result<(f64, Option<String>), String> {
+        let place = table.describe(column).map_err(|error| error.to_string())?;
+        let written = table.counted_periods(column).map_err(|error| error.to_string())?;
+        let told =
+            |count: f64| (!is_same(count, 1.0)).then(|| format!("{place} holds times of {}", periods(count)));
+        Ok(match (self.said(), written) {
+            (Some((option, count)), CountedPeriods::Said(other)) if !is_same(count, other) => {
+                let taken = periods(count);
+                (
+                    count,
+                    Some(format!(
+                        "{place} is taken as times of {taken} as {option} says, and not of {}",
+                        periods(other)
+                    )),
+                )
+            }
+            (Some((_, count)), _) => (count, told(count)),
+            (None, CountedPeriods::Said(count)) => (count, told(count)),
+            (None, CountedPeriods::Nothing) => (usual, told(usual)),
+            (None, CountedPeriods::Unclear(_)) => {
+                return Err(format!(
+                    "{place} may hold times of several periods or of parts of one: say how many with --periods-per-row, or \
+                     --half-periods"
+                ));
+            }
+        })
+    }
+}
+
+fn periods(count: f64) -> String {
+    match count {
+        0.5 => "half a period".to_owned(),
+        1.0 => "one period".to_owned(),
+        count => format!("{count} periods"),
+    }
+}
+
+fn is_same(one: f64, other: f64) -> bool {
+    one.total_cmp(&other).is_eq()
+}

@@ -1,0 +1,41 @@
+//! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
+
+use crate::failure::Failure;
+use libration::measurement::Options;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// The bytes of a file or, for `-`, of the standard input, as many as a table may have.
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    read_at_most(path, Options::DEFAULT_SIZE_LIMIT)
+}
+
+/// The same with another limit. A file that says its size is refused before it is read; pipes and devices say none, and are
+/// read as far as the limit.
+pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure> {
+    let cannot = |error: io::Error| Failure::NoAnswer(format!("cannot read {}: {error}", path.display()));
+    if path.as_os_str() == "-" {
+        return within(&mut io::stdin().lock(), path, limit).map_err(cannot)?;
+    }
+    let mut file = File::open(path).map_err(cannot)?;
+    let size = file.metadata().map_err(cannot)?.len();
+    match usize::try_from(size) {
+        Ok(size) if size <= limit => within(&mut file, path, limit).map_err(cannot)?,
+        _ => Err(too_large(path, &format!("has {size} bytes"), limit)),
+    }
+}
+
+fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<Vec<u8>, Failure>> {
+    let mut bytes = vec![];
+    from.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(match bytes.len() <= limit {
+        true => Ok(bytes),
+        false => Err(too_large(path, "goes on", limit)),
+    })
+}
+
+fn too_large(path: &Path, how: &str, limit: usize) -> Failure {
+    let reason = format!("it {how}, and no more than {limit} bytes are read: give a part of it");
+    Failure::no_answer(&path.display().to_string(), reason)
+}

@@ -1,0 +1,142 @@
+//! All even times that round to those written.
+//!
+//! Each written time bounds first + interval·place from both sides, so that the even times which round to all of them are a convex
+//! polygon in the plane of first and interval. If rounding is all that happened each of its points is as likely as the others: its
+//! centroid is the answer, its extent the uncertainty. Where it is empty, no even times are behind those written. Of frames whose
+//! rate is commensurate with the steps it is wide, and least squares would be sure of more than the times say.
+
+use super::Grid;
+use super::statistics::{number, root_mean_square};
+
+/// Times that went through another rounding before are off by a little more than half a step.
+const TWICE_ROUNDED: f64 = 0.01;
+
+/// Even times, and how well their interval is known. In seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct EvenTimes {
+    pub(super) first: f64,
+    pub(super) interval: f64,
+    /// One standard deviation.
+    pub(super) interval_uncertainty: f64,
+}
+
+impl EvenTimes {
+    /// The even times within these half steps of the times at these places, if there are any.
+    pub(super) fn through(times: &[f64], places: &[usize], half_steps: &[f64]) -> Option<Self> {
+        let (first, last) = (*times.first()?, *times.last()?);
+        let span = number(*places.last()?);
+        let chord = (last - first) / span;
+        let widest = half_steps.iter().copied().fold(0.0, f64::max);
+        if !(chord > 0.0 && chord.is_finite() && widest > 0.0) {
+            return None;
+        }
+        // The line is within the widest half step of both ends: in units of it, about the chord, on places from 0 to 1.
+        let mut polygon = vec![(-2.0, -4.0), (2.0, -4.0), (2.0, 4.0), (-2.0, 4.0)];
+        for ((time, &place), half) in times.iter().zip(places).zip(half_steps) {
+            let place = number(place);
+            let (along, off) = (place / span, (time - chord.mul_add(place, first)) / widest);
+            let half = (1.0 + TWICE_ROUNDED) * half / widest;
+            polygon = below(&polygon, |(a, b)| along.mul_add(b, a) - off - half);
+            polygon = below(&polygon, |(a, b)| off - along.mul_add(b, a) - half);
+        }
+        let (middle, deviation) = centroid(&polygon)?;
+        let interval = chord + widest * middle.1 / span;
+        Some(Self {
+            first: first + widest * middle.0,
+            interval,
+            interval_uncertainty: widest * deviation / span,
+        })
+    }
+
+    /// The grid, with how far the times as written are off.
+    pub(super) fn grid(self, times: &[f64], places: &[usize]) -> Grid {
+        let Self { first, interval, interval_uncertainty } = self;
+        let errors =
+            || places.iter().zip(times).map(|(&place, time)| interval.mul_add(number(place), first) - time);
+        let off = root_mean_square(errors());
+        let most_off = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
+        Grid { first, interval, interval_uncertainty, off, most_off, numbers: places.to_vec() }
+    }
+}
+
+type Point = (f64, f64);
+
+/// The part of a convex polygon where this linear function is not above zero.
+fn below(polygon: &[Point], height: impl Fn(Point) -> f64) -> Vec<Point> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (place, &point) in polygon.iter().enumerate() {
+        let next = polygon[(place + 1) % polygon.len()];
+        let (here, there) = (height(point), height(next));
+        if here <= 0.0 {
+            kept.push(point);
+        }
+        if (here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0) {
+            let part = here / (here - there);
+            kept.push((part.mul_add(next.0 - point.0, point.0), part.mul_add(next.1 - point.1, point.1)));
+        }
+    }
+    kept
+}
+
+/// The centroid of a convex polygon, and the standard deviation of its second coordinate.
+fn centroid(polygon: &[Point]) -> Option<(Point, f64)> {
+    let origin = *polygon.first()?;
+    let (mut area, mut sums, mut squares) = (0.0, (0.0, 0.0), 0.0);
+    for pair in polygon[1..].windows(2) {
+        let [p, q] = [pair[0], pair[1]].map(|(a, b)| (a - origin.0, b - origin.1));
+        let triangle = 0.5 * (p.0 * q.1 - q.0 * p.1);
+        area += triangle;
+        sums = (sums.0 + triangle * (p.0 + q.0) / 3.0, sums.1 + triangle * (p.1 + q.1) / 3.0);
+        squares += triangle * (p.1 * p.1 + p.1 * q.1 + q.1 * q.1) / 6.0;
+    }
+    if area <= 0.0 {
+        return None;
+    }
+    let (a, b) = (sums.0 / area, sums.1 / area);
+    Some(((origin.0 + a, origin.1 + b), (squares / area - b * b).max(0.0).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounded to a step that is not commensurate with the interval, and to one that is.
+    #[test]
+    fn the_interval_lies_within_its_uncertainty_which_is_wide_where_frames_fall_in_step() {
+        let through = |interval: f64, rows: u32| {
+            let rounded: Vec<f64> =
+                (0..rows).map(|row| (interval * f64::from(row) / 0.1).round() * 0.1).collect();
+            let places: Vec<usize> = (0..rounded.len()).collect();
+            EvenTimes::through(&rounded, &places, &vec![0.05; rounded.len()]).unwrap()
+        };
+        for interval in [0.0331, 0.0317, 0.041, 1.0 / 30.0, 0.025] {
+            let found = through(interval, 900);
+            assert!(
+                (found.interval - interval).abs() < 2.0 * found.interval_uncertainty,
+                "{interval}: {found:?}"
+            );
+        }
+        // In step each time may be moved by a sixth of a step: over 900 rows by 0.0167 s either way at most.
+        let (in_step, out_of_step) = (through(1.0 / 30.0, 900), through(0.0331, 900));
+        assert!((3e-6..2e-5).contains(&in_step.interval_uncertainty), "{in_step:?}");
+        assert!(out_of_step.interval_uncertainty < 0.2 * in_step.interval_uncertainty, "{out_of_step:?}");
+    }
+
+    #[test]
+    fn rows_that_are_missing_leave_no_even_times() {
+        let rounded = |row: u32| (f64::from(row) / 30.0 / 0.1).round() * 0.1;
+        // One row would be taken for a slower clock: 0.03 s are less than the steps leave open.
+        let times: Vec<f64> = (0..300).filter(|row| !(200..203).contains(row)).map(rounded).collect();
+        let places: Vec<usize> = (0..times.len()).collect();
+        assert_eq!(EvenTimes::through(&times, &places, &vec![0.05; times.len()]), None);
+    }
+
+    #[test]
+    fn the_centroid_of_a_triangle_is_the_mean_of_its_corners() {
+        let (middle, deviation) = centroid(&[(1.0, 1.0), (4.0, 1.0), (1.0, 7.0)]).unwrap();
+        assert!((middle.0 - 2.0).abs() < 1e-15 && (middle.1 - 3.0).abs() < 1e-15);
+        // The variance of a triangle's height h is h²/18.
+        assert!((deviation * deviation - 2.0).abs() < 1e-14);
+        assert_eq!(centroid(&[(0.0, 0.0), (1.0, 1.0)]), None);
+    }
+}

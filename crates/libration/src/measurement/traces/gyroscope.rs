@@ -1,0 +1,83 @@
+//! Three axes of a gyroscope → the rate about the one axis that the pendulum turns about, however the device is fixed to it.
+
+use super::super::faults::statistics::number;
+use super::super::sheet::Sheet;
+use super::columns::Value;
+use nalgebra::{Matrix3, Vector3};
+
+/// The axis with 99.9 % of the mean square: the others then change the rate by less than 5e-4 of it, where makers state
+/// sensitivities to 1 %.
+pub(super) fn strongest(sheet: &Sheet, places: &[usize]) -> Option<usize> {
+    let power = |&place: &usize| {
+        let numbers: Vec<f64> = sheet.channels[place].numbers().flatten().collect();
+        numbers.iter().map(|number| number * number).sum::<f64>()
+    };
+    let powers: Vec<f64> = places.iter().map(power).collect();
+    let total: f64 = powers.iter().sum();
+    places.iter().zip(&powers).find(|(_, power)| **power > 0.999 * total).map(|(place, _)| *place)
+}
+
+/// Three axes in one unit, and the direction about which they turn together.
+pub(super) fn about_one_axis(sheet: &Sheet, places: &[usize]) -> Option<Value> {
+    let places: [usize; 3] = places.try_into().ok()?;
+    let unit = |place: usize| &sheet.channels[place].heading.unit_text;
+    if places.iter().any(|&place| unit(place) != unit(places[0])) {
+        return None;
+    }
+    let [x, y, z] = places.map(|place| sheet.channels[place].numbers());
+    let rows: Vec<[f64; 3]> = x.zip(y).zip(z).filter_map(|((x, y), z)| Some([x?, y?, z?])).collect();
+    principal_axis(&rows).map(|axis| Value::Axes(places, axis))
+}
+
+/// Fewer rows lie along some direction by chance.
+const FEWEST: usize = 10;
+
+/// The direction with 95 % of the variance of these rates: the rest is wobble and noise, about an axis that stays as it is in the
+/// device. Its largest part is positive. The mean is what the sensor shows at rest.
+fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
+    if rows.len() < FEWEST {
+        return None;
+    }
+    let sum = rows.iter().fold(Vector3::zeros(), |sum, row| sum + Vector3::from(*row));
+    let mean = sum / number(rows.len());
+    let scatter = rows.iter().fold(Matrix3::zeros(), |scatter, row| {
+        let from_mean = Vector3::from(*row) - mean;
+        scatter + from_mean * from_mean.transpose()
+    });
+    let decomposition = scatter.iter().all(|part| part.is_finite()).then(|| scatter.symmetric_eigen())?;
+    let (values, place) = (decomposition.eigenvalues, decomposition.eigenvalues.imax());
+    let axis = decomposition.eigenvectors.column(place).into_owned();
+    let sign = axis[axis.iamax()].signum();
+    (values[place] > 0.95 * values.sum()).then(|| (axis * sign).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rates about an axis, with wobble across it and what the sensor shows at rest.
+    fn rows(axis: [f64; 3], wobble: f64) -> Vec<[f64; 3]> {
+        let row = |n: u32| {
+            let (rate, across) = (libm::sin(0.1 * f64::from(n)), wobble * libm::sin(0.37 * f64::from(n)));
+            [0.3 + rate * axis[0] - across * axis[1], rate * axis[1] + across * axis[0], rate * axis[2]]
+        };
+        (0..630).map(row).collect()
+    }
+
+    #[test]
+    fn a_tilted_axis_is_found_whatever_the_sensor_shows_at_rest() {
+        let found = principal_axis(&rows([-0.6, 0.0, -0.8], 0.0)).unwrap();
+        for (part, expected) in found.iter().zip([0.6, 0.0, 0.8]) {
+            assert!((part - expected).abs() < 1e-12, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_device_that_turns_about_several_axes_has_none() {
+        // The variance across is the square of the wobble: 4 % of that along, and 6 %, 95 % of all being 5.3 %.
+        assert!(principal_axis(&rows([0.6, 0.8, 0.0], 0.2)).is_some());
+        assert_eq!(principal_axis(&rows([0.6, 0.8, 0.0], 0.25)), None);
+        assert_eq!(principal_axis(&[]), None);
+        assert_eq!(principal_axis(&[[f64::MAX; 3], [f64::MIN; 3]].repeat(FEWEST)), None);
+    }
+}

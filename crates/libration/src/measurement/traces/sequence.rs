@@ -1,0 +1,123 @@
+//! Rows that are not in the order of time: put where their time belongs, left out, or the run cut where its clock was set back.
+
+use super::super::choices::Finding;
+use super::super::faults::{order, statistics::median};
+
+/// A clock that goes back more often than once in so many rows is none.
+const ROWS_PER_STEP_BACK: usize = 20;
+/// A row belongs between two others if they are further apart than usual, by this many usual intervals or more on either side.
+const ROOM: f64 = 0.4;
+
+/// The rows of one recording in the order of time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Sequence {
+    /// One for each setting of the clock.
+    pub(super) pieces: Vec<Vec<usize>>,
+    /// Rows that were put where their time belongs.
+    pub(super) moved: Vec<usize>,
+    /// Rows whose time belongs nowhere.
+    pub(super) left_out: Vec<usize>,
+    /// The first rows after the clock was set back.
+    pub(super) cuts: Vec<usize>,
+}
+
+impl Sequence {
+    /// The order of these times; or the first row that goes back, where so many do that they are no times.
+    pub(super) fn of(times: &[f64]) -> Result<Self, usize> {
+        let back: Vec<usize> = (1..times.len()).filter(|&row| times[row] < times[row - 1]).collect();
+        let Some(&first) = back.first() else {
+            return Ok(Self { pieces: vec![(0..times.len()).collect()], ..Self::default() });
+        };
+        if back.len() * ROWS_PER_STEP_BACK > times.len() {
+            return Err(first);
+        }
+        let mut sequence = Self { cuts: order::restarts(times), ..Self::default() };
+        let mut start = 0;
+        for end in sequence.cuts.clone().into_iter().chain([times.len()]) {
+            let piece = sequence.arranged(times, start, end);
+            sequence.pieces.push(piece);
+            start = end;
+        }
+        Ok(sequence)
+    }
+
+    /// The rows of one piece in order.
+    fn arranged(&mut self, times: &[f64], start: usize, end: usize) -> Vec<usize> {
+        let piece = &times[start..end];
+        let stray: Vec<usize> =
+            order::out_of_order(piece, &order::repeated(piece)).iter().map(|row| start + row).collect();
+        let mut rows: Vec<usize> = (start..end).filter(|row| stray.binary_search(row).is_err()).collect();
+        let steps: Vec<f64> = rows.windows(2).map(|pair| times[pair[1]] - times[pair[0]]).collect();
+        let room = ROOM * median(steps).unwrap_or(0.0);
+        for row in stray {
+            let place = rows.partition_point(|&other| times[other] < times[row]);
+            let is_far =
+                |other: Option<&usize>| other.is_some_and(|&other| (times[other] - times[row]).abs() >= room);
+            if place > 0 && is_far(rows.get(place - 1)) && is_far(rows.get(place)) {
+                rows.insert(place, row);
+                self.moved.push(row);
+            } else {
+                self.left_out.push(row);
+            }
+        }
+        rows
+    }
+
+    /// What was done, as findings; `lines` are those of the rows.
+    pub(super) fn findings(&self, run: &str, lines: &[u64]) -> Vec<Finding> {
+        let told = |rows: &[usize], what: &str| {
+            let (first, more) = (lines[*rows.first()?], rows.len() - 1);
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            Some(Finding::fact(format!("{run}line {first}{more}: {what}")))
+        };
+        let runs = self.pieces.len();
+        let cut = format!("the time goes back and begins anew: cut there into {runs} runs");
+        [
+            told(&self.moved, "the time is out of order: put where it belongs"),
+            told(&self.left_out, "the time is out of order and belongs nowhere: left out"),
+            told(&self.cuts, &cut),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn even(rows: u32) -> Vec<f64> {
+        (0..rows).map(|row| 0.01 * f64::from(row)).collect()
+    }
+
+    #[test]
+    fn rows_out_of_place_are_put_back_and_wrong_times_left_out() {
+        let mut times = even(100);
+        times.swap(40, 41);
+        times[70] = 300.0;
+        let sequence = Sequence::of(&times).unwrap();
+        assert_eq!((sequence.moved.as_slice(), sequence.left_out.as_slice()), (&[40][..], &[70][..]));
+        assert_eq!(sequence.pieces[0].len(), 99);
+        assert!(sequence.pieces[0].windows(2).all(|pair| times[pair[0]] < times[pair[1]]));
+    }
+
+    #[test]
+    fn a_clock_that_is_set_back_cuts_the_run() {
+        let mut times = even(100);
+        times[60..].iter_mut().for_each(|time| *time -= 0.2);
+        let sequence = Sequence::of(&times).unwrap();
+        assert_eq!(sequence.cuts, [60]);
+        assert_eq!(sequence.pieces.iter().map(Vec::len).collect::<Vec<_>>(), [60, 40]);
+        assert!(sequence.moved.is_empty() && sequence.left_out.is_empty());
+    }
+
+    #[test]
+    fn times_that_go_back_once_in_twenty_rows_are_times_and_more_often_none() {
+        let mut times = even(40);
+        times.swap(10, 11);
+        times.swap(30, 31);
+        assert!(Sequence::of(&times).is_ok());
+        assert_eq!(Sequence::of(&times[..39]), Err(11));
+    }
+}
