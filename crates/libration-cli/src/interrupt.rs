@@ -25,3 +25,11 @@ pub(crate) fn asked() -> bool {
 pub(crate) fn go_on() -> ControlFlow<()> {
     if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
+
+/// What is left to be said when an answer was ended early and `what` there was of it is written.
+pub(crate) fn ended_early(what: &str) -> Result<(), Failure> {
+    match asked() {
+        true => Err(Failure::Interrupted(format!("interrupted: {what} until then are written"))),
+        false => Ok(()),
+    }
+}

@@ -10,6 +10,7 @@ mod output;
 mod parallel;
 
 use clap::Parser;
+use output::progress::{Heartbeat, Screen};
 use std::io::{BufWriter, Write, stdout};
 use std::process::ExitCode;
 
@@ -19,7 +20,9 @@ fn main() -> ExitCode {
         Ok(question) => question,
         Err(error) => return failure::refuse(&error),
     };
-    let mut out = BufWriter::with_capacity(1 << 16, stdout().lock());
+    let mut out = BufWriter::with_capacity(1 << 16, Screen::new(stdout().lock()));
+    let heartbeat = Heartbeat::begin();
     let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
+    heartbeat.end();
     answered.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
 }

@@ -1,5 +1,6 @@
 //! Independent pieces of work on all cores.
 
+use crate::interrupt;
 use crate::output::progress::Progress;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -24,6 +25,23 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
     let mut done = done.into_inner().expect("no piece of work panics");
     done.sort_by_key(|(place, _)| *place);
     done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// The results for the items, in their order, as far as they are done when somebody asks for an early end; meanwhile
+/// a line of progress counts `what`.
+pub(crate) fn map_until_asked<T: Sync, R: Send>(
+    items: &[T],
+    what: &str,
+    work: impl Fn(&T) -> R + Sync,
+) -> Vec<R> {
+    let done = AtomicUsize::new(0);
+    let counted = |item: &T| {
+        let result = (!interrupt::asked()).then(|| work(item));
+        done.fetch_add(1, Ordering::Relaxed);
+        result
+    };
+    let how_far = || format!("{} of {} {what}", done.load(Ordering::Relaxed), items.len());
+    with_progress(how_far, || map(items, counted)).into_iter().map_while(|result| result).collect()
 }
 
 fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, clap::Args)]
 #[group(required = true, multiple = false)]
 pub(crate) struct AmplitudeOptions {
-    /// Angles such as 60deg, 1.2rad, pi-1e-6, or ranges such as 1deg:179deg:1deg
+    /// Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg
     #[arg(value_name = "AMPLITUDE", value_parser = angle_set)]
     amplitudes: Vec<AngleSet>,
     /// Read the amplitudes from a file, one per line; - for the standard input
@@ -48,6 +48,11 @@ impl Amplitudes {
         self.0.iter().flat_map(AngleSet::iter).map(|angle| Amplitude::new(angle).expect(below_pi))
     }
 
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.0.iter().map(AngleSet::len).sum()
+    }
+
     /// The amplitude, if there is exactly one.
     pub(crate) fn single(&self) -> Option<Amplitude> {
         let mut amplitudes = self.iter();
@@ -60,6 +65,13 @@ impl AngleSet {
         match self {
             Self::List(angles) => Box::new(angles.iter().copied()),
             Self::Range(range) => Box::new(range.iter()),
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Self::List(angles) => angles.len(),
+            Self::Range(range) => range.len(),
         }
     }
 

@@ -6,7 +6,7 @@ use std::fmt::Display;
 /// The entries asked for.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct KeyOptions {
-    /// Only these
+    /// List only these
     #[arg(value_name = "KEY")]
     keys: Vec<String>,
 }

@@ -12,10 +12,10 @@ pub(crate) struct OscillatorOptions {
     /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0"
     #[arg(value_name = "OSCILLATOR|EQUATION", default_value = "pendulum")]
     oscillator: String,
-    /// The value of a parameter, a number or a formula of numbers; may be given several times
+    /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// The equilibrium, where there are several [default: the stable one nearest to zero]
+    /// Which equilibrium, where there are several [default: the stable one nearest to zero]
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }

@@ -18,25 +18,25 @@ const MOST_POINTS: usize = 10_000_000;
 /// The options that say where and how many.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SectionOptions {
-    /// Take a point once in this time, in seconds [default: the period of the drive]
+    /// Take a point once per period of this length, in seconds [default: the period of the drive]
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "at")]
     period: Option<f64>,
-    /// Take it at this part of the period, from 0 to 1
+    /// Take it at this fraction of the period, from 0 to 1
     #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
     phase: f64,
     /// Take a point whenever this formula of coordinates, velocities and t changes its sign
     #[arg(long, value_name = "FORMULA")]
     at: Option<Expression>,
-    /// From which side the formula comes to zero
+    /// The side from which the formula comes to zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: Side,
-    /// How many points pass before the first one is kept [default: 100, with --at 0]
+    /// How many points to leave out before the first one is kept [default: 100; 0 with --at]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
-    /// How many points are kept
+    /// How many points to keep
     #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
     points: Option<usize>,
-    /// The error that each step may make, as a part of what changes
+    /// The relative error allowed in each step
     #[arg(long, default_value = "1e-12", value_parser = positive)]
     tolerance: f64,
     /// Bring angles into the turn from −π to π, as the picture always does

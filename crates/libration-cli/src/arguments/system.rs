@@ -8,10 +8,10 @@ use libration::systems::{Model, ModelError};
 /// The system asked about.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
-    /// A key of `libration systems` or `libration oscillators`, or equations of motion such as "x'' = y - x; y'' = x - y"
+    /// A key from `libration systems` or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y"
     #[arg(value_name = "SYSTEM|EQUATION")]
     system: String,
-    /// The value of a parameter, a number or a formula of numbers; may be given several times
+    /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
 }

@@ -53,6 +53,14 @@ impl Times {
         }
     }
 
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Self::List(times) => times.len(),
+            Self::Range(range) => range.len(),
+        }
+    }
+
     /// The one that is named last.
     pub(crate) fn last(&self) -> f64 {
         match self {

@@ -8,8 +8,9 @@ use std::io::Write;
 
 /// Write the completion script for a shell
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:
-  libration completions bash > ~/.local/share/bash-completion/completions/libration")]
+#[command(after_help = "Examples:
+  source <(libration completions bash)        # in bash, for this session
+  libration completions zsh > _libration      # into a directory of $fpath")]
 pub(crate) struct Completions {
     /// The shell
     shell: Shell,

@@ -10,25 +10,27 @@ use libration::quantity::Angle;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// A worked derivation, step by step, each formula checked by computing it
+/// A worked derivation, step by step, with each formula checked by computing it
 ///
-/// Below each formula stands how it was checked: exactly with fractions, or in 77 digits at several amplitudes.
+/// Below each formula it says how the formula was checked: exactly in fractions, or to 77 digits at several amplitudes.
 /// With --amplitude each step also shows its numbers for that pendulum.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration derive --road elliptic > period.md
-  libration derive --road elliptic --amplitude 40deg --length 1m --format html --output period.html
+  libration derive --road elliptic --amplitude 40deg --length 1m \\
+    --format html --output period.html
   libration derive --road formulas --format latex --output formulas.tex
-  libration derive --road perturbation --order 7 --amplitude 60deg --format html --output series.html
+  libration derive --road perturbation --order 7 --amplitude 60deg \\
+    --format html --output series.html
   libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
   libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
-    /// Which way to the period
+    /// Which derivation
     #[arg(long, value_enum)]
     road: Road,
     #[command(flatten)]
     perturbation: PerturbationOptions,
-    /// Show the numbers at this amplitude, such as 40deg; of other oscillators a plain number
+    /// Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number
     #[arg(long, value_parser = arguments::angle)]
     amplitude: Option<Angle>,
     #[command(flatten)]
@@ -56,7 +58,7 @@ struct PerturbationOptions {
     /// Perturbation: the value of a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Perturbation: the equilibrium, where there are several
+    /// Perturbation: which equilibrium, where there are several
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }
@@ -83,9 +85,13 @@ enum Format {
 
 impl Derive {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let text = self.format.write(&self.derivation()?);
+        let derivation = self.derivation()?;
+        let text = self.format.write(&derivation);
         match &self.output {
-            Some(path) => file::write(path, text.as_bytes()),
+            Some(path) => {
+                file::write(path, text.as_bytes())?;
+                Ok(writeln!(out, "{} written: {}", path.display(), derivation.title)?)
+            }
             None => Ok(out.write_all(text.as_bytes())?),
         }
     }

@@ -11,26 +11,26 @@ use std::io::Write;
 /// More harmonics than this are never asked for by a tolerance.
 const LIMIT: usize = 1_000_000;
 
-/// Fourier coefficients of the angle and of the velocity
+/// The Fourier coefficients of the angle and of the velocity
 ///
-/// In libration θ(t) = Σ aₙ cos(nΩτ), with τ from the positive turning point. In rotation
-/// θ(t) = mean velocity · τ + Σ aₙ sin(nΩτ), with τ from the bottom.
+/// In libration θ(t) = Σ aₙ cos(nΩτ), where τ is the time since the positive turning point. In rotation
+/// θ(t) = mean velocity · τ + Σ aₙ sin(nΩτ), where τ is the time since the bottom.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fourier 150deg
   libration fourier 60deg --harmonics 3 --json
   libration fourier 0 --velocity 7rad/s")]
 pub(crate) struct Fourier {
-    /// Angle at the start, such as 60deg, 1.2rad, pi-1e-6
+    /// The starting angle, such as 60deg, 1.2rad or pi-1e-6
     #[arg(value_parser = arguments::angle)]
     angle: Angle,
-    /// Velocity at the start, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
+    /// The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
     #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
-    /// How many harmonics
+    /// How many harmonics to list
     #[arg(long, conflicts_with = "tolerance", value_parser = arguments::count::<LIMIT>)]
     harmonics: Option<usize>,
-    /// All harmonics of the angle at least this large, in radians
+    /// List all harmonics of the angle that are at least this large, in radians
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     tolerance: f64,
     #[command(flatten)]

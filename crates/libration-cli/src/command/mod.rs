@@ -27,30 +27,38 @@ mod systems;
 use crate::failure::Failure;
 use std::io::Write;
 
-/// Answers about the pendulum at any amplitude: exact, and by every published formula with its error.
+/// The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error.
 #[derive(Debug, clap::Parser)]
-#[command(name = "libration", version, arg_required_else_help = true, after_help = EXAMPLES)]
+#[command(name = "libration", version, arg_required_else_help = true, term_width = HELP_WIDTH, after_help = EXAMPLES)]
 pub(crate) struct Libration {
     #[command(subcommand)]
     question: Question,
 }
 
+/// The width of every help, whatever the terminal, so that examples can be copied as they are printed.
+const HELP_WIDTH: usize = 80;
+
 const EXAMPLES: &str = "\
 Examples:
-  libration period 60deg                      the exact period, and every formula with its error
-  libration period 1deg:179deg:1deg --csv     a table, one row per amplitude
-  libration motion 150deg --times 0:10:0.5    angle and velocity in time
-  libration decay 60deg --linear 0.1          how the swings of a damped pendulum die down
+  libration period 60deg                     # exact, and by every formula
+  libration period 1deg:179deg:1deg          # a table, one row per amplitude
+  libration motion 150deg --times 0:10:0.5   # angle and velocity in time
+  libration decay 60deg --linear 0.1         # how damped swings die down
   libration formulas --amplitude 90deg --tolerance 1e-3
-  libration expand duffing --order 9          perturbation series of any oscillator, exactly
-  libration simulate double_pendulum --initial theta1=120deg,theta2=120deg --times 0:10:0.1
-  libration derive --road elliptic            how the exact period is found, step by step
+  libration expand duffing --order 9         # exact perturbation series
+  libration simulate double_pendulum --times 0:10:0.1 \\
+    --initial theta1=120deg,theta2=120deg
+  libration derive --road elliptic           # how the exact period is found
   libration figure errors --output errors.svg
-  libration inspect swing.csv                 what the file of an instrument holds
-  libration fit trace swing.csv --length 0.57m±0.004m --report swing.html
+  libration inspect examples/swing_synthetic.csv
+  libration fit trace examples/swing_synthetic.csv \\
+    --length 0.56m±0.002m --report swing.html
 
-Angles: 60deg, 60°, 1.2rad, 1.2 (radians), or as a distance from the top: pi-1e-6, 180deg-1e-9deg.
-Exit status: 0 answered, 1 the question has no answer, 2 the question is not understood, 130 interrupted.";
+Angles are 60deg, 60°, 1.2rad, 1.2 (radians), or distances from the top:
+pi-1e-6, 180deg-1e-9deg. Tables are as wide as the terminal, or as COLUMNS says;
+files and pipes get 80 columns.
+Exit status: 0 answered, 1 the question has no answer, 2 the question is not
+understood, 130 interrupted.";
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {
@@ -72,12 +80,23 @@ enum Question {
     Derive(derive::Derive),
     Figure(figure::Figure),
     Inspect(Box<inspect::Inspect>),
-    #[command(subcommand)]
-    Fit(Fit),
+    Fit(FitQuestion),
     Completions(completions::Completions),
 }
 
-/// Explain measured data by the exact law
+/// Explain measured data by the exact law: periods, lengths, gate times or whole swings
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit periods examples/period_table_synthetic.csv
+  libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg
+  libration fit gates examples/gate_synthetic.csv --amplitude 0.9
+  libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
+  libration inspect examples/swing_synthetic.csv   # what a file holds")]
+struct FitQuestion {
+    #[command(subcommand)]
+    fit: Fit,
+}
+
 #[derive(Debug, clap::Subcommand)]
 enum Fit {
     Periods(fit_periods::FitPeriods),
@@ -107,10 +126,10 @@ impl Libration {
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Inspect(question) => question.answer(out),
-            Question::Fit(Fit::Periods(question)) => question.answer(out),
-            Question::Fit(Fit::Lengths(question)) => question.answer(out),
-            Question::Fit(Fit::Gates(question)) => question.answer(out),
-            Question::Fit(Fit::Trace(question)) => question.answer(out),
+            Question::Fit(FitQuestion { fit: Fit::Periods(question) }) => question.answer(out),
+            Question::Fit(FitQuestion { fit: Fit::Lengths(question) }) => question.answer(out),
+            Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),
+            Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

@@ -3,21 +3,21 @@
 use crate::arguments::KeyOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::table::sheet;
+use crate::output::table::{sheet, write_text};
 use crate::output::{Form, FormOptions, csv};
 use libration::oscillator::{NamedOscillator, Parameter, catalogue};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The oscillators known by name: equations, parameters, where they oscillate, sources
+/// The oscillators known by name: equations, parameters, where they oscillate, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration oscillators
   libration oscillators duffing morse
   libration oscillators --json
 
-Each can be given to `libration expand` by its key, its parameters by --set NAME=VALUE. Any other oscillator can be
-given there by its equation.")]
+Each can be given to `libration expand` by its key, and its parameters by
+--set NAME=VALUE. Any other oscillator can be given there by its equation.")]
 pub(crate) struct Oscillators {
     #[command(flatten)]
     keys: KeyOptions,
@@ -79,7 +79,7 @@ fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<
         }
         let also =
             if named.also.is_empty() { String::new() } else { format!(" (also {})", named.also.join(", ")) };
-        writeln!(out, "{}{also}: {}", named.key, named.title)?;
+        write_text(out, "", &format!("{}{also}: {}", named.key, named.title))?;
         sheet(out, &lines(named))?;
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! `libration paper`: two published derivations checked equation by equation.
 
 use crate::failure::Failure;
+use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
 use libration::derivation::paper::{Document, Row, Verdict, rows_where};
 use std::io::{self, Write};
@@ -12,17 +13,17 @@ use std::io::{self, Write};
 /// formula, `paraphrase` marks the formula that is ours.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration paper                    every equation with its verdict and evidence
-  libration paper --only wrong       what is wrong, and what should stand there
+  libration paper                    # every equation, verdict and evidence
+  libration paper --only wrong       # what is wrong, and what should be there
   libration paper --label 25 --json")]
 pub(crate) struct Paper {
-    /// Only statements with this verdict
+    /// Show only statements with this verdict
     #[arg(long, value_parser = verdict, value_name = "VERDICT")]
     only: Option<Verdict>,
-    /// Only one document
+    /// Show only one document: black-vel or cote
     #[arg(long, value_parser = document, value_name = "DOCUMENT")]
     document: Option<Document>,
-    /// Only labels with this number or these words, such as 25, C2, `Fig. 1`
+    /// Show only labels with this number or these words, such as 25, C2 or "Fig. 1"
     #[arg(long)]
     label: Option<String>,
     #[command(flatten)]
@@ -162,26 +163,9 @@ fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
 }
 
 const INDENT: usize = 4;
-const WIDTH: usize = 110;
+const WIDTH: usize = 100;
 
-/// The text in lines of at most `WIDTH` letters, each after `indent` blanks; a longer word stands alone.
+/// The text in lines after so many blanks.
 fn wrapped(text: &str, indent: usize) -> String {
-    let blanks = " ".repeat(indent);
-    let mut lines = vec![blanks.clone()];
-    let mut width = indent;
-    for word in text.split(' ') {
-        let length = word.chars().count();
-        if width > indent && width + 1 + length > WIDTH {
-            lines.push(blanks.clone());
-            width = indent;
-        }
-        let line = lines.last_mut().expect("there is always a line");
-        if width > indent {
-            line.push(' ');
-            width += 1;
-        }
-        line.push_str(word);
-        width += length;
-    }
-    lines.join("\n")
+    paragraph(&" ".repeat(indent), text, WIDTH)
 }

@@ -3,22 +3,24 @@
 use crate::arguments::KeyOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::table::paragraph;
+use crate::output::table::{paragraph, write_text};
 use crate::output::{Form, FormOptions, csv};
 use libration::systems::{NamedCoordinate, NamedSystem, Parameter, catalogue};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The systems known by name: equations of motion, parameters with units, energies, sources
+/// The systems known by name: equations of motion, parameters with units, energies, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration systems
   libration systems damped_pendulum double_pendulum
   libration systems --json
 
-Each can be given to `libration simulate` by its key, its parameters by --set NAME=VALUE. The default values leave out all
-damping and driving, and the angular frequency of small swings is 1. The oscillators of `libration oscillators` can be given
-there too, and any equations of motion.")]
+Each can be given to `libration simulate` by its key, and its parameters by
+--set NAME=VALUE. The default values leave out all damping and driving, and the
+angular frequency of small swings is 1. The oscillators of
+`libration oscillators` can be given there too, and so can any equations of
+motion.")]
 pub(crate) struct Systems {
     #[command(flatten)]
     keys: KeyOptions,
@@ -92,7 +94,7 @@ fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> 
         }
         let also =
             if named.also.is_empty() { String::new() } else { format!(" (also {})", named.also.join(", ")) };
-        writeln!(out, "{}{also}: {}", named.key, named.title)?;
+        write_text(out, "", &format!("{}{also}: {}", named.key, named.title))?;
         for (name, text) in lines(named) {
             writeln!(out, "{}", paragraph(&format!("  {name:<11}"), &text, COLUMNS))?;
         }

@@ -1,6 +1,7 @@
 //! What a picture shows, before anything is drawn: panels, axes, curves and points.
 
-use super::range;
+use super::frame::TITLE_SIZE;
+use super::{letters, range};
 
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
@@ -70,10 +71,16 @@ pub(crate) enum Mark {
     Markers(usize),
 }
 
+/// More ticks than an axis is ever given; so many end also where the axis has no end.
+const MOST_TICKS: u32 = 1000;
+/// A longer title, in units of length, would make the picture wider.
+const WIDEST_TITLE: f64 = 760.0;
+
 impl Picture {
     /// A picture of the usual size.
     pub(crate) fn new(title: &str, panels: Vec<Panel>) -> Self {
-        Self { title: title.to_owned(), width: 1200.0, height: 700.0, panels }
+        let title = letters::shortened(title, f64::from(TITLE_SIZE), WIDEST_TITLE);
+        Self { title, width: 1200.0, height: 700.0, panels }
     }
 }
 
@@ -102,6 +109,23 @@ impl Axis {
     /// The coordinates of the ends.
     pub(crate) fn ends(&self) -> (f64, f64) {
         (self.coordinate(self.from), self.coordinate(self.to))
+    }
+
+    /// Where its ticks are, as coordinates.
+    pub(super) fn ticks(&self) -> impl Iterator<Item = f64> {
+        let (from, to) = self.ends();
+        // Ticks at the ends are drawn whatever the last digit says.
+        let slack = 1e-6 * self.tick_step;
+        let first = ((from - slack) / self.tick_step).ceil();
+        (0..MOST_TICKS)
+            .map(move |place| (first + f64::from(place)) * self.tick_step)
+            .take_while(move |tick| *tick <= to + slack)
+    }
+
+    /// Into how many parts the distance of two ticks divides the axis.
+    pub(super) fn divisions(&self) -> f64 {
+        let (from, to) = self.ends();
+        ((to - from) / self.tick_step).min(f64::from(MOST_TICKS))
     }
 
     /// The position on the axis, in the coordinate in which the axis is evenly divided.

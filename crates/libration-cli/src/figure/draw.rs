@@ -1,8 +1,10 @@
 //! Pictures as SVG or PNG, by the plotting library `kuva`.
 
-use super::chart::{Axis, Mark, Panel, Picture, Scale, Series};
+use super::chart::{Axis, Mark, Panel, Picture, Series};
+use super::frame::{
+    BOTTOM_MARGIN, Frame, LABEL_SIZE, PADDING, SPACING, TICK_SIZE, TITLE_SIZE, TOP_MARGIN, tick_label,
+};
 use super::{clip, dashes, legend};
-use crate::output::number;
 use kuva::prelude::{Figure, LinePlot, LineStyle, MarkerShape};
 use kuva::prelude::{Layout, Plot, PngBackend, ScatterPlot, SvgBackend, TickFormat};
 use kuva::render::render::Scene;
@@ -10,11 +12,6 @@ use std::sync::Arc;
 
 /// Pixels per unit of length in a PNG: 1000 units wide become 2400 pixels, 300 dpi at 20 cm.
 const PNG_SCALE: f32 = 2.4;
-
-/// The same for all panels, so that their axes stand in line.
-const LEFT_MARGIN: f64 = 104.0;
-/// Room for half of the last tick's label.
-const RIGHT_MARGIN: f64 = 24.0;
 
 const MARKERS: [MarkerShape; 4] =
     [MarkerShape::Circle, MarkerShape::Square, MarkerShape::Triangle, MarkerShape::Diamond];
@@ -30,36 +27,40 @@ pub(crate) fn to_png(picture: &Picture) -> Result<Vec<u8>, String> {
 }
 
 fn scene(picture: &Picture) -> Scene {
-    let mut scene = axes_and_data(picture);
-    let title_height = scene.height - picture.height;
-    legend::add(&mut scene, picture, title_height);
+    let frame = Frame::new(picture);
+    let mut scene = axes_and_data(picture, &frame);
+    legend::add(&mut scene, picture, &frame);
     dashes::cut_into_dashes(&mut scene);
+    // The size asked for, without what the rounding of the parts leaves.
+    (scene.width, scene.height) = (frame.width, frame.height);
     scene
 }
 
-fn axes_and_data(picture: &Picture) -> Scene {
-    let shares: f64 = picture.panels.iter().map(|panel| panel.share).sum();
+fn axes_and_data(picture: &Picture, frame: &Frame) -> Scene {
     let mut figure = Figure::new(picture.panels.len(), 1)
         .with_title(&picture.title)
-        .with_title_size(22)
+        .with_title_size(TITLE_SIZE)
+        .with_padding(PADDING)
+        .with_spacing(SPACING)
         .with_plots(picture.panels.iter().map(plots).collect())
-        .with_layouts(picture.panels.iter().map(layout).collect())
-        .with_figure_size(picture.width - legend::width(picture), picture.height);
-    for (row, panel) in picture.panels.iter().enumerate() {
-        figure = figure.with_row_height(row, panel.share / shares * picture.height);
+        .with_layouts(picture.panels.iter().map(|panel| layout(panel, frame)).collect())
+        .with_figure_size(frame.width - frame.legend_width, frame.height);
+    for (row, (_, height)) in frame.cells.iter().enumerate() {
+        figure = figure.with_row_height(row, *height);
     }
     figure.render()
 }
 
-fn layout(panel: &Panel) -> Layout {
+fn layout(panel: &Panel, frame: &Frame) -> Layout {
     let layout = Layout::new(panel.x.ends(), panel.y.ends())
-        .with_label_size(20)
-        .with_tick_size(17)
+        .with_label_size(LABEL_SIZE)
+        .with_tick_size(TICK_SIZE)
         .with_body_size(16)
         .with_box_axes()
         .with_axis_line_width(1.5)
         .with_tick_width(1.5)
-        .with_force_margins(LEFT_MARGIN, RIGHT_MARGIN);
+        .with_force_margins(frame.left_margin, frame.right_margin)
+        .with_force_margins_y(TOP_MARGIN, BOTTOM_MARGIN);
     with_y_axis(with_x_axis(layout, &panel.x), &panel.y)
 }
 
@@ -69,7 +70,7 @@ fn with_x_axis(layout: Layout, axis: &Axis) -> Layout {
         .with_x_axis_min(from)
         .with_x_axis_max(to)
         .with_x_tick_step(axis.tick_step)
-        .with_x_tick_format(ticks(axis.scale));
+        .with_x_tick_format(ticks(axis));
     if axis.label.is_empty() { layout } else { layout.with_x_label(&axis.label) }
 }
 
@@ -79,36 +80,13 @@ fn with_y_axis(layout: Layout, axis: &Axis) -> Layout {
         .with_y_axis_min(from)
         .with_y_axis_max(to)
         .with_y_tick_step(axis.tick_step)
-        .with_y_tick_format(ticks(axis.scale))
+        .with_y_tick_format(ticks(axis))
         .with_y_label(&axis.label)
 }
 
-/// Logarithmic axes are drawn as even ones of the exponent: the library's own end at 1e-10.
-fn ticks(scale: Scale) -> TickFormat {
-    TickFormat::Custom(Arc::new(match scale {
-        Scale::Linear => linear_tick,
-        Scale::Logarithmic => power_of_ten,
-    }))
-}
-
-fn linear_tick(value: f64) -> String {
-    number::short(value, 6).replace('-', "−")
-}
-
-/// 10⁻⁴ for the exponent −4.
-fn power_of_ten(exponent: f64) -> String {
-    let exponent = format!("{exponent:.0}");
-    let raised = exponent.chars().map(|digit| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => digit.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(digit),
-    });
-    match exponent.as_str() {
-        "0" | "-0" => "1".to_owned(),
-        _ => format!("10{}", raised.collect::<String>()),
-    }
+fn ticks(axis: &Axis) -> TickFormat {
+    let (scale, step) = (axis.scale, axis.tick_step);
+    TickFormat::Custom(Arc::new(move |coordinate| tick_label(scale, step, coordinate)))
 }
 
 fn plots(panel: &Panel) -> Vec<Plot> {

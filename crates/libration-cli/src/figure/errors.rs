@@ -3,13 +3,14 @@
 use super::chart::{Axis, Panel, Picture, Series};
 use super::cusps::sizes;
 use super::style;
+use crate::parallel;
 
 const SAMPLES: u32 = 720;
 
 /// A formula's name for the legend and its signed fractional error at an amplitude in degrees.
 pub(crate) struct Curve<'a> {
     pub(crate) label: String,
-    pub(crate) error: Box<dyn Fn(f64) -> f64 + 'a>,
+    pub(crate) error: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
 }
 
 /// The frame of the picture: amplitudes in degrees, and the errors at the ends of the axis.
@@ -21,13 +22,16 @@ pub(crate) struct Frame {
     pub(crate) highest: f64,
 }
 
-/// The picture of the errors; where an error changes sign its curve runs down to the axis.
+/// The picture of the errors; where an error changes sign its curve runs down to the axis. If somebody asks for an early
+/// end it has only the curves that are done.
 pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
     let signed = |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
+    let drawn = parallel::map_until_asked(curves, "curves", |curve| sizes(&signed(curve)));
     let series = curves
         .iter()
+        .zip(drawn)
         .enumerate()
-        .map(|(number, curve)| Series::line(&curve.label, style::curve(number), sizes(&signed(curve))));
+        .map(|(number, (curve, points))| Series::line(&curve.label, style::curve(number), points));
     let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {
         x: if frame.to - frame.from > 90.0 { x.with_tick_step(30.0) } else { x },

@@ -14,14 +14,17 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
     Err("pictures are written as SVG or PNG: give a name that ends in .svg or .png".to_owned())
 }
 
-/// Draws the picture into its file.
-pub(crate) fn write(path: &Path, picture: &Picture) -> Result<(), Failure> {
+/// Draws the picture into its file, and says so in a sentence.
+pub(crate) fn write(path: &Path, picture: &Picture) -> Result<String, Failure> {
     let bytes = if is(path, "svg") {
         draw::to_svg(picture).into_bytes()
     } else {
         draw::to_png(picture).map_err(|reason| Failure::no_answer("the picture", reason))?
     };
-    file::write(path, &bytes)
+    file::write(path, &bytes)?;
+    let points: usize =
+        picture.panels.iter().flat_map(|panel| &panel.series).map(|series| series.points.len()).sum();
+    Ok(format!("{} written: {}, {points} points", path.display(), picture.title))
 }
 
 fn is(path: &Path, ending: &str) -> bool {

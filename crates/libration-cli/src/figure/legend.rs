@@ -1,44 +1,42 @@
 //! The legend, to the right of the axes where it hides no data, with samples long enough to show the dashes.
 
 use super::chart::{Mark, Panel, Picture, Series};
+use super::frame::Frame;
+use super::letters;
 use kuva::render::color::Color;
 use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 
 const TEXT_SIZE: u32 = 17;
-/// The letters of the font are about 0.6 of their size wide on average.
-const LETTER: f64 = 0.6 * 17.0;
 const ROW: f64 = 28.0;
 const SAMPLE: f64 = 54.0;
 const GAP: f64 = 10.0;
-/// From the top of a panel's cell to the top of its axes.
-const PANEL_TOP: f64 = 34.0;
+/// From the top of a panel to the middle of the first row.
+const FIRST_ROW: f64 = 24.0;
 
-/// The width the legend needs beside the axes.
-pub(crate) fn width(picture: &Picture) -> f64 {
-    let longest = picture.panels.iter().flat_map(named).map(|series| letters(&series.label)).reduce(f64::max);
-    longest.map_or(0.0, |letters| SAMPLE + 3.0 * GAP + LETTER * letters)
+/// The width the legends need beside the axes.
+pub(super) fn width(picture: &Picture) -> f64 {
+    let labels = picture.panels.iter().flat_map(named);
+    let longest = labels.map(|series| letters::width(&series.label, f64::from(TEXT_SIZE))).reduce(f64::max);
+    longest.map_or(0.0, |longest| SAMPLE + 3.0 * GAP + longest)
+}
+
+/// The height a panel's legend needs.
+pub(super) fn height(panel: &Panel) -> f64 {
+    FIRST_ROW + named(panel).map(|_| ROW).sum::<f64>()
 }
 
 /// Widens the scene and writes each panel's legend into the new space, beside the panel.
-pub(crate) fn add(scene: &mut Scene, picture: &Picture, title_height: f64) {
+pub(super) fn add(scene: &mut Scene, picture: &Picture, frame: &Frame) {
     let left = scene.width;
-    scene.width += width(picture);
-    let shares: f64 = picture.panels.iter().map(|panel| panel.share).sum();
-    let mut top = title_height + PANEL_TOP;
-    for panel in &picture.panels {
+    for (panel, (top, _)) in picture.panels.iter().zip(&frame.cells) {
         for (row, series) in (0_u32..).zip(named(panel)) {
-            entry(scene, series, left, ROW.mul_add(f64::from(row), top));
+            entry(scene, series, left, ROW.mul_add(f64::from(row), top + FIRST_ROW));
         }
-        top += panel.share / shares * picture.height;
     }
 }
 
 fn named(panel: &Panel) -> impl Iterator<Item = &Series> {
     panel.series.iter().filter(|series| !series.label.is_empty())
-}
-
-fn letters(label: &str) -> f64 {
-    label.chars().map(|_| 1.0).sum()
 }
 
 fn entry(scene: &mut Scene, series: &Series, left: f64, middle: f64) {

@@ -23,7 +23,11 @@ mod clip;
 mod cusps;
 mod dashes;
 pub(crate) mod draw;
+mod frame;
 mod legend;
+mod letters;
 pub(crate) mod names;
 mod range;
 mod style;
+
+pub(crate) use frame::Smallest;

@@ -6,9 +6,11 @@ pub(crate) mod file;
 pub(crate) mod json;
 pub(crate) mod number;
 pub(crate) mod progress;
+pub(crate) mod screen;
 pub(crate) mod series;
 pub(crate) mod table;
 
+use std::io::{self, Write};
 use std::path::Path;
 
 /// The form of an answer.
@@ -17,6 +19,14 @@ pub(crate) enum Form {
     Table,
     Json,
     Csv,
+}
+
+/// Says below an answer to read what was written to files.
+pub(crate) fn announce(out: &mut dyn Write, form: Form, written: &[String]) -> io::Result<()> {
+    if form != Form::Table || written.is_empty() {
+        return Ok(());
+    }
+    written.iter().try_for_each(|text| table::write_text(out, "", text))
 }
 
 /// The options that choose the form.

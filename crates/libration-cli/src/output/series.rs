@@ -1,5 +1,6 @@
 //! Power series with exact coefficients, to read and in LaTeX.
 
+use super::screen;
 use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::perturbation::Precision;
@@ -112,8 +113,9 @@ pub(crate) fn subscript(number: usize) -> String {
     number.to_string().bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect()
 }
 
-/// Text broken at blanks before this column, further lines indented.
+/// A series broken between its terms before this column or the end of the screen, further lines indented.
 pub(crate) fn wrapped(first: &str, text: &str, column: usize) -> String {
+    let column = column.min(screen::width());
     let indent = first.chars().count();
     let mut lines = vec![first.to_owned()];
     // A sign stays with its term, and a coefficient with its power.

@@ -32,7 +32,7 @@ fn each_picture_labels_its_axes() {
 #[test]
 fn a_png_is_a_png() {
     let path = directory("png").join("spectrum.png");
-    text(&format!("figure spectrum --width 400 --height 400 --output {}", path.display()));
+    text(&format!("figure spectrum --width 500 --height 400 --output {}", path.display()));
     assert!(std::fs::read(path).unwrap().starts_with(b"\x89PNG\r\n"));
 }
 

@@ -18,6 +18,66 @@ fn every_field_of_the_contract_is_there() {
 }
 
 #[test]
+fn the_state_after_an_eighth_of_a_swing_of_a_right_angle_is_known() {
+    // With k² = 1/2 an eighth of the period is half a quarter period: from the top of the swing sin(θ/2) = k cd(K/2), and
+    // cd²(K/2) = 1/(1 + k′) by the formulas of half the quarter period (DLMF 22.5), so that sin²(θ/2) = 1/(2 + √2).
+    let omega0 = 9.80665_f64.sqrt();
+    let period = 4.0 * 1.854_074_677_301_371_9 / omega0;
+    let answer = json(&format!("motion 90deg --times {:?},{:?}", period / 8.0, period * 9.0 / 8.0));
+    close(&answer["length_m"], 1.0, 0.0);
+    close(&answer["gravity_m_per_s2"], 9.80665, 0.0);
+    close(&answer["period_s"], period, 1e-15);
+    close(&answer["amplitude_rad"], std::f64::consts::FRAC_PI_2, 1e-15);
+    close(&answer["energy_ratio"], 0.5, 1e-15);
+    let half = (2.0 + std::f64::consts::SQRT_2).recip();
+    let angle = 2.0 * half.sqrt().asin();
+    // θ′²/4ω0² = k² − sin²(θ/2), on the way down.
+    let velocity = -2.0 * omega0 * (0.5 - half).sqrt();
+    for sample in answer["samples"].as_array().unwrap() {
+        close(&sample["angle_rad"], angle, 1e-14);
+        close(&sample["angle_in_turn_rad"], angle, 1e-14);
+        close(&sample["complement_rad"], std::f64::consts::PI - angle, 1e-14);
+        close(&sample["velocity_rad_per_s"], velocity, 1e-14);
+        assert_eq!(sample["turns"], 0);
+    }
+}
+
+#[test]
+fn the_state_on_the_separatrix_is_known() {
+    // From the bottom with θ′ = 2ω0, and ω0 = 1: θ = 4 atan tanh(t/2) = gd-angle, θ′ = 2/cosh t.
+    let answer = json("motion 0 --velocity 2rad/s --length 1m --gravity 1 --times 0.5,3");
+    for sample in answer["samples"].as_array().unwrap() {
+        let time = sample["time_s"].as_f64().unwrap();
+        let angle = 4.0 * (0.5 * time).tanh().atan();
+        close(&sample["angle_rad"], angle, 1e-14);
+        close(&sample["angle_in_turn_rad"], angle, 1e-14);
+        close(&sample["velocity_rad_per_s"], 2.0 / time.cosh(), 1e-14);
+        // π − θ = 4 atan e^(−t) has no cancellation.
+        close(&sample["complement_rad"], 4.0 * (-time).exp().atan(), 1e-14);
+    }
+}
+
+#[test]
+fn a_rotation_comes_back_after_its_turn_one_turn_further() {
+    let period = json("motion 0 --velocity 7rad/s --times 0")["period_s"].as_f64().unwrap();
+    let answer = json(&format!("motion 0 --velocity 7rad/s --times {period:?},{:?}", 2.0 * period));
+    // k² = (θ′/2ω0)² is above 1 and the time of a turn is 2K(1/k²)/(k ω0), by the arithmetic-geometric mean.
+    let omega0 = 9.80665_f64.sqrt();
+    let energy = (3.5 / omega0).powi(2);
+    let (mut a, mut b) = (1.0, (1.0 - 1.0 / energy).sqrt());
+    for _ in 0..8 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    close(&answer["period_s"], std::f64::consts::PI / (a * energy.sqrt() * omega0), 1e-14);
+    close(&answer["energy_ratio"], energy, 1e-14);
+    for (turn, sample) in (1..).zip(answer["samples"].as_array().unwrap()) {
+        close(&sample["angle_rad"], f64::from(turn) * std::f64::consts::TAU, 1e-14);
+        close(&sample["velocity_rad_per_s"], 7.0, 1e-13);
+        assert!(sample["angle_in_turn_rad"].as_f64().unwrap().abs() < 1e-13);
+    }
+}
+
+#[test]
 fn a_fast_start_is_a_rotation_that_counts_its_turns() {
     let answer = json("motion 0 --velocity 7rad/s --times 0,10");
     assert_eq!(answer["regime"], "rotation");

@@ -59,6 +59,73 @@ fn a_range_is_a_table_with_one_row_per_amplitude() {
     assert_eq!(text("period 1deg:179deg:1deg").lines().count(), 184);
 }
 
+/// T/T0 by the arithmetic-geometric mean.
+fn ratio(amplitude: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
+    for _ in 0..10 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    a.recip()
+}
+
+#[test]
+fn every_row_of_a_range_has_the_right_values_and_every_formula() {
+    let table = text("period 1deg:179deg:1deg --csv");
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let keys = json("period 60deg")["results"][0]["formulas"].as_array().unwrap().len();
+    assert_eq!(names.len(), 8 + 2 * keys);
+    let column = |name: &str| names.iter().position(|found| *found == name).unwrap();
+    let t0 = std::f64::consts::TAU / 9.80665_f64.sqrt();
+    let rows: Vec<&str> = table.lines().skip(1).collect();
+    assert_eq!(rows.len(), 179);
+    for (degrees, row) in (1_u32..).zip(rows) {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let angle = f64::from(degrees).to_radians();
+        let exact = ratio(angle);
+        let bernoulli = 1.0 + angle * angle / 16.0;
+        let expected = [
+            ("amplitude_rad", angle),
+            ("complement_rad", f64::from(180 - degrees).to_radians()),
+            ("small_angle_period_s", t0),
+            ("period_s", t0 * exact),
+            ("ratio", exact),
+            ("bernoulli_ratio", bernoulli),
+        ];
+        for (name, value) in expected {
+            let found = cells[column(name)];
+            // Ten steps of the mean in f64, and the cosine next to 180°.
+            assert!((found - value).abs() <= 1e-13 * value, "{name} at {degrees}°: {found} is not {value}");
+        }
+        let error = cells[column("bernoulli_fractional_error")];
+        assert!((error - (bernoulli / exact - 1.0)).abs() < 1e-13, "{degrees}°: {error}");
+        assert!((cells[column("excess")] - (exact - 1.0)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_range_says_the_same_as_json_as_csv_and_alone() {
+    let all = json("period 10deg:170deg:40deg");
+    let table = text("period 10deg:170deg:40deg --csv");
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let results = all["results"].as_array().unwrap();
+    assert_eq!(results.len(), 5);
+    for (result, row) in results.iter().zip(table.lines().skip(1)) {
+        let degrees = result["amplitude_rad"].as_f64().unwrap().to_degrees().round();
+        assert_eq!(result, &json(&format!("period {degrees}deg"))["results"][0]);
+        for (name, cell) in names.iter().zip(row.split(',')) {
+            let (key, field) = ["_fractional_error", "_ratio"]
+                .iter()
+                .find_map(|end| Some((name.strip_suffix(end)?, &end[1..])))
+                .unwrap_or(("", name));
+            let formula = result["formulas"].as_array().unwrap().iter().find(|formula| formula["key"] == key);
+            let value = formula.map_or(&result[*name], |formula| &formula[field]);
+            // What is no number is null in JSON and nan in CSV.
+            let number = cell.parse().ok().filter(|number: &f64| number.is_finite());
+            assert_eq!(value.as_f64(), number, "{name} at {degrees}°");
+        }
+    }
+}
+
 #[test]
 fn amplitudes_come_from_a_file_too() {
     let file = directory("amplitudes").join("amplitudes.txt");

@@ -4,24 +4,25 @@ mod write;
 
 use crate::arguments::{self, Asked, OscillatorOptions};
 use crate::failure::Failure;
-use crate::figure;
-use crate::output::{Form, FormOptions};
+use crate::output::{Form, FormOptions, announce};
+use crate::{figure, interrupt, parallel};
 use libration::comparison::{Backbone as Curve, BackbonePoint};
 use libration::perturbation::MAX_ORDER;
 use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// The frequency of an oscillator against its amplitude: by orbits, by the perturbation series, and exactly for the pendulum
+/// The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum
 ///
-/// Each orbit is a motion released from rest, integrated until it is back; its uncertainty says how well its frequency is known.
-/// Amplitudes count from the equilibrium, frequencies are in radians a unit of time.
+/// Each orbit is a motion released from rest and integrated until it returns; its uncertainty says how well its frequency
+/// is known. Amplitudes are measured from the equilibrium; frequencies are in radians per unit of time.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration backbone pendulum --amplitudes 10deg:170deg:10deg
-  libration backbone duffing --amplitudes 0.1:3:0.1 --order 15 --figure duffing.svg
+  libration backbone duffing --amplitudes 0.1:3:0.1 --figure duffing.svg
   libration backbone \"x'' = -x^3\" --amplitudes 0.5,1,2 --json
-  libration backbone helmholtz_duffing --set alpha=1/2 --amplitudes 0.1:1:0.1 --csv")]
+  libration backbone helmholtz_duffing --set alpha=1/2 \\
+    --amplitudes 0.1:1:0.1 --csv")]
 pub(crate) struct Backbone {
     #[command(flatten)]
     oscillator: OscillatorOptions,
@@ -31,7 +32,7 @@ pub(crate) struct Backbone {
     /// The order of the perturbation series
     #[arg(long, default_value = "9", value_parser = arguments::count::<MAX_ORDER>)]
     order: usize,
-    /// Draw the curves into this file, .svg or .png
+    /// Draw the curves to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -58,19 +59,24 @@ impl Answer {
 impl Backbone {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let answer = self.computed()?;
+        let mut drawn = vec![];
         if let Some(path) = &self.figure {
             let title = match answer.asked.key {
                 Some(_) => answer.asked.title.clone(),
                 None => answer.asked.equation.to_string(),
             };
             let setting = figure::backbone::Setting { title, order: self.order, is_angle: answer.is_angle() };
-            figure::file::write(path, &figure::backbone::backbone(&answer.curve, &answer.points, &setting))?;
+            let picture = figure::backbone::backbone(&answer.curve, &answer.points, &setting);
+            drawn.push(figure::file::write(path, &picture)?);
         }
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,
             Form::Csv => write::csv(out, &answer)?,
-            Form::Table => write::table(out, &answer)?,
+            Form::Table => write::table(out, &answer, drawn.is_empty())?,
         }
+        announce(out, self.form.form(), &drawn)?;
+        out.flush()?;
+        interrupt::ended_early("the points")?;
         if answer.points.iter().any(|point| point.orbit.is_ok()) {
             return Ok(());
         }
@@ -90,7 +96,8 @@ impl Backbone {
         }
         let curve = Curve::new(&asked.equation, asked.about.as_ref(), self.order);
         let curve = curve.map_err(|error| Failure::no_answer("oscillator", error))?;
-        let points = amplitudes.into_iter().map(|amplitude| curve.at(amplitude)).collect();
+        interrupt::listen()?;
+        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| curve.at(*amplitude));
         Ok(Answer { asked, curve, order: self.order, points })
     }
 }

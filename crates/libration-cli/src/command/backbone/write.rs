@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::csv;
 use crate::output::json::{self, Record};
 use crate::output::number::{exact, rounded, short};
-use crate::output::table::{Column, Table, sheet};
+use crate::output::table::{Column, Table, sheet, write_text};
 use libration::comparison::{BackbonePoint, Radius, SeriesFrequency};
 use libration::perturbation::Certainty;
 use serde_json::Value;
@@ -81,16 +81,23 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     Ok(())
 }
 
-pub(super) fn table(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+/// What is known of the whole, the points if they are to be listed, and why some are missing.
+pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::Result<()> {
     sheet(out, &head(answer))?;
-    writeln!(out)?;
+    if listed {
+        writeln!(out)?;
+        points(out, answer)?;
+    }
+    write_reasons(out, answer)
+}
+
+fn points(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let pendulum = answer.points.iter().any(|point| point.exact.is_some());
     let mut table = Table::new(columns(answer, pendulum));
     for point in &answer.points {
         table.row(out, cells(answer, point, pendulum))?;
     }
-    table.finish(out)?;
-    write_reasons(out, answer)
+    table.finish(out)
 }
 
 fn head(answer: &Answer) -> Vec<(&'static str, String)> {
@@ -178,10 +185,7 @@ fn write_reasons(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let Some(first) = missing.first() else { return Ok(()) };
     let reason = first.orbit.as_ref().err().map(ToString::to_string).unwrap_or_default();
     writeln!(out)?;
-    writeln!(
-        out,
-        "No orbit at {} of the amplitudes, the first at {}: {reason}",
-        missing.len(),
-        amplitude_text(answer, first.amplitude, 10)
-    )
+    let first = amplitude_text(answer, first.amplitude, 10);
+    let text = format!("No orbit at {} of the amplitudes, the first at {first}: {reason}", missing.len());
+    write_text(out, "", &text)
 }

@@ -8,7 +8,7 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::figure::section::Shown;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
     Column, Continuation, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
@@ -24,19 +24,22 @@ const POINTS: usize = 100;
 /// So many values are one piece of work.
 const PIECE: usize = 32;
 
-/// Bifurcation diagram: the section of a motion for each value of a parameter
+/// Bifurcation diagram: the Poincaré section of a motion for each value of a parameter
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration bifurcation driven_pendulum --set c=1/2 --over A=1:1.5:0.0005 --initial theta=0.2 --figure diagram.png
-  libration bifurcation \"x'' + 0.2 x' + x + x^3 = A cos(1.8 t)\" --over A=0.1:3:0.02 --initial x=0 --sweep both
+  libration bifurcation driven_pendulum --set c=1/2 --over A=1:1.5:0.05 \\
+    --initial theta=0.2 --points 30 --figure diagram.png
+  libration bifurcation \"x'' + 0.2 x' + x + x^3 = A cos(1.8 t)\" \\
+    --over A=0.5:3:0.5 --initial x=0 --sweep both --points 5
 
-With --sweep each motion begins where the one for the value before ended, so that a motion is followed as long as it is
-stable; up and down then show the hysteresis. Ctrl-C ends the work early and keeps the values that are done.")]
+With --sweep each motion begins where the one for the value before ended, so
+that a motion is followed as long as it is stable; up and down then show the
+hysteresis. Ctrl-C ends the work early and keeps the values that are done.")]
 pub(crate) struct Bifurcation {
     #[command(flatten)]
     system: SystemOptions,
-    /// The parameter and its values
-    #[arg(long, value_name = "NAME=START:STOP:STEP", value_parser = parameter_range)]
+    /// The parameter and its values, from A to B in steps, such as A=1:1.5:0.01
+    #[arg(long, value_name = "NAME=A:B:STEP", value_parser = parameter_range)]
     over: ParameterRange,
     #[command(flatten)]
     initial: InitialOptions,
@@ -48,7 +51,7 @@ pub(crate) struct Bifurcation {
     /// The number of the state that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME")]
     axis: Option<String>,
-    /// Draw the diagram to FILE.svg or FILE.png
+    /// Draw the diagram to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -62,7 +65,7 @@ enum Order {
     Up,
     /// From the last to the first
     Down,
-    /// Once so and once so
+    /// First up, then down
     Both,
 }
 
@@ -97,10 +100,14 @@ impl Bifurcation {
             parameter: &self.over,
             sweeps: self.sweeps(&model, &place, &start)?,
         };
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::section::bifurcation(&diagram, &self.axis(&model)?))?;
-        }
-        diagram.write(out, self.form.form())?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(path, &figure::section::bifurcation(&diagram, &self.axis(&model)?))?]
+            }
+            None => vec![],
+        };
+        diagram.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         if diagram.is_complete() {
             return Ok(());

@@ -16,11 +16,12 @@ pub(crate) struct Row {
 }
 
 impl Diagram<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> io::Result<()> {
+    /// In the form asked for; the table lists the points only if that is wanted.
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
             Form::Csv => self.write_csv(out),
-            Form::Table => self.write_table(out),
+            Form::Table => self.write_table(out, listed),
         }
     }
 
@@ -80,7 +81,7 @@ impl Diagram<'_> {
         Ok(())
     }
 
-    fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         let points = format!(
             "{} for each value, {}, after {} of the transient",
             self.points.kept, self.place, self.points.skipped
@@ -92,6 +93,9 @@ impl Diagram<'_> {
         ];
         lines.extend(self.stopped().map(|text| ("stopped", text)));
         sheet(out, &lines)?;
+        if !listed {
+            return Ok(());
+        }
         writeln!(out)?;
         let titles = ["sweep", &self.parameter.name, "time"].map(str::to_owned).into_iter();
         let titles = titles.chain(self.model.state_names());

@@ -7,7 +7,7 @@ mod write;
 use crate::arguments::{self, PendulumOptions};
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use options::{DampingOptions, Extent};
@@ -18,32 +18,33 @@ pub(crate) use report::{Report, Turn};
 
 /// How the swings of a damped pendulum die down, cycle by cycle
 ///
-/// The amplitude by integration of θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0, beside the one by averaging, dE/dt being the mean over a cycle
-/// without damping with exact integrals at any amplitude, and beside the law of small amplitudes; the time of each cycle
-/// beside the exact period of the amplitude in its middle.
+/// The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. Beside them stand the averaged law, in which
+/// the energy falls at its mean rate over an undamped cycle (exact at any amplitude), and the law of small amplitudes.
+/// The time of each cycle stands beside the exact period at the amplitude in its middle.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration decay 60deg --linear 0.1                        viscous damping, 20 cycles
-  libration decay 1 --quadratic 0.1 --omega0 1 --cycles 4   drag of a fast flow, in units of the pendulum's own time
-  libration decay 90deg --dry 0.2 --linear 0.02             until dry friction holds it
+  libration decay 60deg --linear 0.1                # viscous damping, 20 cycles
+  libration decay 1 --quadratic 0.1 --omega0 1 --cycles 4   # in units of 1/ω0
+  libration decay 90deg --dry 0.2 --linear 0.02     # until friction holds it
   libration decay 150deg --quadratic 0.05 --until 60s --figure decay.svg
-  libration decay 40deg --power 1.5:0.1 --csv               any power of the velocity
+  libration decay 40deg --power 1.5:0.1 --csv       # any power of the velocity
 
-Coefficients are per moment of inertia, in SI units: a drag torque of b kg m²/s times θ′ on a pendulum of ml² has c = b/(ml²).")]
+Coefficients are divided by the moment of inertia, in SI units: a drag torque of
+b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")]
 pub(crate) struct Decay {
-    /// The amplitude of the release from rest, such as 60deg, 1.2rad, pi-1e-6
+    /// The angle of release from rest, such as 60deg, 1.2rad or pi-1e-6
     #[arg(value_parser = arguments::angle)]
     amplitude: Angle,
     #[command(flatten)]
     damping: DampingOptions,
     #[command(flatten)]
     extent: Extent,
-    /// Draw amplitude and period against time to FILE.svg or FILE.png
+    /// Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the cycles
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
     pendulum: PendulumOptions,
-    /// ω0 = √(g/l), such as 1rad/s, instead of length and gravity
+    /// The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity
     #[arg(long, value_name = "VELOCITY", value_parser = arguments::angular_velocity, conflicts_with_all = ["length", "gravity"])]
     omega0: Option<f64>,
     #[command(flatten)]
@@ -62,10 +63,13 @@ impl Decay {
         let decay = libration::decay::Decay::new(pendulum, damping, self.amplitude)
             .map_err(|error| Failure::no_answer("decay", error))?;
         let report = Report::new(&decay, self.extent)?;
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::decay::of(&decay, &report))?;
-        }
+        let drawn = match &self.figure {
+            Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report))?],
+            None => vec![],
+        };
         let given = self.omega0.is_none().then_some(self.pendulum);
-        write::Answer { given, decay: &decay, report: &report }.write(out, self.form.form())
+        let listed = drawn.is_empty();
+        write::Answer { given, decay: &decay, report: &report, listed }.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

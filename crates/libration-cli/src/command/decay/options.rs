@@ -11,16 +11,16 @@ pub(super) struct DampingOptions {
     /// Dry friction, a constant deceleration in rad/s²
     #[arg(long, value_name = "C0", value_parser = arguments::positive)]
     dry: Option<f64>,
-    /// Viscous damping, in proportion to the velocity, in 1/s
+    /// Viscous damping, proportional to the velocity, in 1/s
     #[arg(long, value_name = "C1", value_parser = arguments::positive)]
     linear: Option<f64>,
-    /// Damping in proportion to the square of the velocity, in 1/rad
+    /// Damping proportional to the square of the velocity, in 1/rad
     #[arg(long, value_name = "C2", value_parser = arguments::positive)]
     quadratic: Option<f64>,
-    /// Damping in proportion to the cube of the velocity, in s/rad²
+    /// Damping proportional to the cube of the velocity, in s/rad²
     #[arg(long, value_name = "C3", value_parser = arguments::positive)]
     cubic: Option<f64>,
-    /// Damping in proportion to any power of the velocity, such as 1.5:0.1; may be given several times
+    /// Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several times
     #[arg(long, value_name = "POWER:C", value_parser = term)]
     power: Vec<DampingTerm>,
 }
@@ -58,10 +58,10 @@ fn number(text: &str) -> Option<f64> {
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[group(multiple = false)]
 pub(super) struct Extent {
-    /// So many cycles, unless it stops before [default: 20]
+    /// The number of cycles, if it swings that long [default: 20]
     #[arg(long, value_parser = arguments::count::<MOST_CYCLES>)]
     cycles: Option<usize>,
-    /// All cycles that are completed by this time, such as 60s; plain numbers are seconds
+    /// All cycles completed by this time, such as 60s; plain numbers are seconds
     #[arg(long, value_name = "TIME", value_parser = time)]
     until: Option<f64>,
 }

@@ -17,6 +17,8 @@ pub(super) struct Answer<'a> {
     pub(super) given: Option<PendulumOptions>,
     pub(super) decay: &'a Decay,
     pub(super) report: &'a Report,
+    /// Whether the table lists the cycles; a picture shows them better.
+    pub(super) listed: bool,
 }
 
 impl Answer<'_> {
@@ -82,6 +84,9 @@ impl Answer<'_> {
     /// Whole cycles, and what is left of one at the end.
     fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
         sheet(out, &self.lines())?;
+        if !self.listed {
+            return Ok(());
+        }
         writeln!(out)?;
         let titles = [
             "cycle",

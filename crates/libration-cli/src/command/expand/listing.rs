@@ -2,6 +2,7 @@
 
 use super::Answer;
 use crate::output::series::{Notation, Style, fraction, subscript, superscript, wrapped};
+use crate::output::table::write_text;
 use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
@@ -18,7 +19,8 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let notation = Notation { precision: expansion.precision, style: Style::Text };
     let symbols = Symbols::new(&expansion.variable);
     write_head(out, answer)?;
-    writeln!(out, "{}\n", meaning(expansion, &symbols))?;
+    write_text(out, "", &meaning(expansion, &symbols))?;
+    writeln!(out)?;
     for (name, text) in lines(expansion, notation, &symbols) {
         writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
     }
@@ -34,19 +36,20 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
             writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
         }
     }
-    writeln!(out, "\n{}", checked(expansion))
+    writeln!(out)?;
+    write_text(out, "", &checked(expansion))
 }
 
 /// What is expanded about what.
 pub(super) fn write_head(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    writeln!(out, "{}", answer.title)?;
-    writeln!(out, "{}", answer.equation)?;
+    write_text(out, "", &answer.title)?;
+    write_text(out, "", &answer.equation)?;
     if !answer.values.is_empty() {
         let values: Vec<String> =
             answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        writeln!(out, "with {}", values.join(", "))?;
+        write_text(out, "with ", &values.join(", "))?;
     }
-    writeln!(out, "{}", setting(answer))
+    write_text(out, "", &setting(answer))
 }
 
 /// The symbols that stand for the variable.

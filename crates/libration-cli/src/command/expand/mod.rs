@@ -14,7 +14,7 @@ use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progr
 use std::io::Write;
 use std::sync::Mutex;
 
-/// Exact series of an oscillator's frequency, harmonics and period, to any order
+/// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
@@ -26,12 +26,13 @@ use std::sync::Mutex;
   libration expand \"x'' + x + 0.1*x^3 = 0\" --order 5 --latex
   libration expand quadratic --order 6 --gauge half_swing
   libration expand van_der_pol --order 8 --json
-  libration expand pendulum --evaluate 40deg               T/T0 term by term, beside the exact value
+  libration expand pendulum --evaluate 40deg    # T/T0 term by term
   libration expand duffing --set epsilon=0.1 --evaluate 2 --quantity a3
-  libration oscillators                                    the oscillators known by name
+  libration oscillators                         # the ones known by name
 
-Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing, energy (ε = √(2E)/ω0),
-nome (pendulum, ε = 8√q), or the coefficients of a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
+Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
+energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
+a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
 
 Ctrl-C ends long work early and writes the orders that are certain by then.")]
 pub(crate) struct Expand {
@@ -43,11 +44,11 @@ pub(crate) struct Expand {
     /// What the expansion parameter means
     #[arg(long, default_value = "fundamental")]
     gauge: Gauge,
-    /// Numbers term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5, or 40deg
-    /// where the variable is an angle; for a limit cycle at this value of its parameter
+    /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
+    /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
     evaluate: Option<String>,
-    /// What is evaluated: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+    /// What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period", requires = "evaluate")]
     quantity: Quantity,
     /// Write LaTeX

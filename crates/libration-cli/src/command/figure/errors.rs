@@ -5,6 +5,7 @@ use crate::arguments::{self, FormulaChoice};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::errors::{Curve, Frame, errors};
+use crate::interrupt;
 use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 
@@ -20,15 +21,19 @@ const FIRST_FIGURE: [&str; 8] = [
     "black_vel_3",
 ];
 
-/// Error of the formulas against the amplitude, as in the first figure of Black and Vel
+/// The errors of the formulas against the amplitude, as in the first figure of Black and Vel
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration figure errors --output errors.svg
+  libration figure errors --formulas bernoulli,carvalhaes_suppes \\
+    --from 60deg --output errors.png")]
 pub(super) struct Errors {
     #[command(flatten)]
     formulas: FormulaChoice,
-    /// The amplitude at the left
+    /// The amplitude at the left end
     #[arg(long, default_value = "0deg", value_parser = arguments::angle)]
     from: Angle,
-    /// The amplitude at the right
+    /// The amplitude at the right end
     #[arg(long, default_value = "180deg", value_parser = arguments::angle)]
     to: Angle,
     /// The smallest error shown
@@ -53,6 +58,7 @@ impl Errors {
             return Err(Failure::no_answer("--lowest, --highest", got));
         }
         let formulas = self.curves()?;
+        interrupt::listen()?;
         let curves: Vec<Curve> = formulas.iter().map(curve).collect();
         Ok(errors(&curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
     }

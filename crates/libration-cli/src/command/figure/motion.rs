@@ -9,13 +9,17 @@ use crate::figure::motion::{self, Release};
 use libration::pendulum::Pendulum;
 use std::f64::consts::TAU;
 
-/// Angle in time after release from several amplitudes, against the small-angle cosine
+/// The angle in time after release from several amplitudes, beside the small-angle cosine
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration figure motion --output motion.svg
+  libration figure motion --amplitudes 30deg,90deg,179deg --periods 3 \\
+    --output motion.png")]
 pub(super) struct Motion {
     /// Angles of release
     #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
-    /// How many small-angle periods
+    /// How many small-angle periods to show
     #[arg(long, default_value = "2", value_parser = arguments::positive)]
     periods: f64,
     #[command(flatten)]

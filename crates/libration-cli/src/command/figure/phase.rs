@@ -9,8 +9,12 @@ use crate::figure::phase::{Orbit, Portrait, portrait};
 use crate::output::number;
 use libration::pendulum::{Pendulum, PendulumError};
 
-/// Phase portrait: librations, the separatrix, rotations
+/// The phase portrait: librations, the separatrix, and rotations
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration figure phase --output phase.svg
+  libration figure phase --amplitudes 45deg,135deg --energies 1.5 \\
+    --output phase.png")]
 pub(super) struct Phase {
     /// Amplitudes of the librations
     #[arg(long, default_value = "30deg,75deg,120deg,160deg", value_parser = arguments::angle_list)]

@@ -21,7 +21,7 @@ pub(super) fn write(
             json::document_with_list(out, head, "series", series(picture).map(record))
         }
         Form::Csv => write_csv(out, picture),
-        Form::Table => write_summary(out, path, picture),
+        Form::Table => write_summary(out, picture),
     }
 }
 
@@ -45,8 +45,7 @@ fn write_csv(out: &mut dyn Write, picture: &Picture) -> io::Result<()> {
     Ok(())
 }
 
-fn write_summary(out: &mut dyn Write, path: &Path, picture: &Picture) -> io::Result<()> {
-    writeln!(out, "{} written: {}\n", path.display(), picture.title)?;
+fn write_summary(out: &mut dyn Write, picture: &Picture) -> io::Result<()> {
     let mut table = Table::new(vec![Column::words("shown"), Column::numbers("points")]);
     for series in series(picture).filter(|series| !series.label.is_empty()) {
         table.row(out, vec![series.label.clone(), series.points.len().to_string()])?;

@@ -10,8 +10,13 @@ use libration::comparison::{ExactValue, Quantity, Radius, Relation};
 use libration::oscillator::NoPeriodicMotion;
 use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
 
-/// Error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
+/// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration figure series pendulum --output series.svg
+  libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 \\
+    --output terms.png
+  libration figure series van_der_pol --quantity frequency --output limit.svg")]
 pub(super) struct Series {
     #[command(flatten)]
     oscillator: OscillatorOptions,
@@ -21,7 +26,7 @@ pub(super) struct Series {
     /// What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period")]
     quantity: Quantity,
-    /// Instead, the error against the last power kept, at these amplitudes, such as 30deg,90deg,150deg
+    /// Show instead the error against the last power kept, at these amplitudes, such as 30deg,90deg,150deg
     #[arg(long, value_name = "A,A", value_delimiter = ',', conflicts_with = "to")]
     amplitudes: Vec<String>,
     /// The largest amplitude shown [default: a fifth beyond the radius of convergence]

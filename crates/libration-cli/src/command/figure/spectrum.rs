@@ -11,10 +11,14 @@ use libration::pendulum::Pendulum;
 /// The highest harmonic that may be asked for.
 const HIGHEST: usize = 4000;
 
-/// Harmonics of the angle at several amplitudes
+/// The harmonics of the angle at several amplitudes
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration figure spectrum --output spectrum.svg
+  libration figure spectrum --amplitudes 60deg,150deg,179deg --highest 61 \\
+    --output spectrum.png")]
 pub(super) struct Spectrum {
-    /// Amplitudes
+    /// The amplitudes
     #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
     /// The smallest coefficient shown, in radians

@@ -5,7 +5,7 @@ mod write;
 use crate::arguments::{ApparatusOptions, RecordingOptions, told};
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use libration::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
 use libration::fit::{self, Budget, MeasuredPeriod};
 use libration::quantity::{Angle, Quantity};
@@ -15,14 +15,17 @@ use std::path::PathBuf;
 /// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are found
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration fit gates gate.csv
-  libration fit gates gate.csv --amplitude 20deg --length 0.57m±0.004m
-  libration fit gates gate.csv --length 0.57m±0.004m --diameter 25.0(1)mm
-  libration fit gates times.txt --signals passages --csv
+  libration fit gates examples/gate_synthetic.csv
+  libration fit gates examples/gate_synthetic.csv --amplitude 0.9 \\
+    --length 0.958m±0.001m
+  libration fit gates examples/gate_synthetic.csv --length 0.958m±0.001m \\
+    --diameter \"25.0(1) mm\" --figure gates.svg
+  libration fit gates examples/gate_synthetic.csv --signals edges --csv
 
-Periods go from one passage to the next of the same side, so that the gate need not stand at the
-centre. With the diameter of the bob and the length the speed at the gate gives every amplitude;
-else T0 needs the amplitude of the first swing.")]
+Periods run from one passage to the next in the same direction, so that the gate
+need not stand at the centre. With the diameter of the bob and the length, the
+speed at the gate gives every amplitude; otherwise T0 needs the amplitude of the
+first swing.")]
 pub(crate) struct FitGates {
     /// Times of one photogate, perhaps with its state (blocked or not); - for the standard input
     file: PathBuf,
@@ -62,13 +65,15 @@ impl FitGates {
         let fit = gates(&read.times, read.blocked.as_deref(), &self.options());
         let fit = fit.map_err(|error| Failure::no_answer(&name, error))?;
         let budget = self.budget(&fit)?;
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::gates::periods(&fit))?;
-        }
+        let drawn = match &self.figure {
+            Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit))?],
+            None => vec![],
+        };
         let findings: Vec<String> = read.findings.iter().map(told).collect();
         let incomplete = read.incomplete;
         write::Answer { fit: &fit, budget: budget.as_ref(), findings, incomplete }
-            .write(out, self.form.form())
+            .write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 
     fn options(&self) -> GateOptions {

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::table::sheet;
+use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, csv, number};
 use libration::fit::Budget;
 use libration::fit::gates::{GateCycle, GatesFit, T0Source};
@@ -80,10 +80,10 @@ impl Answer<'_> {
     fn write_sheet(&self, out: &mut dyn Write) -> io::Result<()> {
         sheet(out, &self.lines())?;
         for finding in &self.findings {
-            writeln!(out, "read: {finding}")?;
+            write_text(out, "read: ", finding)?;
         }
         for warning in &self.fit.warnings {
-            writeln!(out, "note: {warning}")?;
+            write_text(out, "note: ", warning)?;
         }
         let Some(budget) = self.budget else { return Ok(()) };
         writeln!(out)?;

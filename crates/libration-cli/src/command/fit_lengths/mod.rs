@@ -5,7 +5,7 @@ mod write;
 
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measured;
 use libration::fit;
@@ -16,13 +16,16 @@ use std::path::PathBuf;
 /// Measured periods against length: gravity, and by how much all lengths are off
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration fit lengths measured.csv
-  libration fit lengths measured.txt --amplitude 10deg --figure lengths.svg
-  libration fit lengths measured.csv --columns L,T,-,error --length-unit cm
-  libration fit lengths measured.csv --half-periods --bob-radius 25mm --json
+  libration fit lengths examples/lengths_synthetic.csv
+  libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg \\
+    --figure lengths.svg
+  libration fit lengths examples/lengths_synthetic.csv \\
+    --columns length,period,-,sigma_period --length-unit m
+  libration fit lengths examples/lengths_synthetic.csv --bob-radius 25mm --json
 
-T² = 4π²R²(L + δ)/g is fitted by weighted least squares, R = T/T0 being that of the amplitude:
-a string that was measured without its bob makes δ, and leaves g as it is.")]
+T² = 4π²R²(L + δ)/g is fitted by weighted least squares, where R = T/T0 at the
+amplitude. A string that was measured without its bob gives a δ, and leaves g as
+it is.")]
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: Input,
@@ -41,9 +44,13 @@ impl FitLengths {
         let measured = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
         let fit = fit::lengths(&measured.table, radius).map_err(|error| self.input.no_answer(error))?;
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::lengths::fitted(&measured, fit.best(), radius))?;
-        }
-        write::Answer { measured: &measured, fit: &fit }.write(out, self.form.form())
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(path, &figure::lengths::fitted(&measured, fit.best(), radius))?]
+            }
+            None => vec![],
+        };
+        write::Answer { measured: &measured, fit: &fit }.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

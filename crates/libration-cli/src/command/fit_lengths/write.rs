@@ -3,7 +3,7 @@
 use super::input::Measured;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::table::{Column, Table, sheet};
+use crate::output::table::{Column, Table, sheet, write_text};
 use crate::output::{self, Form, csv, number};
 use libration::fit::{GRAVITY_ON_EARTH, LengthFit, LengthsFit};
 use libration::quantity::Quantity;
@@ -102,7 +102,7 @@ impl Answer<'_> {
         }
         table.finish(out)?;
         for warning in &self.fit.warnings {
-            writeln!(out, "note: {warning}")?;
+            write_text(out, "note: ", warning)?;
         }
         Ok(())
     }

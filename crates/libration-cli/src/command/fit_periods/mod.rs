@@ -6,7 +6,7 @@ mod write;
 use crate::arguments::{ApparatusOptions, FormulaChoice, positive};
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measurement;
 use libration::fit::{self, Law, MeasuredPeriod, PeriodFit};
@@ -19,12 +19,16 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit periods examples/period_table_synthetic.csv
-  libration fit periods measured.txt --length 0.57m±0.004m --figure fit.svg
-  libration fit periods measured.csv --columns angle,period,-,error --amplitude-unit deg
-  libration fit periods measured.csv --reject-outliers 5 --json
+  libration fit periods examples/period_table_synthetic.csv \\
+    --length 0.994m±0.001m --figure fit.svg
+  libration fit periods examples/period_table_synthetic.csv \\
+    --columns amplitude,period,-,sigma_period --amplitude-unit rad
+  libration fit periods examples/period_table_synthetic.csv \\
+    --reject-outliers 5 --json
 
-Every law is fitted by weighted least squares in T0 alone. The test of the exact law
-fits T = T0·[1 + β(R − 1)], with R = T/T0 of the exact law: β = 1 is the exact law.")]
+Every law is fitted by weighted least squares in T0 alone. The test of the exact
+law fits T = T0·[1 + β(R − 1)], where R = T/T0 by the exact law: β = 1 is the
+exact law.")]
 pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: Input,
@@ -55,9 +59,13 @@ impl FitPeriods {
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
         let budget = self.apparatus.apparatus().map(|apparatus| fit::budget(&apparatus, &self.period(&fit)));
         let budget = budget.transpose().map_err(|error| Failure::no_answer("gravity", error))?;
+        let mut drawn = vec![];
         if let Some(path) = &self.figure {
             let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };
-            figure::file::write(path, &figure::periods::fitted(&measured.without(left_out), &fit))?;
+            drawn.push(figure::file::write(
+                path,
+                &figure::periods::fitted(&measured.without(left_out), &fit),
+            )?);
         }
         let answer = write::Answer {
             measured: &measured,
@@ -65,7 +73,8 @@ impl FitPeriods {
             budget: budget.as_ref(),
             length: self.apparatus.length(),
         };
-        answer.write(out, self.form.form())
+        answer.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 
     /// T0 with the amplitude whose T/T0 is the mean of those measured.

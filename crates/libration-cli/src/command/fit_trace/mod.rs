@@ -14,7 +14,7 @@ use crate::arguments::{ApparatusOptions, RecordingOptions};
 use crate::document;
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::{Form, FormOptions};
+use crate::output::{Form, FormOptions, announce};
 use answer::Answer;
 use input::{Input, Measured};
 use libration::fit::trace::TraceOptions;
@@ -30,10 +30,11 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
-  libration fit trace swing.csv --report swing.html
-  libration fit trace run1.txt run2.txt --model linear+quadratic --robust
-  libration fit trace encoder.csv --counts-per-turn 4000 --run 6 --json
-  libration fit trace video.csv --from 2s --to 60s --figure fit.svg")]
+  libration fit trace examples/swing_synthetic.csv --report swing.html
+  libration fit trace examples/swing_synthetic.csv --robust \\
+    --model linear+quadratic --from 2s --to 10s --figure fit.svg
+  libration fit trace examples/swing_synthetic.csv --time 1 --angle 2 \\
+    --unit deg --json")]
 pub(crate) struct FitTrace {
     #[command(flatten)]
     input: Input,
@@ -64,18 +65,20 @@ impl FitTrace {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let measured = self.input.read(&self.recording)?;
         let answer = self.fitted(&measured)?;
+        let mut written = vec![];
         if let Some(path) = &self.figure {
-            figure::file::write(path, &report::pictures::of_all(&answer))?;
+            written.push(figure::file::write(path, &report::pictures::of_all(&answer))?);
         }
         if let Some(path) = &self.report {
             document::write(path, &report::document(&answer))?;
+            written.push(format!("{} written: report with pictures", path.display()));
         }
         match self.form.form() {
             Form::Json => json::write(out, &answer)?,
             Form::Csv => csv::write(out, &answer)?,
             Form::Table => sheet::write(out, &answer)?,
         }
-        Ok(())
+        Ok(announce(out, self.form.form(), &written)?)
     }
 
     fn fitted<'a>(&self, measured: &'a Measured) -> Result<Answer<'a>, Failure> {

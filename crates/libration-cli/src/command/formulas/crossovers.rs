@@ -1,18 +1,26 @@
 //! Which formula overtakes which, and at which amplitude.
 
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::output::json::{self, Record};
+use crate::output::progress::Progress;
 use crate::output::table::{Column, Table};
 use crate::output::{Form, csv, number};
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 
 pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), Failure> {
     if formulas.len() < 2 {
         return Err(Failure::usage("--formulas", "one formula overtakes none: name at least two"));
     }
-    let mut crossovers = ErrorTable::new(formulas).all_crossovers(&mut |_, _| ControlFlow::Continue(()));
+    interrupt::listen()?;
+    let mut progress = Progress::new();
+    let mut watch = |done, all| {
+        progress.show(|| format!("{done} of {all} pairs of formulas"));
+        interrupt::go_on()
+    };
+    let mut crossovers = ErrorTable::new(formulas).all_crossovers(&mut watch);
+    drop(progress);
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
     match form {
         Form::Json => {
@@ -21,7 +29,8 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
         Form::Csv => write_csv(out, &crossovers)?,
         Form::Table => write_table(out, &crossovers)?,
     }
-    Ok(())
+    out.flush()?;
+    interrupt::ended_early("the crossovers")
 }
 
 fn record(crossover: &Crossover) -> Record {

@@ -10,21 +10,21 @@ use libration::period_formulas::{ErrorTable, PeriodFormula};
 use libration::quantity::Angle;
 use std::io::Write;
 
-/// The catalogue of formulas: which one suffices, where each stops, who overtakes whom
+/// The catalogue of formulas for the period: which one is good enough, how far each holds, where one overtakes another
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration formulas
-  libration formulas --tolerance 1e-3                    up to which amplitude each one holds
-  libration formulas --amplitude 90deg --tolerance 1e-3  which suffice at and below 90°, simplest first
+  libration formulas --tolerance 1e-3                     # how far each holds
+  libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
   libration formulas --crossovers --formulas black_vel_1,black_vel_3,butikov")]
 pub(crate) struct Formulas {
-    /// Only formulas that keep the tolerance at this amplitude and all below it
+    /// List only formulas that keep the tolerance at this amplitude and at all below it
     #[arg(long, requires = "tolerance", value_parser = arguments::angle)]
     amplitude: Option<Angle>,
-    /// The fractional error of the period that is allowed, such as 1e-3
+    /// The largest fractional error of the period that is allowed, such as 1e-3
     #[arg(long, value_parser = arguments::positive)]
     tolerance: Option<f64>,
-    /// At which amplitudes one formula overtakes another
+    /// List the amplitudes at which one formula becomes better than another
     #[arg(long, conflicts_with_all = ["amplitude", "tolerance"])]
     crossovers: bool,
     #[command(flatten)]

@@ -16,11 +16,11 @@ use std::path::PathBuf;
 /// the fits. A file that does not decide something is described all the same, with the options that would.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration inspect swing.csv                                a table of text, in any dialect
-  libration inspect pendulum.xls --json                      a workbook, as phyphox exports
-  libration inspect encoder.csv --counts-per-turn 4000       counts of an encoder
-  libration inspect video.txt --angle 2 --unit rad           a file without a header
-  libration inspect track.txt --x x --y y --pivot 0.1,1.5    positions, with a pivot that was measured")]
+  libration inspect examples/swing_synthetic.csv
+  libration inspect examples/gate_synthetic.csv --json
+  libration inspect examples/swing_synthetic.csv --angle 2 --unit deg
+  printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
+  printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
 pub(crate) struct Inspect {
     /// What the instrument wrote: text, Excel, or an archive of text files; - for the standard input
     file: PathBuf,

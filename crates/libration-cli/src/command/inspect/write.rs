@@ -5,7 +5,7 @@ use crate::arguments::{told, what_would_decide};
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::number::{exact, short};
-use crate::output::table::{Column, Table, paragraph, sheet};
+use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use crate::output::{Form, csv};
 use libration::measurement::{
     Channel, Choice, Finding, Format, Gates, MeasurementError, Quantity, Seen, Sheet, Trace,
@@ -17,7 +17,7 @@ pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result
     match form {
         Form::Json => json::document(out, record(answer))?,
         Form::Csv => write_csv(out, answer)?,
-        Form::Table => write_text(out, answer)?,
+        Form::Table => write_page(out, answer)?,
     }
     Ok(())
 }
@@ -133,7 +133,7 @@ fn cells(number: usize, channel: &Channel) -> Vec<String> {
 /// Where lines are broken.
 const COLUMNS: usize = 120;
 
-fn write_text(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_page(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     sheet(
         out,
         &[("file", answer.file.clone()), ("format", format!("{}, {} bytes", format(answer), answer.bytes))],
@@ -175,7 +175,7 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
                 .iter()
                 .try_for_each(|trace| writeln!(out, "{}", paragraph("  - ", &trace_line(trace), COLUMNS)))
         }
-        (Err(_), Some(gates)) => writeln!(out, "`libration fit gates` would fit {}", gates_line(gates)),
+        (Err(_), Some(gates)) => write_text(out, "`libration fit gates` would fit ", &gates_line(gates)),
         (Err(error), None) => {
             writeln!(out, "{}", paragraph("no trace yet: ", &what_would_decide(error), COLUMNS))?;
             if has_no_time(error) {

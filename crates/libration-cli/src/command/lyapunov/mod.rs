@@ -4,7 +4,7 @@ mod write;
 
 use crate::arguments::{InitialOptions, SystemOptions, count, not_negative, positive};
 use crate::failure::Failure;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
     Doubt, LyapunovError, LyapunovExponent, Progress, Schedule, Verdict, lyapunov_exponent,
@@ -18,34 +18,39 @@ use std::sync::Mutex;
 /// More intervals than this are never asked for.
 const MOST_INTERVALS: usize = 100_000_000;
 
-/// Largest Lyapunov exponent: how fast neighbouring motions part, and whether the motion is chaotic
+/// The largest Lyapunov exponent: how fast neighbouring motions part, and whether the motion is chaotic
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2
-  libration lyapunov double_pendulum --initial theta1=120deg,theta2=120deg --intervals 300
-  libration lyapunov \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --initial y=-0.15,x'=0.5555 --figure convergence.svg
+  libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
+    --intervals 300
+  libration lyapunov double_pendulum --intervals 30 \\
+    --initial theta1=120deg,theta2=120deg
+  libration lyapunov \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" \\
+    --initial \"y=-0.15,x'=0.5555\" --intervals 100 --figure convergence.svg
 
-`chaotic` needs evidence: exponential growth by e^100 and in every part of the time, of deviations from the motion and from
-two motions beside it, without coming so near to a separatrix that the digits are lost. `regular` is known by a theorem, or
-seen for the time measured. Otherwise the answer is `undecided`, with what is missing. Ctrl-C keeps the estimate.")]
+`chaotic` needs evidence: growth of deviations by e^100, in every part of the
+time, beside the motion and beside two neighbours of it, and no passage so near
+a separatrix that the digits are lost. `regular` is known by a theorem, or seen
+for the time measured. Otherwise the answer is `undecided`, with what is
+missing. Ctrl-C ends the work early and keeps the estimate.")]
 pub(crate) struct Lyapunov {
     #[command(flatten)]
     system: SystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// How many intervals are measured, each about a period of the motion
+    /// How many intervals to measure, each about a period of the motion
     #[arg(long, value_name = "N", default_value = "1000", value_parser = count::<MOST_INTERVALS>, conflicts_with = "time")]
     intervals: usize,
-    /// How long is measured, in seconds, in place of a number of intervals
+    /// How long to measure, in seconds, instead of a number of intervals
     #[arg(long, value_name = "T", value_parser = positive)]
     time: Option<f64>,
-    /// What passes before anything is measured, in seconds [default: 100 intervals]
+    /// How long to wait before measuring, in seconds [default: 100 intervals]
     #[arg(long, value_name = "T", value_parser = not_negative)]
     transient: Option<f64>,
-    /// The error that each step may make, as a part of what changes
+    /// The relative error allowed in each step
     #[arg(long, default_value = "1e-13", value_parser = positive)]
     tolerance: f64,
-    /// Draw the convergence of the exponent to FILE.svg or FILE.png
+    /// Draw the convergence of the exponent to FILE.svg or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -70,10 +75,12 @@ impl Lyapunov {
         interrupt::listen()?;
         let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
         let answer = Answer { model: &model, initial, schedule, found };
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::lyapunov::convergence(&answer))?;
-        }
-        answer.write(out, self.form.form())?;
+        let drawn = match &self.figure {
+            Some(path) => vec![figure::file::write(path, &figure::lyapunov::convergence(&answer))?],
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.found.verdict {
             Verdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {

@@ -11,11 +11,12 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> io::Result<()> {
+    /// In the form asked for; the table lists the points only if that is wanted.
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
             Form::Csv => self.write_csv(out),
-            Form::Table => self.write_sheet(out),
+            Form::Table => self.write_sheet(out, listed),
         }
     }
 
@@ -43,7 +44,7 @@ impl Answer<'_> {
         self.found.convergence.iter().try_for_each(|(time, exponent)| csv::numbers(out, &[*time, *exponent]))
     }
 
-    fn write_sheet(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         let found = &self.found;
         let exponent =
             format!("{} ± {} 1/s", number::rounded(found.exponent, 5), number::rounded(found.uncertainty, 2));
@@ -56,7 +57,11 @@ impl Answer<'_> {
             ],
         )?;
         let verdict = format!("{}: {}", found.verdict, found.verdict.reason());
-        writeln!(out, "{}\n", paragraph("verdict                    ", &verdict, COLUMNS))?;
+        writeln!(out, "{}", paragraph("verdict                    ", &verdict, COLUMNS))?;
+        if !listed {
+            return Ok(());
+        }
+        writeln!(out)?;
         let mut table =
             Table::new(vec![Column::numbers("measured / s"), Column::numbers("exponent / (1/s)")]);
         for (time, exponent) in found.convergence.iter().rev().step_by(4).rev() {

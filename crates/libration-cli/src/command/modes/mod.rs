@@ -6,15 +6,16 @@ mod write;
 use crate::arguments::SystemOptions;
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::{Form, FormOptions};
+use crate::output::{Form, FormOptions, announce};
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Normal modes of a system about an equilibrium: frequencies and shapes, exactly where possible, and their change with the amplitude
+/// The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and how they change with the amplitude
 ///
-/// The largest part of a shape is 1: a is the amplitude of that coordinate, and Ω = ω + κa² its frequency as long as a is small.
+/// Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the frequency is
+/// Ω = ω + κa² as long as a is small.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration modes double_pendulum
@@ -25,10 +26,10 @@ use std::path::PathBuf;
 pub(crate) struct Modes {
     #[command(flatten)]
     system: SystemOptions,
-    /// Coordinates near the equilibrium that is meant, as x=1,theta=180deg; those left out are at rest
+    /// Coordinates near the equilibrium that is meant, such as x=1,theta=180deg; those left out are at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     about: Option<String>,
-    /// Draw the shapes into this file, .svg or .png
+    /// Draw the shapes to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -48,14 +49,17 @@ impl Modes {
         let modes = NormalModes::about(model.equation(), &guess);
         let modes = modes.map_err(|error| Failure::no_answer("SYSTEM|EQUATION", error))?;
         let answer = Answer { model, modes };
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::modes::shapes(&answer.model, &answer.modes))?;
-        }
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(path, &figure::modes::shapes(&answer.model, &answer.modes))?]
+            }
+            None => vec![],
+        };
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,
             Form::Csv => write::csv(out, &answer)?,
             Form::Table => write::sheets(out, &answer)?,
         }
-        Ok(())
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

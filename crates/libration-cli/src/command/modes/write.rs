@@ -93,7 +93,7 @@ pub(super) fn sheets(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     sheet(out, &head)?;
     for (number, mode) in (1..).zip(&answer.modes.modes) {
         let number: usize = number;
-        writeln!(out, "\nmode {number}: {}", summary(mode))?;
+        writeln!(out, "\n{}", paragraph(&format!("mode {number}: "), &summary(mode), COLUMNS))?;
         for (name, text) in lines(answer, mode) {
             writeln!(out, "{}", paragraph(&format!("  {name:<11}"), &text, COLUMNS))?;
         }

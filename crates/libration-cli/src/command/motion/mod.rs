@@ -4,26 +4,27 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions, TimeOptions};
 use crate::failure::Failure;
-use crate::figure;
-use crate::output::FormOptions;
+use crate::output::progress::watched;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt};
 use libration::pendulum::ApproximateMotion;
 use libration::quantity::Angle;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Angle and velocity in time, from any angle and velocity at the start
+/// Angle and velocity in time, from any starting angle and velocity
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration motion 60deg                                  one period
+  libration motion 60deg                                # one period
   libration motion 150deg --times 0:10:0.5 --csv
-  libration motion 0 --velocity 7rad/s --times 0,1,2      a rotation
-  libration motion pi-1e-300 --times 0:2000:100           almost upright
-  libration motion 90deg --compare small-angle,fourier-3,fourier-5 --figure motion.svg")]
+  libration motion 0 --velocity 7rad/s --times 0,1,2    # a rotation
+  libration motion pi-1e-300 --times 0:2000:100         # almost upright
+  libration motion 90deg --compare small-angle,fourier-3 --figure motion.svg")]
 pub(crate) struct Motion {
-    /// Angle at the start, such as 60deg, 1.2rad, pi-1e-6; beyond the top counts turns
+    /// The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, turns are counted
     #[arg(value_parser = arguments::angle)]
     angle: Angle,
-    /// Velocity at the start, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
+    /// The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
     #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
     #[command(flatten)]
@@ -31,7 +32,7 @@ pub(crate) struct Motion {
     /// Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = ApproximateMotion::by_key)]
     compare: Vec<ApproximateMotion>,
-    /// Draw the motion to FILE.svg or FILE.png
+    /// Draw the motion to FILE.svg or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -46,12 +47,21 @@ impl Motion {
         let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
         let comparison = Comparison::new(self, pendulum.angular_frequency())?;
         let times = self.times.read(&pendulum, &motion)?;
-        if let Some(path) = &self.figure {
-            let picture = figure::motion::compared(&motion, &comparison, times.ends());
-            figure::file::write(path, &picture)?;
-        }
-        let answer = write::Answer { pendulum: self.pendulum, motion: &motion, comparison: &comparison };
-        answer.write(out, self.form.form(), times.iter())
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::motion::compared(&motion, &comparison, times.ends());
+                vec![figure::file::write(path, &picture)?]
+            }
+            None => vec![],
+        };
+        let listed = drawn.is_empty();
+        let answer =
+            write::Answer { pendulum: self.pendulum, motion: &motion, comparison: &comparison, listed };
+        interrupt::listen()?;
+        let samples = watched(times.iter(), times.len(), "times");
+        answer.write(out, self.form.form(), samples)?;
+        announce(out, self.form.form(), &drawn)?;
+        interrupt::ended_early("the samples")
     }
 }
 

@@ -15,6 +15,8 @@ pub(super) struct Answer<'a> {
     pub(super) pendulum: PendulumOptions,
     pub(super) motion: &'a Motion,
     pub(super) comparison: &'a Comparison,
+    /// Whether the table lists the samples; a picture shows them better.
+    pub(super) listed: bool,
 }
 
 impl Answer<'_> {
@@ -93,6 +95,9 @@ impl Answer<'_> {
 
     fn write_table(&self, out: &mut dyn Write, times: impl Iterator<Item = f64>) -> io::Result<()> {
         sheet(out, &self.lines())?;
+        if !self.listed {
+            return Ok(());
+        }
         writeln!(out)?;
         let mut table = Table::new(self.columns());
         for time in times {
@@ -130,7 +135,9 @@ impl Answer<'_> {
     fn columns(&self) -> Vec<Column> {
         let fixed = ["t / s", "θ / rad", "θ / °", "turns", "π − |θ| / rad", "θ′ / (rad/s)"];
         let names = self.comparison.approximations.iter();
-        let compared = names.flat_map(|motion| [format!("{} / rad", motion.key()), "error / rad".to_owned()]);
+        let compared = names.flat_map(|motion| {
+            [format!("{} / rad", motion.key()), format!("error of {} / rad", motion.key())]
+        });
         fixed.iter().map(ToString::to_string).chain(compared).map(Column::numbers).collect()
     }
 

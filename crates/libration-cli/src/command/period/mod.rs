@@ -5,27 +5,30 @@ mod table;
 
 use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::output::json::{self, Record};
+use crate::output::progress::watched;
 use crate::output::{Form, FormOptions};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use serde_json::Value;
 use std::io::Write;
 
-/// The exact period at an amplitude, and every published formula with its error
+/// The exact period at one or more amplitudes, and every published formula with its error
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
-  libration period --from-file amplitudes.txt --csv")]
+  libration period 10deg:170deg:10deg --csv    # with every formula
+  printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]
 pub(crate) struct Period {
     #[command(flatten)]
     amplitudes: AmplitudeOptions,
     #[command(flatten)]
     formulas: FormulaChoice,
-    /// Order of the formulas
+    /// The order of the formulas
     #[arg(long, value_enum, default_value = "error")]
     sort: Order,
     #[command(flatten)]
@@ -36,7 +39,7 @@ pub(crate) struct Period {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Order {
-    /// The smallest error first
+    /// Smallest error first
     Error,
     /// As in the catalogue
     Catalogue,
@@ -54,10 +57,12 @@ impl Period {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let amplitudes = self.amplitudes.read()?;
         let pendulum = self.pendulum.pendulum()?;
+        interrupt::listen()?;
         match self.form.form() {
             Form::Json => {
                 let formulas = self.formulas.chosen_or_all();
-                let results = amplitudes.iter().map(|a| self.record(&a, &pendulum, formulas));
+                let amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
+                let results = amplitudes.map(|a| self.record(&a, &pendulum, formulas));
                 json::document_with_list(out, self.pendulum.record(), "results", results)?;
             }
             Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
@@ -66,7 +71,8 @@ impl Period {
                 None => table::write(out, self, &amplitudes, &pendulum)?,
             },
         }
-        Ok(())
+        out.flush()?;
+        interrupt::ended_early("the amplitudes")
     }
 
     fn record(&self, amplitude: &Amplitude, pendulum: &Pendulum, formulas: &[PeriodFormula]) -> Record {

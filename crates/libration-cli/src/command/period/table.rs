@@ -2,6 +2,7 @@
 
 use super::Period;
 use crate::arguments::Amplitudes;
+use crate::output::progress::watched;
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use libration::pendulum::{Amplitude, Pendulum};
@@ -22,7 +23,7 @@ pub(super) fn write(
     let exact = ["θ₀ / °", "π − θ₀ / rad", "T / s", "T/T₀", "T/T₀ − 1"].map(String::from);
     let errors = formulas.iter().map(|formula| format!("error of {}", formula.key()));
     let mut table = Table::new(exact.into_iter().chain(errors).map(Column::numbers).collect());
-    for amplitude in amplitudes.iter() {
+    for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
         let errors = fractional_errors(formulas, &amplitude.angle());
         let errors = errors.into_iter().map(|error| number::rounded(error, 3));
         table.row(out, cells(&amplitude, pendulum).into_iter().chain(errors).collect())?;
@@ -46,7 +47,7 @@ pub(super) fn write_csv(
     amplitudes: &Amplitudes,
     pendulum: &Pendulum,
 ) -> io::Result<()> {
-    let formulas = question.formulas.chosen();
+    let formulas = question.formulas.chosen_or_all();
     let exact = [
         "amplitude_rad",
         "complement_rad",
@@ -60,7 +61,7 @@ pub(super) fn write_csv(
     let more =
         formulas.iter().flat_map(|f| [format!("{}_ratio", f.key()), format!("{}_fractional_error", f.key())]);
     csv::line(out, &exact.map(String::from).into_iter().chain(more).collect::<Vec<_>>())?;
-    for amplitude in amplitudes.iter() {
+    for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
         let exact = [
             amplitude.radians(),
             amplitude.complement(),

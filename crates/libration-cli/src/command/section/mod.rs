@@ -5,7 +5,7 @@ mod write;
 use crate::arguments::{SectionOptions, SeveralInitialOptions, SystemOptions, named, section_failure, shown};
 use crate::failure::Failure;
 use crate::figure::section::Shown;
-use crate::output::FormOptions;
+use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{Ending, PoincareSection, Points, angles, section};
 use libration::systems::Model;
@@ -20,12 +20,16 @@ const POINTS: usize = 1000;
 /// Poincaré section: the state once in each period of the drive, or whenever a formula is zero
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 10000 --figure attractor.png
-  libration section \"x'' + 0.05 x' + x^3 = 7.5 cos(t)\" --initial x=3,x'=4 --phase 0.25 --csv
-  libration section \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --at x --initial \"y=0.1,x'=0.4\" --initial \"y=-0.2,x'=0.4\"
+  libration section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
+    --points 1000 --figure attractor.png
+  libration section \"x'' + 0.05 x' + x^3 = 7.5 cos(t)\" \\
+    --initial \"x=3,x'=4\" --phase 0.25 --points 100 --csv
+  libration section \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --at x \\
+    --initial \"y=0.1,x'=0.4\" --initial \"y=-0.2,x'=0.4\" --points 50
 
-The first points belong to the transient and are left out; --skip says how many. Several --initial give several motions,
-on all cores. Ctrl-C ends the work early and keeps the points that are there.")]
+The first points belong to the transient and are left out; --skip says how many.
+Several --initial give several motions, computed on all cores. Ctrl-C ends the
+work early and keeps the points that are there.")]
 pub(crate) struct PoincareQuestion {
     #[command(flatten)]
     system: SystemOptions,
@@ -36,7 +40,7 @@ pub(crate) struct PoincareQuestion {
     /// The two numbers of the state that the picture shows [default: a coordinate and its velocity]
     #[arg(long, value_name = "NAME,NAME")]
     axes: Option<String>,
-    /// Draw the section to FILE.svg or FILE.png
+    /// Draw the section to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -70,10 +74,14 @@ impl PoincareQuestion {
             starts,
             sections,
         };
-        if let Some(path) = &self.figure {
-            figure::file::write(path, &figure::section::section(&answer, &self.axes(&model)?))?;
-        }
-        answer.write(out, self.form.form())?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(path, &figure::section::section(&answer, &self.axes(&model)?))?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         answer.failure().map_or(Ok(()), Err)
     }

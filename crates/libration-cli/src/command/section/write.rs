@@ -8,11 +8,12 @@ use serde_json::Value;
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> io::Result<()> {
+    /// In the form asked for; the table lists the points only if that is wanted.
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
             Form::Csv => self.write_csv(out),
-            Form::Table => self.write_table(out),
+            Form::Table => self.write_table(out, listed),
         }
     }
 
@@ -54,7 +55,7 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         let count: usize = self.sections.iter().map(|section| section.points.len()).sum();
         sheet(
             out,
@@ -67,6 +68,9 @@ impl Answer<'_> {
                 ),
             ],
         )?;
+        if !listed {
+            return Ok(());
+        }
         writeln!(out)?;
         let titles = ["motion".to_owned(), "time".to_owned()].into_iter().chain(self.model.state_names());
         let mut table = Table::new(titles.map(Column::numbers).collect());

@@ -25,11 +25,12 @@ pub(super) struct Summary {
     pub(super) ending: Ending,
 }
 
-pub(super) fn of_form(form: Form) -> Box<dyn Report> {
+/// The report in this form; a table lists the samples only if that is wanted.
+pub(super) fn of_form(form: Form, listed: bool) -> Box<dyn Report> {
     match form {
         Form::Json => Box::new(Json::default()),
         Form::Csv => Box::new(Csv::default()),
-        Form::Table => Box::new(Sheet::default()),
+        Form::Table => Box::new(Sheet::new(listed)),
     }
 }
 

@@ -45,16 +45,16 @@ pub(super) enum Ending {
 }
 
 impl Motion<'_> {
-    /// Writes the answer as far as the integration comes, and draws the picture.
+    /// Writes the answer as far as the integration comes, and draws the picture; says what it drew.
     pub(super) fn write(
         &self,
         form: Form,
         figure: Option<&Path>,
         out: &mut dyn Write,
-    ) -> Result<Ending, Failure> {
+    ) -> Result<(Ending, Vec<String>), Failure> {
         interrupt::listen()?;
         let system = self.system()?;
-        let mut report = of_form(form);
+        let mut report = of_form(form, figure.is_none());
         report.begin(self, out)?;
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| energy.balance(&self.beginning()));
@@ -63,10 +63,11 @@ impl Motion<'_> {
         let Followed { ending, steps, events } = self.follow(&system, &mut watch)?;
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
         watch.end(&Summary { steps, events, drift, ending: ending.clone() })?;
-        if let (Some(path), Some(trace)) = (figure, watch.trace) {
-            figure::file::write(path, &trace.picture(self.model))?;
-        }
-        Ok(ending)
+        let drawn = match (figure, watch.trace) {
+            (Some(path), Some(trace)) => vec![figure::file::write(path, &trace.picture(self.model))?],
+            _ => vec![],
+        };
+        Ok((ending, drawn))
     }
 
     /// The system with its events, when the times can be reached.

@@ -4,7 +4,7 @@ use super::events::Happening;
 use super::report::{Report, Summary, name};
 use super::run::Motion;
 use crate::output::number;
-use crate::output::table::{Column, Table, paragraph, sheet};
+use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use libration::taylor::Moment;
 use std::io::{self, Write};
 
@@ -13,19 +13,22 @@ use std::io::{self, Write};
 pub(super) struct Sheet {
     table: Option<Table>,
     titles: Vec<String>,
+    /// Whether the samples are listed; a picture shows them better.
+    listed: bool,
 }
 
 impl Report for Sheet {
     fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
         let model = motion.model;
-        writeln!(out, "{} ({})", model.title(), name(motion))?;
+        write_text(out, "", &format!("{} ({})", model.title(), name(motion)))?;
         writeln!(out, "{}", paragraph("  equations  ", &model.equation().to_string(), 120))?;
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
         writeln!(out, "  tolerance  {:e} a step\n", motion.effort.relative)?;
         let numbers = model.state_names().into_iter().zip(model.state_units());
         self.titles = vec!["t / s".to_owned()];
         self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
-        self.table = Some(Table::new(self.titles.iter().map(Column::numbers).collect()));
+        let titles = || self.titles.iter().map(Column::numbers).collect();
+        self.table = self.listed.then(|| Table::new(titles()));
         Ok(())
     }
 
@@ -52,6 +55,10 @@ impl Report for Sheet {
 }
 
 impl Sheet {
+    pub(super) fn new(listed: bool) -> Self {
+        Self { listed, ..Self::default() }
+    }
+
     fn write_events(&self, events: &[Happening], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
         let columns = self.titles.iter().map(Column::numbers);

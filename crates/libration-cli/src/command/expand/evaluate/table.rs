@@ -4,7 +4,7 @@ use super::super::listing::{self, Symbols};
 use super::{Numbers, Quotient};
 use crate::output::number::{rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
-use crate::output::table::{Column, Table, sheet};
+use crate::output::table::{Column, Table, sheet, write_text};
 use libration::algebra::Rational;
 use libration::comparison::{ExactValue, Quantity, Radius, Road};
 use libration::perturbation::{Certainty, Evaluation, Precision, Step};
@@ -15,7 +15,8 @@ const LONGEST_FRACTION: usize = 21;
 
 pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     listing::write_head(out, numbers.answer)?;
-    writeln!(out, "{}\n", subject(numbers))?;
+    write_text(out, "", &subject(numbers))?;
+    writeln!(out)?;
     write_steps(out, numbers)?;
     writeln!(out)?;
     sheet(out, &summary(numbers))?;

@@ -1,0 +1,81 @@
+//! How wide an answer to read may be, and how much of that width a text takes.
+
+use std::io::stdout;
+
+/// In files and pipes, so that they do not change with the window.
+const USUAL: usize = 80;
+/// Narrower than this no table can be read.
+const NARROWEST: usize = 40;
+
+/// The columns an answer may take: `COLUMNS` where it is set, else those of the terminal, else 80.
+pub(crate) fn width() -> usize {
+    let said = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());
+    said.or_else(of_terminal).unwrap_or(USUAL).max(NARROWEST)
+}
+
+fn of_terminal() -> Option<usize> {
+    terminal_size::terminal_size_of(stdout()).map(|(width, _)| usize::from(width.0))
+}
+
+/// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it.
+pub(crate) fn columns_of(text: &str) -> usize {
+    text.chars().map(columns_of_letter).sum()
+}
+
+/// The blocks of Unicode 16 that hold wide letters and combining marks, as far as headers of measurements need them.
+fn columns_of_letter(letter: char) -> usize {
+    match u32::from(letter) {
+        0x0300..=0x036F | 0x200B..=0x200F | 0xFE00..=0xFE0F => 0,
+        0x1100..=0x115F
+        | 0x2E80..=0xA4CF
+        | 0xAC00..=0xD7A3
+        | 0xF900..=0xFAFF
+        | 0xFE30..=0xFE6F
+        | 0xFF00..=0xFF60
+        | 0xFFE0..=0xFFE6
+        | 0x1F300..=0x1FAFF
+        | 0x2_0000..=0x3_FFFD => 2,
+        _ => 1,
+    }
+}
+
+/// The text with blanks behind it, up to this many columns.
+pub(crate) fn padded(text: &str, columns: usize) -> String {
+    format!("{text}{:1$}", "", columns.saturating_sub(columns_of(text)))
+}
+
+/// The text in lines of at most so many columns, broken at blanks; a longer word stands alone.
+pub(crate) fn folded(text: &str, columns: usize) -> Vec<String> {
+    if columns_of(text) <= columns {
+        return vec![text.to_owned()];
+    }
+    let mut lines: Vec<String> = vec![];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if columns_of(line) + 1 + columns_of(word) <= columns => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_take_the_columns_that_terminals_give_them() {
+        assert_eq!([columns_of("θ₀ / °"), columns_of("时间"), columns_of("e\u{301}")], [6, 4, 1]);
+        assert_eq!(padded("时", 4), "时  ");
+    }
+
+    #[test]
+    fn text_is_folded_at_blanks_and_loses_no_word() {
+        assert_eq!(folded("one two three", 7), ["one two", "three"]);
+        assert_eq!(folded("a-very-long-word and more", 6), ["a-very-long-word", "and", "more"]);
+        assert_eq!(folded("two  blanks", 11), ["two  blanks"]);
+    }
+}

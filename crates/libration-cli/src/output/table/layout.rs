@@ -1,0 +1,134 @@
+//! How the columns of a table share the width there is: side by side, folded, or in several blocks.
+
+use super::{Column, Side};
+use crate::output::screen::{columns_of, folded, padded};
+
+/// Between two columns.
+pub(super) const GAP: usize = 2;
+/// Columns of words are not folded to less than this, unless all they hold is shorter.
+const NARROWEST_WORDS: usize = 24;
+
+/// The blocks that stand one below the other, each with its columns and their widths. The first column stands in each.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    pub(super) blocks: Vec<Vec<Place>>,
+}
+
+/// A column in its block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) column: usize,
+    pub(super) width: usize,
+}
+
+/// What a column asks for.
+#[derive(Clone, Copy, Debug)]
+struct Demand {
+    column: usize,
+    /// Without folding anything.
+    natural: usize,
+    /// With its title folded.
+    without_title: usize,
+    /// With its words folded too.
+    least: usize,
+}
+
+impl Layout {
+    /// The layout of these rows in so many columns of the screen.
+    pub(super) fn new(columns: &[Column], rows: &[Vec<String>], room: usize) -> Self {
+        let demands: Vec<Demand> =
+            columns.iter().enumerate().map(|(index, column)| Demand::of(index, column, rows)).collect();
+        Self { blocks: grouped(&demands, room).iter().map(|block| shared(block, room)).collect() }
+    }
+
+    /// Whether rows can be written one by one.
+    pub(super) fn is_one_block(&self) -> bool {
+        self.blocks.len() == 1
+    }
+
+    /// Whether a row that was not seen before goes into the widths.
+    pub(super) fn holds(&self, columns: &[Column], cells: &[String]) -> bool {
+        self.blocks.iter().flatten().all(|place| {
+            match (&columns[place.column].side, cells.get(place.column)) {
+                (Side::Right, Some(cell)) => columns_of(cell) <= place.width,
+                (Side::Left, Some(cell)) => longest_word(cell) <= place.width,
+                (_, None) => true,
+            }
+        })
+    }
+}
+
+impl Demand {
+    fn of(index: usize, column: &Column, rows: &[Vec<String>]) -> Self {
+        let cells = || rows.iter().filter_map(|row| row.get(index));
+        let widest = cells().map(|cell| columns_of(cell)).max().unwrap_or(0);
+        let without_title = widest.max(longest_word(&column.title));
+        let least = match column.side {
+            Side::Right => without_title,
+            Side::Left => {
+                let words = cells().map(|cell| longest_word(cell)).max().unwrap_or(0);
+                words.max(longest_word(&column.title)).max(NARROWEST_WORDS.min(without_title))
+            }
+        };
+        Self { column: index, natural: widest.max(columns_of(&column.title)), without_title, least }
+    }
+}
+
+fn longest_word(text: &str) -> usize {
+    text.split_whitespace().map(columns_of).max().unwrap_or(0)
+}
+
+/// As many columns side by side as there is room for; the first one begins every block.
+fn grouped(demands: &[Demand], room: usize) -> Vec<Vec<Demand>> {
+    let Some((first, rest)) = demands.split_first() else { return vec![vec![]] };
+    let mut blocks = vec![vec![*first]];
+    let mut taken = first.least;
+    for demand in rest {
+        let block = blocks.last_mut().expect("there is a first block");
+        if taken + GAP + demand.least <= room || block.len() == 1 {
+            block.push(*demand);
+            taken += GAP + demand.least;
+        } else {
+            blocks.push(vec![*first, *demand]);
+            taken = first.least + GAP + demand.least;
+        }
+    }
+    blocks
+}
+
+/// The widths of the columns of a block: titles are folded before words are, and of these the widest first.
+fn shared(block: &[Demand], room: usize) -> Vec<Place> {
+    let mut widths: Vec<usize> = block.iter().map(|demand| demand.natural).collect();
+    let floors: [fn(&Demand) -> usize; 2] = [|demand| demand.without_title, |demand| demand.least];
+    for floor in floors {
+        while taken(&widths) > room {
+            let shrinkable = (0..block.len()).filter(|&index| widths[index] > floor(&block[index]));
+            let Some(widest) = shrinkable.max_by_key(|&index| widths[index]) else { break };
+            widths[widest] -= 1;
+        }
+    }
+    block.iter().zip(widths).map(|(demand, width)| Place { column: demand.column, width }).collect()
+}
+
+fn taken(widths: &[usize]) -> usize {
+    widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1)
+}
+
+/// The lines of a row: the cells side by side, each in as many lines as it needs.
+pub(super) fn lines(places: &[Place], columns: &[Column], cells: &[String]) -> Vec<String> {
+    let nothing = String::new();
+    let cell = |place: &Place| folded(cells.get(place.column).unwrap_or(&nothing), place.width);
+    let stacks: Vec<Vec<String>> = places.iter().map(cell).collect();
+    let height = stacks.iter().map(Vec::len).max().unwrap_or(0);
+    let line = |level: usize| {
+        let aligned = places.iter().zip(&stacks).map(|(place, stack)| {
+            let text = stack.get(level).map_or("", String::as_str);
+            match columns[place.column].side {
+                Side::Left => padded(text, place.width),
+                Side::Right => format!("{:1$}{text}", "", place.width.saturating_sub(columns_of(text))),
+            }
+        });
+        aligned.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    (0..height).map(line).collect()
+}

@@ -1,0 +1,219 @@
+//! Every example in the help and in the README, run in a shell as it is printed, from a copy of the clone.
+
+use crate::command::{directory, run};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The width of the help.
+const HELP_WIDTH: usize = 80;
+
+/// A fresh copy of what is tracked, of which examples use the data and the texts.
+fn clone_of_the_project(name: &str) -> PathBuf {
+    let clone = directory(name);
+    let root = root();
+    for place in [root.join("examples"), root.clone()] {
+        let inside = clone.join(place.strip_prefix(&root).unwrap());
+        fs::create_dir_all(&inside).unwrap();
+        for entry in fs::read_dir(&place).unwrap().map(Result::unwrap) {
+            if entry.file_type().unwrap().is_file() {
+                fs::copy(entry.path(), inside.join(entry.file_name())).unwrap();
+            }
+        }
+    }
+    clone
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
+
+/// Runs a line of shell with the command on the path.
+fn in_shell(line: &str, place: &Path) -> Output {
+    let command = Path::new(env!("CARGO_BIN_EXE_libration")).parent().unwrap().to_owned();
+    let path = std::env::var_os("PATH").unwrap();
+    let paths = std::iter::once(command).chain(std::env::split_paths(&path));
+    Command::new("bash")
+        .args(["-euo", "pipefail", "-c", line])
+        .current_dir(place)
+        .env("PATH", std::env::join_paths(paths).unwrap())
+        .env_remove("COLUMNS")
+        .output()
+        .unwrap()
+}
+
+fn answer(line: &str, place: &Path) -> String {
+    let output = in_shell(line, place);
+    let (message, text) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
+    assert!(output.status.success(), "{line}\nends with {}: {message}", output.status);
+    text.into_owned()
+}
+
+/// The commands, each as its words; those that only hold others as well.
+fn commands() -> Vec<Vec<String>> {
+    let mut found = vec![vec![]];
+    let mut next = 0;
+    while let Some(words) = found.get(next).cloned() {
+        found.extend(subcommands(&help(&words)).into_iter().map(|name| [words.clone(), vec![name]].concat()));
+        next += 1;
+    }
+    found
+}
+
+fn help(words: &[String]) -> String {
+    let words: Vec<&str> = words.iter().map(String::as_str).chain(["--help"]).collect();
+    let output = run(&words);
+    assert!(output.status.success(), "{words:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn subcommands(help: &str) -> Vec<String> {
+    let list =
+        help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = list.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    names
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|name| *name != "help")
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The examples of a help, lines that end in a backslash with the next.
+fn examples(help: &str) -> Vec<String> {
+    let list = help.lines().skip_while(|line| !line.starts_with("Example")).skip(1);
+    let mut examples: Vec<String> = vec![];
+    let mut is_continued = false;
+    for line in list.take_while(|line| line.starts_with("  ")) {
+        match examples.last_mut().filter(|_| is_continued) {
+            Some(example) => *example += &format!("\n{line}"),
+            None => examples.push(line.trim_start().to_owned()),
+        }
+        is_continued = line.ends_with('\\');
+    }
+    examples
+}
+
+fn columns(line: &str) -> usize {
+    line.chars().count()
+}
+
+#[test]
+fn every_command_has_examples_and_its_help_fits_a_terminal() {
+    let commands = commands();
+    assert!(commands.len() > 25, "{commands:?}");
+    for words in commands {
+        let help = help(&words);
+        assert!(!examples(&help).is_empty(), "{words:?} has no examples");
+        for line in help.lines() {
+            assert!(columns(line) <= HELP_WIDTH, "{words:?}: {line}");
+        }
+    }
+}
+
+/// The examples of the commands whose place in the list is `part` modulo `parts`.
+fn examples_run(part: usize, parts: usize) {
+    for (number, words) in commands().iter().enumerate().filter(|(number, _)| number % parts == part) {
+        let place = clone_of_the_project(&format!("examples-{number}"));
+        for example in examples(&help(words)) {
+            answer(&example, &place);
+        }
+    }
+}
+
+#[test]
+fn examples_of_the_help_run_as_printed_in_part_one() {
+    examples_run(0, 2);
+}
+
+#[test]
+fn examples_of_the_help_run_as_printed_in_part_two() {
+    examples_run(1, 2);
+}
+
+/// A command with what is shown below it.
+struct Shown {
+    command: String,
+    output: Vec<String>,
+}
+
+/// The blocks of a console in a document.
+fn shown_in(text: &str) -> Vec<Shown> {
+    let mut shown: Vec<Shown> = vec![];
+    let mut is_inside = false;
+    for line in text.lines() {
+        match (is_inside, line.strip_prefix("$ ")) {
+            (false, _) => is_inside = line == "```console",
+            (true, _) if line == "```" => is_inside = false,
+            (true, Some(command)) => shown.push(Shown { command: command.to_owned(), output: vec![] }),
+            (true, None) => shown.last_mut().unwrap().output.push(line.to_owned()),
+        }
+    }
+    shown
+}
+
+/// Whether the lines are those that are shown, of which … stands for any number. Blank lines at the end do not count.
+fn is_shown(lines: &[&str], shown: &[String]) -> bool {
+    match shown.split_first() {
+        None => lines.iter().all(|line| line.is_empty()),
+        Some((first, rest)) if first == "…" => (0..=lines.len()).any(|from| is_shown(&lines[from..], rest)),
+        Some((first, rest)) if first.is_empty() && rest.is_empty() => is_shown(lines, rest),
+        Some((first, rest)) => {
+            lines.split_first().is_some_and(|(line, lines)| line == first && is_shown(lines, rest))
+        }
+    }
+}
+
+#[test]
+fn the_readme_shows_what_comes_out() {
+    let text = fs::read_to_string(root().join("README.md")).unwrap();
+    let place = clone_of_the_project("readme-shown");
+    let shown = shown_in(&text);
+    assert!(shown.len() >= 3);
+    for Shown { command, output } in shown {
+        assert!(!output.is_empty(), "{command}");
+        let answer = answer(&command, &place);
+        let lines: Vec<&str> = answer.lines().collect();
+        assert!(is_shown(&lines, &output), "{command}\nshown:\n{}\n\nwritten:\n{answer}", output.join("\n"));
+    }
+}
+
+/// The commands that stand in backquotes in a table, and those of indented blocks and of blocks of shell.
+fn commands_in(text: &str) -> Vec<String> {
+    let quoted =
+        text.lines().filter(|line| line.starts_with('|')).flat_map(|line| line.split('`').skip(1).step_by(2));
+    let indented = text.lines().filter_map(|line| line.strip_prefix("    "));
+    let released = text.lines().filter_map(|line| line.strip_prefix("cargo run --release -- "));
+    let released = released.map(|line| format!("libration {line}"));
+    let found = quoted.chain(indented).filter(|text| text.starts_with("libration ")).map(str::to_owned);
+    // `libration COMMAND` stands for any of them.
+    found.chain(released).filter(|line| !line.contains("COMMAND")).collect()
+}
+
+#[test]
+fn the_commands_of_the_readmes_run_and_do_not_flood_the_screen() {
+    for (name, least) in [("README.md", 20), ("examples/README.md", 4)] {
+        let text = fs::read_to_string(root().join(name)).unwrap();
+        let place = clone_of_the_project("readme-commands");
+        let commands = commands_in(&text);
+        assert!(commands.len() >= least, "{name}: {commands:?}");
+        for command in commands {
+            let answer = answer(&command, &place);
+            // A script of completions and a table asked for as CSV are meant to be long.
+            let is_long = command.contains("completions") || command.contains("--csv");
+            assert!(is_long || answer.lines().count() <= MOST_LINES, "{command}: {}", answer.lines().count());
+        }
+    }
+}
+
+/// The longest answers to read are the catalogues and the paper with its evidence.
+const MOST_LINES: usize = 400;
+
+#[test]
+fn a_wrong_output_would_be_seen() {
+    let shown = |texts: &[&str]| texts.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>();
+    assert!(is_shown(&["a", "b", "c"], &shown(&["a", "…", "c"])));
+    assert!(is_shown(&["a", "b"], &shown(&["a", "…"])));
+    assert!(!is_shown(&["a", "b", "c"], &shown(&["a", "c"])));
+    assert!(!is_shown(&["a", "b"], &shown(&["…", "c"])));
+    assert!(!is_shown(&["a", "b"], &shown(&["a"])));
+}

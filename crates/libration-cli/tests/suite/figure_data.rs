@@ -1,0 +1,358 @@
+//! The data that pictures show are the right ones: read back from the drawing and compared with known values.
+
+use crate::command::{directory, json, text};
+use crate::drawing::{Drawing, Place};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
+use std::fs;
+
+/// The colours of the first curves, of reference lines and of fitted laws.
+const FIRST: &str = "#0072b2";
+const SECOND: &str = "#d55e00";
+const THIRD: &str = "#009e73";
+const BLACK: &str = "#000000";
+const GREY: &str = "#767676";
+const LAW: &str = SECOND;
+
+const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+
+fn drawn(question: &str, option: &str) -> Drawing {
+    let name: String = question.chars().filter(char::is_ascii_alphanumeric).take(40).collect();
+    let file = directory(&format!("data-{name}")).join("figure.svg").display().to_string();
+    let words: Vec<&str> = question.split('|').chain([option, &file]).collect();
+    let output = crate::command::run(&words);
+    assert!(output.status.success(), "{question}: {}", crate::command::message(&output));
+    Drawing::read(&fs::read_to_string(file).unwrap())
+}
+
+fn figure(question: &str) -> Drawing {
+    drawn(&format!("figure|{question}"), "--output")
+}
+
+/// T/T0 by the arithmetic-geometric mean.
+fn period_ratio(amplitude: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
+    for _ in 0..8 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    a.recip()
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found} is not {expected}, by more than {tolerance}");
+}
+
+/// The same points in any order, as far as shapes are rounded.
+fn same_points(drawing: &Drawing, panel: usize, found: Vec<Place>, expected: Vec<Place>) {
+    let sorted = |mut points: Vec<Place>| {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        points
+    };
+    let (found, expected) = (sorted(found), sorted(expected));
+    assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+    // A hundredth of a unit for the point, and as much for each of the ticks the scale is read from.
+    let (x, y) = drawing.panels[panel].resolution();
+    let is_near = |a: Place, b: Place| (a.0 - b.0).abs() <= 3.0 * x && (a.1 - b.1).abs() <= 3.0 * y;
+    for point in &expected {
+        assert!(found.iter().any(|other| is_near(*point, *other)), "{point:?} is not drawn: {found:?}");
+    }
+}
+
+#[test]
+fn errors_of_the_formulas() {
+    let drawing = figure("errors|--formulas|bernoulli,kidd_fogg");
+    for degrees in [45.0_f64, 90.0, 150.0] {
+        let angle = degrees.to_radians();
+        let ratio = period_ratio(angle);
+        let bernoulli = 1.0 - (1.0 + angle * angle / 16.0) / ratio;
+        let kidd_fogg = (0.5 * angle).cos().powf(-0.5) / ratio - 1.0;
+        for (colour, error) in [(FIRST, bernoulli), (SECOND, kidd_fogg)] {
+            let shown = if colour == FIRST {
+                drawing.value_at(0, colour, degrees)
+            } else {
+                near(&drawing, 0, colour, degrees)
+            };
+            // Two pixels of a hundred are 3e-4 of a decade.
+            close(shown / error.abs(), 1.0, 2e-3);
+        }
+    }
+}
+
+/// The value of a dashed curve at the end of a dash next to an abscissa.
+fn near(drawing: &Drawing, panel: usize, colour: &str, x: f64) -> f64 {
+    let points = drawing.curves(panel, colour).concat();
+    let [before, after] = [|a: f64, b: f64| a <= b, |a: f64, b: f64| a >= b].map(|side| {
+        let candidates = points.iter().filter(|point| side(point.0, x));
+        *candidates.min_by(|a, b| (a.0 - x).abs().total_cmp(&(b.0 - x).abs())).unwrap()
+    });
+    if after.0 <= before.0 {
+        return before.1;
+    }
+    // Between dashes a straight line on the logarithmic axis.
+    let part = (x - before.0) / (after.0 - before.0);
+    (before.1.ln() + part * (after.1.ln() - before.1.ln())).exp()
+}
+
+#[test]
+fn angles_after_a_release() {
+    let drawing = figure("motion|--amplitudes|150deg|--periods|2");
+    let ratio = period_ratio(150_f64.to_radians());
+    for (part, angle) in [(0.0, 1.0), (0.25, 0.0), (0.5, -1.0), (0.75, 0.0), (1.0, 1.0)] {
+        close(drawing.value_at(0, FIRST, part * ratio), angle, 0.01);
+    }
+    let answer = json(&format!("figure motion --amplitudes 150deg --output {}", file("motion")));
+    let cosine = points(&answer["series"][0]);
+    assert!(
+        answer["series"][0]["label"].as_str().unwrap().contains("small"),
+        "{}",
+        answer["series"][0]["label"]
+    );
+    assert!(cosine.len() > 100 && cosine.iter().all(|(x, y)| (y - (TAU * x).cos()).abs() < 1e-12));
+}
+
+fn file(name: &str) -> String {
+    directory(&format!("data-json-{name}")).join("figure.svg").display().to_string()
+}
+
+fn points(series: &serde_json::Value) -> Vec<Place> {
+    let list = series["points"].as_array().unwrap();
+    list.iter().map(|point| (point[0].as_f64().unwrap(), point[1].as_f64().unwrap())).collect()
+}
+
+#[test]
+fn orbits_of_the_phase_portrait() {
+    // θ′²/4ω0² + sin²(θ/2) is k² of a libration, 1 on the separatrix, and E/2mgl of a rotation.
+    let invariant = |(x, y): &Place| 0.25 * y * y + (FRAC_PI_2 * x).sin().powi(2);
+    let answer =
+        json(&format!("figure phase --amplitudes 60deg,120deg --energies 1.3,2 --output {}", file("phase")));
+    let expected = [0.25, 0.75, 1.0, 1.3, 2.0];
+    let mut place = None;
+    for series in answer["series"].as_array().unwrap() {
+        if !series["label"].as_str().unwrap().is_empty() {
+            place = Some(place.map_or(0, |place: usize| place + 1));
+        }
+        let expected = expected[place.unwrap()];
+        assert!(
+            points(series).iter().all(|point| (invariant(point) - expected).abs() < 1e-13),
+            "{}",
+            series["label"]
+        );
+    }
+    assert_eq!(place, Some(4));
+    let drawing = figure("phase|--amplitudes|60deg|--energies|2");
+    let orbit = drawing.curves(0, FIRST).concat();
+    assert!(orbit.len() > 800 && orbit.iter().all(|point| (invariant(point) - 0.25).abs() < 2e-3));
+}
+
+#[test]
+fn harmonics_of_the_spectrum() {
+    let drawing = figure("spectrum|--amplitudes|90deg|--highest|9");
+    let q = (-PI).exp();
+    let markers = drawing.markers(0, FIRST);
+    assert_eq!(markers.len(), 5);
+    for (marker, n) in markers.iter().zip([1.0, 3.0, 5.0, 7.0, 9.0]) {
+        close(marker.0, n, 0.01);
+        close(marker.1 / (8.0 * q.powf(0.5 * n) / (n * (1.0 + q.powf(n)))), 1.0, 5e-3);
+    }
+}
+
+#[test]
+fn errors_of_partial_sums() {
+    let ratio = period_ratio(FRAC_PI_2);
+    let sums = [
+        1.0,
+        1.0 + FRAC_PI_2.powi(2) / 16.0,
+        1.0 + FRAC_PI_2.powi(2) / 16.0 + 11.0 / 3072.0 * FRAC_PI_2.powi(4),
+    ];
+    let drawing = figure("series|pendulum");
+    close(drawing.value_at(0, FIRST, 90.0) / (sums[1] - ratio).abs(), 1.0, 5e-3);
+    let terms = figure("series|pendulum|--amplitudes|90deg|--order|5");
+    let markers = terms.markers(0, FIRST);
+    for (marker, (power, sum)) in markers.iter().zip([(0.0, sums[0]), (2.0, sums[1]), (4.0, sums[2])]) {
+        close(marker.0, power, 0.02);
+        close(marker.1 / (sum - ratio).abs(), 1.0, 5e-3);
+    }
+    assert_eq!(markers.len(), 3);
+}
+
+#[test]
+fn a_motion_beside_its_approximation() {
+    let drawing = drawn("motion|90deg|--compare|small-angle|--times|0:5:0.1", "--figure");
+    let t0 = TAU / 9.80665_f64.sqrt();
+    let period = t0 * period_ratio(FRAC_PI_2);
+    for (part, angle) in [(0.0, 90.0), (0.25, 0.0), (0.5, -90.0), (1.0, 90.0)] {
+        close(drawing.value_at(0, FIRST, part * period), angle, 0.2);
+    }
+    // At the first turning point on the other side the cosine is elsewhere.
+    let error = (90.0 * (TAU * 0.5 * period / t0).cos() + 90.0).abs();
+    close(near(&drawing, 1, SECOND, 0.5 * period) / error, 1.0, 0.02);
+}
+
+#[test]
+fn a_decay_with_its_laws() {
+    let drawing = drawn("decay|60deg|--linear|0.1|--cycles|10", "--figure");
+    let markers = drawing.markers(0, BLACK);
+    close(markers[0].0, 0.0, 0.01);
+    close(markers[0].1, 60.0, 0.05);
+    assert_eq!(markers.len(), 21);
+    let small = drawing.curves(0, SECOND).concat();
+    assert!(small.iter().all(|(t, amplitude)| (amplitude - 60.0 * (-0.05 * t).exp()).abs() < 0.1));
+    close(drawing.value_at(0, FIRST, 0.0), 60.0, 0.05);
+    let t0 = TAU / 9.80665_f64.sqrt();
+    assert!(drawing.curves(1, GREY).concat().iter().all(|(_, period)| (period - t0).abs() < 1e-3));
+    let exact = drawing.curves(1, THIRD).concat();
+    close(exact[0].1, t0 * period_ratio(FRAC_PI_3), 1e-3);
+    let csv = text("decay 60deg --linear 0.1 --cycles 10 --csv");
+    let times = numbers(&csv);
+    let cycles = times.iter().skip(2).step_by(2).zip(times.iter().skip(1).step_by(2));
+    let expected = cycles.map(|(end, middle)| (middle[1], end[6])).collect();
+    same_points(&drawing, 1, drawing.markers(1, BLACK), expected);
+}
+
+/// The numbers of a table below its head; of empty cells NaN.
+fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
+    lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+}
+
+#[test]
+fn a_backbone_is_frequency_against_amplitude() {
+    // Ω of x″ = −x³ released from A is 2π A / 4K(1/2), with K(1/2)·√2… = 7.4162987092054876737 for A = 1.
+    let slope = TAU / 7.416_298_709_205_488;
+    let drawing = drawn("backbone|x''=-x^3|--amplitudes|0.5,1,2", "--figure");
+    let expected = [0.5, 1.0, 2.0].map(|amplitude| (slope * amplitude, amplitude)).to_vec();
+    same_points(&drawing, 0, drawing.markers(0, FIRST), expected);
+    let curve = drawing.curves(0, FIRST).concat();
+    assert!(
+        curve.len() > 200
+            && curve.iter().all(|(frequency, amplitude)| (frequency - slope * amplitude).abs() < 5e-3)
+    );
+    let series = drawn("backbone|pendulum|--amplitudes|30deg,60deg|--order|3", "--figure");
+    let curve = series.curves(0, SECOND).concat();
+    let law = |degrees: f64| 1.0 - degrees.to_radians().powi(2) / 16.0;
+    assert!(
+        !curve.is_empty()
+            && curve.iter().all(|(frequency, degrees)| (frequency - law(*degrees)).abs() < 1e-3)
+    );
+}
+
+#[test]
+fn a_motion_in_time_with_its_events() {
+    let drawing = drawn("simulate|x''=-x|--initial|x=1|--times|0:10:1|--events|turning", "--figure");
+    let curve = drawing.curves(0, FIRST).concat();
+    assert!(curve.len() > 1000 && curve.iter().all(|(t, x)| (x - t.cos()).abs() < 0.02));
+    let turns = drawing.markers(0, FIRST);
+    assert!(turns.len() >= 3);
+    assert!(
+        turns.iter().all(|(t, x)| (t / PI - (t / PI).round()).abs() < 0.01 && (x.abs() - 1.0).abs() < 0.01)
+    );
+}
+
+#[test]
+fn shapes_of_the_modes() {
+    let drawing = drawn("modes|x''=y-2*x; y''=x-2*y", "--figure");
+    same_points(&drawing, 0, drawing.markers(0, FIRST), vec![(1.0, 1.0), (2.0, 1.0)]);
+    let second = drawing.markers(0, SECOND);
+    close(second[0].1 * second[1].1, -1.0, 0.01);
+}
+
+#[test]
+fn points_of_a_section() {
+    // y has half the frequency of x, so that it changes its sign from one passage to the next.
+    let question = "section|x''=-x; y''=-y/4|--at|x|--initial|x=0,x'=1,y=0.5|--points|6|--skip|1";
+    let drawing = drawn(question, "--figure");
+    let markers = drawing.markers(0, FIRST);
+    assert_eq!(markers.len(), 6);
+    let (x, _) = drawing.panels[0].resolution();
+    for (place, marker) in markers.iter().enumerate() {
+        close(marker.0.abs(), 0.5, 3.0 * x);
+        // The velocity vanishes, but for the integration's tolerance.
+        close(marker.1, 0.0, 1e-9);
+        assert!(place == 0 || marker.0 * markers[place - 1].0 < 0.0);
+    }
+}
+
+#[test]
+fn points_of_a_bifurcation_diagram() {
+    // x″ + x′ + x = A cos t ends in x = A sin t, whose velocity is A whenever the drive begins anew.
+    let question =
+        "bifurcation|x'' + x' + x = A cos(t)|--over|A=1:3:1|--initial|x=0|--axis|x'|--points|2|--skip|20";
+    let drawing = drawn(question, "--figure");
+    let expected = [1.0, 1.0, 2.0, 2.0, 3.0, 3.0].map(|a| (a, a)).to_vec();
+    same_points(&drawing, 0, drawing.markers(0, FIRST), expected);
+}
+
+#[test]
+fn convergence_of_an_exponent() {
+    let question =
+        "lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --intervals 30 --transient 1";
+    let drawing = drawn(&question.replace(' ', "|"), "--figure");
+    let expected: Vec<Place> =
+        numbers(&text(&format!("{question} --csv"))).iter().map(|row| (row[0], row[1])).collect();
+    let curve = drawing.curves(0, FIRST).concat();
+    assert_eq!(curve.len(), expected.len());
+    for (found, expected) in curve.iter().zip(expected) {
+        close(found.0 / expected.0, 1.0, 1e-3);
+        close(found.1, expected.1, 5e-3);
+    }
+}
+
+/// The rows of an example, and the JSON of a fit of it.
+fn rows_of(name: &str) -> Vec<Vec<f64>> {
+    numbers(&fs::read_to_string(format!("{EXAMPLES}/{name}_synthetic.csv")).unwrap())
+}
+
+#[test]
+fn measured_periods_and_their_law() {
+    let file = format!("{EXAMPLES}/period_table_synthetic.csv");
+    let drawing = drawn(&format!("fit|periods|{file}"), "--figure");
+    let measured: Vec<Place> =
+        rows_of("period_table").iter().map(|row| (row[0].abs().to_degrees(), row[1])).collect();
+    same_points(&drawing, 0, drawing.markers(0, FIRST), measured.clone());
+    let t0 = json(&format!("fit periods {file}"))["laws"][0]["t0_s"].as_f64().unwrap();
+    let law = |degrees: f64| t0 * period_ratio(degrees.to_radians());
+    let curve = drawing.curves(0, LAW).concat();
+    assert!(curve.iter().all(|(degrees, period)| (period - law(*degrees)).abs() < 2e-3), "{:?}", &curve[..3]);
+    let residuals = drawing.markers(1, FIRST);
+    for (degrees, residual) in residuals {
+        let near = |row: &&Place| (row.0 - degrees).abs() < 0.02;
+        let is_one = measured.iter().filter(near).any(|row| (row.1 - law(row.0) - residual).abs() < 2e-3);
+        assert!(is_one, "{degrees}° {residual} s");
+    }
+}
+
+#[test]
+fn measured_lengths_and_their_line() {
+    let drawing = drawn(&format!("fit|lengths|{EXAMPLES}/lengths_synthetic.csv"), "--figure");
+    let measured = rows_of("lengths").iter().map(|row| (row[0], row[1] * row[1])).collect();
+    same_points(&drawing, 0, drawing.markers(0, FIRST), measured);
+    let line = drawing.curves(0, LAW).concat();
+    let slope =
+        (line[line.len() - 1].1 - line[line.len() / 2].1) / (line[line.len() - 1].0 - line[line.len() / 2].0);
+    // 4π²/g of the pendulums it was made of, with the period of 10° instead of small ones.
+    close(slope / (TAU * TAU / 9.81), period_ratio(10_f64.to_radians()).powi(2), 0.01);
+}
+
+#[test]
+fn periods_of_a_photogate() {
+    let question = format!("fit gates {EXAMPLES}/gate_synthetic.csv --length 0.958m --diameter 25mm");
+    let drawing = drawn(&question.replace(' ', "|"), "--figure");
+    let cycles = numbers(&text(&format!("{question} --csv")));
+    let of_side = |side: f64| {
+        cycles.iter().filter(|row| (row[2] - side).abs() < 0.5).map(|row| (row[0], row[1])).collect()
+    };
+    same_points(&drawing, 0, drawing.markers(0, FIRST), of_side(0.0));
+    same_points(&drawing, 0, drawing.markers(0, SECOND), of_side(1.0));
+    let against_amplitude = cycles.iter().map(|row| (row[3].to_degrees(), row[1])).collect();
+    same_points(&drawing, 1, drawing.markers(1, FIRST), against_amplitude);
+}
+
+#[test]
+fn a_measured_swing_and_its_fit() {
+    let drawing = drawn(&format!("fit|trace|{EXAMPLES}/swing_synthetic.csv|--model|linear"), "--figure");
+    let measured = rows_of("swing").iter().map(|row| (row[0], row[1])).collect();
+    same_points(&drawing, 0, drawing.markers(0, FIRST), measured);
+    // What the example was made of: released at 60° with errors of 0.3°.
+    let curve = drawing.curves(0, LAW).concat();
+    let first = curve.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    close(first.1, 60.0 + 1.22, 0.3);
+}
