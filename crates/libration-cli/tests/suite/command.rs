@@ -29,6 +29,11 @@ pub(crate) fn text(arguments: &str) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+/// Text in one line, as it was before it was folded.
+pub(crate) fn unfolded(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 pub(crate) fn message(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }

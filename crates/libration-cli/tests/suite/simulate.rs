@@ -1,6 +1,6 @@
 //! Motions in time by the command.
 
-use crate::command::{close, directory, json, libration, message, run, text};
+use crate::command::{close, directory, json, libration, message, run, text, unfolded};
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fs;
@@ -67,8 +67,9 @@ fn every_form_has_the_same_numbers() {
     // r is not given and begins where the spring carries the weight.
     assert_eq!(sample(&answer, 0), [1.1, 0.5, 0.0, 0.0]);
     let sheet = text(question);
+    let said = unfolded(&sheet);
     assert!(
-        sheet.contains("(r, r', theta' not given and taken at rest)") && sheet.contains("r' / (m/s)"),
+        said.contains("(r, r', theta' not given and taken at rest)") && said.contains("r' / (m/s)"),
         "{sheet}"
     );
 }

@@ -161,7 +161,7 @@ mod tests {
         let table = in_columns(24, columns, [cells(&["1", "2.0064", "60.000000"])]);
         assert_eq!(
             table,
-            "n    time of  amplitude /\n   the cycle            °\n         / s\n1     2.0064    60.000000\n"
+            "n     time of  amplitude\n    the cycle        / °\n          / s\n1      2.0064  60.000000\n"
         );
     }
 
