@@ -121,7 +121,7 @@ pub enum Unfit {
         found: Found,
     },
     /// The force has no power series there.
-    #[error("the acceleration {roughness}, which an expansion needs{}", without_series(*.force, *.found))]
+    #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.found))]
     NotAnalytic {
         /// What is wrong with it.
         roughness: Roughness,
@@ -183,12 +183,12 @@ fn without_linear_part(force: Option<Tendency>, found: Found) -> String {
     }
 }
 
-fn without_series(force: Option<Tendency>, found: Found) -> &'static str {
+fn without_series(force: Option<Tendency>, found: Found) -> String {
     match force {
-        Some(Tendency::Back) => found.advice(),
-        Some(Tendency::Away) => ", and drives away",
-        Some(Tendency::OneWay) => ", and drives the same way on both sides",
-        _ => "",
+        Some(Tendency::Back) => format!("; the force drives back{}", found.advice()),
+        Some(Tendency::Away) => "; the force drives away".to_owned(),
+        Some(Tendency::OneWay) => "; the force drives the same way on both sides".to_owned(),
+        _ => String::new(),
     }
 }
 

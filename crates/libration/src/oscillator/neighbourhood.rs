@@ -23,13 +23,13 @@ pub enum Tendency {
 #[non_exhaustive]
 pub enum Roughness {
     /// No real values on one side.
-    #[error("has no value {0} it")]
+    #[error("it has no value {0} the place")]
     Edge(&'static str),
     /// Values that do not come near zero.
-    #[error("jumps")]
+    #[error("it jumps")]
     Jump,
     /// Two slopes.
-    #[error("has a kink: its slope is {below} below and {above} above")]
+    #[error("it has a kink, its slope being {below} below and {above} above")]
     Kink {
         /// The slope on the side of smaller values.
         below: String,
@@ -37,16 +37,16 @@ pub enum Roughness {
         above: String,
     },
     /// No finite slope.
-    #[error("has an infinite slope")]
+    #[error("its slope is infinite")]
     Steep,
     /// A slope, and so ω0², but no power series.
-    #[error("has a derivative, omega0^2 being {omega0_squared}, but no power series")]
+    #[error("it has a derivative, omega0^2 being {omega0_squared}, but not all derivatives")]
     Slope {
         /// −∂F/∂x.
         omega0_squared: String,
     },
     /// Anything else.
-    #[error("has no power series")]
+    #[error("it is not smooth")]
     Other,
 }
 

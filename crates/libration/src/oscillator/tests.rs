@@ -188,30 +188,40 @@ fn a_force_without_a_linear_part_is_told_by_the_way_it_drives() {
 #[test]
 fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
     let by_orbits =
-        "which an expansion needs: the frequency at an amplitude is found without one (libration backbone)";
+        "the force drives back: the frequency at an amplitude is found without one (libration backbone)";
+    let one_way = "the force drives the same way on both sides";
     for (text, parts) in [
         (
             "x'' = -x - abs(x)^3",
-            ["at 0 the acceleration has a derivative, omega0^2 being 1, but no power series", by_orbits],
+            [
+                "at 0 the acceleration has no power series to expand: it has a derivative, omega0^2 being 1,",
+                by_orbits,
+            ],
         ),
-        ("x'' = -x/3 - x*abs(x)", ["has a derivative, omega0^2 being 1/3, but no power series", by_orbits]),
-        ("x'' = -x*abs(x)", ["has a derivative, omega0^2 being 0, but no power series", by_orbits]),
+        (
+            "x'' = -x/3 - x*abs(x)",
+            ["it has a derivative, omega0^2 being 1/3, but not all derivatives", by_orbits],
+        ),
+        ("x'' = -x*abs(x)", ["it has a derivative, omega0^2 being 0, but not all", by_orbits]),
         (
             "x'' = -2*(x-1) - abs(x-1)",
-            ["at 1 the acceleration has a kink: its slope is -1 below and -3 above", by_orbits],
+            [
+                "at 1 the acceleration has no power series to expand: it has a kink, its slope being -1 below and -3 above",
+                by_orbits,
+            ],
         ),
+        ("x'' = -abs(x)", ["it has a kink, its slope being 1 below and -1 above", one_way]),
         (
-            "x'' = -abs(x)",
-            ["has a kink: its slope is 1 below and -1 above", "drives the same way on both sides"],
+            "x'' = -abs(x)*sign(-x)*(1 + abs(x))",
+            ["it has a derivative, omega0^2 being -1,", "the force drives away"],
         ),
-        ("x'' = -abs(x)*sign(-x)*(1 + abs(x))", ["has a derivative, omega0^2 being -1,", "and drives away"]),
-        ("x'' = -sign(x)", ["at 0 the acceleration jumps", by_orbits]),
-        ("x'' = -sqrt(x)", ["at 0 the acceleration has no value below it", ""]),
-        ("x'' = -sqrt(1 - x)", ["at 1 the acceleration has no value above it", ""]),
-        ("x'' = -sign(x)*sqrt(abs(x))", ["has an infinite slope, which an expansion needs", ""]),
+        ("x'' = -sign(x)", ["it jumps", by_orbits]),
+        ("x'' = -sqrt(x)", ["it has no value below the place", ""]),
+        ("x'' = -sqrt(1 - x)", ["it has no value above the place", ""]),
+        ("x'' = -sign(x)*sqrt(abs(x))", ["its slope is infinite", "the force drives back"]),
         (
             "x'' = -x - x*abs(x)^(1/2)",
-            ["has a derivative, omega0^2 being 1, but no power series, which an expansion needs", ""],
+            ["it has a derivative, omega0^2 being 1, but not all", "the force drives back"],
         ),
     ] {
         let error = refusal(text);

@@ -202,7 +202,12 @@ fn obey<const N: usize>(instruction: Instruction, block: &mut Block<N>, n: usize
             let own = Both { plain: before(out.plain), weighted: before(out.weighted) };
             let of = Both { plain: through(a.plain), weighted: through(a.weighted) };
             let value = weighted_power(ring, &[exponent; N], of, own);
-            (out.plain, over_n(lanes(|lane| value[lane] / block[a.plain][0][lane])))
+            let base = block[a.plain][0];
+            // A whole power of what begins with zero begins beyond that power.
+            let later = exponent.fract() == 0.0 && weighted(&[1.0; N], n)[0] < exponent;
+            let divided =
+                |lane: usize| if later && base[lane] == 0.0 { 0.0 } else { value[lane] / base[lane] };
+            (out.plain, over_n(lanes(divided)))
         }
         Instruction::Exp { a, out } => (out, over_n(weighted_integral(ring, behind(a), before(out)))),
         Instruction::Paired { a, degree, other, slope, out } => {

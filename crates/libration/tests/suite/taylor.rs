@@ -291,3 +291,13 @@ fn what_friction_holds_it_holds_for_ever() {
         }
     }
 }
+
+#[test]
+fn whole_powers_of_zero_are_as_smooth_as_low_ones() {
+    // From zero to sin(1/2)/2 the power is below 1e-6000, so that what is left is a harmonic motion.
+    for (equation, tolerance) in [("x'' = -x - x^10001", 1e-15), ("x'' = -x - x^4097", 1e-15)] {
+        let end = state_at(equation, &[0.0, 0.5], 1.0, tolerance);
+        assert_close(&end, &[0.5 * libm::sin(1.0), 0.5 * libm::cos(1.0)], 4e-16, equation);
+    }
+    assert!(attempt("x'' = -x - abs(x)^(5/2)", &from(&[0.0, 0.5]), &[1.0], 1e-12).is_err());
+}

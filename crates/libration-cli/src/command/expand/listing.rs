@@ -185,7 +185,9 @@ fn checked(expansion: &Expansion) -> String {
     let precision = match expansion.precision {
         Precision::Exact => "all coefficients are exact".to_owned(),
         Precision::Digits(digits) => {
-            format!("not all numbers are rational, so the coefficients are given to {digits} digits")
+            format!(
+                "not all numbers are fractions of moderate length, so the coefficients are given to {digits} digits"
+            )
         }
     };
     let how = match expansion.certificate {
