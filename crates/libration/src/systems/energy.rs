@@ -84,17 +84,22 @@ impl Energy {
     /// An account of the energy of a motion that begins here.
     #[must_use]
     pub fn balance(&self, start: &Moment) -> EnergyBalance<'_> {
-        let mut balance = EnergyBalance {
-            energy: self,
-            jet: None,
+        let mut balance = self.balance_from(&EnergyAccount {
             start: start.state.clone(),
             last: start.state.clone(),
-            potential: DoubleDouble::from(0.0),
+            potential: [0.0; 2],
+            missed: 0.0,
             largest_change: 0.0,
             largest_kinetic: 0.0,
-        };
+        });
         balance.record(start);
         balance
+    }
+
+    /// The account of a motion that is gone on from.
+    #[must_use]
+    pub fn balance_from(&self, account: &EnergyAccount) -> EnergyBalance<'_> {
+        EnergyBalance { energy: self, jet: None, account: account.clone() }
     }
 
     /// The energy of a motion that begins in one state and has come to another, as [`EnergyBalance::drift`] has it.
@@ -110,17 +115,29 @@ impl Energy {
     }
 }
 
-/// The account of the energy of one motion.
+/// What is known of the energy of a motion, to be gone on from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnergyAccount {
+    /// The first state.
+    pub start: Vec<f64>,
+    /// The last one.
+    pub last: Vec<f64>,
+    /// The potential energy gained until the last state in two words, where it has no formula.
+    pub potential: [f64; 2],
+    /// By how much the potential energy may be wrong, beyond roundings.
+    pub missed: f64,
+    /// The largest change of the energy since the start.
+    pub largest_change: f64,
+    /// The largest kinetic energy.
+    pub largest_kinetic: f64,
+}
+
+/// The account of the energy of one motion, which goes on.
 #[derive(Debug)]
 pub struct EnergyBalance<'a> {
     energy: &'a Energy,
     jet: Option<Jet<'a, Doubles>>,
-    start: Vec<f64>,
-    last: Vec<f64>,
-    /// The potential energy gained until the last state, where it has no formula.
-    potential: DoubleDouble,
-    largest_change: f64,
-    largest_kinetic: f64,
+    account: EnergyAccount,
 }
 
 impl EnergyBalance<'_> {
@@ -131,9 +148,16 @@ impl EnergyBalance<'_> {
             Holds::Energy => self.by_formula(&moment.state),
             Holds::Forces => self.by_work(&moment.state),
         };
-        self.last.clone_from(&moment.state);
-        self.largest_change = larger(self.largest_change, change.abs());
-        self.largest_kinetic = larger(self.largest_kinetic, kinetic);
+        let account = &mut self.account;
+        account.last.clone_from(&moment.state);
+        account.largest_change = larger(account.largest_change, change.abs());
+        account.largest_kinetic = larger(account.largest_kinetic, kinetic);
+    }
+
+    /// What is known so far.
+    #[must_use]
+    pub fn account(&self) -> &EnergyAccount {
+        &self.account
     }
 
     /// The largest change of the energy since the start over the largest kinetic energy, which no choice of the
@@ -143,7 +167,16 @@ impl EnergyBalance<'_> {
     /// A few roundings of the larger ones of kinetic and potential energy, from 1e-16 on.
     #[must_use]
     pub fn drift(&self) -> f64 {
-        if self.largest_change == 0.0 { 0.0 } else { self.largest_change / self.largest_kinetic }
+        let EnergyAccount { largest_change, largest_kinetic, .. } = self.account;
+        if largest_change == 0.0 { 0.0 } else { largest_change / largest_kinetic }
+    }
+
+    /// By how much the drift may be wrong beyond roundings, in its own measure: zero where the energy is a formula, and else
+    /// what of the work of the forces could not be computed for the noise in them, as next to a pole.
+    #[must_use]
+    pub fn drift_uncertainty(&self) -> f64 {
+        let EnergyAccount { missed, largest_kinetic, .. } = self.account;
+        if missed == 0.0 { 0.0 } else { missed / largest_kinetic }
     }
 
     /// The change of the energy since the start, and the kinetic energy.
@@ -152,26 +185,29 @@ impl EnergyBalance<'_> {
         let mut resting = state.to_vec();
         resting[coordinates..].fill(0.0);
         let [start, now, potential] =
-            [&self.start.clone(), state, &resting].map(|state| self.values(state)[0]);
+            [&self.account.start.clone(), state, &resting].map(|state| self.values(state)[0]);
         (now - start, now - potential)
     }
 
     /// The same by the work that the forces do since the last state.
     fn by_work(&mut self, state: &[f64]) -> (f64, f64) {
         let coordinates = self.energy.coordinates;
-        let from = self.last.clone();
+        let from = self.account.last.clone();
         let work = integral(&mut |s| {
             let place: Vec<f64> = from.iter().zip(state).map(|(a, b)| a + s * (b - a)).collect();
             let forces = self.values(&place);
             (0..coordinates).map(|i| forces[i] * (state[i] - from[i])).sum()
         });
-        self.potential = self.potential + DoubleDouble::from(-work);
+        let [high, low] = self.account.potential;
+        let potential = DoubleDouble::new(high, low) + DoubleDouble::from(-work.value);
+        self.account.potential = [potential.hi, potential.lo];
+        self.account.missed += work.missed;
         let kinetic = |state: &[f64]| {
             let speeds = state[coordinates..].iter();
             self.energy.masses.iter().zip(speeds).map(|(m, v)| 0.5 * m * v * v).sum::<f64>()
         };
-        let gained = kinetic(state) - kinetic(&self.start);
-        (self.potential.to_f64() + gained, kinetic(state))
+        let gained = kinetic(state) - kinetic(&self.account.start);
+        (potential.to_f64() + gained, kinetic(state))
     }
 
     /// The values of the formulas on the tape.
