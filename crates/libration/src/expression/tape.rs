@@ -86,6 +86,11 @@ impl Tape {
         &self.results
     }
 
+    /// The places that an operation reads.
+    pub(crate) fn operands(&self, place: usize) -> Vec<usize> {
+        operands(&self.operations[place])
+    }
+
     pub(crate) fn inputs(&self) -> usize {
         self.inputs
     }

@@ -82,17 +82,20 @@ impl<const N: usize> Block<N> {
     pub(super) fn launch(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
-            let row = self.row(number);
-            self[row][0][lane] = value;
-            self.low[number][lane] = 0.0;
+            self.place(number, lane, value, 0.0);
         }
+    }
+
+    /// Gives a number of the state a value in two words.
+    pub(super) fn place(&mut self, number: usize, lane: usize, high: f64, low: f64) {
+        let row = self.row(number);
+        self[row][0][lane] = high;
+        self.low[number][lane] = low;
     }
 
     /// Makes a number of the state zero.
     pub(super) fn stop(&mut self, number: usize, lane: usize) {
-        let row = self.row(number);
-        self[row][0][lane] = 0.0;
-        self.low[number][lane] = 0.0;
+        self.place(number, lane, 0.0, 0.0);
     }
 
     /// One number of the state at the ends of the steps.

@@ -25,6 +25,18 @@ impl<const N: usize> Branches<N> {
         }
     }
 
+    /// Goes on with a motion in a lane.
+    pub(super) fn resume(&mut self, lane: usize, zeros: impl Iterator<Item = usize>) {
+        for (own, zeros) in self.zeros.iter_mut().zip(zeros) {
+            own[lane] = zeros;
+        }
+    }
+
+    /// How many leading coefficients of an argument are zero where the next step begins.
+    pub(super) fn zeros(&self, modulus: usize, lane: usize) -> usize {
+        self.zeros[modulus][lane]
+    }
+
     /// Expands steps that have only their starts, with the signs that the arguments have behind these.
     pub(super) fn settle(
         &mut self,

@@ -5,18 +5,18 @@
 //! rounding may put before or behind it, is neither missed nor found twice.
 
 use super::Contact;
-use super::sign_change::{bernstein, sign_changes};
+use super::sign_change::{bernstein, first_sign_change, sign_changes};
 
 /// One formula on its way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contacts {
     /// On which side of zero it is; none before the first step, and while it vanishes.
-    side: Option<f64>,
-    begun: bool,
+    pub(super) side: Option<f64>,
+    pub(super) begun: bool,
     /// When it was zero last.
-    last: f64,
+    pub(super) last: f64,
     /// Whether it came within the tolerance of zero at the end of the step.
-    near: bool,
+    pub(super) near: bool,
 }
 
 /// A step of a formula: Σ cₙτⁿ with τ from zero to one.
@@ -60,6 +60,16 @@ impl Stretch<'_> {
             }
             if (self.at(middle) < 0.0) == negative_behind { behind = middle } else { before = middle }
         }
+    }
+
+    /// The first place in the step where it changes its sign or comes within the blur of zero.
+    pub(super) fn first_contact(&self) -> Option<f64> {
+        let blur = self.blur();
+        if self.keeps_away(blur) {
+            return None;
+        }
+        let touches = self.extrema().into_iter().find(|&tau| self.at(tau).abs() <= blur);
+        first_sign_change(self.coefficients).into_iter().chain(touches).reduce(f64::min)
     }
 
     /// Whether it is farther from zero than the blur in the whole step.

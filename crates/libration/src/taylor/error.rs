@@ -49,6 +49,9 @@ pub enum IntegrationError {
         /// The absolute one.
         absolute: f64,
     },
+    /// A checkpoint that cannot be one of the system.
+    #[error("the checkpoint is not one of this system and its events: give both as they were")]
+    OtherCheckpoint,
     /// An integration that began and stopped.
     #[error("{cause} at t = {:?}: the motion is known until there", solution.end.time)]
     Stopped {

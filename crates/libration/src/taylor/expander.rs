@@ -2,6 +2,7 @@
 
 use super::System;
 use super::block::{Block, Row};
+use super::boundary::{Boundary, boundaries};
 use super::program::{Program, over_integer};
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch};
@@ -22,6 +23,8 @@ pub(super) struct Surroundings<const N: usize> {
 pub(super) struct Expander<'a> {
     pub(super) system: &'a System,
     pub(super) program: Program,
+    /// Where the accelerations end, and what stands in |…|.
+    pub(super) boundaries: Vec<Boundary<Row>>,
     pub(super) order: usize,
 }
 
@@ -35,7 +38,12 @@ impl<'a> Expander<'a> {
             None => 0,
         });
         let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
-        Self { system, program: Program::new(system.tape(), &degrees, order + 1), order }
+        let program = Program::new(system.tape(), &degrees, order + 1);
+        let formulas = system.coordinates() + system.moduli();
+        let first_sign = degrees.len() - system.moduli();
+        let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
+        let on_block = |it: Boundary<usize>| Boundary { of: program.places[it.of], forbidden: it.forbidden };
+        Self { system, boundaries: boundaries.map(on_block).collect(), program, order }
     }
 
     /// The memory that the series need.

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::flight::Flight;
 use super::record::Record;
-use super::{Cause, Effort, IntegrationError, Launch, Solution, Step, System};
+use super::{Cause, Checkpoint, Effort, IntegrationError, Launch, Solution, Step, System};
 
 type Outcome = Result<Solution, IntegrationError>;
 
@@ -15,19 +15,36 @@ pub(super) struct Fleet<'a, const N: usize> {
     effort: Effort,
     flight: Flight<'a, N>,
     records: [Option<Record<'a>>; N],
+    /// Where the motions go on from, if they do not begin.
+    checkpoint: Option<&'a Checkpoint>,
+}
+
+/// What a step of one motion has brought.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arrived<'s, const N: usize> {
+    pub(super) step: Step<'s>,
+    pub(super) flight: &'s Flight<'s, N>,
+    pub(super) record: &'s Record<'s>,
+    pub(super) lane: usize,
 }
 
 impl<'a, const N: usize> Fleet<'a, N> {
     pub(super) fn new(system: &'a System, effort: &Effort) -> Self {
         let records = std::array::from_fn(|_| None);
-        Self { system, effort: *effort, flight: Flight::new(system, *effort), records }
+        let flight = Flight::new(system, *effort);
+        Self { system, effort: *effort, flight, records, checkpoint: None }
+    }
+
+    /// The same, for motions that go on from a checkpoint.
+    pub(super) fn going_on_from(self, checkpoint: Option<&'a Checkpoint>) -> Self {
+        Self { checkpoint, ..self }
     }
 
     /// All motions to their ends.
     pub(super) fn travel(
         &mut self,
         launches: &'a [Launch<'_>],
-        mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+        mut watch: impl FnMut(usize, &Arrived<'_, N>) -> ControlFlow<()>,
     ) -> Vec<Outcome> {
         let mut outcomes: Vec<Option<Outcome>> = launches.iter().map(|_| None).collect();
         let mut waiting = launches.iter().enumerate();
@@ -74,11 +91,17 @@ impl<'a, const N: usize> Fleet<'a, N> {
             return Err(Err(IntegrationError::Tolerance { relative, absolute }));
         }
         let mut record = Record::new(number, launch, self.system);
+        if let Some(checkpoint) = self.checkpoint {
+            record.resume(checkpoint);
+        }
         record.sample_start();
         match record.goal() {
             None => Err(Ok(record.solution(launch.start.clone()))),
             Some(goal) => {
                 self.flight.launch(lane, &launch.start, &launch.parameters, goal);
+                if let Some(checkpoint) = self.checkpoint {
+                    self.flight.resume(lane, checkpoint);
+                }
                 self.records[lane] = Some(record);
                 Ok(())
             }
@@ -92,7 +115,7 @@ impl<'a, const N: usize> Fleet<'a, N> {
         mut record: Record<'a>,
         ahead: Result<(), Cause>,
         interrupted: &mut bool,
-        watch: &mut impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+        watch: &mut impl FnMut(usize, &Arrived<'_, N>) -> ControlFlow<()>,
     ) -> Result<Record<'a>, Outcome> {
         let allowed =
             if *interrupted { Err(Cause::Interrupted) } else { record.has_steps_left(&self.effort) };
@@ -101,7 +124,8 @@ impl<'a, const N: usize> Fleet<'a, N> {
         }
         let step = self.flight.step(lane);
         let end = record.take(&step, |event| self.flight.event(event, lane), self.effort.relative);
-        let stop = watch(record.number, &step).is_break();
+        let arrived = Arrived { step, flight: &self.flight, record: &record, lane };
+        let stop = watch(record.number, &arrived).is_break();
         let arrived = self.flight.end(lane);
         if let Some(end) = end {
             return Err(Ok(record.solution(end)));

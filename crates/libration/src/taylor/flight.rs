@@ -2,6 +2,7 @@
 
 use super::block::{Block, Row};
 use super::branches::Branches;
+use super::checkpoint::{Checkpoint, ModulusCheckpoint};
 use super::expander::{Expander, Surroundings};
 use super::sign_change::scaled;
 use super::step_length::{log2_time_scale, step_lengths};
@@ -23,9 +24,14 @@ pub(super) struct Flight<'a, const N: usize> {
     unit: [f64; N],
     /// Motions whose scale of time is not known yet.
     fresh: [bool; N],
+    /// Motions with a step that would have ended elsewhere on the way to another goal.
+    goal_bound: [bool; N],
     effort: Effort,
     log2_part_of_radius: f64,
 }
+
+/// Steps that are no longer than this part of the time are lost in its roundings.
+const SHORTEST: f64 = 8.0 * f64::EPSILON;
 
 /// One number of the state at the ends of the steps, in two words.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +57,7 @@ impl<'a, const N: usize> Flight<'a, N> {
             goal: [0.0; N],
             unit: [1.0; N],
             fresh: [false; N],
+            goal_bound: [false; N],
             effort,
             log2_part_of_radius: effort.log2_part_of_radius(),
         }
@@ -60,7 +67,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     pub(super) fn launch(&mut self, lane: usize, start: &Moment, parameters: &[f64], goal: f64) {
         self.block.launch(lane, start.time, &start.state);
         self.branches.launch(lane);
-        (self.goal[lane], self.fresh[lane]) = (goal, true);
+        (self.goal[lane], self.fresh[lane], self.goal_bound[lane]) = (goal, true, false);
         for (parameter, &value) in self.surroundings.parameters.iter_mut().zip(parameters) {
             parameter[lane] = value;
         }
@@ -68,6 +75,36 @@ impl<'a, const N: usize> Flight<'a, N> {
         for (sign, sticks) in signs.iter_mut().zip(sticks) {
             (sign[lane], sticks[lane]) = (1.0, false);
         }
+    }
+
+    /// Goes on with a motion in a lane, which has been launched.
+    pub(super) fn resume(&mut self, lane: usize, checkpoint: &Checkpoint) {
+        for (number, &[high, low]) in checkpoint.state.iter().enumerate() {
+            self.block.place(number, lane, high, low);
+        }
+        (self.block.unit[lane], self.fresh[lane]) = (checkpoint.unit, false);
+        self.branches.resume(lane, checkpoint.moduli.iter().map(|modulus| modulus.zeros));
+        let Surroundings { signs, sticks, .. } = &mut self.surroundings;
+        for ((sign, sticks), modulus) in signs.iter_mut().zip(sticks).zip(&checkpoint.moduli) {
+            (sign[lane], sticks[lane]) = (modulus.sign, modulus.sticks);
+        }
+    }
+
+    /// Where the step leads, to be gone on from; `None` if on the way to another goal a step would have ended elsewhere.
+    pub(super) fn checkpoint(&self, lane: usize) -> Option<Checkpoint> {
+        let moduli = (0..self.surroundings.signs.len()).map(|modulus| ModulusCheckpoint {
+            sign: self.surroundings.signs[modulus][lane],
+            sticks: self.surroundings.sticks[modulus][lane],
+            zeros: self.branches.zeros(modulus, lane),
+        });
+        (!self.goal_bound[lane]).then(|| Checkpoint {
+            time: self.block.end[lane],
+            state: self.next.iter().map(|ends| [ends.high[lane], ends.low[lane]]).collect(),
+            unit: self.unit[lane],
+            moduli: moduli.collect(),
+            events: vec![],
+            steps: 0,
+        })
     }
 
     /// Lets a lane stay where it is.
@@ -86,8 +123,10 @@ impl<'a, const N: usize> Flight<'a, N> {
                 true => self.end_of_polynomials(lane),
                 false => self.end_towards_goal(lane, lengths[lane]),
             };
-            self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
+            self.goal_bound[lane] |= endless[lane] || end == Ok(self.goal[lane]);
             self.unit[lane] = if endless[lane] { self.block.unit[lane] } else { unit_for(lengths[lane]) };
+            let end = end.and_then(|end| self.end_before_boundary(lane, end, lengths[lane]));
+            self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
             outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
         }
         if self.expander.system.moduli() > 0 {
@@ -171,8 +210,66 @@ impl<'a, const N: usize> Flight<'a, N> {
             return Ok(goal);
         }
         let end = start + length.copysign(remaining);
-        let shortest = 8.0 * f64::EPSILON * start.abs();
-        if (end - start).abs() > shortest { Ok(end) } else { Err(Cause::StepUnderflow) }
+        if (end - start).abs() > SHORTEST * start.abs() { Ok(end) } else { Err(Cause::StepUnderflow) }
+    }
+
+    /// The end of a step, or one nearer to its start if the formulas end on the way, and what they say behind is not what
+    /// the series do. Where steps come near it, either the series show what happens there or they become too short.
+    fn end_before_boundary(&mut self, lane: usize, end: f64, length: f64) -> Result<f64, Cause> {
+        /// The part of the way to the boundary that a step may go.
+        const TOWARDS: f64 = 0.875;
+        /// What comes within so many tolerances of its change in the step is looked at: of √(x² + ε²) the series show ε²/x²
+        /// where it is not below one tolerance.
+        const NEAR: f64 = 1e4;
+        const WIDEST: f64 = 1e-2;
+        if self.expander.boundaries.is_empty() || self.sticks(lane) {
+            return Ok(end);
+        }
+        let start = self.block.start[lane];
+        let units = (end - start) / self.block.unit[lane];
+        let blur = (NEAR * self.effort.relative).min(WIDEST);
+        let boundaries = self.expander.boundaries.iter();
+        let contacts =
+            boundaries.filter_map(|boundary| boundary.first_contact(&self.block, lane, units, blur));
+        let Some(first) = contacts.reduce(f64::min) else { return Ok(end) };
+        let nominal = if length.is_finite() { length.copysign(end - start) } else { end - start };
+        if self.goes_on_behind(lane, start + first * (end - start), nominal) {
+            return Ok(end);
+        }
+        let nearer = start + TOWARDS * first * (end - start);
+        if (nearer - start).abs() <= SHORTEST * start.abs() {
+            return Err(Cause::Singularity);
+        }
+        // In the unit of the whole step the next series would overflow.
+        self.unit[lane] = unit_for((nearer - start).abs());
+        Ok(nearer)
+    }
+
+    /// Whether the accelerations behind a time are those of the series as well, as where a singularity is removable.
+    ///
+    /// Up to a quarter of a step beyond its end series of the most terms, 33, err by 1.25³³·33·2⁻⁹ = 100 tolerances.
+    fn goes_on_behind(&self, lane: usize, time: f64, length: f64) -> bool {
+        const PARTS: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
+        const TOLERANCES: f64 = 100.0;
+        let bound = TOLERANCES * self.effort.relative.max(f64::EPSILON);
+        PARTS.iter().all(|part| self.misfit(lane, time + part * length, length) <= bound)
+    }
+
+    /// What the velocities would err by in a time, as a part of their size, if accelerations were those of the series; not less
+    /// than the part of themselves that the accelerations err by, which a short time does not excuse.
+    fn misfit(&self, lane: usize, time: f64, length: f64) -> f64 {
+        let step = self.block.step(lane);
+        let state = step.state_at(time);
+        let exact = self.expander.accelerations(time, &state, &self.surroundings);
+        let coordinates = exact.len();
+        let parts = exact.iter().enumerate().map(|(i, exact)| {
+            let own = step.slope_at(coordinates + i, time);
+            let speed = step.coefficient(coordinates + i, 0).abs().max((own * length).abs());
+            let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
+            let error = (exact[lane] - own).abs();
+            if error == 0.0 { 0.0 } else { error * rate }
+        });
+        larger_or_nan(parts)
     }
 
     /// Whether the last coefficients are finite, into which the ones before enter.
@@ -205,9 +302,13 @@ impl<'a, const N: usize> Flight<'a, N> {
             let size = exact[lane].abs().max(own.abs());
             if size == 0.0 { 0.0 } else { (exact[lane] - own).abs() / size }
         });
-        // What is not finite is no agreement.
-        parts.fold(0.0, |largest, part| if part <= largest { largest } else { part })
+        larger_or_nan(parts)
     }
+}
+
+/// The largest of some numbers; what is not finite is larger than all.
+fn larger_or_nan(parts: impl Iterator<Item = f64>) -> f64 {
+    parts.fold(0.0, |largest: f64, part| if part <= largest || largest.is_nan() { largest } else { part })
 }
 
 /// How long the steps may be.

@@ -48,9 +48,9 @@ pub struct Launch<'a> {
 /// accelerations see each coordinate rounded to one word, of which an angle of a thousand turns loses four digits.
 ///
 /// Where the argument of an absolute value changes its sign the step ends, at the nearest `f64`, and the other branch
-/// goes on. Other formulas that are not analytic, such as √(x²) at zero, stop the integration. What is almost a kink is a
-/// trap: of √(x² + ε²) with a tiny ε the series from afar does not show that it bends at zero, and a step may go straight
-/// on; write abs(x).
+/// goes on. Other formulas that are not analytic, such as √(x²) at zero, stop the integration, and so does the end of a
+/// formula, such as that of e^(−1/x) at zero, however little of it the motion feels before; √(x² + ε²) with a tiny ε is
+/// followed round its bend in small steps. A singularity that is removable, as that of sin(x)/x, is passed.
 ///
 /// # Errors
 /// A start, times or tolerances that cannot be; a singularity, the step limit, or an interruption, with what was
@@ -89,7 +89,7 @@ impl Launch<'_> {
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> Result<Solution, IntegrationError> {
         let mut fleet = Fleet::<1>::new(system, effort);
-        let outcomes = fleet.travel(std::slice::from_ref(self), |_, step| watch(step));
+        let outcomes = fleet.travel(std::slice::from_ref(self), |_, arrived| watch(&arrived.step));
         outcomes.into_iter().next().expect("one motion has one outcome")
     }
 
@@ -129,9 +129,9 @@ pub fn integrate_many(
     system: &System,
     launches: &[Launch<'_>],
     effort: &Effort,
-    watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+    mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    Fleet::<LANES>::new(system, effort).travel(launches, watch)
+    Fleet::<LANES>::new(system, effort).travel(launches, |number, arrived| watch(number, &arrived.step))
 }
 
 /// How many motions go side by side: two vector registers of AVX2.

@@ -14,6 +14,9 @@ mod sign_change;
 mod block;
 mod program;
 
+mod boundary;
+mod checkpoint;
+
 mod expander;
 mod kept;
 mod step;
@@ -28,14 +31,17 @@ mod fleet;
 mod record;
 
 mod integrate;
+mod leg;
 
 #[cfg(test)]
 mod tests;
 
+pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
 pub use kept::KeptStep;
+pub use leg::{Departure, Leg, follow};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;

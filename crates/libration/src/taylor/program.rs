@@ -23,6 +23,8 @@ pub(super) struct Program {
     nonlinear: Vec<Instruction>,
     /// Where the formulas are.
     pub(super) results: Vec<Row>,
+    /// Where all places of the tape are.
+    pub(super) places: Vec<Row>,
     /// How many rows there are.
     pub(super) rows: usize,
 }
@@ -132,6 +134,7 @@ impl Program {
             linear: vec![],
             nonlinear: vec![],
             results: vec![],
+            places: vec![],
             rows: tape.inputs(),
         };
         let (places, input_degrees) = (vec![], degrees);
@@ -139,6 +142,7 @@ impl Program {
         for place in 0..tape.operations().len() {
             writer.write(place);
         }
+        writer.program.places = writer.places.iter().map(|place| place.plain).collect();
         writer.program.results = tape.results().iter().map(|&place| writer.places[place].plain).collect();
         writer.program
     }

@@ -1,7 +1,10 @@
 //! What is known of one motion.
 
 use super::contacts::{Contacts, Stretch};
-use super::{Cause, Contact, Effort, IntegrationError, Launch, Moment, Occurrence, Solution, Step, System};
+use super::{
+    Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Launch, Moment, Occurrence,
+    Solution, Step, System,
+};
 
 /// Samples and events of a motion, as far as it came.
 #[derive(Debug)]
@@ -11,6 +14,8 @@ pub(super) struct Record<'a> {
     launch: &'a Launch<'a>,
     samples: Vec<Moment>,
     events: Vec<Occurrence>,
+    /// How many events were known before the last step.
+    told: usize,
     contacts: Vec<Contacts>,
     steps: usize,
 }
@@ -19,7 +24,27 @@ impl<'a> Record<'a> {
     pub(super) fn new(number: usize, launch: &'a Launch<'a>, system: &'a System) -> Self {
         let samples = Vec::with_capacity(launch.times.len());
         let contacts = vec![Contacts::NONE; system.events().len()];
-        Self { number, system, launch, samples, events: vec![], contacts, steps: 0 }
+        Self { number, system, launch, samples, events: vec![], told: 0, contacts, steps: 0 }
+    }
+
+    /// Goes on with what was known of the events at a checkpoint.
+    pub(super) fn resume(&mut self, checkpoint: &Checkpoint) {
+        self.contacts = checkpoint.events.iter().map(EventCheckpoint::contacts).collect();
+        self.steps = checkpoint.steps;
+    }
+
+    /// What is known of the events.
+    pub(super) fn checkpoints(&self) -> Vec<EventCheckpoint> {
+        self.contacts.iter().map(EventCheckpoint::of).collect()
+    }
+
+    /// The events in the last step.
+    pub(super) fn new_events(&self) -> &[Occurrence] {
+        &self.events[self.told..]
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.steps
     }
 
     /// The samples that need no step.
@@ -47,6 +72,7 @@ impl<'a> Record<'a> {
         tolerance: f64,
     ) -> Option<Moment> {
         self.steps += 1;
+        self.told = self.events.len();
         let terminal = self.find_events(step, formula, tolerance);
         let last = terminal.as_ref().map_or(step.end(), |end| end.time);
         let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };

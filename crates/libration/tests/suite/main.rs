@@ -10,7 +10,9 @@ mod ulp;
 
 mod accuracy;
 mod architecture;
+mod boundaries;
 mod chaos;
+mod checkpoints;
 mod decay;
 mod elliptic;
 mod equation;

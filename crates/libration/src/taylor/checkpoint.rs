@@ -1,0 +1,74 @@
+//! All that an integration carries from step to step.
+
+use super::System;
+use super::contacts::Contacts;
+
+/// Where an integration can be gone on from, bit for bit as if it had never stopped: the start of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// When.
+    pub time: f64,
+    /// The numbers that [`System::state_names`] names, each in two words.
+    pub state: Vec<[f64; 2]>,
+    /// The unit of time of the next step's series.
+    pub unit: f64,
+    /// Of each absolute value in the equations.
+    pub moduli: Vec<ModulusCheckpoint>,
+    /// Of each event.
+    pub events: Vec<EventCheckpoint>,
+    /// How many steps led here.
+    pub steps: usize,
+}
+
+/// What is known of the argument of an absolute value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModulusCheckpoint {
+    /// Its sign.
+    pub sign: f64,
+    /// Whether it is a velocity that friction keeps at zero.
+    pub sticks: bool,
+    /// How many of its leading coefficients are zero.
+    pub zeros: usize,
+}
+
+/// What is known of the formula of an event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EventCheckpoint {
+    /// On which side of zero it is.
+    pub side: Option<f64>,
+    /// When it was zero last.
+    pub last: Option<f64>,
+    /// Whether it is within the tolerance of zero.
+    pub near: bool,
+}
+
+impl Checkpoint {
+    /// Whether it can be one of this system.
+    pub(super) fn fits(&self, system: &System) -> bool {
+        let numbers = self.state.iter().flatten().chain([&self.time, &self.unit]);
+        let signs = self.moduli.iter().all(|modulus| modulus.sign.abs() <= 1.0);
+        self.state.len() == 2 * system.coordinates()
+            && self.moduli.len() == system.moduli()
+            && self.events.len() == system.events().len()
+            && numbers.into_iter().all(|number| number.is_finite())
+            && self.unit > 0.0
+            && signs
+    }
+
+    /// The state in one word.
+    pub(super) fn rounded_state(&self) -> Vec<f64> {
+        self.state.iter().map(|[high, low]| high + low).collect()
+    }
+}
+
+impl EventCheckpoint {
+    pub(super) fn of(contacts: &Contacts) -> Self {
+        let Contacts { side, last, near, .. } = *contacts;
+        Self { side, last: Some(last).filter(|last| last.is_finite()), near }
+    }
+
+    pub(super) fn contacts(&self) -> Contacts {
+        let last = self.last.unwrap_or(f64::NEG_INFINITY);
+        Contacts { side: self.side, begun: true, last, near: self.near }
+    }
+}
