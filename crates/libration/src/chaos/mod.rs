@@ -20,5 +20,5 @@ pub use drive::drive_period;
 pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, Progress, Regularity, Schedule, Verdict, lyapunov_exponent,
 };
-pub use section::{Ending, PoincareSection, Points, Section, SectionError, folded, section};
+pub use section::{Ending, PoincareSection, Points, Section, SectionError, Taken, folded, section};
 pub use structure::{Theorem, angles};

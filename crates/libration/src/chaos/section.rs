@@ -58,6 +58,15 @@ pub struct Points {
     pub kept: usize,
 }
 
+/// How far the work on a section is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taken {
+    /// How many points are kept.
+    pub points: usize,
+    /// When the motion is.
+    pub time: f64,
+}
+
 /// The points of a section, as far as the motion came.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoincareSection {
@@ -104,8 +113,8 @@ pub enum SectionError {
     },
 }
 
-/// The points of the section of a motion. `watch` is told again and again how many are taken and may stop; the points until
-/// then are kept.
+/// The points of the section of a motion. `watch` is told after each step how far it is and may stop; the points until then are
+/// kept.
 ///
 /// # Accuracy
 /// As that of [`integrate`]; points of a chaotic motion are those of a motion near by after some ten of its periods.
@@ -133,7 +142,7 @@ pub fn section(
     section: &Section,
     points: Points,
     effort: &Effort,
-    mut watch: impl FnMut(usize) -> ControlFlow<()>,
+    mut watch: impl FnMut(Taken) -> ControlFlow<()>,
 ) -> Result<PoincareSection, SectionError> {
     match section {
         Section::Stroboscope { period, phase } => {
@@ -164,12 +173,12 @@ fn stroboscopic(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    watch: &mut dyn FnMut(Taken) -> ControlFlow<()>,
 ) -> Result<PoincareSection, SectionError> {
     let mut taken = 0;
     let outcome = integrate(system, start, times, effort, |step| {
         taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
-        watch(taken)
+        watch(Taken { points: taken, time: step.end() })
     });
     PoincareSection::of_samples(outcome)
 }
@@ -198,7 +207,7 @@ fn crossings(
     start: &Moment,
     points: Points,
     effort: &Effort,
-    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    watch: &mut dyn FnMut(Taken) -> ControlFlow<()>,
 ) -> Result<PoincareSection, SectionError> {
     const STEPS: usize = 2000;
     const QUIET: usize = 200;
@@ -208,7 +217,9 @@ fn crossings(
         let taken = found.len();
         let kept = taken.saturating_sub(points.skipped);
         let (solution, cause) =
-            as_far_as_it_came(integrate(system, &at, &[at.time + horizon], &stretch, |_| watch(kept)))?;
+            as_far_as_it_came(integrate(system, &at, &[at.time + horizon], &stretch, |step| {
+                watch(Taken { points: kept, time: step.end() })
+            }))?;
         found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
         at = solution.end;

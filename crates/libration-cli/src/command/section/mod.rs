@@ -12,6 +12,7 @@ use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Without another wish so many points are kept.
@@ -104,18 +105,25 @@ impl PoincareQuestion {
     fn sections(&self, model: &Model, starts: &[Vec<f64>]) -> Result<Vec<PoincareSection>, Failure> {
         let (place, points) = (self.section.section(model), self.section.points(POINTS));
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
+        let latest = Mutex::new(0.0);
         let of_start = |state: &Vec<f64>| {
             let start = Moment { time: 0.0, state: state.clone() };
             let mut before = 0;
             section(model.equation(), &start, &place, points, &effort, |now| {
-                taken.fetch_add(now - before, Ordering::Relaxed);
-                before = now;
+                taken.fetch_add(now.points - before, Ordering::Relaxed);
+                before = now.points;
+                if let Ok(mut latest) = latest.lock() {
+                    *latest = now.time;
+                }
                 interrupt::go_on()
             })
         };
         interrupt::listen()?;
         let all = points.kept * starts.len();
-        let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
+        let how_far = || {
+            let time = latest.lock().map_or(0.0, |time| *time);
+            format!("{} of {all} points, t = {time:.6}", taken.load(Ordering::Relaxed))
+        };
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
         sections.into_iter().collect::<Result<_, _>>().map_err(section_failure)
     }

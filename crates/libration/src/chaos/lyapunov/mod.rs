@@ -8,6 +8,9 @@ mod record;
 
 mod laboratory;
 
+#[cfg(test)]
+mod tests;
+
 use std::ops::ControlFlow;
 
 use super::structure::has_jumps;

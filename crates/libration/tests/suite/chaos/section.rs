@@ -1,7 +1,8 @@
 //! Poincaré sections and bifurcation diagrams.
 
 use libration::chaos::{
-    Column, Continuation, Ending, Family, PoincareSection, Points, Section, bifurcation_diagram, section,
+    Column, Continuation, Ending, Family, PoincareSection, Points, Section, Taken, bifurcation_diagram,
+    drive_period, folded, section,
 };
 use libration::taylor::{Cause, Direction, Effort, Moment};
 use std::f64::consts::{PI, TAU};
@@ -191,7 +192,63 @@ fn interruptions_keep_what_is_done() {
     // Side by side others than the first two may be done first.
     assert_eq!(kept(Continuation::SameStart).len(), 2);
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
-    let found = section(&equation, &start, &FLASH, points, &effort, stop(7)).unwrap();
+    let stop_at_seven = |taken: Taken| stop(7)(taken.points);
+    let found = section(&equation, &start, &FLASH, points, &effort, stop_at_seven).unwrap();
     assert_eq!(found.stopped, Some(Ending::Stopped(Cause::Interrupted)));
     assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
+}
+
+#[test]
+fn the_period_of_a_drive_is_found_where_there_is_one() {
+    let period = |equation: &str| drive_period(&equation.parse().unwrap());
+    let close = |found: Option<f64>, wanted: f64| assert!((found.unwrap() / wanted - 1.0).abs() < 1e-15);
+    close(period("x'' = -x + cos(5*t)"), TAU / 5.0);
+    close(period("x'' = -x + cos(t/2) + sin(t/3)*x"), 6.0 * TAU);
+    close(period("x'' = -x - y; y'' = -y + cos(2*pi*t)"), 1.0);
+    close(period("x'' = -x + cos(3*t)^2 + sin(-3*t)"), TAU / 3.0);
+    // The first drive may go through a thousand periods until both come back, and no more.
+    close(period("x'' = -x + cos(t) + cos(t/1000)"), 1000.0 * TAU);
+    assert_eq!(period("x'' = -x + cos(t) + cos(t/1001)"), None);
+    for none in [
+        "x'' = -x",
+        "x'' = -x + t",
+        "x'' = -x + cos(t) + t/9",
+        "x'' = -x + cos(t^2)",
+        "x'' = -x + exp(-t)*cos(t)",
+        "x'' = -x + cos(t) + cos(sqrt(2)*t)",
+        "x'' = -x + cos(x*t)",
+    ] {
+        assert_eq!(period(none), None, "{none}");
+    }
+}
+
+#[test]
+fn folded_angles_are_in_the_turn_around_zero() {
+    assert_eq!((folded(PI), folded(0.5), folded(-0.5)), (PI, 0.5, -0.5));
+    assert_eq!(folded(-PI), PI);
+    assert!((folded(-PI.next_down()) + PI).abs() < 1e-15 && folded(PI.next_up()) < -3.0);
+    for turns in [-7.0, 1.0, 1e6] {
+        assert!((folded(0.25 + turns * TAU) - 0.25).abs() < 1e-15 * (1.0 + f64::abs(turns) * TAU));
+    }
+}
+
+#[test]
+fn a_section_tells_how_far_it_is_and_stops_when_asked() {
+    let equation = "x'' = -x - x'/2 + cos(t)".parse().unwrap();
+    let (effort, points) = (Effort::to_tolerance(1e-9), Points { skipped: 5, kept: 20 });
+    let surface = Section::Crossing { formula: "x".parse().unwrap(), direction: Direction::Rising };
+    for cut in [FLASH, surface] {
+        let mut told: Vec<Taken> = vec![];
+        let found = section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, |taken| {
+            told.push(taken);
+            if taken.time > 60.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let found = found.unwrap();
+        assert_eq!(found.stopped, Some(Ending::Stopped(Cause::Interrupted)));
+        assert!(told.is_sorted_by(|a, b| a.time < b.time && a.points <= b.points));
+        let last = told.last().unwrap();
+        assert!(
+            last.points > 2 && last.points <= found.points.len() && found.points.len() <= last.points + 1
+        );
+    }
 }
