@@ -63,8 +63,7 @@ impl Damping {
     }
 
     /// The coefficient of a power; zero where there is none.
-    #[must_use]
-    pub fn coefficient_of(&self, exponent: f64) -> f64 {
+    pub(super) fn coefficient_of(&self, exponent: f64) -> f64 {
         let own = self.terms.iter().find(|term| term.exponent.total_cmp(&exponent).is_eq());
         own.map_or(0.0, |term| term.coefficient)
     }

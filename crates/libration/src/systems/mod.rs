@@ -13,10 +13,10 @@ mod line_integral;
 
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;
-pub use energy::{Energy, EnergyBalance};
+pub use energy::{Energy, EnergyAccount, EnergyBalance};
 pub use error::{ModelError, NoEnergy, UnknownSystem};
 pub use model::Model;
-pub use named::{NamedCoordinate, NamedSystem, Parameter};
+pub use named::{NamedCoordinate, NamedSystem, NoSuchPendulum, Parameter};
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! What is known of a system that has a name.
 
 use super::{UnknownSystem, catalogue};
+use crate::expression::{Expression, Function};
 use crate::quantity::{excerpt, nearest};
 
 /// A system of the literature, as data.
@@ -83,8 +84,82 @@ impl NamedSystem {
         })
     }
 
+    /// The values of its parameters for a pendulum of this length under this gravity: ω0 is the root of their quotient, and all
+    /// rods are as long. Where one is not given it is a metre, or 9.80665 m/s².
+    ///
+    /// # Errors
+    /// Parameters that do not say what is asked for, as of a body that is no mass on a rod.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::systems::NamedSystem;
+    /// let pendulum = NamedSystem::by_key("pendulum")?;
+    /// let [(name, value)] = &pendulum.values_of(Some(4.0), Some(9.0))?[..] else { panic!() };
+    /// assert_eq!((*name, value.to_f64()), ("omega0", Some(1.5)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn values_of(
+        &self,
+        length: Option<f64>,
+        gravity: Option<f64>,
+    ) -> Result<Vec<(&'static str, Expression)>, NoSuchPendulum> {
+        /// The pendulum of a metre under the standard gravity.
+        const DEFAULTS: [f64; 2] = [1.0, 9.80665];
+        let number = |value: f64| decimal(value).ok_or(NoSuchPendulum::NotAbove(value));
+        let quotient = Expression::Divide(
+            Box::new(number(gravity.unwrap_or(DEFAULTS[1]))?),
+            Box::new(number(length.unwrap_or(DEFAULTS[0]))?),
+        );
+        let frequency = Expression::Call(Function::Sqrt, Box::new(quotient));
+        let mut values = vec![];
+        let mut said = [length.is_none(), gravity.is_none()];
+        for parameter in self.parameters {
+            let (value, says) = match (parameter.name, length, gravity) {
+                ("omega0" | "omega1" | "omega2", ..) => (frequency.clone(), [true, true]),
+                ("l" | "l1" | "l2", Some(length), _) => (number(length)?, [true, false]),
+                ("g", ..) => (number(gravity.unwrap_or(DEFAULTS[1]))?, [false, true]),
+                _ => continue,
+            };
+            values.push((parameter.name, value));
+            said = [said[0] || says[0], said[1] || says[1]];
+        }
+        let names = || self.parameters.iter().map(|it| it.name).collect::<Vec<_>>().join(", ");
+        match said {
+            [true, true] => Ok(values),
+            [false, _] => Err(NoSuchPendulum::Without { key: self.key, what: "length", parameters: names() }),
+            [_, false] => {
+                Err(NoSuchPendulum::Without { key: self.key, what: "gravity", parameters: names() })
+            }
+        }
+    }
+
     /// The key and the other names.
     pub(super) fn keys(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(self.key).chain(self.also.iter().copied())
     }
+}
+
+/// Why a system is no pendulum of a given length or gravity.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoSuchPendulum {
+    /// A length or gravity that is not above zero.
+    #[error("{0:?} is no length or gravity: give finite numbers above zero")]
+    NotAbove(f64),
+    /// Parameters that do not say it.
+    #[error("{key} has no {what} among its parameters, which are {parameters}: give these by --set")]
+    Without {
+        /// The system.
+        key: &'static str,
+        /// What is asked for.
+        what: &'static str,
+        /// What it has.
+        parameters: String,
+    },
+}
+
+/// A number above zero as the decimal that it is written as.
+fn decimal(value: f64) -> Option<Expression> {
+    let above = Some(value).filter(|value| value.is_finite() && *value > 0.0);
+    above.and_then(|value| format!("{value:?}").parse().ok())
 }

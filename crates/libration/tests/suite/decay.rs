@@ -300,3 +300,23 @@ fn what_is_no_start_is_refused() {
     let out = Decay::new(fast, Damping::of_degree(4.0, 0.1).unwrap(), "1rad".parse().unwrap());
     assert!(matches!(out, Err(DecayError::OutOfRange { .. })));
 }
+
+#[test]
+fn the_loss_in_a_cycle_of_small_swings_is_that_of_the_harmonic_oscillator() {
+    // Of cθ′ the part 2πc/ω0 of the energy, of cθ′|θ′| the part 16cA/3, up to A² of themselves.
+    let pendulum = || Pendulum::from_angular_frequency(3.0).unwrap();
+    let small = amplitude(1e-4);
+    for (terms, expected) in [
+        (vec![(1.0, 0.01)], TAU * 0.01 / 3.0),
+        (vec![(2.0, 0.05)], 16.0 * 0.05 * 1e-4 / 3.0),
+        (vec![(1.0, 0.02), (2.0, 0.5)], TAU * 0.02 / 3.0 + 16.0 * 0.5 * 1e-4 / 3.0),
+    ] {
+        let loss = of(pendulum(), &terms, 1.0).loss_in_a_cycle(&small);
+        assert!((loss / expected - 1.0).abs() < 1e-8, "{terms:?}: {loss}");
+    }
+    // It is the fall of the amplitude where that is small: from A to A(1 − δ) the energy falls by 2δ.
+    let weak = of(pendulum(), &[(1.0, 1e-5)], 0.01);
+    let after = turns(&weak, 3)[2].amplitude.radians();
+    let fall = 2.0 * (1.0 - after / 0.01);
+    assert!((weak.loss_in_a_cycle(&amplitude(0.01)) / fall - 1.0).abs() < 1e-4);
+}
