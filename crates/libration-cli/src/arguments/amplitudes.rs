@@ -1,9 +1,10 @@
 //! The amplitudes a question is about: angles, lists and ranges of angles, or a file of them.
 
-use super::lines;
+use super::{bare, lines};
 use crate::failure::Failure;
 use libration::pendulum::Amplitude;
-use libration::quantity::{Angle, AngleRange, RangeError, angles};
+use libration::quantity::{Angle, AngleRange, BareRadians, QuantityError, RangeError, angles};
+use std::cell::Cell;
 use std::path::PathBuf;
 
 /// The options that say which amplitudes.
@@ -32,7 +33,10 @@ pub(crate) struct Amplitudes(Vec<AngleSet>);
 impl AmplitudeOptions {
     pub(crate) fn read(&self) -> Result<Amplitudes, Failure> {
         let sets = match &self.from_file {
-            Some(path) => vec![AngleSet::List(lines::read(path, str::parse::<Angle>)?)],
+            Some(path) => {
+                let said = Cell::new(false);
+                vec![AngleSet::List(lines::read(path, |text| angle_in_file(&said, text))?)]
+            }
             None => self.amplitudes.clone(),
         };
         for angle in sets.iter().flat_map(AngleSet::widest) {
@@ -85,8 +89,20 @@ impl AngleSet {
 }
 
 fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
-    match text.contains(':') {
-        true => AngleRange::parse(text).map(AngleSet::Range),
-        false => angles(text).map(AngleSet::List),
+    let set = match text.contains(':') {
+        true => AngleRange::parse(text).map(AngleSet::Range)?,
+        false => angles(text).map(AngleSet::List)?,
+    };
+    bare::say(text);
+    Ok(set)
+}
+
+/// Reads an angle from a file, and says of the first one that may have been meant in degrees how it is taken.
+fn angle_in_file(said: &Cell<bool>, text: &str) -> Result<Angle, QuantityError> {
+    let angle: Angle = text.parse()?;
+    if !said.get() && BareRadians::in_text(text).is_some() {
+        said.set(true);
+        bare::say(text);
     }
+    Ok(angle)
 }

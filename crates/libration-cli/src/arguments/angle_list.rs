@@ -1,5 +1,6 @@
 //! A list of angles as one argument: `30deg,90deg` or `30deg:150deg:30deg`.
 
+use super::bare;
 use libration::quantity::{Angle, angles};
 
 /// More curves than a picture can keep apart.
@@ -17,6 +18,7 @@ impl AngleList {
 
 pub(crate) fn angle_list(text: &str) -> Result<AngleList, String> {
     let angles = angles(text).map_err(|error| error.to_string())?;
+    bare::say(text);
     if angles.len() > MOST {
         return Err(format!("{} angles are more than a picture shows: give at most {MOST}", angles.len()));
     }

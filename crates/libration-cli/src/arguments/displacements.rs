@@ -32,10 +32,12 @@ pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Resul
 /// A bare number is a number of radians.
 fn read(text: &str) -> Result<Vec<f64>, RangeError> {
     let radians = |angle: libration::quantity::Angle| angle.radians();
-    match text.contains(':') {
-        true => Ok(AngleRange::parse(text)?.iter().map(radians).collect()),
-        false => Ok(angles(text)?.into_iter().map(radians).collect()),
-    }
+    let read = match text.contains(':') {
+        true => AngleRange::parse(text)?.iter().map(radians).collect(),
+        false => angles(text)?.into_iter().map(radians).collect(),
+    };
+    super::bare::say(text);
+    Ok(read)
 }
 
 #[cfg(test)]

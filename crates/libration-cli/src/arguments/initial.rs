@@ -3,7 +3,7 @@
 use super::values::plain_name;
 use crate::failure::Failure;
 use libration::expression::Expression;
-use libration::quantity::{Angle, Dimension, parse};
+use libration::quantity::{Dimension, parse};
 use libration::systems::Model;
 
 /// The option that says where a motion begins.
@@ -107,7 +107,7 @@ fn number(name: &str, text: &str, unit: &str) -> Result<f64, Failure> {
     let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
     let quantity = |dimension| Ok(parse(text, dimension).map_err(|error| error.to_string())?.value);
     let value = match unit {
-        "rad" => text.parse::<Angle>().map(|angle| angle.radians()).map_err(|error| error.to_string()),
+        "rad" => super::text::angle(text).map(|angle| angle.radians()).map_err(|error| error.to_string()),
         "rad/s" => quantity(Dimension::AngularVelocity),
         "m" => quantity(Dimension::Length),
         "m/s" => quantity(Dimension::Velocity),

@@ -3,6 +3,7 @@
 mod amplitudes;
 mod angle_list;
 mod apparatus;
+mod bare;
 mod column_units;
 mod counted;
 mod displacements;
@@ -27,6 +28,7 @@ mod values;
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
 pub(crate) use apparatus::ApparatusOptions;
+pub(crate) use bare::say as say_radians;
 pub(crate) use column_units::{ColumnsInSi, Wanted};
 pub(crate) use counted::CountedOptions;
 pub(crate) use displacements::displacements;
@@ -44,6 +46,7 @@ pub(crate) use system::SystemOptions;
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
-    angle, angular_velocity, count, finite_time, length_with_uncertainty, not_negative, positive,
+    angle, angular_velocity, count, finite_time, gravity, length, length_with_uncertainty, not_negative,
+    positive,
 };
 pub(crate) use times::{TimeOptions, Times, times};

@@ -53,6 +53,9 @@ impl Chosen {
     pub(crate) fn amplitude(&self, argument: &str, text: &str) -> Result<f64, Failure> {
         let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
         if let Some(number) = number {
+            if self.is_angle() {
+                super::bare::say(text);
+            }
             return Ok(number);
         }
         if self.is_angle() {

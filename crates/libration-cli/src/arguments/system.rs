@@ -2,8 +2,8 @@
 
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::Failure;
-use libration::expression::EquationError;
-use libration::systems::{Model, ModelError};
+use libration::expression::{EquationError, Expression};
+use libration::systems::{Model, ModelError, NamedSystem};
 
 /// The system asked about.
 #[derive(Clone, Debug, clap::Args)]
@@ -22,10 +22,35 @@ impl SystemOptions {
         self.model_with_open(&[])
     }
 
+    /// The model of a pendulum of this length under this gravity, where they are given.
+    pub(crate) fn model_of(&self, length: Option<f64>, gravity: Option<f64>) -> Result<Model, Failure> {
+        if length.is_none() && gravity.is_none() {
+            return self.model();
+        }
+        let argument = if length.is_some() { "--length" } else { "--gravity" };
+        let named = NamedSystem::by_key(self.system.trim()).map_err(|_| {
+            let reason =
+                "it is for the pendulums of `libration systems`, such as damped_pendulum: give one of them";
+            Failure::usage(argument, reason)
+        })?;
+        let of_pendulum =
+            named.values_of(length, gravity).map_err(|reason| Failure::usage(argument, reason))?;
+        let mut values = values(&self.set)?;
+        if let Some((name, _)) = of_pendulum.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
+            let reason = format!("it says what {name} is, as --set does: give one of them");
+            return Err(Failure::usage(argument, reason));
+        }
+        values.extend(of_pendulum.into_iter().map(|(name, value)| (name.to_owned(), value)));
+        self.model_with(&values, &[])
+    }
+
     /// The model with these parameters left open.
     pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
-        let values = values(&self.set)?;
-        let (name, values) = (self.system.trim(), borrowed(&values));
+        self.model_with(&values(&self.set)?, open)
+    }
+
+    fn model_with(&self, values: &[(String, Expression)], open: &[&str]) -> Result<Model, Failure> {
+        let (name, values) = (self.system.trim(), borrowed(values));
         let model = match is_like_a_key(name) {
             true => Model::by_key(name, &values, open),
             false => Model::typed(name, &values, open),

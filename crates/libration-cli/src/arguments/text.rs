@@ -1,12 +1,15 @@
 //! Quantities from the command line, each checked where it stands.
 
+use super::bare;
 use libration::quantity::{Angle, Dimension, Quantity, QuantityError, parse};
 
 pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
-    text.parse()
+    let angle = text.parse()?;
+    bare::say(text);
+    Ok(angle)
 }
 
-pub(super) fn length(text: &str) -> Result<f64, String> {
+pub(crate) fn length(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Length)
 }
 
@@ -36,7 +39,7 @@ pub(super) fn part(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a part of one, such as 0.01 or 1%".to_owned())
 }
 
-pub(super) fn gravity(text: &str) -> Result<f64, String> {
+pub(crate) fn gravity(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Acceleration)
 }
 

@@ -135,3 +135,28 @@ fn small_numbers_are_not_written_with_hundreds_of_zeros() {
     let listing = crate::command::text("expand x''=-1e-300*sin(x)-x^3 --order 5");
     assert!(listing.contains("ω0² = 1e-300") && !listing.contains(&"0".repeat(20)), "{listing}");
 }
+
+#[test]
+fn bare_angles_above_half_a_turn_are_said_to_be_radians() {
+    let note = "taken as 60 rad = 9.549 turns; for degrees write 60deg";
+    for question in [
+        "motion 60 --times 0",
+        "simulate pendulum --initial theta=60 --times 0",
+        "section driven_pendulum --set A=1 --initial theta=60 --points 1 --skip 0",
+        "expand pendulum --order 3 --evaluate 60",
+        "modes pendulum --about theta=60",
+    ] {
+        let output = libration(question);
+        assert_eq!(message(&output).matches(note).count(), 1, "{question}: {}", message(&output));
+    }
+    let refused = libration("period 60");
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(message(&refused).contains("60deg"), "{}", message(&refused));
+    let file = crate::command::directory("bare").join("degrees.txt");
+    std::fs::write(&file, "1\n3.2\n60\n").unwrap();
+    let listed = libration(&format!("period --from-file {}", file.display()));
+    assert_eq!(message(&listed).matches("taken as").count(), 1, "{}", message(&listed));
+    for clear in ["motion 60deg --times 0", "motion 60rad --times 0", "motion 3.1 --times 0", "period 3"] {
+        assert!(message(&libration(clear)).is_empty(), "{clear}");
+    }
+}

@@ -9,6 +9,7 @@
 mod angle;
 mod angle_name;
 mod angle_text;
+mod bare_radians;
 mod decimal;
 mod error;
 mod excerpt;
@@ -22,6 +23,7 @@ mod unit;
 
 pub use angle::Angle;
 pub use angle_name::is_angle_name;
+pub use bare_radians::BareRadians;
 pub use error::QuantityError;
 pub(crate) use excerpt::excerpt;
 pub(crate) use nearest::nearest;

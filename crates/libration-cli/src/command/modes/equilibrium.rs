@@ -1,5 +1,6 @@
 //! Which equilibrium is meant: `theta=180deg`.
 
+use crate::arguments::say_radians;
 use crate::failure::Failure;
 use libration::expression::Expression;
 use libration::quantity::Angle;
@@ -36,6 +37,9 @@ fn place_of(name: &str, model: &Model) -> Result<usize, Failure> {
 fn number(coordinate: &Coordinate, text: &str) -> Result<f64, Failure> {
     let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
     let angle = || text.parse::<Angle>().ok().filter(|_| coordinate.is_angle()).map(|angle| angle.radians());
+    if coordinate.is_angle() {
+        say_radians(text);
+    }
     formula().or_else(angle).ok_or_else(|| {
         refusal(format!(
             "{}: `{text}` is no number: write 0.5, sqrt(2)/2, or 90deg for an angle",
