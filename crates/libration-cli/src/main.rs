@@ -10,8 +10,8 @@ mod output;
 mod parallel;
 
 use clap::Parser;
-use output::progress::{Heartbeat, Screen};
-use std::io::{BufWriter, Write, stdout};
+use output::progress::Heartbeat;
+use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -20,7 +20,7 @@ fn main() -> ExitCode {
         Ok(question) => question,
         Err(error) => return failure::refuse(&error),
     };
-    let mut out = BufWriter::with_capacity(1 << 16, Screen::new(stdout().lock()));
+    let mut out = output::standard::Answer::new();
     let heartbeat = Heartbeat::begin();
     let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
     heartbeat.end();

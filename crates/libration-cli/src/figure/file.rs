@@ -2,21 +2,26 @@
 
 use super::{chart::Picture, draw};
 use crate::failure::Failure;
-use crate::output::file;
+use crate::output::{file, standard};
 use std::path::{Path, PathBuf};
 
 /// Reads a file name that ends in `.svg` or `.png`.
 pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
+    if text == "-" {
+        standard::keep_for_files();
+        return Ok(path);
+    }
     if is(&path, "svg") || is(&path, "png") {
         return Ok(path);
     }
-    Err("pictures are written as SVG or PNG: give a name that ends in .svg or .png".to_owned())
+    Err("pictures are written as SVG or PNG: give a name that ends in .svg or .png, or - for SVG on the standard output"
+        .to_owned())
 }
 
 /// Draws the picture into its file, and says so in a sentence.
 pub(crate) fn write(path: &Path, picture: &Picture) -> Result<String, Failure> {
-    let bytes = if is(path, "svg") {
+    let bytes = if is(path, "svg") || path == Path::new("-") {
         draw::to_svg(picture).into_bytes()
     } else {
         draw::to_png(picture).map_err(|reason| Failure::no_answer("the picture", reason))?

@@ -1,5 +1,7 @@
-//! Files are written beside their place and renamed into it: whole or not at all.
+//! Files are written beside their place and renamed into it: whole or not at all. Streams are written into.
 
+use super::place::{self, Place, Stream};
+use super::{leftover, standard};
 use crate::failure::Failure;
 use std::fs;
 use std::io::{self, Write};
@@ -7,35 +9,57 @@ use std::path::{Path, PathBuf};
 
 /// Writes the file, replacing an older one only when all bytes are on the disk.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let beside = beside(path)?;
-    let written = write_new(&beside, bytes).and_then(|()| fs::rename(&beside, path));
-    written.map_err(|error| {
-        // The half-written file is ours; if it cannot be removed, the message below is what matters.
-        let _ = fs::remove_file(&beside);
-        cannot_write(path, &error)
-    })
+    let mut file = NewFile::create(path)?;
+    file.write_all(bytes).map_err(|error| cannot_write(path, error))?;
+    file.finish()
 }
 
 /// A file that is written part by part, and takes its place when it is finished.
-#[derive(Debug)]
 pub(crate) struct NewFile {
-    writer: io::BufWriter<fs::File>,
-    beside: PathBuf,
+    writer: io::BufWriter<Box<dyn Write>>,
+    /// `None` for streams.
+    unfinished: Option<Unfinished>,
     path: PathBuf,
+}
+
+/// The bytes until they are in their place.
+#[derive(Debug)]
+struct Unfinished {
+    file: fs::File,
+    beside: PathBuf,
+    place: PathBuf,
 }
 
 impl NewFile {
     pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
-        let beside = beside(path)?;
-        let file = create(&beside).map_err(|error| cannot_write(path, &error))?;
-        Ok(Self { writer: io::BufWriter::with_capacity(1 << 16, file), beside, path: path.to_owned() })
+        let fails = |error| cannot_write(path, error);
+        let (target, unfinished) = match place::of(path).map_err(fails)? {
+            Place::Stream(stream) => {
+                if stream == Stream::Output {
+                    standard::keep_for_files();
+                }
+                (stream.open().map_err(fails)?, None)
+            }
+            Place::File(place) => {
+                let unfinished = Unfinished::create(place)?;
+                let file = unfinished.file.try_clone().map_err(fails)?;
+                (Box::new(file) as Box<dyn Write>, Some(unfinished))
+            }
+        };
+        let writer = io::BufWriter::with_capacity(1 << 16, target);
+        Ok(Self { writer, unfinished, path: path.to_owned() })
+    }
+
+    /// The file that it will be, at the end of all links, and where it is until then; `None` for a stream.
+    pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
+        self.unfinished.as_ref().map(|it| [it.place.clone(), it.beside.clone()])
     }
 
     /// Puts the file in its place.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
-        let written = self.writer.flush().and_then(|()| self.writer.get_ref().sync_all());
-        let placed = written.and_then(|()| fs::rename(&self.beside, &self.path));
-        placed.map_err(|error| cannot_write(&self.path, &error))
+        let written = self.writer.flush();
+        let placed = written.and_then(|()| self.unfinished.take().map_or(Ok(()), Unfinished::put_in_place));
+        placed.map_err(|error| cannot_write(&self.path, error))
     }
 }
 
@@ -49,34 +73,39 @@ impl Write for NewFile {
     }
 }
 
-impl Drop for NewFile {
+impl Unfinished {
+    /// A new name in the same directory, where a rename cannot cross file systems.
+    fn create(place: PathBuf) -> Result<Self, Failure> {
+        let name = place.file_name().ok_or_else(|| {
+            Failure::Usage(format!("{} names no file: give a path that ends in a file name", place.display()))
+        })?;
+        leftover::remove(&place);
+        let beside = place.with_file_name(leftover::name(name, std::process::id()));
+        let file = fs::OpenOptions::new().write(true).create_new(true).open(&beside);
+        let file = file.map_err(|error| cannot_write(&place, error))?;
+        // Where files cannot be locked nobody takes one for left.
+        let _ = file.try_lock();
+        Ok(Self { file, beside, place })
+    }
+
+    fn put_in_place(self) -> io::Result<()> {
+        self.file.sync_all()?;
+        fs::rename(&self.beside, &self.place)?;
+        leftover::remove(&self.place);
+        Ok(())
+    }
+}
+
+impl Drop for Unfinished {
     fn drop(&mut self) {
         // What is not in its place now is half-written, or has gone there already.
         let _ = fs::remove_file(&self.beside);
     }
 }
 
-fn cannot_write(path: &Path, error: &io::Error) -> Failure {
-    Failure::NoAnswer(format!("cannot write {}: {error}", path.display()))
-}
-
-fn create(path: &Path) -> io::Result<fs::File> {
-    fs::OpenOptions::new().write(true).create_new(true).open(path)
-}
-
-fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
-}
-
-/// A new name in the same directory, where a rename cannot cross file systems.
-fn beside(path: &Path) -> Result<PathBuf, Failure> {
-    let name = path.file_name().ok_or_else(|| {
-        Failure::Usage(format!("{} names no file: give a path that ends in a file name", path.display()))
-    })?;
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.part", std::process::id()));
-    Ok(path.with_file_name(hidden))
+fn cannot_write(path: &Path, error: io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::Output(error),
+        _ => Failure::NoAnswer(format!("cannot write {}: {error}", path.display())),
+    }
 }

@@ -4,10 +4,13 @@ pub(crate) mod budget;
 pub(crate) mod csv;
 pub(crate) mod file;
 pub(crate) mod json;
+pub(crate) mod leftover;
 pub(crate) mod number;
+pub(crate) mod place;
 pub(crate) mod progress;
 pub(crate) mod screen;
 pub(crate) mod series;
+pub(crate) mod standard;
 pub(crate) mod table;
 
 use std::io::{self, Write};

@@ -68,3 +68,68 @@ fn no_file_is_read_beyond_the_limit_which_is_named() {
     let output = command.args(["inspect", "-"]).stdin(zeros).output().unwrap();
     assert!(message(&output).contains("67108864 bytes"), "{}", message(&output));
 }
+
+#[cfg(unix)]
+#[test]
+fn symbolic_links_stay_and_their_target_is_replaced() {
+    use std::os::unix::fs::symlink;
+    let directory = directory("links");
+    let [real, link, far] = ["real.csv", "link.csv", "far.csv"].map(|name| directory.join(name));
+    symlink("real.csv", &link).unwrap();
+    symlink(&link, &far).unwrap();
+    let question = "simulate pendulum --initial theta=1 --times 0:2:1";
+    // At first the target is not there yet.
+    for path in [&link, &far, &link] {
+        let output = libration(&format!("{question} --output {}", path.display()));
+        assert!(output.status.success(), "{}", message(&output));
+        assert!(
+            fs::symlink_metadata(&link).unwrap().is_symlink()
+                && fs::symlink_metadata(&far).unwrap().is_symlink()
+        );
+        assert_eq!(fs::read_to_string(&real).unwrap().lines().count(), 4);
+    }
+    let output = libration(&format!("simulate pendulum --times 0:3:1 --resume {} --output -", far.display()));
+    assert!(output.status.success(), "{}", message(&output));
+    let circle = directory.join("circle.svg");
+    symlink("circle.svg", &circle).unwrap();
+    let output = libration(&format!("figure spectrum --output {}", circle.display()));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(message(&output).contains("circle"), "{}", message(&output));
+}
+
+#[cfg(unix)]
+#[test]
+fn streams_are_written_into() {
+    let directory = directory("streams");
+    let fifo = directory.join("fifo.svg");
+    assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let reader = std::thread::spawn({
+        let fifo = fifo.clone();
+        move || fs::read_to_string(fifo).unwrap()
+    });
+    let output = libration(&format!("figure spectrum --output {}", fifo.display()));
+    assert!(output.status.success(), "{}", message(&output));
+    assert!(
+        reader.join().unwrap().trim_end().ends_with("</svg>")
+            && fs::read_dir(&directory).unwrap().count() == 1
+    );
+    let plain = libration("simulate pendulum --initial theta=1 --times 0:2:1 --csv").stdout;
+    for place in ["-", "/dev/stdout", "/dev/fd/1"] {
+        let output =
+            libration(&format!("simulate pendulum --initial theta=1 --times 0:2:1 --csv --output {place}"));
+        assert!(output.status.success() && output.stdout == plain, "{place}: {}", message(&output));
+    }
+    let picture = libration("figure spectrum --output -");
+    assert!(
+        picture.status.success() && picture.stdout.trim_ascii_end().ends_with(b"</svg>"),
+        "{}",
+        message(&picture)
+    );
+    let answers = libration("simulate pendulum --initial theta=1 --times 0:2:1 --figure -");
+    assert!(
+        answers.stdout.starts_with(b"<svg") || answers.stdout.starts_with(b"<?xml"),
+        "{}",
+        message(&answers)
+    );
+    assert!(answers.stdout.trim_ascii_end().ends_with(b"</svg>"));
+}

@@ -22,6 +22,7 @@ mod modes;
 mod motion;
 mod paper;
 mod period;
+mod resume;
 mod screen;
 mod simulate;
 mod systems;

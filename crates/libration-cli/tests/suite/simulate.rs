@@ -4,7 +4,6 @@ use crate::command::{close, directory, json, libration, message, run, text, unfo
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fs;
-use std::path::Path;
 
 fn sample(answer: &Value, place: usize) -> Vec<f64> {
     let state = answer["samples"][place]["state"].as_array().unwrap();
@@ -17,8 +16,20 @@ fn a_damped_pendulum_is_that_of_the_reference() {
         "simulate damped_pendulum --set c=0.1,n=2 --initial theta=1,theta'=0 --times 0.5,30 --tolerance 1e-15",
     );
     let fields: Vec<&str> = answer.as_object().unwrap().keys().map(String::as_str).collect();
-    let expected =
-        ["schema", "system", "equations", "state", "samples", "events", "energy_drift", "steps", "note"];
+    let expected = [
+        "schema",
+        "system",
+        "equations",
+        "parameters",
+        "state",
+        "samples",
+        "events",
+        "energy_drift",
+        "energy_drift_uncertainty",
+        "steps",
+        "resume",
+        "note",
+    ];
     assert_eq!(fields, expected);
     assert_eq!(
         (&answer["system"], &answer["state"]),
@@ -110,48 +121,6 @@ fn a_singularity_ends_the_answer_and_says_so() {
     assert!(answer["stopped"].as_str().unwrap().contains("singularity"), "{answer}");
 }
 
-#[test]
-fn an_answer_is_gone_on_from_where_it_ended() {
-    let directory = directory("resume");
-    let question = "simulate driven_pendulum --set A=0.5,c=1/2 --tolerance 1e-15";
-    let whole = json(&format!("{question} --initial theta=0.2 --times 0:20:0.5"));
-    for ending in ["json", "csv"] {
-        let file = directory.join(format!("part.{ending}"));
-        let file = file.display();
-        text(&format!("{question} --initial theta=0.2 --times 0:10:0.5 --output {file}"));
-        text(&format!("{question} --times 0:20:0.5 --resume {file} --output {file}"));
-        let samples: Vec<Vec<f64>> = if ending == "json" {
-            let answer: Value = serde_json::from_slice(&fs::read(file.to_string()).unwrap()).unwrap();
-            (0..41).map(|place| sample(&answer, place)).collect()
-        } else {
-            let table = fs::read_to_string(file.to_string()).unwrap();
-            let numbers = |line: &str| line.split(',').skip(1).map(|cell| cell.parse().unwrap()).collect();
-            table.lines().skip(1).map(numbers).collect()
-        };
-        assert_eq!(samples.len(), 41);
-        for (place, state) in samples.iter().enumerate() {
-            let [wanted, got] = [sample(&whole, place)[0], state[0]];
-            assert!((wanted - got).abs() < 1e-14, "{ending} {place}: {wanted} {got}");
-        }
-    }
-    let other = directory.join("part.csv");
-    let begun = directory.join("begun.json");
-    let question =
-        format!("simulate pendulum --initial theta=1 --times 0,1 --json --output {}", begun.display());
-    assert!(libration(&question).status.success());
-    let output =
-        libration(&format!("simulate pendulum --set omega0=2 --times 0,2 --resume {}", begun.display()));
-    assert!(message(&output).contains("its equations are"), "{}", message(&output));
-    let further = format!("simulate pendulum --times 0,2 --resume {}", begun.display());
-    assert!(libration(&format!("{further} --initial theta=1")).status.success());
-    let output = libration(&format!("{further} --initial theta=1.1"));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("does not begin there"), "{}", message(&output));
-    let output = libration(&format!("simulate spring_pendulum --times 0,1 --resume {}", other.display()));
-    assert_eq!(output.status.code(), Some(1));
-    assert!(message(&output).contains("its states are of theta, theta'"), "{}", message(&output));
-}
-
 /// Times and kinds of the events of an answer.
 fn events(answer: &Value) -> Vec<(f64, String)> {
     let event = |event: &Value| (event["time"].as_f64().unwrap(), event["kind"].as_str().unwrap().to_owned());
@@ -193,64 +162,94 @@ fn rotations_pass_the_lowest_point_in_every_turn() {
 }
 
 #[test]
-fn events_are_kept_when_an_answer_is_gone_on_from() {
-    let directory = directory("resumed_events");
-    let question = "simulate pendulum --events turning,crossing --tolerance 1e-15";
-    let whole = events(&json(&format!("{question} --initial theta=2 --times 0:20:1")));
-    for ending in ["json", "csv"] {
-        let file = directory.join(format!("part.{ending}"));
-        let file = file.display();
-        text(&format!("{question} --initial theta=2 --times 0:10:1 --output {file}"));
-        let answer = json(&format!("{question} --times 0:20:1 --resume {file}"));
-        let found = events(&answer);
-        assert_eq!(found.len(), whole.len(), "{ending}: {found:?}");
-        for (found, whole) in found.iter().zip(&whole) {
-            assert!(found.1 == whole.1 && (found.0 - whole.0).abs() < 1e-13, "{ending}: {found:?} {whole:?}");
-        }
+fn event_rows_stand_among_the_samples_in_the_order_of_time() {
+    for (start, times) in [("theta=1", "0:10:0.25"), ("theta=1,theta'=0.5", "0:-10:-0.25")] {
+        let table = text(&format!(
+            "simulate pendulum --initial {start} --times {times} --events turning,crossing,theta-0.5 --csv"
+        ));
+        let rows: Vec<(f64, bool)> = table
+            .lines()
+            .skip(1)
+            .map(|line| (line.split(',').next().unwrap().parse::<f64>().unwrap().abs(), !line.ends_with(',')))
+            .collect();
+        assert!(rows.is_sorted_by(|before, after| before.0 <= after.0), "{table}");
+        assert_eq!(rows.iter().filter(|row| !row.1).count(), 41);
+        assert!(rows.iter().filter(|row| row.1).count() > 5, "{table}");
     }
 }
 
-#[cfg(unix)]
 #[test]
-fn ctrl_c_leaves_a_complete_file_to_go_on_from() {
-    let file = directory("interrupt").join("long.json");
-    let question = "simulate driven_pendulum --set A=1.2,c=1/2 --initial theta=0.1";
-    let arguments = format!("{question} --times 0:1e6:1 --output {}", file.display());
-    let running = std::process::Command::new(env!("CARGO_BIN_EXE_libration"))
-        .args(arguments.split_whitespace())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    wait_for_samples(&file);
-    let signal =
-        std::process::Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap();
-    assert!(signal.success());
-    let output = running.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130), "{}", message(&output));
-    assert!(message(&output).contains("--resume"), "{}", message(&output));
-    let answer: Value = serde_json::from_slice(&fs::read(&file).unwrap()).unwrap();
-    let count = answer["samples"].as_array().unwrap().len();
-    assert!(answer["interrupted"] == true && (1..1_000_001).contains(&count), "{count}");
-    let further = format!("{question} --times 0:{}:1 --resume {} --json", count + 10, file.display());
-    let answer: Value = serde_json::from_str(&text(&further)).unwrap();
-    assert_eq!(answer["samples"].as_array().unwrap().len(), count + 11);
-    assert!(answer["interrupted"].is_null());
+fn the_end_of_a_formula_is_named_with_place_and_time() {
+    // As in the library, by mpmath.
+    for (equation, start, place, time) in [
+        ("x'' = -exp(-1/x)", "x=1", "x = ", "t = 2.66631248"),
+        ("x'' = -1 + atan(1/x)/10", "x=1", "x = ", "t = 1."),
+    ] {
+        let output = run(&["simulate", equation, "--initial", start, "--times", "0:2.8:0.4", "--json"]);
+        assert_eq!(output.status.code(), Some(1), "{equation}");
+        let message = message(&output);
+        assert!(message.contains(place) && message.contains(time) && message.contains("x' = -"), "{message}");
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let samples = answer["samples"].as_array().unwrap();
+        assert!(samples.iter().all(|sample| sample["state"][0].as_f64().unwrap() >= 0.0), "{answer}");
+    }
 }
 
-/// Until the unfinished file beside its place has grown.
-#[cfg(unix)]
-fn wait_for_samples(file: &Path) {
-    let grown = || {
-        let beside = fs::read_dir(file.parent()?).ok()?.find_map(Result::ok)?;
-        (beside.metadata().ok()?.len() > 100_000).then_some(())
-    };
-    for _ in 0..600 {
-        if grown().is_some() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(50));
+#[test]
+fn length_and_gravity_make_the_pendulum_that_of_other_commands() {
+    let period = json("period 60deg --length 57cm --gravity 9.81")["period_s"].as_f64();
+    let period = period.unwrap_or_else(|| {
+        json("motion 60deg --length 57cm --gravity 9.81 --times 0")["period_s"].as_f64().unwrap()
+    });
+    for system in ["pendulum", "damped_pendulum", "driven_pendulum", "vertically_driven_pendulum"] {
+        let question = format!("simulate {system} --length 57cm --gravity 9.81 --initial theta=60deg");
+        let answer = json(&format!("{question} --times 0,{period:?} --tolerance 1e-14"));
+        assert!((sample(&answer, 1)[0] - sample(&answer, 0)[0]).abs() < 1e-12, "{system}");
+        let omega0 = answer["parameters"]["omega0"].as_f64().unwrap();
+        assert!((omega0 - (9.81_f64 / 0.57).sqrt()).abs() < 1e-15, "{omega0}");
     }
-    panic!("nothing is written");
+    let double = json("simulate double_pendulum --length 2 --initial theta1=1 --times 0");
+    let parameters = &double["parameters"];
+    assert_eq!(
+        [&parameters["l1"], &parameters["l2"], &parameters["g"]],
+        [&Value::from(2.0), &2.0.into(), &9.80665.into()]
+    );
+    for (arguments, expected) in [
+        ("pendulum --length 1 --set omega0=2", "--set"),
+        ("physical_pendulum --length 1", "--set"),
+        ("morse --length 1", "damped_pendulum"),
+        ("coupled_pendulums --length 0m", "--length"),
+    ] {
+        let output = libration(&format!("simulate {arguments} --initial theta=1 --times 0"));
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(message(&output).contains(expected), "{arguments}: {}", message(&output));
+    }
+    let sheet = text("simulate pendulum --initial theta=1 --times 0");
+    assert!(sheet.contains("omega0 = 1") && sheet.contains("--length 1m"), "{sheet}");
+    let sheet = text("simulate pendulum --length 1m --initial theta=1 --times 0");
+    assert!(!sheet.contains("--length 1m"), "{sheet}");
+}
+
+#[test]
+fn forces_next_to_poles_get_their_answer() {
+    for (equation, initial, times) in [
+        ("x''=1/(2-x)", "x=1.9,x'=1", "0,0.5"),
+        ("x''=tan(x)", "x=1,x'=1", "0,0.2,5"),
+        ("x''=1/(3-x)", "x=2.9,x'=1", "0,0.5"),
+        ("x''=1/cos(x)", "x=1.5,x'=1", "0,0.5"),
+        ("x''=1/(x-2)^2", "x=1.9,x'=1", "0,0.5"),
+    ] {
+        let output = run(&["simulate", equation, "--initial", initial, "--times", times, "--json"]);
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(output.status.code() == Some(1) && answer["stopped"].is_string(), "{equation}");
+        // What of the work of the forces was not reached is said.
+        let [drift, uncertainty] =
+            ["energy_drift", "energy_drift_uncertainty"].map(|name| answer[name].as_f64().unwrap());
+        assert!(
+            drift < 0.1 && uncertainty > 0.0 && uncertainty < 0.1,
+            "{equation}: {drift:e} {uncertainty:e}"
+        );
+    }
 }
 
 #[test]

@@ -6,8 +6,8 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions};
 use crate::failure::Failure;
-use crate::figure;
 use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use options::{DampingOptions, Extent};
@@ -62,6 +62,7 @@ impl Decay {
         let damping = self.damping.damping()?;
         let decay = libration::decay::Decay::new(pendulum, damping, self.amplitude)
             .map_err(|error| Failure::no_answer("decay", error))?;
+        interrupt::listen()?;
         let report = Report::new(&decay, self.extent)?;
         let drawn = match &self.figure {
             Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report))?],
@@ -70,6 +71,11 @@ impl Decay {
         let given = self.omega0.is_none().then_some(self.pendulum);
         let listed = drawn.is_empty();
         write::Answer { given, decay: &decay, report: &report, listed }.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        announce(out, self.form.form(), &drawn)?;
+        if report.interrupted {
+            out.flush()?;
+            return Err(Failure::Interrupted("interrupted: the cycles until then are written".to_owned()));
+        }
+        Ok(())
     }
 }

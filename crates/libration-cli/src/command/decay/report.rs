@@ -2,7 +2,9 @@
 
 use super::options::Extent;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::output::number::short;
+use crate::output::progress::Progress;
 use libration::decay::{Decay, Ending, Law, TurningPoint};
 
 /// The turning points, the first of which is the release, and why there are no more.
@@ -10,6 +12,8 @@ pub(crate) struct Report {
     pub(crate) turns: Vec<Turn>,
     /// `None` where it is followed no further.
     pub(crate) ending: Option<Ending>,
+    /// Whether somebody has ended the work early.
+    pub(crate) interrupted: bool,
 }
 
 /// A turning point, and the amplitude (rad) at its time by averaging and by the law of small amplitudes.
@@ -43,8 +47,10 @@ impl Report {
     pub(super) fn new(decay: &Decay, extent: Extent) -> Result<Self, Failure> {
         let (averaged, small) = (decay.envelope(Law::Averaged), decay.envelope(Law::SmallAmplitude));
         let mut swings = decay.swings();
-        let mut turns = vec![];
-        while turns.len() <= extent.turns() {
+        let mut turns: Vec<Turn> = vec![];
+        let mut progress = Progress::new();
+        let mut interrupted = false;
+        while turns.len() <= extent.turns() && !interrupted {
             let Some(point) =
                 swings.next().transpose().map_err(|error| Failure::no_answer("decay", error))?
             else {
@@ -54,9 +60,11 @@ impl Report {
                 break;
             }
             let [averaged, small] = [averaged, small].map(|envelope| envelope.amplitude_at(point.time));
+            progress.show(|| format!("{} cycles, t = {:.6} s", in_cycles(turns.len()), point.time));
             turns.push(Turn { point, averaged, small });
+            interrupted = interrupt::asked();
         }
-        let report = Self { turns, ending: swings.ending() };
+        let report = Self { turns, ending: swings.ending(), interrupted };
         report
             .ending
             .filter(|_| report.turns.len() == 1)

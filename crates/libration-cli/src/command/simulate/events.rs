@@ -41,6 +41,11 @@ impl Watched {
         Ok(Self { kinds })
     }
 
+    /// What is looked for, by name.
+    pub(super) fn names(&self) -> Vec<String> {
+        self.kinds.iter().map(|kind| kind.name.clone()).collect()
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.kinds.is_empty()
     }
@@ -61,8 +66,10 @@ impl Watched {
     }
 
     /// The coordinate on whose curve an event is marked.
-    pub(super) fn coordinate(&self, occurrence: &Occurrence) -> usize {
-        self.kinds[occurrence.event].coordinate
+    pub(super) fn coordinate(&self, happening: &Happening) -> usize {
+        let of =
+            |kind: &&Kind| happening.kind.split_once(", ").map_or(&*happening.kind, |it| it.0) == kind.name;
+        self.kinds.iter().find(of).map_or(0, |kind| kind.coordinate)
     }
 }
 

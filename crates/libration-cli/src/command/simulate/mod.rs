@@ -5,19 +5,22 @@ mod report;
 mod resume;
 mod run;
 mod sheet;
+mod tally;
 mod watch;
 
 use crate::arguments::{self, InitialOptions, SystemOptions, Times};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::file::NewFile;
+use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
 use events::Watched;
+use libration::systems::Model;
 use libration::taylor::Effort;
-use resume::Earlier;
-use run::Motion;
+use resume::{Earlier, Keeper, Question};
+use run::{Ending, Motion, Outcome};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The motion of any system in time: damped, driven, coupled, or given by its equations
 #[derive(Debug, clap::Args)]
@@ -39,10 +42,19 @@ use std::path::PathBuf;
 Integration starts at t = 0. In the shell, put quotes round whatever has a prime
 in it: --initial \"theta=60deg,theta'=0.1\".
 Ctrl-C ends a run early: what was computed is written as a complete answer, from
-which --resume goes on.")]
+which --resume goes on. The answer is then that of one run, to the last byte.
+With long.csv comes long.csv.state, which says of what motion the numbers are and
+how it goes on; --resume needs it, and finds what a run that was ended by force
+has left as well.")]
 pub(crate) struct Simulate {
     #[command(flatten)]
     system: SystemOptions,
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration systems` says]
+    #[arg(long, value_parser = arguments::length)]
+    length: Option<f64>,
+    /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
+    #[arg(long, value_parser = arguments::gravity)]
+    gravity: Option<f64>,
     #[command(flatten)]
     initial: InitialOptions,
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, in order; before 0 the motion runs backward
@@ -57,10 +69,11 @@ pub(crate) struct Simulate {
     /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
-    /// Write the answer to a file, whole or not at all; the endings .json and .csv choose the form
+    /// Write the answer to a file, whole or not at all, or into a stream; the endings .json and .csv choose the form, - is the
+    /// standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Go on from the last sample of an earlier answer, JSON or CSV; the new answer begins with the earlier one
+    /// Go on from an earlier answer, JSON or CSV with its FILE.state; the new answer begins with the earlier one
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     #[command(flatten)]
@@ -69,28 +82,34 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let model = self.system.model()?;
-        let earlier = self.resume.as_deref().map(|path| Earlier::read(path, &model)).transpose()?;
-        let initial = match &earlier {
-            Some(earlier) if self.initial.is_given() => earlier.begun_from(self.initial.read(&model)?)?,
-            Some(earlier) => earlier.initial(),
-            None => self.initial.read(&model)?,
+        let model = self.system.model_of(self.length, self.gravity)?;
+        let watched = Watched::read(&self.events, &model)?;
+        let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
+        let (initial, earlier) = match &self.resume {
+            Some(path) => {
+                let earlier = Earlier::find(path, &self.question(&model, &watched, vec![]), &self.times)?;
+                (earlier.initial(asked)?, Some(earlier))
+            }
+            None => (asked.map_or_else(|| self.initial.read(&model), Ok)?, None),
         };
         let motion = Motion {
             model: &model,
+            question: self.question(&model, &watched, initial.state.clone()),
             initial,
             times: &self.times,
             effort: Effort::to_tolerance(self.tolerance),
-            watched: Watched::read(&self.events, &model)?,
+            watched,
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
+        let figure = self.figure.as_deref();
         let (ending, written) = match &self.output {
-            None => motion.write(form, self.figure.as_deref(), out)?,
+            None => {
+                let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
+                (ending, drawn)
+            }
             Some(path) => {
-                let mut file = NewFile::create(path)?;
-                let (ending, drawn) = motion.write(form, self.figure.as_deref(), &mut file)?;
-                file.finish()?;
+                let (ending, drawn) = write_file(motion, form, figure, path)?;
                 let answer = format!("{} written: motion of the {}", path.display(), model.title());
                 (ending, [vec![answer], drawn].concat())
             }
@@ -98,8 +117,40 @@ impl Simulate {
         let on_screen = if self.output.is_some() { Form::Table } else { form };
         announce(out, on_screen, &written)?;
         out.flush()?;
-        ending.into_result(self.output.as_deref())
+        ending.into_result(self.output.as_deref().filter(|_| form != Form::Table))
     }
+
+    /// What is asked of a motion that begins in this state.
+    fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
+        Question {
+            system: model.key().map(str::to_owned),
+            equations: model.equation().to_string(),
+            state: model.state_names(),
+            initial,
+            tolerance: self.tolerance,
+            events: watched.names(),
+        }
+    }
+}
+
+/// Writes the answer into its file, and beside a CSV file how it is gone on from; how it ended, and what was drawn.
+fn write_file(
+    motion: Motion<'_>,
+    form: Form,
+    figure: Option<&Path>,
+    path: &Path,
+) -> Result<(Ending, Vec<String>), Failure> {
+    let mut file = NewFile::create(path)?;
+    let places = file.places().filter(|_| form == Form::Csv);
+    let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
+    let Outcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
+    // An unfinished file that was gone on from is left to be removed now.
+    drop(motion);
+    file.finish()?;
+    if let Some([place, _]) = places {
+        state.write(&state_of(&place))?;
+    }
+    Ok((ending, drawn))
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

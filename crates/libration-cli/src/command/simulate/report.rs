@@ -1,6 +1,7 @@
 //! The answer as JSON and CSV, sample by sample, so that long runs need no memory.
 
 use super::events::Happening;
+use super::resume::State;
 use super::run::{Ending, Motion};
 use super::sheet::Sheet;
 use crate::output::json::{self, Record};
@@ -13,16 +14,19 @@ use std::io::{self, Write};
 pub(super) trait Report {
     fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()>;
     fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()>;
+    /// An event, behind all samples up to its time.
+    fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()>;
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()>;
 }
 
 /// What is known when the integration has ended.
 pub(super) struct Summary {
     pub(super) steps: usize,
-    pub(super) events: Vec<Happening>,
-    /// The drift of the energy, or why there is none.
-    pub(super) drift: Result<f64, String>,
+    /// The drift of the energy and its uncertainty, or why there is none.
+    pub(super) drift: Result<[f64; 2], String>,
     pub(super) ending: Ending,
+    /// What it takes to go on.
+    pub(super) state: State,
 }
 
 /// The report in this form; a table lists the samples only if that is wanted.
@@ -43,6 +47,8 @@ pub(super) fn name(motion: &Motion) -> String {
 #[derive(Debug, Default)]
 struct Json {
     samples: json::List,
+    /// They follow the samples.
+    happenings: Vec<Happening>,
 }
 
 impl Report for Json {
@@ -50,6 +56,7 @@ impl Report for Json {
         let head = Record::new()
             .with("system", name(motion))
             .with("equations", motion.model.equation().to_string())
+            .with("parameters", parameters(motion))
             .with("state", motion.model.state_names());
         json::begin_document(out, head)?;
         self.samples.begin(out, "samples")
@@ -59,20 +66,29 @@ impl Report for Json {
         self.samples.item(out, record(moment))
     }
 
+    fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {
+        self.happenings.push(happening.clone());
+        Ok(())
+    }
+
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
         self.samples.end(out)?;
         let mut events = json::List::default();
         events.begin(out, "events")?;
-        for event in &summary.events {
+        for event in &self.happenings {
             events.item(out, event_record(event))?;
         }
         events.end(out)?;
         let tail = Record::new();
         let tail = match &summary.drift {
-            Ok(drift) => tail.number("energy_drift", *drift),
-            Err(reason) => tail.number_or("energy_drift", None, reason),
+            Ok([drift, uncertainty]) => {
+                tail.number("energy_drift", *drift).number("energy_drift_uncertainty", *uncertainty)
+            }
+            Err(reason) => {
+                tail.number_or("energy_drift", None, reason).with("energy_drift_uncertainty", Value::Null)
+            }
         };
-        let tail = tail.with("steps", summary.steps);
+        let tail = tail.with("steps", summary.steps).with("resume", summary.state.to_json());
         let tail = match &summary.ending {
             Ending::Complete => tail,
             Ending::Interrupted(_) => tail.with("interrupted", true),
@@ -80,6 +96,13 @@ impl Report for Json {
         };
         json::end_document(out, tail)
     }
+}
+
+/// The values of the parameters, by name.
+fn parameters(motion: &Motion) -> Record {
+    let values = motion.model.values().iter();
+    values
+        .fold(Record::new(), |record, (name, value)| record.number(name, value.to_f64().unwrap_or(f64::NAN)))
 }
 
 fn record(moment: &Moment) -> Record {
@@ -97,8 +120,8 @@ fn values(state: &[f64]) -> Vec<Value> {
     state.iter().map(|&value| json::number(value)).collect()
 }
 
-/// Lines of numbers below their names. If events are looked for they follow the samples, their kind in a last column,
-/// which is empty in samples.
+/// Lines of numbers below their names. If events are looked for they stand among the samples in the order of time, with their
+/// kind in a last column, which is empty in samples.
 #[derive(Debug, Default)]
 struct Csv {
     with_events: bool,
@@ -125,7 +148,11 @@ impl Report for Csv {
         self.line(moment.time, &moment.state, "", out)
     }
 
-    fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
-        summary.events.iter().try_for_each(|event| self.line(event.time, &event.state, &event.kind, out))
+    fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()> {
+        self.line(happening.time, &happening.state, &happening.kind, out)
+    }
+
+    fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
+        Ok(())
     }
 }

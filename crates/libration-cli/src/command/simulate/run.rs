@@ -1,37 +1,29 @@
 //! The integration, whose samples are written as they come.
 
-use super::events::{Happening, Watched};
+use super::events::Watched;
 use super::report::{Summary, of_form};
-use super::resume::Earlier;
+use super::resume::{Earlier, Keeper, Mark, Question, State};
 use super::watch::Watch;
 use crate::arguments::{Initial, Times};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
-use crate::output::Form;
-use libration::systems::Model;
-use libration::taylor::{
-    Cause, Contact, Effort, IntegrationError, Moment, Occurrence, Solution, System, integrate,
-};
+use crate::output::{Form, number};
+use libration::systems::{Energy, EnergyBalance, Model};
+use libration::taylor::{Cause, Departure, Effort, IntegrationError, Moment, Solution, System, follow};
 use std::io::Write;
 use std::path::Path;
 
 /// A motion to be integrated, with what is asked about it.
 pub(super) struct Motion<'a> {
     pub(super) model: &'a Model,
+    pub(super) question: Question,
     pub(super) initial: Initial,
     pub(super) times: &'a Times,
     pub(super) effort: Effort,
     pub(super) watched: Watched,
     pub(super) earlier: Option<Earlier>,
-}
-
-/// What an integration has brought, the earlier answer included.
-struct Followed {
-    ending: Ending,
-    steps: usize,
-    events: Vec<Happening>,
 }
 
 /// How an integration ended.
@@ -44,30 +36,41 @@ pub(super) enum Ending {
     Stopped(String),
 }
 
+/// What has become of the question.
+pub(super) struct Outcome {
+    pub(super) ending: Ending,
+    /// What it takes to go on.
+    pub(super) state: State,
+    /// A sentence for each picture.
+    pub(super) drawn: Vec<String>,
+}
+
 impl Motion<'_> {
-    /// Writes the answer as far as the integration comes, and draws the picture; says what it drew.
+    /// Writes the answer as far as the integration comes, and draws the picture.
     pub(super) fn write(
         &self,
         form: Form,
         figure: Option<&Path>,
         out: &mut dyn Write,
-    ) -> Result<(Ending, Vec<String>), Failure> {
+        keeper: Option<Keeper>,
+    ) -> Result<Outcome, Failure> {
         interrupt::listen()?;
         let system = self.system()?;
         let mut report = of_form(form, figure.is_none());
-        report.begin(self, out)?;
         let energy = self.model.energy();
-        let balance = energy.as_ref().ok().map(|energy| energy.balance(&self.beginning()));
+        let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
         let trace = figure.map(|_| Trace::new(self.model, self.times.last()));
-        let mut watch = Watch::new(self, &mut *report, out, balance, trace);
-        let Followed { ending, steps, events } = self.follow(&system, &mut watch)?;
+        let mut watch = Watch::new(self, &mut *report, out, balance, trace, keeper);
+        watch.begin()?;
+        let (ending, steps) = self.follow(&system, &mut watch)?;
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
-        watch.end(&Summary { steps, events, drift, ending: ending.clone() })?;
+        let state = watch.state().clone();
+        watch.end(&Summary { steps, drift, ending: ending.clone(), state: state.clone() })?;
         let drawn = match (figure, watch.trace) {
             (Some(path), Some(trace)) => vec![figure::file::write(path, &trace.picture(self.model))?],
             _ => vec![],
         };
-        Ok((ending, drawn))
+        Ok(Outcome { ending, state, drawn })
     }
 
     /// The system with its events, when the times can be reached.
@@ -77,31 +80,31 @@ impl Motion<'_> {
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
 
-    /// Takes what was computed earlier and integrates the rest.
-    fn follow(&self, system: &System, watch: &mut Watch) -> Result<Followed, Failure> {
-        for moment in self.earlier_samples() {
-            watch.earlier(moment)?;
-        }
-        let start = self.start();
-        let last = self.times_left().next().map(|_| self.times.last());
-        watch.start(&start)?;
-        let outcome = integrate(system, &start, last.as_slice(), &self.effort, |step| watch.follow(step));
-        if let Some(failure) = watch.failure.take() {
-            return Err(failure.into());
-        }
-        let (ending, solution) = ended(outcome)?;
-        watch.mark(&self.watched, &solution.events);
-        Ok(self.followed(ending, &solution))
+    /// The account of the energy, gone on with or begun.
+    fn balance<'e>(&self, energy: &'e Energy) -> EnergyBalance<'e> {
+        let account = self.mark().and_then(|mark| mark.energy.as_ref());
+        account.map_or_else(|| energy.balance(&self.beginning()), |account| energy.balance_from(account))
     }
 
-    fn followed(&self, ending: Ending, solution: &Solution) -> Followed {
-        // What happens where the motion is gone on from was seen when it came there.
-        let seen = |event: &Occurrence| self.earlier.is_some() && event.contact == Contact::Start;
-        let new = solution.events.iter().filter(|event| !seen(event));
-        let new = new.map(|event| self.watched.happening(event));
-        let earlier = self.earlier.as_ref();
-        let (steps, events) = earlier.map_or((0, vec![]), |earlier| (earlier.steps, earlier.events.clone()));
-        Followed { ending, steps: steps + solution.steps, events: events.into_iter().chain(new).collect() }
+    /// Takes what was computed earlier and integrates the rest; how it ended, after how many steps.
+    fn follow(&self, system: &System, watch: &mut Watch) -> Result<(Ending, usize), Failure> {
+        if let Some(earlier) = &self.earlier {
+            earlier.each(|row| watch.earlier(row))?;
+        }
+        let departure = match self.mark() {
+            Some(mark) => Departure::From(mark.checkpoint.clone()),
+            None => {
+                watch.start(&self.beginning())?;
+                Departure::At(self.beginning())
+            }
+        };
+        let last = [self.times.last()];
+        let outcome = follow(system, &departure, &last, &self.effort, |leg| watch.follow(leg));
+        if let Some(failure) = watch.failure.take() {
+            return Err(failure);
+        }
+        let (ending, solution) = ended(outcome, self)?;
+        Ok((ending, solution.steps))
     }
 
     /// The state at t = 0.
@@ -109,21 +112,9 @@ impl Motion<'_> {
         Moment { time: 0.0, state: self.initial.state.clone() }
     }
 
-    fn earlier_samples(&self) -> impl Iterator<Item = &Moment> {
-        self.earlier.iter().flat_map(|earlier| &earlier.samples)
-    }
-
-    /// Where the integration begins: at t = 0, or where it was left.
-    fn start(&self) -> Moment {
-        self.earlier_samples().last().cloned().unwrap_or_else(|| self.beginning())
-    }
-
-    /// The times that are still to be reached.
-    pub(super) fn times_left(&self) -> Box<dyn Iterator<Item = f64> + '_> {
-        let times = self.times.iter();
-        let Some(last) = self.earlier_samples().last().map(|moment| moment.time) else { return times };
-        let backward = self.times.last() < 0.0;
-        Box::new(times.skip_while(move |&time| if backward { time >= last } else { time <= last }))
+    /// Where it is gone on from.
+    fn mark(&self) -> Option<&Mark> {
+        self.earlier.as_ref().and_then(Earlier::mark)
     }
 }
 
@@ -146,14 +137,22 @@ fn check_order(times: &Times) -> Result<(), Failure> {
 }
 
 /// How it ended, with what was computed.
-fn ended(outcome: Result<Solution, IntegrationError>) -> Result<(Ending, Solution), Failure> {
+fn ended(
+    outcome: Result<Solution, IntegrationError>,
+    motion: &Motion,
+) -> Result<(Ending, Solution), Failure> {
     match outcome {
         Ok(solution) => Ok((Ending::Complete, solution)),
         Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) => {
             Ok((Ending::Interrupted(solution.end.time), *solution))
         }
         Err(IntegrationError::Stopped { cause, solution }) => {
-            let reason = format!("{cause} at t = {:?} s: the motion is known until there", solution.end.time);
+            let Moment { time, state } = &solution.end;
+            let place = motion.model.state_names().into_iter().zip(state);
+            let place: Vec<String> =
+                place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
+            let place = place.join(", ");
+            let reason = format!("{cause} at t = {time:?} s, {place}: the motion is known until there");
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(Failure::usage("--initial", error)),
@@ -166,9 +165,12 @@ impl Ending {
         match self {
             Self::Complete => Ok(()),
             Self::Interrupted(time) => {
-                let file = output.map_or("FILE".into(), Path::to_string_lossy);
+                let how = output.map_or_else(
+                    || "only what --output writes as JSON or CSV can be gone on from".to_owned(),
+                    |file| format!("go on with --resume {}", file.display()),
+                );
                 Err(Failure::Interrupted(format!(
-                    "interrupted at t = {time:?} s: what was computed is written; go on with --resume {file}"
+                    "interrupted at t = {time:?} s: what was computed is written; {how}"
                 )))
             }
             Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),

@@ -15,6 +15,7 @@ pub(super) struct Sheet {
     titles: Vec<String>,
     /// Whether the samples are listed; a picture shows them better.
     listed: bool,
+    happenings: Vec<Happening>,
 }
 
 impl Report for Sheet {
@@ -22,6 +23,9 @@ impl Report for Sheet {
         let model = motion.model;
         write_text(out, "", &format!("{} ({})", model.title(), name(motion)))?;
         writeln!(out, "{}", paragraph("  equations  ", &model.equation().to_string(), 120))?;
+        if let Some(parameters) = parameters(motion) {
+            writeln!(out, "{}", paragraph("  parameters ", &parameters, 120))?;
+        }
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
         writeln!(out, "  tolerance  {:e} a step\n", motion.effort.relative)?;
         let numbers = model.state_names().into_iter().zip(model.state_units());
@@ -37,18 +41,19 @@ impl Report for Sheet {
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
+    fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {
+        self.happenings.push(happening.clone());
+        Ok(())
+    }
+
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
         if let Some(table) = self.table.take() {
             table.finish(out)?;
         }
-        if !summary.events.is_empty() {
-            self.write_events(&summary.events, out)?;
+        if !self.happenings.is_empty() {
+            self.write_events(out)?;
         }
-        let drift = match &summary.drift {
-            Ok(drift) if drift.is_nan() => "none, as the energy has no value all along".to_owned(),
-            Ok(drift) => format!("{} of the largest kinetic energy", number::rounded(*drift, 2)),
-            Err(reason) => format!("none, as {reason}"),
-        };
+        let drift = drift(&summary.drift);
         writeln!(out)?;
         sheet(out, &[("energy drift", drift), ("steps", summary.steps.to_string())])
     }
@@ -59,17 +64,34 @@ impl Sheet {
         Self { listed, ..Self::default() }
     }
 
-    fn write_events(&self, events: &[Happening], out: &mut dyn Write) -> io::Result<()> {
+    fn write_events(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
         let columns = self.titles.iter().map(Column::numbers);
         let mut table = Table::new(columns.chain([Column::words("event")]).collect());
-        for event in events {
+        for event in &self.happenings {
             let mut cells = cells(event.time, &event.state);
             cells[0] = number::rounded(event.time, 12);
             cells.push(event.kind.clone());
             table.row(out, cells)?;
         }
         table.finish(out)
+    }
+}
+
+/// The drift of the energy, with how well it is known where that is worse than roundings.
+fn drift(drift: &Result<[f64; 2], String>) -> String {
+    match drift {
+        Ok([drift, _]) if drift.is_nan() => "none, as the energy has no value all along".to_owned(),
+        Ok([drift, uncertainty]) => {
+            let known = match *uncertainty > f64::EPSILON {
+                true => {
+                    format!("; the work of the forces is known to {} of it", number::rounded(*uncertainty, 2))
+                }
+                false => String::new(),
+            };
+            format!("{} of the largest kinetic energy{known}", number::rounded(*drift, 2))
+        }
+        Err(reason) => format!("none, as {reason}"),
     }
 }
 
@@ -85,6 +107,19 @@ fn labelled(name: &str, unit: &str) -> String {
         unit if unit.contains('/') => format!("{name} / ({unit})"),
         unit => format!("{name} / {unit}"),
     }
+}
+
+/// The values of the parameters, and how they are those of the pendulum that other commands take if none is given.
+fn parameters(motion: &Motion) -> Option<String> {
+    let values = motion.model.values().iter().map(|(name, value)| format!("{name} = {value}"));
+    let values = values.collect::<Vec<_>>().join(", ");
+    let is_default = motion.model.value_of("omega0").is_some_and(|frequency| (frequency - 1.0).abs() <= 0.0);
+    let swings = motion.model.key().is_some_and(|key| key.contains("pendulum"));
+    let difference = match swings && is_default {
+        true => " (`libration period` takes 1 m and 9.80665 m/s², with omega0 = 3.13: say --length 1m here)",
+        false => "",
+    };
+    (!values.is_empty()).then(|| values + difference)
 }
 
 /// The state at the start, with what was not given.

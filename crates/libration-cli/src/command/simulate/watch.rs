@@ -1,27 +1,35 @@
 //! What is done with each step of the integration as soon as it is made.
 
-use super::events::Watched;
+use super::events::Happening;
 use super::report::{Report, Summary};
+use super::resume::{Keeper, Mark, State};
 use super::run::Motion;
+use super::tally::Tally;
+use crate::failure::Failure;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::progress::Progress;
 use libration::systems::EnergyBalance;
-use libration::taylor::{Moment, Occurrence, Step};
+use libration::taylor::{Leg, Moment, Step};
 use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
 
-/// Writes the samples inside each step, accounts for the energy, and shows how far it is.
+/// Writes the samples and events of each step, accounts for the energy, remembers where it may be gone on from, and shows how
+/// far it is.
 pub(super) struct Watch<'a> {
+    motion: &'a Motion<'a>,
     report: &'a mut dyn Report,
-    out: &'a mut dyn Write,
+    out: Tally<'a>,
     balance: Option<EnergyBalance<'a>>,
     pub(super) trace: Option<Trace>,
     /// What went wrong in writing.
-    pub(super) failure: Option<io::Error>,
+    pub(super) failure: Option<Failure>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
-    last: f64,
+    /// How many samples and events are written.
+    rows: [usize; 2],
+    state: State,
+    keeper: Option<Keeper>,
     progress: Progress,
 }
 
@@ -32,36 +40,60 @@ impl<'a> Watch<'a> {
         out: &'a mut dyn Write,
         balance: Option<EnergyBalance<'a>>,
         trace: Option<Trace>,
+        keeper: Option<Keeper>,
     ) -> Self {
-        let (times, last) = (motion.times_left().peekable(), motion.times.last());
-        Self { report, out, balance, trace, failure: None, times, last, progress: Progress::new() }
+        let mark = motion.earlier.as_ref().and_then(|earlier| earlier.mark().cloned());
+        Self {
+            motion,
+            report,
+            out: Tally::new(out),
+            balance,
+            trace,
+            failure: None,
+            times: motion.times.iter().peekable(),
+            rows: [0; 2],
+            state: State { question: motion.question.clone(), mark },
+            keeper,
+            progress: Progress::new(),
+        }
     }
 
-    /// Takes a sample that was computed before.
-    pub(super) fn earlier(&mut self, moment: &Moment) -> io::Result<()> {
-        self.account(moment);
-        if let Some(trace) = &mut self.trace {
-            trace.earlier(moment);
+    pub(super) fn begin(&mut self) -> io::Result<()> {
+        self.report.begin(self.motion, &mut self.out)
+    }
+
+    /// Takes a sample or an event that was computed before.
+    pub(super) fn earlier(&mut self, row: &Happening) -> Result<(), Failure> {
+        if !row.kind.is_empty() {
+            return Ok(self.happening(row)?);
         }
-        self.report.sample(moment, self.out)
+        self.times.next();
+        let moment = Moment { time: row.time, state: row.state.clone() };
+        if let Some(trace) = &mut self.trace {
+            trace.earlier(&moment);
+        }
+        Ok(self.sample(&moment)?)
     }
 
     /// Writes the samples that the start itself is.
     pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
         while let Some(time) = self.times.next_if(|time| (time - start.time).abs() <= 0.0) {
-            self.report.sample(&Moment { time, state: start.state.clone() }, self.out)?;
+            self.sample(&Moment { time, state: start.state.clone() })?;
         }
         Ok(())
     }
 
     /// Takes a step, and says whether there should be another.
-    pub(super) fn follow(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        self.account(&Moment { time: step.end(), state: step.state_at(step.end()) });
+    pub(super) fn follow(&mut self, leg: &Leg<'_>) -> ControlFlow<()> {
+        let step = leg.step();
+        if let Some(balance) = &mut self.balance {
+            balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+        }
         if let Some(trace) = &mut self.trace {
             trace.follow(step);
         }
-        self.failure = self.samples(step).err();
-        let last = self.last;
+        self.failure = self.rows(leg).map_err(Failure::from).and_then(|()| self.mark(leg)).err();
+        let last = self.motion.times.last();
         self.progress.show(|| format!("t = {:.6} s of {last} s", step.end()));
         if self.failure.is_some() || interrupt::asked() {
             ControlFlow::Break(())
@@ -70,37 +102,64 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Marks events in the picture.
-    pub(super) fn mark(&mut self, watched: &Watched, events: &[Occurrence]) {
-        if let Some(trace) = &mut self.trace {
-            for event in events {
-                trace.mark(watched.coordinate(event), event.time, &event.state);
-            }
-        }
+    /// The drift of the energy so far and its uncertainty; NaN where it has none.
+    pub(super) fn drift(&self) -> [f64; 2] {
+        self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()])
     }
 
-    /// The drift of the energy so far; NaN where it has none.
-    pub(super) fn drift(&self) -> f64 {
-        self.balance.as_ref().map_or(f64::NAN, EnergyBalance::drift)
+    /// What it takes to go on.
+    pub(super) fn state(&self) -> &State {
+        &self.state
     }
 
     /// Writes what is to be said of the whole.
     pub(super) fn end(&mut self, summary: &Summary) -> io::Result<()> {
-        self.report.end(summary, self.out)?;
+        self.report.end(summary, &mut self.out)?;
         self.out.flush()
     }
 
-    fn account(&mut self, moment: &Moment) {
-        if let Some(balance) = &mut self.balance {
-            balance.record(moment);
-        }
+    fn sample(&mut self, moment: &Moment) -> io::Result<()> {
+        self.rows[0] += 1;
+        self.report.sample(moment, &mut self.out)
     }
 
-    fn samples(&mut self, step: &Step<'_>) -> io::Result<()> {
+    fn happening(&mut self, happening: &Happening) -> io::Result<()> {
+        self.rows[1] += 1;
+        if let Some(trace) = &mut self.trace {
+            trace.mark(self.motion.watched.coordinate(happening), happening.time, &happening.state);
+        }
+        self.report.event(happening, &mut self.out)
+    }
+
+    /// Samples and events of a step in the order of time.
+    fn rows(&mut self, leg: &Leg<'_>) -> io::Result<()> {
+        for event in leg.events() {
+            self.samples(leg.step(), event.time)?;
+            self.happening(&self.motion.watched.happening(event))?;
+        }
+        self.samples(leg.step(), leg.step().end())
+    }
+
+    /// The samples of a step up to a time.
+    fn samples(&mut self, step: &Step<'_>, end: f64) -> io::Result<()> {
         let backward = step.end() < step.start();
-        let inside = |time: &f64| if backward { *time >= step.end() } else { *time <= step.end() };
+        let inside = |time: &f64| if backward { *time >= end } else { *time <= end };
         while let Some(time) = self.times.next_if(inside) {
-            self.report.sample(&Moment { time, state: step.state_at(time) }, self.out)?;
+            self.sample(&Moment { time, state: step.state_at(time) })?;
+        }
+        Ok(())
+    }
+
+    /// Remembers the end of a step that may be gone on from.
+    fn mark(&mut self, leg: &Leg<'_>) -> Result<(), Failure> {
+        let Some(checkpoint) = leg.checkpoint() else { return Ok(()) };
+        let [samples, events] = self.rows;
+        let energy = self.balance.as_ref().map(|balance| balance.account().clone());
+        let (bytes, checksum) = (self.out.bytes, self.out.checksum.value());
+        self.state.mark = Some(Mark { checkpoint, samples, events, bytes, checksum, energy });
+        if let Some(keeper) = self.keeper.as_mut().filter(|keeper| keeper.is_due()) {
+            self.out.flush()?;
+            keeper.keep(&self.state)?;
         }
         Ok(())
     }

@@ -1,137 +1,209 @@
 //! An earlier answer that is to be gone on from.
+//!
+//! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is
+//! behind it, whole or cut short, is computed again, so that the answer is that of one run to its last byte.
+
+mod checksum;
+mod mark;
+mod question;
+mod rows;
+mod state;
 
 use super::events::Happening;
-use crate::arguments::{self, Initial};
+use crate::arguments::{self, Initial, Times};
 use crate::failure::Failure;
-use libration::systems::Model;
-use libration::taylor::Moment;
+use crate::output::leftover::{self, Leftover};
+use crate::output::place::{self, Place};
 use serde_json::Value;
-use std::path::Path;
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
 
-/// The most bytes of an earlier answer: memory ends before.
+pub(super) use checksum::Checksum;
+pub(super) use mark::Mark;
+pub(super) use question::{Difference, Question};
+pub(super) use state::{Keeper, State};
+
+use rows::Rows;
+
+/// The most bytes of an earlier JSON answer: memory ends before. CSV files are read line by line.
 const LARGEST: usize = 1 << 30;
 
 /// What an earlier answer holds.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Earlier {
-    /// At least one.
-    pub(super) samples: Vec<Moment>,
-    pub(super) events: Vec<Happening>,
-    /// Zero where the answer does not tell.
-    pub(super) steps: usize,
+    question: Question,
+    /// What is kept of it; nothing when it did not come through its first step.
+    known: Option<(Mark, Rows)>,
+    /// The unfinished file of a run that was ended by force, if that is what is gone on from.
+    _leftover: Option<Leftover>,
+}
+
+/// Why an answer cannot be gone on from.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(super) enum ResumeError {
+    #[error("{} is missing, which says of what motion the numbers are and how it goes on: give a file that `libration \
+             simulate` wrote by --output, with the .state beside it", .0.display())]
+    NoState(PathBuf),
+    #[error("{} does not say how a motion goes on: give a file that `libration simulate` wrote by --output", .0.display())]
+    NotAState(PathBuf),
+    #[error(
+        "`resume` is missing, which says how the motion goes on: give a file that this version of `libration simulate` \
+             wrote by --json or --csv"
+    )]
+    NotInAnswer,
+    #[error("no JSON ({0}): give a file that `libration simulate` wrote")]
+    NotJson(String),
+    #[error(transparent)]
+    Difference(#[from] Difference),
+    #[error("it is shorter than its .state says, {bytes} bytes: one of them is not of this run")]
+    Shorter { bytes: u64 },
+    #[error(
+        "its first {bytes} bytes are not those that its .state speaks of: it was changed, or one of them is not of this run"
+    )]
+    Changed { bytes: u64 },
+    #[error("line {0} is no state of the system")]
+    Unreadable(usize),
+    #[error(
+        "it has a sample at t = {earlier:?} s where the times asked for have {asked:?} s: give --times that begin as those \
+             of the file"
+    )]
+    Times { earlier: f64, asked: f64 },
+    #[error(
+        "it goes to t = {earlier:?} s already, and --times ends before: give times that go farther, or leave --resume out"
+    )]
+    NotFarther { earlier: f64 },
 }
 
 impl Earlier {
-    /// Reads a JSON or CSV answer of `libration simulate` about the same system.
-    pub(super) fn read(path: &Path, model: &Model) -> Result<Self, Failure> {
-        let bytes = arguments::read_at_most(path, LARGEST)?;
-        let text = String::from_utf8_lossy(&bytes);
-        let earlier = match text.trim_start().starts_with('{') {
-            true => from_json(&text, model),
-            false => from_csv(&text, model),
+    /// Finds what there is of an answer to this question: the file, or what a run that was ended by force has left beside its
+    /// place, whichever goes farther.
+    pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, Failure> {
+        let target = match place::of(path) {
+            Ok(Place::File(target)) => target,
+            _ => path.to_owned(),
         };
-        let earlier = earlier.and_then(|earlier| match earlier.samples.is_empty() {
-            true => Err("it holds no sample to go on from: leave --resume out".to_owned()),
-            false => Ok(earlier),
-        });
-        earlier.map_err(|reason| Failure::no_answer(&format!("--resume {}", path.display()), reason))
-    }
-
-    fn of_rows(rows: Vec<Happening>, steps: usize) -> Self {
-        let (samples, events): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row.kind.is_empty());
-        let samples: Vec<Moment> =
-            samples.into_iter().map(|row| Moment { time: row.time, state: row.state }).collect();
-        // Those behind the last sample will be found again.
-        let last = samples.last().map_or(0.0, |moment| moment.time.abs());
-        let events = events.into_iter().filter(|event| event.time.abs() <= last).collect();
-        Self { samples, events, steps }
-    }
-
-    /// The first sample, which stands for the start.
-    pub(super) fn initial(&self) -> Initial {
-        let state = self.samples.first().map(|moment| moment.state.clone()).unwrap_or_default();
-        Initial { state, assumed: vec![] }
-    }
-
-    /// The start that was asked for, if the earlier answer began there.
-    pub(super) fn begun_from(&self, asked: Initial) -> Result<Initial, Failure> {
-        let start = self.samples.first().filter(|moment| moment.time.abs() == 0.0);
-        if start.is_some_and(|start| start.state == asked.state) {
-            return Ok(asked);
+        let found = Self::read(&target, question, times);
+        let reached = |earlier: &Self| earlier.mark().map_or(0.0, |mark| mark.checkpoint.time.abs());
+        let mut best = found;
+        for leftover in leftover::beside(&target) {
+            let Ok(other) = Self::of_csv(&leftover.path, question, times) else { continue };
+            if best.as_ref().map_or(true, |best| reached(best) < reached(&other)) {
+                let (name, time) = (leftover.path.display(), reached(&other));
+                let _ = writeln!(
+                    io::stderr(),
+                    "going on from {name}, which a run that was ended by force left at t = {time:?} s"
+                );
+                best = Ok(Self { _leftover: Some(leftover), ..other });
+            }
         }
-        let reason = "the file given to --resume does not begin there: leave --initial out to go on from the file, or \
-                      --resume to begin anew";
-        Err(Failure::usage("--initial", reason))
+        best.map_err(|reason| match reason {
+            Unusable::Failure(failure) => failure,
+            Unusable::Refused(reason) => Failure::no_answer(&format!("--resume {}", path.display()), reason),
+        })
+    }
+
+    fn read(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+        let mut first = [0; 1];
+        let read = File::open(path).and_then(|mut file| file.read(&mut first));
+        match read {
+            Ok(_) if first[0] == b'{' => Ok(Self::of_json(path, question, times)?),
+            Ok(_) => Ok(Self::of_csv(path, question, times)?),
+            // With the message that all files get which cannot be read.
+            Err(_) => Err(arguments::read_at_most(path, LARGEST).err().map_or_else(
+                || Unusable::Refused(ResumeError::NotAState(path.to_owned())),
+                Unusable::Failure,
+            )),
+        }
+    }
+
+    fn of_csv(path: &Path, question: &Question, times: &Times) -> Result<Self, ResumeError> {
+        let state = State::read(&leftover::state_of(path))?;
+        question.check(&state.question)?;
+        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark)));
+        if let Some((mark, rows)) = &known {
+            let checksum = check_times(rows, mark, times)?;
+            if checksum.value() != mark.checksum {
+                return Err(ResumeError::Changed { bytes: mark.bytes });
+            }
+        }
+        Ok(Self { question: state.question, known, _leftover: None })
+    }
+
+    fn of_json(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+        let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::Failure)?;
+        let document: Value =
+            serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;
+        let state = State::from_json(&document["resume"]).ok_or(ResumeError::NotInAnswer)?;
+        question.check(&state.question).map_err(ResumeError::from)?;
+        let known = match state.mark {
+            None => None,
+            Some(mark) => {
+                let rows = Rows::of_json(&document, &mark).ok_or(ResumeError::NotInAnswer)?;
+                check_times(&rows, &mark, times)?;
+                Some((mark, rows))
+            }
+        };
+        Ok(Self { question: state.question, known, _leftover: None })
+    }
+
+    /// The start, if none is asked for or it is the same.
+    pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, Failure> {
+        match asked {
+            Some(asked) if asked.state != self.question.initial => {
+                let reason = "the file given to --resume does not begin there: leave --initial out to go on from the file, or \
+                              --resume to begin anew";
+                Err(Failure::usage("--initial", reason))
+            }
+            Some(asked) => Ok(asked),
+            None => Ok(Initial { state: self.question.initial.clone(), assumed: vec![] }),
+        }
+    }
+
+    /// Where it is gone on from.
+    pub(super) fn mark(&self) -> Option<&Mark> {
+        self.known.as_ref().map(|(mark, _)| mark)
+    }
+
+    /// Shows one row after the other, as far as they are kept.
+    pub(super) fn each(&self, take: impl FnMut(&Happening) -> Result<(), Failure>) -> Result<(), Failure> {
+        self.known.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
     }
 }
 
-const WHAT_WOULD_DO: &str = "give a file that `libration simulate` wrote by --json or --csv";
-
-fn from_json(text: &str, model: &Model) -> Result<Earlier, String> {
-    let document: Value =
-        serde_json::from_str(text).map_err(|error| format!("no JSON ({error}): {WHAT_WOULD_DO}"))?;
-    let names: Option<Vec<String>> = serde_json::from_value(document["state"].clone()).ok();
-    check_names(&names.ok_or_else(|| missing("state"))?, model)?;
-    let equations = document["equations"].as_str();
-    if let Some(equations) = equations.filter(|equations| *equations != model.equation().to_string()) {
-        return Err(format!(
-            "its equations are {equations}: give the system and the values it was begun with"
-        ));
+/// The checksum of rows whose samples are at the first of the times.
+fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, ResumeError> {
+    if times.last().abs() < mark.checkpoint.time.abs() {
+        return Err(ResumeError::NotFarther { earlier: mark.checkpoint.time });
     }
-    let list = |name: &str| document[name].as_array().ok_or_else(|| missing(name));
-    let read = |(number, value): (usize, &Value)| {
-        let state: Option<Vec<f64>> =
-            value["state"].as_array().and_then(|state| state.iter().map(Value::as_f64).collect());
-        let kind = value["kind"].as_str().unwrap_or_default();
-        row(value["time"].as_f64(), kind, state, model)
-            .ok_or_else(|| unreadable(&format!("item {}", number + 1)))
-    };
-    let rows = list("samples")?.iter().enumerate().chain(list("events")?.iter().enumerate());
-    let rows = rows.map(read).collect::<Result<_, _>>()?;
-    let steps = document["steps"].as_u64().and_then(|steps| usize::try_from(steps).ok()).unwrap_or(0);
-    Ok(Earlier::of_rows(rows, steps))
+    let mut asked = times.iter();
+    rows.each(|row| {
+        let asked = if row.kind.is_empty() { asked.next() } else { Some(row.time) };
+        match asked {
+            Some(asked) if asked.to_bits() == row.time.to_bits() || asked.abs() + row.time.abs() == 0.0 => {
+                Ok(())
+            }
+            asked => Err(ResumeError::Times { earlier: row.time, asked: asked.unwrap_or(f64::NAN) }),
+        }
+    })
 }
 
-fn from_csv(text: &str, model: &Model) -> Result<Earlier, String> {
-    let mut lines = text.lines();
-    let header: Vec<String> = lines.next().unwrap_or_default().split(',').map(str::to_owned).collect();
-    match header.as_slice() {
-        [time, names @ .., event] if time == "time" && event == "event" => check_names(names, model)?,
-        [time, names @ ..] if time == "time" => check_names(names, model)?,
-        _ => return Err(format!("the first line does not begin with `time`: {WHAT_WOULD_DO}")),
+/// Why a file is not gone on from.
+#[derive(Debug)]
+enum Unusable {
+    /// It cannot be read at all.
+    Failure(Failure),
+    Refused(ResumeError),
+}
+
+impl From<ResumeError> for Unusable {
+    fn from(error: ResumeError) -> Self {
+        Self::Refused(error)
     }
-    let numbers = 1 + model.state_names().len();
-    let read = |(number, line): (usize, &str)| {
-        // The kind of an event, the last cell, may hold commas.
-        let cells: Vec<&str> = line.splitn(numbers + 1, ',').collect();
-        let mut values = cells.iter().take(numbers).map(|cell| cell.parse::<f64>().ok());
-        let kind = cells.get(numbers).map_or("", |kind| kind.trim_matches('"'));
-        row(values.next().flatten(), kind, values.collect(), model)
-            .ok_or_else(|| unreadable(&format!("line {}", number + 2)))
-    };
-    let rows = lines.enumerate().map(read).collect::<Result<_, _>>()?;
-    Ok(Earlier::of_rows(rows, 0))
 }
 
-fn missing(field: &str) -> String {
-    format!("`{field}` is missing: {WHAT_WOULD_DO}")
-}
-
-fn unreadable(place: &str) -> String {
-    format!("{place} is no state of the system: {WHAT_WOULD_DO}")
-}
-
-fn check_names(names: &[String], model: &Model) -> Result<(), String> {
-    let wanted = model.state_names();
-    if names == wanted {
-        return Ok(());
+impl From<ResumeError> for Failure {
+    fn from(error: ResumeError) -> Self {
+        Self::no_answer("--resume", error)
     }
-    Err(format!("its states are of {}, those of this system of {}", names.join(", "), wanted.join(", ")))
-}
-
-/// A sample, or an event if it has a kind.
-fn row(time: Option<f64>, kind: &str, state: Option<Vec<f64>>, model: &Model) -> Option<Happening> {
-    let (time, state) = (time?, state?);
-    let fits = state.len() == 2 * model.coordinates().len() && state.iter().all(|value| value.is_finite());
-    fits.then(|| Happening { time, kind: kind.to_owned(), state })
 }

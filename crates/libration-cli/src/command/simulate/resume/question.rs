@@ -1,0 +1,82 @@
+//! What was asked, by which an earlier answer is known to be about the same motion.
+
+use crate::output::json;
+use serde_json::{Value, json};
+
+/// What decides the numbers of a motion, the times apart.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Question {
+    /// The key of the system; `None` for equations as typed.
+    pub(crate) system: Option<String>,
+    /// With the values of all parameters.
+    pub(crate) equations: String,
+    /// The names of the numbers of a state.
+    pub(crate) state: Vec<String>,
+    /// The state at t = 0.
+    pub(crate) initial: Vec<f64>,
+    pub(crate) tolerance: f64,
+    /// What is looked for.
+    pub(crate) events: Vec<String>,
+}
+
+/// Two questions that are not the same.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(crate) enum Difference {
+    #[error(
+        "its equations are `{earlier}`, those asked for `{asked}`: give the system and the values it was begun with"
+    )]
+    Equations { earlier: String, asked: String },
+    #[error(
+        "it was computed to the tolerance {earlier:e}, and {asked:e} is asked for: give --tolerance {earlier:e}"
+    )]
+    Tolerance { earlier: f64, asked: f64 },
+    #[error("{}: give the same --events", events(.earlier, .asked))]
+    Events { earlier: Vec<String>, asked: Vec<String> },
+}
+
+fn events(earlier: &[String], asked: &[String]) -> String {
+    let named = |events: &[String]| if events.is_empty() { "none".to_owned() } else { events.join(", ") };
+    format!("its events are {}, those asked for {}", named(earlier), named(asked))
+}
+
+impl Question {
+    /// What speaks against an answer to one question as the beginning of that to another, the start apart.
+    pub(crate) fn check(&self, earlier: &Self) -> Result<(), Difference> {
+        if earlier.equations != self.equations || earlier.state != self.state {
+            let (earlier, asked) = (earlier.equations.clone(), self.equations.clone());
+            return Err(Difference::Equations { earlier, asked });
+        }
+        if earlier.tolerance.to_bits() != self.tolerance.to_bits() {
+            return Err(Difference::Tolerance { earlier: earlier.tolerance, asked: self.tolerance });
+        }
+        if earlier.events != self.events {
+            return Err(Difference::Events { earlier: earlier.events.clone(), asked: self.events.clone() });
+        }
+        Ok(())
+    }
+
+    pub(super) fn to_json(&self) -> Value {
+        json!({
+            "system": self.system,
+            "equations": self.equations,
+            "state": self.state,
+            "initial": self.initial.iter().map(|&value| json::number(value)).collect::<Vec<_>>(),
+            "tolerance": self.tolerance,
+            "events": self.events,
+        })
+    }
+
+    pub(super) fn from_json(value: &Value) -> Option<Self> {
+        let texts = |name: &str| -> Option<Vec<String>> {
+            value[name].as_array()?.iter().map(|text| text.as_str().map(str::to_owned)).collect()
+        };
+        Some(Self {
+            system: value["system"].as_str().map(str::to_owned),
+            equations: value["equations"].as_str()?.to_owned(),
+            state: texts("state")?,
+            initial: value["initial"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?,
+            tolerance: value["tolerance"].as_f64()?,
+            events: texts("events")?,
+        })
+    }
+}

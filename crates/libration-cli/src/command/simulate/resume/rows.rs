@@ -1,0 +1,84 @@
+//! The samples and events of an earlier answer, one after the other.
+
+use super::{Checksum, Mark, ResumeError};
+use crate::command::simulate::events::Happening;
+use serde_json::Value;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+
+/// Where they are.
+#[derive(Clone, Debug)]
+pub(crate) enum Rows {
+    /// In memory, in the order of time.
+    List(Vec<Happening>),
+    /// In the first lines of a CSV file, the first of which are names.
+    Csv { path: PathBuf, bytes: u64, numbers: usize },
+}
+
+impl Rows {
+    /// The rows of a CSV file that a mark counts.
+    pub(super) fn of_csv(path: &Path, mark: &Mark) -> Self {
+        let numbers = 1 + mark.checkpoint.state.len();
+        Self::Csv { path: path.to_owned(), bytes: mark.bytes, numbers }
+    }
+
+    /// Those of a JSON answer that a mark counts.
+    pub(super) fn of_json(document: &Value, mark: &Mark) -> Option<Self> {
+        let list = |name: &str, most: usize| -> Option<Vec<Happening>> {
+            let all = document[name].as_array().filter(|all| all.len() >= most)?;
+            all.iter().take(most).map(of_record).collect()
+        };
+        let mut rows = list("samples", mark.samples)?;
+        rows.extend(list("events", mark.events)?);
+        // Samples stay before the events at their time.
+        rows.sort_by(|a, b| a.time.abs().total_cmp(&b.time.abs()));
+        Some(Self::List(rows))
+    }
+
+    /// Shows one row after the other.
+    pub(super) fn each<E: From<ResumeError>>(
+        &self,
+        mut take: impl FnMut(&Happening) -> Result<(), E>,
+    ) -> Result<Checksum, E> {
+        match self {
+            Self::List(rows) => rows.iter().try_for_each(take).map(|()| Checksum::NONE),
+            Self::Csv { path, bytes, numbers } => {
+                let shorter = || ResumeError::Shorter { bytes: *bytes };
+                let unreadable = |_| shorter();
+                let file = File::open(path).map_err(unreadable)?;
+                if file.metadata().map_err(unreadable)?.len() < *bytes {
+                    return Err(shorter().into());
+                }
+                let mut lines = BufReader::with_capacity(1 << 16, file).take(*bytes);
+                let (mut checksum, mut line, mut number) = (Checksum::NONE, vec![], 0);
+                while lines.read_until(b'\n', &mut line).map_err(unreadable)? > 0 {
+                    checksum.include(&line);
+                    number += 1;
+                    if number > 1 {
+                        take(&of_line(&line, *numbers).ok_or(ResumeError::Unreadable(number))?)?;
+                    }
+                    line.clear();
+                }
+                Ok(checksum)
+            }
+        }
+    }
+}
+
+fn of_record(value: &Value) -> Option<Happening> {
+    let state = value["state"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
+    let kind = value["kind"].as_str().unwrap_or_default().to_owned();
+    Some(Happening { time: value["time"].as_f64()?, kind, state })
+}
+
+/// A sample, or an event if it has a kind, the last cell, which may hold commas.
+fn of_line(line: &[u8], numbers: usize) -> Option<Happening> {
+    let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
+    let mut cells = line.splitn(numbers + 1, ',');
+    let time = cells.next()?.parse().ok()?;
+    let state =
+        cells.by_ref().take(numbers - 1).map(|cell| cell.parse().ok()).collect::<Option<Vec<f64>>>()?;
+    let kind = cells.next().unwrap_or_default().trim_matches('"').to_owned();
+    (state.len() == numbers - 1).then_some(Happening { time, kind, state })
+}

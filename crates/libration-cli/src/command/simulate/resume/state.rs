@@ -1,0 +1,82 @@
+//! What an answer must say to be gone on from: in a JSON answer a field, beside a CSV file a file `NAME.csv.state`.
+
+use super::{Mark, Question, ResumeError};
+use crate::failure::Failure;
+use crate::output::{file, json};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The question and how far the answer is certain; nowhere before the first step that only its own length ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct State {
+    pub(crate) question: Question,
+    pub(crate) mark: Option<Mark>,
+}
+
+impl State {
+    pub(crate) fn to_json(&self) -> Value {
+        json!({ "question": self.question.to_json(), "known": self.mark.as_ref().map(Mark::to_json) })
+    }
+
+    pub(crate) fn from_json(value: &Value) -> Option<Self> {
+        let mark = match value.get("known")? {
+            Value::Null => None,
+            known => Some(Mark::from_json(known)?),
+        };
+        Some(Self { question: Question::from_json(&value["question"])?, mark })
+    }
+
+    /// Reads the file that stands beside one of samples.
+    pub(super) fn read(path: &Path) -> Result<Self, ResumeError> {
+        let text = fs::read_to_string(path).map_err(|_| ResumeError::NoState(path.to_owned()))?;
+        let value: Value = serde_json::from_str(&text).unwrap_or(Value::Null);
+        Self::from_json(&value).ok_or_else(|| ResumeError::NotAState(path.to_owned()))
+    }
+
+    pub(crate) fn write(&self, path: &Path) -> Result<(), Failure> {
+        let mut record = json::Record::new();
+        if let Value::Object(fields) = self.to_json() {
+            record = fields.into_iter().fold(record, |record, (name, value)| record.with(&name, value));
+        }
+        let mut text = vec![];
+        json::document(&mut text, record)?;
+        file::write(path, &text)
+    }
+}
+
+/// Writes again and again how far an unfinished file is known, for the case that the run is ended by force.
+#[derive(Debug)]
+pub(crate) struct Keeper {
+    path: PathBuf,
+    due: Instant,
+}
+
+impl Keeper {
+    /// How much work may be lost.
+    const PAUSE: Duration = Duration::from_secs(1);
+
+    /// Of the file beside an unfinished one.
+    pub(crate) fn new(path: PathBuf) -> Self {
+        Self { path, due: Instant::now() + Self::PAUSE }
+    }
+
+    pub(crate) fn is_due(&self) -> bool {
+        Instant::now() >= self.due
+    }
+
+    /// Keeps the state, when all that it counts is on its way to the disk.
+    pub(crate) fn keep(&mut self, state: &State) -> Result<(), Failure> {
+        state.write(&self.path)?;
+        self.due = Instant::now() + Self::PAUSE;
+        Ok(())
+    }
+}
+
+impl Drop for Keeper {
+    fn drop(&mut self) {
+        // The unfinished file is in its place now, or removed; there may never have been a state.
+        let _ = fs::remove_file(&self.path);
+    }
+}

@@ -1,0 +1,76 @@
+//! What a path given for output leads to: a file that is replaced as a whole, or a stream that is written into.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Where an answer goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// A file, or none yet, at the end of all symbolic links.
+    File(PathBuf),
+    /// What takes bytes as they come: the standard output, a FIFO, a device.
+    Stream(Stream),
+}
+
+/// A stream.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Stream {
+    Output,
+    Error,
+    Opened(PathBuf),
+}
+
+/// More links than this lead in a circle.
+const MOST_LINKS: usize = 40;
+
+/// Where the path leads; `-` is the standard output.
+pub(crate) fn of(path: &Path) -> io::Result<Place> {
+    if path == Path::new("-") {
+        return Ok(Place::Stream(Stream::Output));
+    }
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        if let Some(stream) = open_already(&path) {
+            return Ok(Place::Stream(stream));
+        }
+        let kind = match fs::symlink_metadata(&path) {
+            Ok(metadata) => metadata.file_type(),
+            // What is not there yet is made.
+            Err(_) => return Ok(Place::File(path)),
+        };
+        if !kind.is_symlink() {
+            let whole = kind.is_file() || kind.is_dir();
+            return Ok(if whole { Place::File(path) } else { Place::Stream(Stream::Opened(path)) });
+        }
+        // Relative targets are relative to where the link is.
+        let target = fs::read_link(&path)?;
+        path = path.parent().unwrap_or(Path::new("")).join(target);
+    }
+    Err(io::Error::other("its symbolic links lead in a circle"))
+}
+
+/// What the process has open, under the names that systems give it.
+fn open_already(path: &Path) -> Option<Stream> {
+    const OUTPUT: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+    const ERROR: [&str; 3] = ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"];
+    const OTHERS: [&str; 2] = ["/dev/fd/", "/proc/self/fd/"];
+    let is = |names: &[&str]| names.iter().any(|name| path == Path::new(name));
+    if is(&OUTPUT) {
+        return Some(Stream::Output);
+    }
+    if is(&ERROR) {
+        return Some(Stream::Error);
+    }
+    OTHERS.iter().any(|name| path.starts_with(name)).then(|| Stream::Opened(path.to_owned()))
+}
+
+impl Stream {
+    pub(crate) fn open(&self) -> io::Result<Box<dyn Write>> {
+        Ok(match self {
+            Self::Output => Box::new(io::stdout()),
+            Self::Error => Box::new(io::stderr()),
+            Self::Opened(path) => Box::new(fs::OpenOptions::new().append(true).open(path)?),
+        })
+    }
+}
