@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use super::drive::drive_period;
 use crate::expression::{Equation, Expression, WithoutValue};
 use crate::taylor::{
-    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, System,
-    integrate,
+    Cause, Contact, Departure, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution,
+    System, follow, integrate,
 };
 
 /// When the state of a motion is taken.
@@ -215,11 +215,15 @@ fn crossings(
     let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
     let stopped = loop {
         let taken = found.len();
-        let kept = taken.saturating_sub(points.skipped);
-        let (solution, cause) =
-            as_far_as_it_came(integrate(system, &at, &[at.time + horizon], &stretch, |step| {
-                watch(Taken { points: kept, time: step.end() })
-            }))?;
+        let mut met = taken;
+        let outcome = follow(system, &Departure::At(at.clone()), &[at.time + horizon], &stretch, |leg| {
+            met += leg.events().iter().filter(|event| goes_through(event)).count();
+            watch(Taken {
+                points: met.saturating_sub(points.skipped).min(points.kept),
+                time: leg.step().end(),
+            })
+        });
+        let (solution, cause) = as_far_as_it_came(outcome)?;
         found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
         at = solution.end;
@@ -243,8 +247,11 @@ const NEVER: f64 = 1e200;
 
 /// The place of an event, if the motion goes through the surface there.
 fn crossing(event: Occurrence) -> Option<Moment> {
-    let through = matches!(event.contact, Contact::Rising | Contact::Falling);
-    through.then_some(Moment { time: event.time, state: event.state })
+    goes_through(&event).then_some(Moment { time: event.time, state: event.state })
+}
+
+fn goes_through(event: &Occurrence) -> bool {
+    matches!(event.contact, Contact::Rising | Contact::Falling)
 }
 
 /// An angle brought into the turn from −π to π.
