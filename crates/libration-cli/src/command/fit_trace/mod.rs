@@ -25,7 +25,7 @@ use std::path::PathBuf;
 /// Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude
 ///
 /// The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all
-/// traces, which share ω0 and the damping; each has its own zero of the angle and its own beginning. Every cycle is also
+/// traces, which share ω0 and the damping; each has its own zero of the angle and its own start. Every cycle is also
 /// measured by itself, which tests the exact law of the period: T = T0·[1 + β(R − 1)] with β = 1.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -38,13 +38,13 @@ use std::path::PathBuf;
 pub(crate) struct FitTrace {
     #[command(flatten)]
     input: Input,
-    /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic and sums as dry+linear
+    /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear
     #[arg(long, default_value = "auto")]
     model: Model,
-    /// Weigh rows down that are far from the motion, instead of letting them pull at it
+    /// Give rows that are far from the fitted motion less weight, so that they do not pull it
     #[arg(long)]
     robust: bool,
-    /// Leave the scale of the angles free: it is told from how the period depends on the amplitude
+    /// Fit the scale of the angles too, from how the period depends on the amplitude
     #[arg(long)]
     free_scale: bool,
     /// Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it
