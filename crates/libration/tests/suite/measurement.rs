@@ -1,6 +1,9 @@
 //! Tables as instruments and people write them.
 
-use libration::measurement::{Column, Delimiter, Header, MeasurementError, Options, Selection, Table};
+use libration::measurement::{
+    Column, CountedPeriods, Delimiter, Header, MeasurementError, Options, Role, Selection, Table, Unit,
+    WrittenUnit,
+};
 
 fn read(text: &str) -> Result<Table, MeasurementError> {
     Table::read(text.as_bytes(), &Options::default())
@@ -146,4 +149,46 @@ fn no_bytes_make_the_reader_panic() {
         read += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
     }
     assert!(read > 100, "only {read} of the tables were read at all");
+}
+
+#[test]
+fn every_unit_is_turned_into_that_of_the_si() {
+    use std::f64::consts::{PI, TAU};
+    for (unit, expected) in [
+        ("s", 3.0),
+        ("ms", 3e-3),
+        ("µs", 3e-6),
+        ("ns", 3e-9),
+        ("min", 180.0),
+        ("rad", 3.0),
+        ("mrad", 3e-3),
+        ("°", PI / 60.0),
+        ("turn", 3.0 * TAU),
+        ("counts", 3.0),
+        ("rad/s", 3.0),
+        ("dps", PI / 60.0),
+        ("m", 3.0),
+        ("cm", 0.03),
+        ("mm", 3e-3),
+        ("in", 0.0762),
+        ("px", 3.0),
+    ] {
+        let found = unit.parse::<Unit>().unwrap().to_si(3.0);
+        assert!((found / expected - 1.0).abs() < 1e-15, "{unit}: {found} {expected}");
+    }
+}
+
+#[test]
+fn columns_are_described_with_what_their_headings_say() {
+    let table = read("L (cm),half period (s),u(L) (mm),σ_T\n25,0.5,2,0.01\n").unwrap();
+    let column = Column::Number;
+    assert_eq!(table.describe(&column(2)).unwrap(), "column 2 (`half period (s)`)");
+    assert!(table.describe(&column(5)).is_err());
+    assert_eq!(table.counted_periods(&column(2)), Ok(CountedPeriods::Said(0.5)));
+    assert_eq!(table.counted_periods(&column(1)), Ok(CountedPeriods::Nothing));
+    let of_lengths = table.unit_of_uncertainty(&column(3), Role::Lengths);
+    assert_eq!(of_lengths, Ok(WrittenUnit::Known(Unit::Millimetre)));
+    assert_eq!(table.unit_of_uncertainty(&column(4), Role::Times), Ok(WrittenUnit::Nothing));
+    assert!(table.unit_of_uncertainty(&column(3), Role::Times).is_err());
+    assert!(table.unit(&column(3), Role::Lengths).is_err(), "uncertainties are no lengths");
 }

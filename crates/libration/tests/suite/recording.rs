@@ -395,6 +395,21 @@ fn nanoseconds_and_turns_are_units_of_headings() {
 }
 
 #[test]
+fn degrees_under_a_header_of_radians_are_doubted_at_once() {
+    let swing = |header: &str, degrees: f64| {
+        let row =
+            |n: u8| format!("{:.2},{:.3}\n", 0.05 * f64::from(n), degrees * libm::cos(0.4 * f64::from(n)));
+        format!("t (s),{header}\n{}", (0..120).map(row).collect::<String>())
+    };
+    let doubtful = |header: &str, degrees: f64| {
+        told(&traces(&swing(header, degrees), &Choices::default()).unwrap())
+            .contains("these are degrees (unit says otherwise)")
+    };
+    assert!(doubtful("θ (rad)", 47.3));
+    assert!(!doubtful("θ (deg)", 47.3) && !doubtful("θ (rad)", 2.9));
+}
+
+#[test]
 fn samples_of_a_swing_are_no_times_of_a_gate() {
     let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
     let swing = timed(|_, time| time);

@@ -97,6 +97,7 @@ pub(super) fn of_value(
                 format!("{} is in {unit}, as the header says", sheet.describe(place)),
                 Choice::Unit,
             ));
+            doubt(values, sheet, place, unit).into_iter().for_each(tell);
         }
         return in_unit(unit, sheet, place, seen);
     }
@@ -114,6 +115,19 @@ pub(super) fn of_value(
     };
     let fits = |suggestion: &Suggestion| suggestion.value.ends_with("/s") == (seen == Seen::AngularVelocity);
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
+}
+
+/// What to think of an angle whose header says radians, and which swings as only degrees do.
+fn doubt(values: &[f64], sheet: &Sheet, place: usize, unit: Unit) -> Option<Finding> {
+    (unit == Unit::Radian && only_degrees_fit(values)).then(|| {
+        let ends = |end: fn(f64, f64) -> f64| values.iter().copied().reduce(end).unwrap_or(f64::NAN);
+        let half = 0.5 * (ends(f64::max) - ends(f64::min));
+        let text = format!(
+            "{} swings by {half:.0} to either side, which no pendulum does in radians: its header is doubtful, these are degrees",
+            sheet.describe(place)
+        );
+        Finding::new(text, Choice::Unit)
+    })
 }
 
 /// Uncertainties are in the unit of their values, unless their header names another.
