@@ -199,7 +199,7 @@ impl Modulus {
     /// # Domain
     /// Every finite u; NaN for others.
     /// # Accuracy
-    /// 2.3 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`); sn, cn within [−1, 1]. Beyond
+    /// 2.2 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`); sn, cn within [−1, 1]. Beyond
     /// 4e27 K two words of K say nothing of the phase, and that of a whole period stands for it.
     #[must_use]
     pub fn jacobi(&self, u: f64) -> Jacobi {

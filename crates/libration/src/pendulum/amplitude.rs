@@ -59,7 +59,7 @@ impl Amplitude {
         period::ratio_from_words(self.angle.in_turn_words(), self.angle.complement_words())
     }
 
-    /// T/T0 − 1, within 0.92 ulp from θ0 = 1e-150 on.
+    /// T/T0 − 1, within 0.9 ulp from θ0 = 1e-150 on.
     #[must_use]
     pub fn period_excess(&self) -> f64 {
         period::excess_from_words(self.angle.in_turn_words(), self.angle.complement_words())

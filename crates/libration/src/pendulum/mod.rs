@@ -91,9 +91,9 @@ pub enum PendulumError {
     /// An angular frequency whose period or velocities would leave the range of `f64`.
     #[error("an angular frequency of {0:?} rad/s is out of range: give 1e-290 to 1e290")]
     FrequencyOutOfRange(f64),
-    /// The frequency is outside 1e-290 … 1e290 rad/s.
+    /// The frequency is outside 1e-290 … 1e290 rad/s, or length or gravity subnormal, which has fewer digits.
     #[error(
-        "length {length:?} m and gravity {gravity:?} m/s^2 give an angular frequency out of range: it must be 1e-290 to 1e290 rad/s"
+        "length {length:?} m and gravity {gravity:?} m/s^2 are out of range: give both above 2.3e-308, with an angular frequency of 1e-290 to 1e290 rad/s"
     )]
     OutOfRange {
         /// The length.
@@ -184,12 +184,14 @@ impl Pendulum {
     /// A pendulum of this length in metres under this gravity in m/s².
     ///
     /// # Errors
-    /// A length or gravity that is not positive and finite, or whose √(g/l) is outside 1e-290 … 1e290.
+    /// A length or gravity that is not positive and finite or is below 2.3e-308, or whose √(g/l) is outside
+    /// 1e-290 … 1e290.
     pub fn new(length: f64, gravity: f64) -> Result<Self, PendulumError> {
         positive("length", length)?;
         positive("gravity", gravity)?;
         let pendulum = Self { size: Size::LengthAndGravity { length, gravity } };
-        if !USABLE.contains(&pendulum.angular_frequency()) {
+        let full = length.is_normal() && gravity.is_normal();
+        if !full || !USABLE.contains(&pendulum.angular_frequency()) {
             return Err(PendulumError::OutOfRange { length, gravity });
         }
         Ok(pendulum)

@@ -295,7 +295,7 @@ impl Motion {
     /// for it. The angle of a rotation is ∞ where it is beyond the range of `f64`.
     ///
     /// # Accuracy
-    /// 2.3 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
+    /// 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
     /// complement (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn state_at(&self, time: f64) -> State {

@@ -276,7 +276,7 @@ pub fn period_ratio(amplitude: f64) -> f64 {
 /// # Domain
 /// As [`period_ratio`].
 /// # Accuracy
-/// 0.92 ulp down to θ0 = 1e-150, below which the result θ0²/16 leaves the range of `f64`
+/// 0.9 ulp down to θ0 = 1e-150, below which the result θ0²/16 leaves the range of `f64`
 /// (ledger in `tests/suite/promises.rs`).
 #[must_use]
 pub fn period_excess(amplitude: f64) -> f64 {

@@ -23,7 +23,7 @@ const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.83933
 /// # Domain
 /// |amplitude| up to the last `f64` below π, ω0·t finite; NaN outside.
 /// # Accuracy
-/// 2.3 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/promises.rs`).
+/// 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/promises.rs`).
 #[must_use]
 pub fn state(amplitude: f64, angular_frequency: f64, time: f64) -> State {
     dispatch(One { amplitude, angular_frequency, time })

@@ -28,21 +28,21 @@ const fn promise(what: &'static str, domain: &'static str, ulp: f64, beyond: &'s
 }
 
 pub(crate) const RATIO: Promise = promise("T/T0", "θ0 in [0, π), or π − θ0 ≥ 1e-300", 0.56, "");
-pub(crate) const EXCESS: Promise = promise("T/T0 − 1", "θ0 ≥ 1e-150", 0.92, "");
+pub(crate) const EXCESS: Promise = promise("T/T0 − 1", "θ0 ≥ 1e-150", 0.9, "");
 pub(crate) const COMPLETE: Promise = promise("K, E, K′", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 0.56, "");
 pub(crate) const NOME: Promise = promise("nome q", "0 ≤ m ≤ 1, k′ ≥ 1e-300", 0.56, "");
 pub(crate) const OF_NOME: Promise = promise("k, k′ of a nome", "0 ≤ q ≤ 0.9929", 0.56, "");
 pub(crate) const INCOMPLETE: Promise = promise("F(φ), E(φ)", "any φ, 0 ≤ m ≤ 1, k′ ≥ 1e-300", 0.56, "");
 pub(crate) const JACOBI: Promise =
-    promise("sn, cn, dn, am", "0 ≤ m ≤ 1, k′ ≥ 1e-300, |u| ≤ 1e6 K", 2.3, "2⁻¹⁰⁰·|u| + 2e-323");
+    promise("sn, cn, dn, am", "0 ≤ m ≤ 1, k′ ≥ 1e-300, |u| ≤ 1e6 K", 2.2, "2⁻¹⁰⁰·|u| + 2e-323");
 pub(crate) const STATE: Promise = promise(
     "θ(t), θ′(t)",
     "any initial state, |t| ≤ 1e6 periods",
-    2.3,
+    2.2,
     "2⁻⁵¹·|θ′t|, for θ′ 2⁻⁵¹·|θ″t|, and 2e-323",
 );
 pub(crate) const COMPLEMENT: Promise =
-    promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 2.3, "2⁻⁵¹·|θ′t| + 2e-323");
+    promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 2.1, "2⁻⁵¹·|θ′t| + 2e-323");
 pub(crate) const HARMONICS: Promise = promise("harmonics a_n", "|a_n| ≥ 2.3e-308 rad", 0.56, "");
 /// Rounded from two words.
 pub(crate) const ACTION: Promise = promise("action, energy", "any motion", 0.56, "2e-323");
