@@ -80,7 +80,7 @@ fn what_the_document_says_in_words_is_called_a_paraphrase() {
     assert_eq!((&equation["label"], &equation["paraphrase"]), (&"(53)".into(), &false.into()));
     assert!(equation["claim"].as_str().unwrap().contains("in the copy of the text that was read"));
     assert!(equation["read_from"].as_str().unwrap().starts_with("a copy of its text"));
-    assert!(text("paper --label 53").contains("    printed   T = "));
+    assert!(text("paper --label 53").contains("    printed T = "));
 }
 
 #[test]
