@@ -358,3 +358,123 @@ fn nothing_is_said_of_differences_that_do_not_matter() {
     let told = warnings(&format!("fit trace {exact} --model linear"));
     assert!(!told.contains("by single cycles") && !told.contains(" 1.0 times"), "{told}");
 }
+
+/// A table of angles in degrees by some rule of time, 40 rows a second, with the noise of a swing as usual.
+fn swing_by(name: &str, value: impl Fn(f64, f64) -> f64) -> String {
+    let path = Released::USUAL.write(name);
+    let table = fs::read_to_string(&path).unwrap();
+    let rows = table.lines().skip(1).map(|line| {
+        let (time, angle) = line.split_once(',').unwrap();
+        let (time, angle): (f64, f64) = (time.parse().unwrap(), angle.parse().unwrap());
+        format!("{time},{:.5}\n", value(time, angle))
+    });
+    fs::write(&path, format!("t (s),theta (deg)\n{}", rows.collect::<String>())).unwrap();
+    path
+}
+
+fn kinds(question: &str) -> Vec<String> {
+    let answer = json(question);
+    let (kinds, texts) =
+        (answer["warning_kinds"].as_array().unwrap(), answer["warnings"].as_array().unwrap());
+    assert_eq!(kinds.len(), texts.len());
+    kinds.iter().map(|kind| kind.as_str().unwrap().to_owned()).collect()
+}
+
+/// Each doubt with data that raise it; the swing as usual raises none of them.
+#[test]
+fn doubts_are_raised_by_the_data_that_deserve_them() {
+    let usual = kinds(&format!("fit trace {} --model linear", Released::USUAL.write("fit-trace-no-doubt")));
+    let growing = Released { drag: -0.02, degrees: 40.0, ..Released::USUAL }.write("fit-trace-growing");
+    let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy");
+    let cosine = swing_by("fit-trace-cosine", |time, _| 80.0 * f64::cos(std::f64::consts::TAU / 1.5 * time));
+    let stray = swing_by("fit-trace-stray", |time, angle| if time == 7.5 { angle + 30.0 } else { angle });
+    for (kind, swing, model) in [
+        ("feeds_energy", &growing, "linear"),
+        ("negative_damping", &growing, "linear"),
+        ("poor_fit", &noisy, "linear"),
+        ("residuals_not_noise", &cosine, "undamped"),
+        ("outliers", &stray, "linear"),
+    ] {
+        let found = kinds(&format!("fit trace {swing} --model {model}"));
+        assert!(found.iter().any(|one| one == kind), "{kind}: {found:?}");
+        assert!(!usual.iter().any(|one| one == kind), "{kind}: {usual:?}");
+    }
+}
+
+#[test]
+fn advice_is_given_where_it_would_help() {
+    let advice = |swing: &str| json(&format!("fit trace {swing} --model linear"))["advice"].to_string();
+    let usual = advice(&Released::USUAL.write("fit-trace-no-advice"));
+    let tilted = swing_by("fit-trace-tilted", |_, angle| angle + 2.0);
+    let held = swing_by("fit-trace-held", |time, angle| if time < 0.2 { 50.0 } else { angle });
+    let stray = swing_by("fit-trace-one-stray", |time, angle| if time == 7.5 { angle + 30.0 } else { angle });
+    let coarse = Released::USUAL.write("fit-trace-coarse");
+    let table = fs::read_to_string(&coarse).unwrap();
+    let every_fifth: Vec<&str> = table.lines().skip(1).step_by(5).collect();
+    fs::write(&coarse, format!("t (s),theta (deg)\n{}\n", every_fifth.join("\n"))).unwrap();
+    for (swing, expected) in [
+        (tilted, "plumb line"),
+        (held, "leave them out with --from and --to"),
+        (stray, "--robust"),
+        (coarse, "take more pictures a second"),
+    ] {
+        let given = advice(&swing);
+        assert!(given.contains(expected), "{expected}: {given}");
+        assert!(!usual.contains(expected), "{expected}: {usual}");
+    }
+}
+
+#[test]
+fn models_that_are_not_excluded_are_named_and_averaged_over() {
+    let short = Released { seconds: 4, ..Released::USUAL }.write("fit-trace-ties");
+    let answer = json(&format!("fit trace {short}"));
+    let models = answer["comparison"].as_array().unwrap();
+    let standing = |one: &str| models.iter().filter(|model| model["standing"] == one).count();
+    assert_eq!(standing("preferred"), 1);
+    assert!(standing("tied") >= 1, "{models:?}");
+    let weights: f64 = models.iter().map(|model| number(&model["weight"])).sum();
+    assert!((weights - 1.0).abs() < 1e-9);
+    assert!(models.iter().all(|model| number(&model["independent_rows"]) <= 160.0));
+    let averaged = &answer["averaged"];
+    assert_eq!(averaged["small_angle_period_s"], answer["small_angle_period_s"]);
+    assert!(
+        number(&averaged["small_angle_period_s_spread"])
+            <= number(&averaged["small_angle_period_s_uncertainty"])
+    );
+    assert!(
+        answer["warning_kinds"].to_string().contains("damping_not_separated"),
+        "{}",
+        answer["warning_kinds"]
+    );
+    assert!(answer["advice"].to_string().contains("record for longer"), "{}", answer["advice"]);
+    let sheet = text(&format!("fit trace {short}"));
+    for expected in ["weight", "tied", "independent ones", "quadratic"] {
+        assert!(sheet.contains(expected), "{expected}: {sheet}");
+    }
+}
+
+#[test]
+fn radians_called_degrees_and_degrees_called_radians_are_answered_by_their_name() {
+    let radians = Released { error: 0.05, ..Released::USUAL }.write("fit-trace-radians");
+    let table = fs::read_to_string(&radians).unwrap();
+    let rows = table.lines().skip(1).map(|line| {
+        let (time, angle) = line.split_once(',').unwrap();
+        format!("{time},{:.7}\n", angle.parse::<f64>().unwrap().to_radians())
+    });
+    let rows: String = rows.collect();
+    fs::write(&radians, format!("t (s),theta (deg)\n{rows}")).unwrap();
+    let answer = json(&format!("fit trace {radians} --model linear"));
+    assert_eq!(answer["warning_kinds"][0], "angles_are_radians", "{}", answer["warnings"]);
+    assert!(
+        answer["warnings"][0].as_str().unwrap().contains("these angles are radians"),
+        "{}",
+        answer["warnings"]
+    );
+    fs::write(&radians, format!("t (s),theta (rad)\n{rows}")).unwrap();
+    let right = kinds(&format!("fit trace {radians} --model linear"));
+    assert!(!right.contains(&"angles_are_radians".to_owned()), "{right:?}");
+    fs::write(&radians, table.replace("(deg)", "(rad)")).unwrap();
+    let degrees = libration(&format!("fit trace {radians}"));
+    assert_eq!(degrees.status.code(), Some(1));
+    assert!(message(&degrees).contains("these angles are degrees, not radians"), "{}", message(&degrees));
+}

@@ -12,6 +12,7 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+mod akaike;
 mod budget;
 pub mod cycles;
 mod damping_terms;

@@ -1,8 +1,11 @@
 //! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers and gaps.
 
-use libration::fit::cycles::{Cycles, CyclesError, Options, cycles, cycles_tell_beta};
+use libration::fit::cycles::{
+    Cycles, CyclesError, Options, are_radians, beyond_a_turn, cycles, cycles_tell_beta,
+};
 use libration::fit::trace::DampingTerm;
 use libration::measurement::{Seen, Trace};
+use libration::pendulum::Pendulum;
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -236,4 +239,112 @@ fn refusals_count_in_singular_and_plural() {
     assert!(said(462).contains("but no full cycle that can be measured"), "{}", said(462));
     let cycles = CyclesError::EqualAmplitudes { cycles: 1 }.to_string();
     assert!(cycles.starts_with("1 cycle of"), "{cycles}");
+}
+
+/// Swings of a pendulum without damping, or of something with a constant period, as the computer has them.
+fn exact(amplitude: f64, step: f64, seconds: f64, value: impl Fn(f64) -> f64) -> Trace {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand rows")]
+    let rows = (seconds / step) as u32;
+    let times: Vec<f64> = (0..rows).map(|row| step * f64::from(row)).collect();
+    let values = times.iter().map(|&time| amplitude * value(time)).collect();
+    Trace::new("exact", Seen::Angle, times, values, None).unwrap()
+}
+
+#[test]
+fn exact_swings_have_cycles_however_they_are_sampled() {
+    let mut failures = vec![];
+    for degrees in [10.0, 20.0, 40.0, 60.0, 75.0, 80.0, 120.0] {
+        for step in [0.01, 0.02, 0.025, 1.0 / 30.0, 0.04, 0.05, 0.1] {
+            for seconds in [10.0, 20.0, 60.0] {
+                let pendulum = Pendulum::from_angular_frequency(std::f64::consts::TAU / 1.5).unwrap();
+                let motion = pendulum.released_from(format!("{degrees}deg").parse().unwrap()).unwrap();
+                let swing = exact(1.0, step, seconds, |time| motion.state_at(time).angle);
+                let cosine = exact(degrees * DEGREE, step, seconds, |time| {
+                    libm::cos(std::f64::consts::TAU / 1.5 * time)
+                });
+                for (name, trace) in [("swing", swing), ("cosine", cosine)] {
+                    match cycles(&trace, &Options::default()) {
+                        Ok(found) if found.cycles.len() > 4 => {}
+                        other => failures.push(format!(
+                            "{name} {degrees} {step} {seconds}: {:?}",
+                            other.map(|it| it.cycles.len())
+                        )),
+                    }
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A pendulum whose cycles last longer or shorter by chance than the noise of its values tells: a string that slips, or frames
+/// that come when they like.
+#[test]
+fn cycles_scatter_by_their_stated_uncertainties() {
+    let steady = Synthetic { noise: 0.001, ..Synthetic::USUAL };
+    for [jitter, least, most] in [[0.0, 0.8, 1.25], [0.004, 0.8, 1.25], [0.02, 0.8, 1.25]] {
+        let mut random = Random::seeded(41);
+        let trace = steady.trace(&mut random);
+        // Time itself goes slower or faster from half second to half second.
+        let mut clock = 0.0;
+        let mut rate = 1.0;
+        let mut before = trace.times()[0];
+        let times: Vec<f64> = trace
+            .times()
+            .iter()
+            .enumerate()
+            .map(|(row, &time)| {
+                if row % 50 == 0 {
+                    rate = 1.0 + jitter * random.normal();
+                }
+                clock += rate * (time - before);
+                before = time;
+                clock
+            })
+            .collect();
+        let trace = Trace::new("jitter", Seen::Angle, times, trace.values().to_vec(), None).unwrap();
+        let found = found_in(&trace);
+        let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
+        let pulls = kept.iter().map(|cycle| {
+            let pull = (cycle.period / cycle.period_ratio - found.t0)
+                / (cycle.period_uncertainty / cycle.period_ratio);
+            pull * pull
+        });
+        #[expect(clippy::cast_precision_loss, reason = "some dozen")]
+        let pull = (pulls.sum::<f64>() / kept.len() as f64).sqrt();
+        assert!((least..most).contains(&pull), "{jitter}: {pull} {:?}", found.chi2_per_dof);
+    }
+}
+
+#[test]
+fn radians_that_are_called_degrees_are_recognised() {
+    let right = Synthetic { noise: 0.002, amplitude: 0.8, ..Synthetic::USUAL }.trace(&mut Random::seeded(7));
+    let found = found_in(&right);
+    assert!(!are_radians(found.beta.unwrap().beta, found.cycles.iter()));
+    let called = found_in(&changed(&right, |_, value| Some(value * DEGREE)));
+    let beta = called.beta.unwrap().beta;
+    // (180/π)² and what the next terms of the series add at 46°.
+    assert!((3283.0..3800.0).contains(&beta), "{beta}");
+    assert!(are_radians(beta, called.cycles.iter()));
+    // Angles that are too small by another factor are no radians.
+    let other = found_in(&changed(&right, |_, value| Some(value / 40.0)));
+    assert!(!are_radians(other.beta.unwrap().beta, other.cycles.iter()));
+}
+
+#[test]
+fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
+    let over = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, noise: 0.01, ..Synthetic::USUAL };
+    assert_eq!(beyond_a_turn(&over.trace(&mut Random::seeded(1))), None);
+    let swing = Synthetic { noise: 0.01, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert_eq!(beyond_a_turn(&swing), None);
+    // Just below and just above 1.1 turns from side to side; the bound heeds the noise of the extremes.
+    let span = |factor: f64| changed(&swing, |_, value| Some(value * factor));
+    let [low, high] = [0.9, 1.3].map(|part| part * 1.1 * std::f64::consts::PI / 1.0472);
+    assert_eq!(beyond_a_turn(&span(low)), None);
+    let beyond = beyond_a_turn(&span(high)).unwrap();
+    assert!(beyond.in_degrees && beyond.to_string().contains("no free pendulum"), "{beyond}");
+    let counts = beyond_a_turn(&span(1000.0)).unwrap();
+    assert!(!counts.in_degrees, "{counts}");
+    let velocities = Synthetic { seen: Seen::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
+    assert_eq!(beyond_a_turn(&velocities.trace(&mut Random::seeded(1))), None);
 }

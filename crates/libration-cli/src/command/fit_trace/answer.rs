@@ -32,6 +32,8 @@ pub(super) struct Answer<'a> {
     pub(super) beta: Result<Beta, String>,
     pub(super) pendulum: Pendulum,
     pub(super) warnings: Vec<String>,
+    /// What each warning is about, in a word that stays.
+    pub(super) warning_kinds: Vec<&'static str>,
     pub(super) advice: Vec<String>,
 }
 
@@ -63,10 +65,22 @@ impl<'a> Answer<'a> {
         let cycles: Vec<_> =
             measured.traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
         let beta = Beta::of(&cycles);
-        let pendulum = Pendulum::of(&fit, &cycles, apparatus)?;
-        let mut answer =
-            Self { measured, fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };
-        answer.warnings = warnings::of(&answer);
+        let period = small_angle_period(&fit, comparison.as_ref());
+        let pendulum = Pendulum::of(period, &cycles, apparatus)?;
+        let mut answer = Self {
+            measured,
+            fit,
+            comparison,
+            cycles,
+            beta,
+            pendulum,
+            warnings: vec![],
+            warning_kinds: vec![],
+            advice: vec![],
+        };
+        let warnings = warnings::of(&answer);
+        (answer.warning_kinds, answer.warnings) =
+            warnings.into_iter().map(|warning| (warning.kind, warning.text)).unzip();
         answer.advice = advice::of(&answer);
         Ok(answer)
     }
@@ -78,7 +92,12 @@ impl<'a> Answer<'a> {
         measured.flat_map(|(trace, found)| found.cycles.iter().map(move |cycle| (trace, cycle)))
     }
 
-    /// The models that do as well as the preferred one and are not that with something added.
+    /// T0 with its standard uncertainty, in s: averaged over the models that the data leave.
+    pub(super) fn small_angle_period(&self) -> (f64, f64) {
+        small_angle_period(&self.fit, self.comparison.as_ref())
+    }
+
+    /// The models that the data leave and that are not the preferred one with something added.
     pub(super) fn rivals(&self) -> Vec<String> {
         let preferred = self.fit.damping;
         let rivals = self.comparison.iter().flat_map(Comparison::rivals);
@@ -108,6 +127,16 @@ impl<'a> Answer<'a> {
         let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude);
         sizes().reduce(f64::max).zip(sizes().reduce(f64::min))
     }
+}
+
+fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> (f64, f64) {
+    comparison.map_or_else(
+        || fit.small_angle_period(),
+        |comparison| {
+            let averaged = comparison.small_angle_period();
+            (averaged.value, averaged.uncertainty)
+        },
+    )
 }
 
 /// The fit of the model, with profile intervals, and the comparison it was chosen in.
@@ -185,11 +214,10 @@ impl Beta {
 
 impl Pendulum {
     fn of(
-        fit: &TraceFit,
+        (value, uncertainty): (f64, f64),
         cycles: &[Result<Cycles, CyclesError>],
         options: &ApparatusOptions,
     ) -> Result<Self, Failure> {
-        let (value, uncertainty) = fit.small_angle_period();
         let Some(apparatus) = options.apparatus() else {
             let length = STANDARD_GRAVITY * (value / TAU) * (value / TAU);
             return Ok(Self::Length { value: length, uncertainty: 2.0 * length * uncertainty / value });

@@ -3,8 +3,9 @@
 use super::answer::{Answer, Pendulum};
 use crate::output;
 use crate::output::json::{self, Record};
+use libration::fit::DampingTerm;
 use libration::fit::cycles::Cycle;
-use libration::fit::trace::{Comparison, Parameter};
+use libration::fit::trace::{Averaged, Comparison, Parameter, Standing};
 use libration::measurement::Seen;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -16,10 +17,12 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
     let record = of_pendulum(record, answer);
     let record = record
         .with("warnings", answer.warnings.clone())
+        .with("warning_kinds", answer.warning_kinds.clone())
         .with("advice", answer.advice.clone())
         .with("traces", traces(answer))
         .with("findings", findings(answer))
         .with("comparison", answer.comparison.as_ref().map_or(Value::Null, comparison))
+        .with("averaged", answer.comparison.as_ref().map_or(Value::Null, averaged))
         .with("correlations", correlations(answer))
         .with("autocorrelation", autocorrelation(answer));
     json::document(out, record)
@@ -29,7 +32,7 @@ fn of_fit(answer: &Answer<'_>) -> Record {
     let fit = &answer.fit;
     let files: Vec<&str> = answer.measured.files.iter().map(|file| file.name.as_str()).collect();
     let parameters: Vec<Value> = fit.parameters.iter().map(|each| parameter(each).into()).collect();
-    let (period, uncertainty) = fit.small_angle_period();
+    let (period, uncertainty) = answer.small_angle_period();
     let rms = match answer.measured.traces[0].seen() {
         Seen::Angle => "rms_residual_rad",
         Seen::AngularVelocity => "rms_residual_rad_per_s",
@@ -52,11 +55,10 @@ fn parameter(parameter: &Parameter) -> Record {
         .number("value", parameter.value)
         .number("uncertainty", parameter.uncertainty)
         .with("unit", parameter.unit)
-        .number("formal_uncertainty", parameter.formal_uncertainty);
-    let record = match parameter.intervals {
-        Some([likely, sure]) => record.with("interval_68", pair(likely)).with("interval_95", pair(sure)),
-        None => record,
-    };
+        .number("formal_uncertainty", parameter.formal_uncertainty)
+        .number("degrees_of_freedom", parameter.degrees_of_freedom)
+        .with("interval_68", pair(parameter.intervals[0]))
+        .with("interval_95", pair(parameter.intervals[1]));
     match parameter.trace {
         Some(trace) => record.with("trace", trace),
         None => record,
@@ -141,17 +143,57 @@ fn findings(answer: &Answer<'_>) -> Vec<Value> {
 }
 
 fn comparison(comparison: &Comparison) -> Value {
-    let models = comparison.fits.iter().zip(&comparison.excess_information);
-    let model = |(fit, &excess): (&libration::fit::trace::TraceFit, &f64)| -> Value {
-        Record::new()
-            .with("model", fit.damping.to_string())
-            .number("rms_residual", fit.rms)
-            .number("excess_aicc", excess)
-            .number("small_angle_period_s", fit.small_angle_period().0)
-            .with("takes_energy", fit.takes_energy())
-            .into()
+    let weights = comparison.weights();
+    (0..comparison.fits.len())
+        .map(|place| model(comparison, place, weights[place]))
+        .collect::<Vec<_>>()
+        .into()
+}
+
+fn model(comparison: &Comparison, place: usize, weight: f64) -> Value {
+    let fit = &comparison.fits[place];
+    let (period, uncertainty) = fit.small_angle_period();
+    let negative: Vec<&str> = fit.negative_terms().into_iter().map(DampingTerm::name).collect();
+    let coefficients = fit.damping.iter().filter_map(|term| fit.parameter(term.name()));
+    Record::new()
+        .with("model", fit.damping.to_string())
+        .with("standing", standing(comparison.standing(place)))
+        .number("rms_residual", fit.rms)
+        .number("excess_aicc", comparison.excess_information[place])
+        .number("weight", weight)
+        .number("independent_rows", comparison.independent_rows)
+        .number("small_angle_period_s", period)
+        .number("small_angle_period_uncertainty_s", uncertainty)
+        .with("takes_energy", fit.takes_energy())
+        .with("negative_terms", negative)
+        .with("coefficients", coefficients.map(|each| parameter(each).into()).collect::<Vec<Value>>())
+        .into()
+}
+
+fn standing(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Preferred => "preferred",
+        Standing::Tied => "tied",
+        Standing::Possible => "possible",
+        Standing::Negative => "negative",
+        Standing::FeedsEnergy => "feeds_energy",
+        Standing::Excluded => "excluded",
+    }
+}
+
+/// Over the models that the data leave.
+fn averaged(comparison: &Comparison) -> Value {
+    let number = |record: Record, name: &str, value: Averaged| {
+        record
+            .number(name, value.value)
+            .number(&format!("{name}_uncertainty"), value.uncertainty)
+            .number(&format!("{name}_spread"), value.spread)
     };
-    models.map(model).collect::<Vec<_>>().into()
+    let record = number(Record::new(), "small_angle_period_s", comparison.small_angle_period());
+    let terms = DampingTerm::ALL.map(DampingTerm::name);
+    let known =
+        ["omega0"].into_iter().chain(terms).filter_map(|name| Some((name, comparison.parameter(name)?)));
+    known.fold(record, |record, (name, value)| number(record, name, value)).into()
 }
 
 fn correlations(answer: &Answer<'_>) -> Vec<Value> {

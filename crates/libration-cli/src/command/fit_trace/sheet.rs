@@ -4,8 +4,9 @@ use super::answer::{Answer, Pendulum, STANDARD_GRAVITY};
 use crate::output;
 use crate::output::number::{rounded, short, with_uncertainty};
 use crate::output::table::{Column, Table, paragraph, sheet};
+use libration::fit::DampingTerm;
 use libration::fit::cycles::Cycles;
-use libration::fit::trace::{Comparison, Parameter};
+use libration::fit::trace::{Comparison, Parameter, Standing};
 use libration::measurement::Seen;
 use std::io::{self, Write};
 
@@ -39,8 +40,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
 }
 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
-    let fit = &answer.fit;
-    let (period, uncertainty) = fit.small_angle_period();
+    let (period, uncertainty) = answer.small_angle_period();
     vec![
         ("read", read(answer)),
         ("model", model(answer)),
@@ -70,7 +70,7 @@ pub(super) fn model(answer: &Answer<'_>) -> String {
         (None, _) => format!("{chosen} (as asked)"),
         (Some(_), 0) => format!("{chosen} (preferred by the data)"),
         (Some(_), _) => {
-            format!("{chosen} (the data cannot separate it from {})", super::warnings::list(&rivals))
+            format!("{chosen} (the data cannot exclude {})", super::warnings::list(&rivals))
         }
     }
 }
@@ -131,10 +131,8 @@ fn parameters(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
 /// Name, value, uncertainty, both intervals, unit.
 pub(super) fn cells(parameter: &Parameter, answer: &Answer<'_>) -> Vec<String> {
     let interval = |place: usize| {
-        parameter.intervals.map_or("–".to_owned(), |both| {
-            let ends = both[place].map(|end| to_the_digit(end, parameter.uncertainty));
-            format!("{} … {}", ends[0], ends[1])
-        })
+        let ends = parameter.intervals[place].map(|end| to_the_digit(end, parameter.uncertainty));
+        format!("{} … {}", ends[0], ends[1])
     };
     vec![
         name(parameter, answer),
@@ -215,7 +213,7 @@ fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
 }
 
 pub(super) fn model_columns() -> Vec<Column> {
-    let numbers = ["ΔAICc", "rms residual", "T₀ / s"].map(Column::numbers);
+    let numbers = ["ΔAICc", "weight", "rms residual", "T₀ / s"].map(Column::numbers);
     [vec![Column::words("damping")], numbers.to_vec(), vec![Column::words("")]].concat()
 }
 
@@ -224,33 +222,74 @@ fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> 
     for row in model_rows(answer, comparison) {
         table.row(out, row)?;
     }
+    table.finish(out)?;
+    writeln!(out, "{}", paragraph("", &counted_rows(answer, comparison), WIDTH))?;
+    coefficients(out, comparison)
+}
+
+/// What Akaike's criterion was made with.
+pub(super) fn counted_rows(answer: &Answer<'_>, comparison: &Comparison) -> String {
+    format!(
+        "{} rows count as {} independent ones.",
+        answer.fit.rows(),
+        rounded(comparison.independent_rows, 3)
+    )
+}
+
+/// The coefficients side by side, where several models are left.
+fn coefficients(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    if comparison.rivals().is_empty() {
+        return Ok(());
+    }
+    writeln!(out)?;
+    let titles = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"].map(Column::numbers);
+    let mut table = Table::new([vec![Column::words("damping")], titles.to_vec()].concat());
+    for fit in comparison.weights().iter().zip(&comparison.fits).filter(|it| *it.0 > 0.0).map(|it| it.1) {
+        let cell = |term: DampingTerm| {
+            let parameter = fit.parameter(term.name());
+            parameter.map_or("–".to_owned(), |it| with_uncertainty(it.value, it.uncertainty, ""))
+        };
+        table.row(out, [vec![fit.damping.to_string()], DampingTerm::ALL.map(cell).to_vec()].concat())?;
+    }
     table.finish(out)
 }
 
-/// Damping, excess of information, residual, T0, remark; the best first.
+/// Damping, excess of information, weight, residual, T0, remark; the best first.
 pub(super) fn model_rows(answer: &Answer<'_>, comparison: &Comparison) -> Vec<Vec<String>> {
-    let rivals = comparison.rivals();
     let mut order: Vec<usize> = (0..comparison.fits.len()).collect();
     order.sort_by(|&a, &b| comparison.excess_information[a].total_cmp(&comparison.excess_information[b]));
+    let weights = comparison.weights();
     let row = |place: usize| {
         let fit = &comparison.fits[place];
-        let remark = match () {
-            () if place == comparison.preferred => "preferred",
-            () if rivals.contains(&fit.damping) => "not told apart",
-            () if !fit.takes_energy() => "feeds energy",
-            () => "",
-        };
         let rms = in_unit(answer, fit.rms, 4);
         let (period, uncertainty) = fit.small_angle_period();
         vec![
             fit.damping.to_string(),
             format!("{:.1}", comparison.excess_information[place]),
+            format!("{:.2}", weights[place]),
             rms,
             with_uncertainty(period, uncertainty, ""),
-            remark.to_owned(),
+            remark(comparison, place),
         ]
     };
     order.into_iter().map(row).collect()
+}
+
+/// How a model stands, and which coefficients are negative.
+fn remark(comparison: &Comparison, place: usize) -> String {
+    let standing = match comparison.standing(place) {
+        Standing::Preferred => "preferred",
+        Standing::Tied => "tied",
+        Standing::Possible => "possible",
+        Standing::Negative => "not believed",
+        Standing::FeedsEnergy => "feeds energy",
+        Standing::Excluded => "",
+    };
+    let negative =
+        comparison.fits[place].negative_terms().into_iter().map(|term| format!("{} < 0", term.name()));
+    let words: Vec<String> =
+        [standing.to_owned()].into_iter().filter(|word| !word.is_empty()).chain(negative).collect();
+    words.join(", ")
 }
 
 fn list(out: &mut dyn Write, title: &str, items: &[String]) -> io::Result<()> {

@@ -1,36 +1,69 @@
 //! What casts doubt on a fit, in sentences.
 
 use super::answer::{Answer, Beta, Pendulum};
+use super::sheet;
 use crate::output;
-use crate::output::number::rounded;
-use libration::fit::trace::TraceFit;
+use crate::output::number::{rounded, with_uncertainty};
+use libration::fit::cycles;
+use libration::fit::trace::{Comparison, TraceFit};
 
 /// A difference of so many uncertainties is not chance.
 pub(super) const SIGNIFICANT: f64 = 3.0;
 
+/// A doubt, and what it is about in a word that stays.
+pub(super) struct Warning {
+    pub(super) kind: &'static str,
+    pub(super) text: String,
+}
+
 /// The warnings, the gravest first.
-pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {
+pub(super) fn of(answer: &Answer<'_>) -> Vec<Warning> {
     let fit = &answer.fit;
-    let mut warnings = vec![];
-    if !fit.converged {
-        warnings.push("the fit did not settle at a minimum: its numbers are not to be trusted".to_owned());
-    }
-    if let Pendulum::Gravity { budget, .. } = &answer.pendulum {
-        warnings.extend(output::budget::contradiction(budget));
-    }
-    warnings.extend(of_poor_fit(fit));
-    warnings.extend(of_energy(fit));
-    warnings.extend(of_rivals(answer));
-    warnings.extend(of_residuals(fit));
-    warnings.extend(of_stated_uncertainties(fit));
-    warnings.extend(of_strong_damping(answer));
-    warnings.extend(of_beta(answer));
-    warnings.extend(of_periods(answer));
-    warnings.extend(of_different_pendulums(answer));
-    warnings.extend(of_length(answer));
-    warnings.extend(of_outliers(fit));
-    warnings.extend(of_cycles(answer));
-    warnings
+    let contradiction = match &answer.pendulum {
+        Pendulum::Gravity { budget, .. } => output::budget::contradiction(budget).into_iter().collect(),
+        Pendulum::Length { .. } => vec![],
+    };
+    let one = |text: Option<String>| -> Vec<String> { text.into_iter().collect() };
+    let kinds = [
+        ("not_converged", one(of_convergence(fit))),
+        ("angles_are_radians", one(of_radians(answer))),
+        ("gravity_contradicted", contradiction),
+        ("poor_fit", one(of_poor_fit(fit))),
+        ("feeds_energy", one(of_energy(fit))),
+        ("negative_damping", one(of_negative_damping(answer))),
+        ("better_model_not_believed", of_better_models(answer)),
+        ("damping_not_separated", one(of_rivals(answer))),
+        ("residuals_not_noise", one(of_residuals(fit))),
+        ("stated_uncertainties", one(of_stated_uncertainties(fit))),
+        ("strong_damping", one(of_strong_damping(answer))),
+        ("beta_not_one", one(of_beta(answer))),
+        ("periods_disagree", one(of_periods(answer))),
+        ("different_pendulums", one(of_different_pendulums(answer))),
+        ("implausible_length", one(of_length(answer))),
+        ("outliers", one(of_outliers(fit))),
+        ("cycles", of_cycles(answer)),
+    ];
+    let all = kinds.into_iter().flat_map(|(kind, texts)| texts.into_iter().map(move |text| (kind, text)));
+    all.map(|(kind, text)| Warning { kind, text }).collect()
+}
+
+fn of_convergence(fit: &TraceFit) -> Option<String> {
+    (!fit.converged)
+        .then(|| "the fit did not settle at a minimum: its numbers are not to be trusted".to_owned())
+}
+
+fn are_radians(answer: &Answer<'_>) -> bool {
+    let cycles = answer.all_cycles().map(|(_, cycle)| cycle);
+    answer.beta.as_ref().is_ok_and(|beta| cycles::are_radians(beta.value, cycles))
+}
+
+fn of_radians(answer: &Answer<'_>) -> Option<String> {
+    let beta = answer.beta.as_ref().ok().filter(|_| are_radians(answer))?;
+    Some(format!(
+        "these angles are radians that were taken for degrees (--unit rad): β is {}, where (180/π)² = 3283 is what that mistake \
+         makes of small angles, and with radians the periods follow the exact law. T₀ and all angles given here are wrong",
+        rounded(beta.value, 4)
+    ))
 }
 
 fn of_poor_fit(fit: &TraceFit) -> Option<String> {
@@ -50,23 +83,64 @@ fn of_energy(fit: &TraceFit) -> Option<String> {
     })
 }
 
+/// Drag that pushes, which the data ask for strongly enough to believe in it, or which was asked for.
+fn of_negative_damping(answer: &Answer<'_>) -> Option<String> {
+    let negative = answer.fit.negative_terms();
+    let told: Vec<String> = negative
+        .iter()
+        .filter_map(|term| {
+            let parameter = answer.fit.parameter(term.name())?;
+            Some(with_uncertainty(parameter.value, parameter.uncertainty, &sheet::unit(term.unit())))
+        })
+        .collect();
+    let names: Vec<String> = negative.iter().map(|term| term.name().to_owned()).collect();
+    (!negative.is_empty()).then(|| {
+        format!(
+            "the {} damping is negative, {}: no drag pushes. The friction may fall as the speed rises, or something else that \
+             is not in the model is described by it",
+            names.join(" and "),
+            told.join(" and ")
+        )
+    })
+}
+
+fn of_better_models(answer: &Answer<'_>) -> Vec<String> {
+    let better = answer.comparison.iter().flat_map(Comparison::better);
+    let told = better.map(|(fit, by)| {
+        let why = match fit.negative_terms().first() {
+            Some(term) => format!("its {} damping is negative", term.name()),
+            None => "it feeds energy to the pendulum at some speeds".to_owned(),
+        };
+        format!(
+            "`{}` explains the data better (AICc lower by {}) and is not preferred, since {why}: the pendulum or the instrument does \
+             something that is in no model",
+            fit.damping,
+            rounded(by, 3)
+        )
+    });
+    told.collect()
+}
+
 fn of_rivals(answer: &Answer<'_>) -> Option<String> {
     let rivals = answer.rivals();
     let preferred = answer.fit.damping;
-    (!rivals.is_empty())
-        .then(|| format!("these data cannot separate {preferred} damping from {}", list(&rivals)))
+    (!rivals.is_empty()).then(|| {
+        format!(
+            "these data cannot separate {preferred} damping from {} for certain: T₀ is averaged over them, and the coefficients \
+             differ from one to the other by more than their uncertainties may say",
+            list(&rivals)
+        )
+    })
 }
 
 fn of_residuals(fit: &TraceFit) -> Option<String> {
-    const WORTH_A_WORD: f64 = 1.2;
-    let time = fit.autocorrelation.time;
     let inflation = fit.parameters[0].uncertainty / fit.parameters[0].formal_uncertainty;
-    (!fit.autocorrelation.is_noise() && inflation >= WORTH_A_WORD).then(|| {
+    (!fit.autocorrelation.is_noise()).then(|| {
         format!(
             "the residuals are not noise: they are alike over about {} rows, so the pendulum does something the model does \
-             not, or the instrument does. Formal uncertainties would be too small; those given are {} times as large by \
-             a block bootstrap, and a systematic error may be larger still",
-            rounded(time, 2),
+             not, or the instrument does. For ω₀ that makes {} times the uncertainty it had if the rows were independent, which is \
+             heeded; a systematic error may be larger still",
+            rounded(fit.autocorrelation.time, 2),
             rounded(inflation, 2)
         )
     })
@@ -107,10 +181,12 @@ fn of_strong_damping(answer: &Answer<'_>) -> Option<String> {
     })
 }
 
-/// A β that the exact law does not explain, and neither strong damping nor a scale that is fitted.
+/// A β that the exact law does not explain, and neither strong damping, nor a scale that is fitted, nor radians
+/// taken for degrees.
 pub(super) fn doubtful_beta<'a>(answer: &'a Answer<'_>) -> Option<&'a Beta> {
     let beta = answer.beta.as_ref().ok().filter(|beta| beta.deviation() > SIGNIFICANT)?;
-    (!answer.scale_is_fitted() && strong_damping(answer).is_none()).then_some(beta)
+    let explained = answer.scale_is_fitted() || strong_damping(answer).is_some() || are_radians(answer);
+    (!explained).then_some(beta)
 }
 
 fn of_beta(answer: &Answer<'_>) -> Option<String> {

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::centre::Centre;
 use super::envelope::envelope;
 use super::extreme::Extreme;
+use super::generalised::Scatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::passage::Passage;
 use super::period_law::{self, Row, Side};
@@ -43,7 +44,8 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
     let outliers = period_law::outliers(&rows, options.outlier_threshold);
     let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
     let law = period_law::exact(&kept).ok_or(too_short)?;
-    let cycles = rows.iter().enumerate().map(|(k, row)| Cycle::of(row, outliers.contains(&k))).collect();
+    let cycles =
+        rows.iter().enumerate().map(|(k, row)| Cycle::of(row, law.scatter, outliers.contains(&k))).collect();
     let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
@@ -163,13 +165,13 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
 }
 
 impl Cycle {
-    fn of(row: &Row, outlier: bool) -> Self {
+    fn of(row: &Row, scatter: Scatter, outlier: bool) -> Self {
         let [begin, end] = row.passages.map(|passage| passage.1);
         let [one, two] = row.sides;
         Self {
             time: row.time,
             period: row.period,
-            period_uncertainty: (begin + end).sqrt(),
+            period_uncertainty: (scatter.noise * (begin + end) + scatter.fluctuation).sqrt(),
             amplitude: 0.5 * (one.amplitude + two.amplitude),
             amplitude_uncertainty: 0.5 * (one.variance + two.variance).sqrt(),
             period_ratio: row.ratio,

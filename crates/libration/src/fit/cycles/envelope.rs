@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::decay_rates::DecayRates;
 use super::{CyclesError, HalfSwing};
+use crate::fit::akaike;
 use crate::fit::robust::{median, robust_deviation};
 use crate::fit::trace::{DampingTerm, DampingTerms};
 
@@ -130,10 +131,8 @@ pub(super) fn envelope(half_swings: &[HalfSwing], omega0: f64) -> Result<Envelop
 /// `AICc` from the mean square; none where there are too few data for so many parameters.
 fn aicc(mean_square: f64, independent: f64, parameters: usize) -> Option<f64> {
     #[expect(clippy::cast_precision_loss, reason = "at most five")]
-    let k = parameters as f64 + 1.0;
-    let spare = independent - k - 1.0;
-    let penalty = 2.0 * k + 2.0 * k * (k + 1.0) / spare;
-    (spare > 0.0).then(|| independent * libm::log(mean_square.max(f64::MIN_POSITIVE)) + penalty)
+    let cost = akaike::cost(independent, parameters as f64 + 1.0)?;
+    Some(independent * libm::log(mean_square.max(f64::MIN_POSITIVE)) + cost)
 }
 
 /// (1 − ρ)/(1 + ρ) with the correlation of neighbouring residuals; that of either side counts half, so that a centre a

@@ -25,6 +25,16 @@ pub(super) struct Generalised {
     pub(super) covariance: [[f64; 2]; 2],
     /// χ² by the noise alone.
     pub(super) chi2_per_dof: Option<f64>,
+    /// How much the periods scatter.
+    pub(super) scatter: Scatter,
+}
+
+/// How much periods scatter: a variance is that of the noise times the one, plus the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::fit) struct Scatter {
+    pub(in crate::fit) noise: f64,
+    /// The real fluctuations of a whole cycle, in s².
+    pub(in crate::fit) fluctuation: f64,
 }
 
 /// Entries of a symmetric matrix next to its diagonal: with the row two before, the row before, and itself.
@@ -49,17 +59,18 @@ pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Gene
     let chi2_per_dof = (dof > 0).then(|| by_noise.chi2 / count(dof));
     let enlarged = chi2_per_dof.unwrap_or(1.0).max(1.0);
     if dof < FEWEST_TO_TELL || enlarged <= 1.0 {
-        return Some(by_noise.with(enlarged, chi2_per_dof));
+        return Some(by_noise.with(Scatter { noise: enlarged, fluctuation: 0.0 }, chi2_per_dof));
     }
     let ratios = RATIOS.map(|eighths| libm::exp10(f64::from(eighths) / 8.0));
     let solutions = ratios.filter_map(|ratio| equations.solve(ratio));
     let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
     match best.filter(|best| best.likelihood > by_noise.likelihood + EVIDENCE) {
         Some(best) => {
-            let scale = best.chi2 / count(dof);
-            Some(best.with(scale, chi2_per_dof))
+            let noise = best.chi2 / count(dof);
+            let fluctuation = noise * best.ratio * typical;
+            Some(best.with(Scatter { noise, fluctuation }, chi2_per_dof))
         }
-        None => Some(by_noise.with(enlarged, chi2_per_dof)),
+        None => Some(by_noise.with(Scatter { noise: enlarged, fluctuation: 0.0 }, chi2_per_dof)),
     }
 }
 
@@ -68,14 +79,16 @@ struct Solution {
     coefficients: Vec<f64>,
     inverse: [[f64; 2]; 2],
     chi2: f64,
+    /// Of the variance of the fluctuations to the typical one of the noise.
+    ratio: f64,
     /// The restricted likelihood: its logarithm less what is the same for all ratios.
     likelihood: f64,
 }
 
 impl Solution {
-    fn with(self, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
-        let covariance = self.inverse.map(|line| line.map(|entry| entry * scale));
-        Generalised { coefficients: self.coefficients, covariance, chi2_per_dof }
+    fn with(self, scatter: Scatter, chi2_per_dof: Option<f64>) -> Generalised {
+        let covariance = self.inverse.map(|line| line.map(|entry| entry * scatter.noise));
+        Generalised { coefficients: self.coefficients, covariance, chi2_per_dof, scatter }
     }
 }
 
@@ -107,7 +120,7 @@ impl Equations<'_> {
         let dof = count(self.rows.len().saturating_sub(columns.len()));
         let likelihood = -0.5 * (factor.log_determinant() + libm::log(determinant) + dof * libm::log(chi2));
         let usable = coefficients.iter().all(|x| x.is_finite());
-        usable.then_some(Solution { coefficients, inverse, chi2, likelihood })
+        usable.then_some(Solution { coefficients, inverse, chi2, ratio, likelihood })
     }
 }
 

@@ -34,10 +34,13 @@ mod envelope;
 
 mod analysis;
 
+mod unit;
+
 pub use analysis::cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
 pub use period_law::{Beta, cycles_tell_beta};
+pub use unit::{BeyondATurn, are_radians, beyond_a_turn};
 
 /// How cycles are analysed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +62,7 @@ pub struct Cycle {
     pub time: f64,
     /// From one passage of the centre to the next in the same direction, in seconds.
     pub period: f64,
-    /// From the noise of the values, in seconds.
+    /// From the noise of the values, and from what the cycles scatter more than that, in seconds.
     pub period_uncertainty: f64,
     /// The mean of the two extremes in it, in radians.
     pub amplitude: f64,

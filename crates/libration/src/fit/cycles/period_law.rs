@@ -1,7 +1,7 @@
 //! T = T0·[1 + β(R − 1)] through the cycles, whose errors are not independent: cycles share passages with those before
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
-use super::generalised::{Generalised, fit};
+use super::generalised::{Generalised, Scatter, fit};
 use super::{Cycle, CyclesError};
 use crate::fit::Law;
 use crate::fit::robust::{median, robust_deviation};
@@ -44,6 +44,8 @@ pub(in crate::fit) struct PeriodLaw {
     pub(in crate::fit) t0_uncertainty: f64,
     /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
     pub(in crate::fit) chi2_per_dof: Option<f64>,
+    /// Of the periods.
+    pub(in crate::fit) scatter: Scatter,
 }
 
 /// The test of the exact law: T = T0·[1 + β(R − 1)].
@@ -120,7 +122,8 @@ pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0)?;
     let [t0, variance] = [found.coefficients[0], found.covariance[0][0]];
-    Some(PeriodLaw { t0, t0_uncertainty: variance.sqrt(), chi2_per_dof: found.chi2_per_dof })
+    let (chi2_per_dof, scatter) = (found.chi2_per_dof, found.scatter);
+    Some(PeriodLaw { t0, t0_uncertainty: variance.sqrt(), chi2_per_dof, scatter })
 }
 
 /// The test of the exact law.

@@ -71,7 +71,7 @@ fn turns_over(trace: &Trace) -> bool {
 }
 
 /// Each value replaced by the middle one of itself and its neighbours.
-fn without_spikes(values: &[f64]) -> Vec<f64> {
+pub(super) fn without_spikes(values: &[f64]) -> Vec<f64> {
     let middle = |row: usize| {
         let (before, after) = (values[row.saturating_sub(1)], values[(row + 1).min(values.len() - 1)]);
         values[row].clamp(before.min(after), before.max(after))
@@ -81,7 +81,7 @@ fn without_spikes(values: &[f64]) -> Vec<f64> {
 }
 
 /// The rows where the values turn by more than a part of the last swing, highest and lowest in turns.
-fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, CyclesError> {
+pub(super) fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, CyclesError> {
     let range = range(values);
     if range <= 0.0 {
         return Err(CyclesError::NothingSwings(values[0]));

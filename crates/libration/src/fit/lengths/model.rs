@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
+use crate::fit::akaike;
 use crate::fit::small_angle_period::count;
 use crate::fit::student::probability_beyond;
 use crate::quantity::Quantity;
@@ -199,6 +200,5 @@ impl Solution {
 fn aicc(chi2: f64, rows: usize, parameters: usize, weighted: bool) -> Option<f64> {
     let (n, k) = (count(rows), count(parameters) + if weighted { 0.0 } else { 1.0 });
     let misfit = if weighted { chi2 } else { n * libm::log(chi2 / n) };
-    let spare = n - k - 1.0;
-    (spare > 0.0 && misfit.is_finite()).then(|| misfit + 2.0 * k + 2.0 * k * (k + 1.0) / spare)
+    akaike::cost(n, k).map(|cost| misfit + cost).filter(|aicc| aicc.is_finite())
 }

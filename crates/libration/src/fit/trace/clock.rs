@@ -13,7 +13,7 @@ pub(super) fn add(traces: &[Trace], omega0: &mut Parameter) {
     let clocks: f64 = traces.iter().map(Trace::clock_uncertainty).sum();
     let by_clock = omega0.value * clocks / super::count(traces.len());
     omega0.uncertainty = libm::hypot(omega0.uncertainty, by_clock);
-    for (interval, deviate) in omega0.intervals.iter_mut().flatten().zip(DEVIATES) {
+    for (interval, deviate) in omega0.intervals.iter_mut().zip(DEVIATES) {
         for (end, side) in interval.iter_mut().zip([-1.0_f64, 1.0]) {
             *end = side.mul_add(libm::hypot(*end - omega0.value, deviate * by_clock), omega0.value);
         }
@@ -31,18 +31,16 @@ mod tests {
         let fitted = Parameter {
             value: 4.0,
             uncertainty: 3e-3,
-            intervals: Some([[3.997, 4.003], [3.994, 4.006]]),
+            intervals: [[3.997, 4.003], [3.994, 4.006]],
             ..Parameter::default()
         };
         let mut sure = fitted.clone();
         add(std::slice::from_ref(&trace), &mut sure);
-        assert!(
-            (sure.uncertainty - 3e-3).abs() < 1e-15 && (sure.intervals.unwrap()[0][1] - 4.003).abs() < 1e-15
-        );
+        assert!((sure.uncertainty - 3e-3).abs() < 1e-15 && (sure.intervals[0][1] - 4.003).abs() < 1e-15);
         let mut unsure = fitted;
         add(&[trace.with_clock_uncertainty(1e-3)], &mut unsure);
         assert!((unsure.uncertainty - 5e-3).abs() < 1e-15, "3, 4, 5: {unsure:?}");
-        let [[low, high], [_, highest]] = unsure.intervals.unwrap();
+        let [[low, high], [_, highest]] = unsure.intervals;
         assert!((low - 3.995).abs() < 1e-12 && (high - 4.005).abs() < 1e-12);
         assert!((highest - 4.0 - libm::hypot(6e-3, 1.96 * 4e-3)).abs() < 1e-12);
     }

@@ -28,6 +28,9 @@ pub enum TraceFitError {
         /// Whose.
         name: String,
     },
+    /// The angle goes to and fro by more than a turn.
+    #[error("{0}")]
+    BeyondATurn(#[from] crate::fit::cycles::BeyondATurn),
     /// The motion cannot be computed from where the search began.
     #[error("the motion cannot be followed from omega0 = {omega0} rad/s: check the units of angle and time")]
     NoMotion {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Autocorrelation, DampingTerms};
+use super::{Autocorrelation, DampingTerm, DampingTerms};
 
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,12 +15,15 @@ pub struct Parameter {
     pub trace: Option<usize>,
     /// The value.
     pub value: f64,
-    /// Its standard uncertainty: the formal one, times the inflation where residuals are not noise.
+    /// Its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it.
     pub uncertainty: f64,
     /// The standard uncertainty if the residuals were independent.
     pub formal_uncertainty: f64,
-    /// Where the profile likelihood leaves 68.3 % and 95 %, inflated likewise; of the shared parameters when asked for.
-    pub intervals: Option<[[f64; 2]; 2]>,
+    /// Of Student's t, by which the intervals are found; fewer than rows less parameters where the noise remembers.
+    pub degrees_of_freedom: f64,
+    /// That hold the truth with 68.3 % and 95 %: by the profile likelihood for the shared parameters when asked for, else as if
+    /// the model were linear.
+    pub intervals: [[f64; 2]; 2],
 }
 
 /// What the model says of one trace.
@@ -56,6 +59,8 @@ pub struct TraceFit {
     pub traces: Vec<FittedTrace>,
     /// Rows less parameters.
     pub degrees_of_freedom: usize,
+    /// How many rows with independent errors would tell ω0 and the damping as well; at most the number of rows.
+    pub independent_rows: f64,
     /// The weighted sum of squares over its degrees of freedom; none without uncertainties of the rows.
     pub chi2_per_dof: Option<f64>,
     /// Root mean square of the residuals, in the unit of the traces.
@@ -102,9 +107,16 @@ impl TraceFit {
     /// Whether no coefficient of damping is negative by more than two standard uncertainties.
     #[must_use]
     pub fn damps_by_each_term(&self) -> bool {
-        let of_damping = |name| self.damping.iter().any(|term| term.name() == name);
-        let mut coefficients = self.parameters.iter().filter(|parameter| of_damping(parameter.name));
-        coefficients.all(|parameter| parameter.value >= -2.0 * parameter.uncertainty)
+        self.negative_terms().is_empty()
+    }
+
+    /// The kinds of damping whose coefficient is negative by more than two standard uncertainties.
+    #[must_use]
+    pub fn negative_terms(&self) -> Vec<DampingTerm> {
+        let negative = |term: &DampingTerm| {
+            self.parameter(term.name()).is_some_and(|it| it.value < -2.0 * it.uncertainty)
+        };
+        self.damping.iter().filter(negative).collect()
     }
 
     /// d + b·v + c·v² at a speed, in rad/s², with its standard uncertainty.

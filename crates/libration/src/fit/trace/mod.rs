@@ -6,8 +6,9 @@
 //! (J. J. Moré, Lect. Notes Math. 630, 105 (1978), doi:10.1007/BFb0067700) makes the sum of squares least. It begins from
 //! the weak form of the equation, which wants no guess, in the first swings, and takes more and more of the trace.
 //!
-//! Uncertainties are those of the scatter, or of the stated ones if these are larger. Where residuals are alike from row
-//! to row formal uncertainties are too small, and a bootstrap of blocks says by how much.
+//! Uncertainties are those of the scatter, or of the stated ones if these are larger, times what the likeness of residuals
+//! from row to row makes of them: their noise is found with the parameters, and where they are no noise at all a bootstrap
+//! of blocks says whether that is enough.
 
 mod error;
 mod options;
@@ -23,6 +24,7 @@ mod search;
 
 mod autocorrelation;
 mod bootstrap;
+mod noise;
 mod random;
 mod uncertainty;
 
@@ -36,7 +38,7 @@ mod information;
 
 pub use super::{DampingTerm, DampingTerms, DampingTermsError};
 pub use autocorrelation::Autocorrelation;
-pub use compare::{Comparison, compare};
+pub use compare::{Averaged, Comparison, Standing, compare};
 pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;

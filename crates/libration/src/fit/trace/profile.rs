@@ -6,11 +6,19 @@ use nalgebra::DMatrix;
 
 use super::problem::Minimum;
 use super::search::Search;
-use super::{Parameter, TraceFitError, count};
+use super::{Parameter, TraceFitError};
 
 /// Standard deviations within which a normal distribution has 68.27 % and 95 %.
 const LEVELS: [f64; 2] = [1.0, 1.959963984540054];
 const TRIES: usize = 6;
+
+/// The intervals if the model were linear.
+pub(super) fn linear_intervals(parameter: &Parameter) -> [[f64; 2]; 2] {
+    LEVELS.map(|level| {
+        let half = students(level, parameter.degrees_of_freedom) * parameter.uncertainty;
+        [parameter.value - half, parameter.value + half]
+    })
+}
 
 /// Puts the intervals of all shared parameters in.
 pub(super) fn intervals(
@@ -21,7 +29,6 @@ pub(super) fn intervals(
     parameters: &mut [Parameter],
 ) -> Result<(), TraceFitError> {
     let free = search.free();
-    let degrees = minimum.residuals.len().saturating_sub(free.len()).max(1);
     for (place, parameter) in
         parameters.iter_mut().enumerate().filter(|(_, parameter)| parameter.trace.is_none())
     {
@@ -29,12 +36,12 @@ pub(super) fn intervals(
         let mut found = [[0.0; 2]; 2];
         for (interval, level) in found.iter_mut().zip(LEVELS) {
             for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {
-                let wanted = students(level, degrees) * inflation;
+                let wanted = students(level, parameter.degrees_of_freedom) * inflation;
                 let profile = Profile { minimum, free: &free, covariance, place, variance };
                 *end = profile.end(search, side * wanted, parameter.formal_uncertainty)?;
             }
         }
-        parameter.intervals = Some(found);
+        parameter.intervals = found;
     }
     Ok(())
 }
@@ -87,8 +94,8 @@ impl Profile<'_> {
 
 /// Student's quantile of so many degrees of freedom at a normal one, by the first terms of Cornish and Fisher
 /// (Abramowitz and Stegun 26.7.5).
-fn students(z: f64, degrees: usize) -> f64 {
-    let (square, degrees) = (z * z, count(degrees));
+fn students(z: f64, degrees: f64) -> f64 {
+    let square = z * z;
     let first = z * (square + 1.0) / 4.0;
     let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
     let third = z * (((3.0 * square + 19.0) * square + 17.0) * square - 15.0) / 384.0;
@@ -102,8 +109,11 @@ mod tests {
     #[test]
     fn quantiles_of_student() {
         // Two-sided 95 % of 10 and 30 degrees of freedom, Abramowitz and Stegun table 26.10.
-        for (degrees, quantile) in [(10, 2.228), (30, 2.042)] {
+        for (degrees, quantile) in [(10.0, 2.228), (30.0, 2.042)] {
             assert!((students(LEVELS[1], degrees) - quantile).abs() < 5e-4);
         }
+        // The fewest degrees of freedom that are used: 4.303 and 1.321.
+        assert!((students(LEVELS[1], 2.0) / 4.303 - 1.0).abs() < 0.04);
+        assert!((students(LEVELS[0], 2.0) / 1.321 - 1.0).abs() < 0.01);
     }
 }

@@ -7,6 +7,7 @@ use super::layout::Layout;
 use super::problem::{Minimum, NoMinimum, Problem};
 use super::swing::Swing;
 use super::{DampingTerms, TraceFitError, TraceOptions, huber, weak_form};
+use crate::fit::cycles;
 use crate::fit::robust::median;
 use crate::measurement::Trace;
 
@@ -58,6 +59,9 @@ impl<'a> Search<'a> {
     ) -> Result<Self, TraceFitError> {
         if traces.is_empty() {
             return Err(TraceFitError::NoTrace);
+        }
+        if let Some(beyond) = traces.iter().find_map(cycles::beyond_a_turn) {
+            return Err(beyond.into());
         }
         let layout = Layout::new(terms, traces.len());
         let parameters = layout.len();
@@ -198,6 +202,11 @@ impl<'a> Search<'a> {
             .zip(weights)
             .map(|(residual, (weight, stated))| residual / weight * stated)
             .collect()
+    }
+
+    /// One over the stated uncertainty of each row, or one.
+    pub(super) fn stated_weights(&self) -> Vec<Vec<f64>> {
+        stated_weights(self.traces)
     }
 
     fn turn_outliers_down(&mut self, minimum: &Minimum) {

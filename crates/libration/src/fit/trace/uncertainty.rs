@@ -1,12 +1,12 @@
 //! From the minimum to parameters with uncertainties.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::layout::Layout;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
-use super::{bootstrap, clock, count, huber, profile};
+use super::{bootstrap, clock, count, huber, noise, profile};
 use crate::measurement::Trace;
 
 /// The fit with its uncertainties.
@@ -14,7 +14,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
     let (free, traces) = (search.free(), search.traces);
     let described = |place: &usize| search.layout.described(*place, traces);
     let mut parameters: Vec<Parameter> = free.iter().map(described).collect();
-    let response = response(minimum, &parameters)?;
+    let response = response(&minimum.jacobian, &parameters)?;
     let covariance = &response * response.transpose();
     let all = search.unweighted(minimum);
     let degrees_of_freedom = all.len().saturating_sub(free.len()).max(1);
@@ -27,22 +27,34 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
     let variance = if has_uncertainties { variance.max(1.0) } else { variance };
     let series = split(&all, traces);
     let autocorrelation = Autocorrelation::of(&series);
+    let linearised = match search.options.robust {
+        true => without_weights(search, minimum, &all, &parameters)?,
+        false => {
+            Linearised { jacobian: minimum.jacobian.clone(), residuals: minimum.residuals.clone(), response }
+        }
+    };
     let block = (!autocorrelation.is_noise()).then(|| block(&autocorrelation, minimum, traces));
     let inflations = block.map(|block| {
         let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
         let correction = (count(all.len()) / count(degrees_of_freedom)).sqrt();
-        bootstrap::deviations(&response, &minimum.residuals, &lengths, block)
+        bootstrap::deviations(&linearised.response, &linearised.residuals, &lengths, block)
             .into_iter()
             .map(move |it| it * correction)
     });
-    for (place, parameter) in parameters.iter_mut().enumerate() {
+    let effects = noise::effects(traces, &linearised);
+    for (place, (parameter, effect)) in parameters.iter_mut().zip(&effects).enumerate() {
         parameter.value = minimum.parameters[free[place]];
         parameter.formal_uncertainty = (variance * covariance[(place, place)]).sqrt();
-        parameter.uncertainty = parameter.formal_uncertainty;
+        parameter.uncertainty = parameter.formal_uncertainty * effect.inflation.sqrt();
+        parameter.degrees_of_freedom = effect.degrees_of_freedom;
     }
     for (parameter, deviation) in parameters.iter_mut().zip(inflations.into_iter().flatten()) {
         parameter.uncertainty = parameter.uncertainty.max(deviation);
     }
+    for parameter in &mut parameters {
+        parameter.intervals = profile::linear_intervals(parameter);
+    }
+    let independent_rows = independent_rows(&parameters, all.len());
     if search.options.profile {
         search.weights.clone_from(&minimum.weights);
         profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
@@ -53,6 +65,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         correlations: correlations(&covariance),
         traces: fitted(search, &all),
         degrees_of_freedom,
+        independent_rows,
         chi2_per_dof: has_uncertainties.then_some(chi2),
         rms: rms(search, &all),
         autocorrelation,
@@ -64,10 +77,47 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
     })
 }
 
+/// The rows over the geometric mean of what the noise makes of the variances of the shared parameters.
+fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
+    let shared = parameters.iter().filter(|parameter| parameter.trace.is_none());
+    let logarithms: Vec<f64> = shared
+        .map(|it| 2.0 * libm::log(it.uncertainty / it.formal_uncertainty))
+        .filter(|x| x.is_finite())
+        .collect();
+    let mean = logarithms.iter().sum::<f64>() / count(logarithms.len().max(1));
+    count(rows) / libm::exp(mean.max(0.0))
+}
+
+/// A problem of least squares at its minimum, in which parameters answer linearly to residuals.
+pub(super) struct Linearised {
+    pub(super) jacobian: DMatrix<f64>,
+    pub(super) residuals: DVector<f64>,
+    /// A row for each parameter.
+    pub(super) response: DMatrix<f64>,
+}
+
+/// The problem that a robust one is in the limit of many rows: outliers are bounded there, and their rows have full weight, so
+/// that the noise is the same in all.
+fn without_weights(
+    search: &Search<'_>,
+    minimum: &Minimum,
+    all: &[f64],
+    parameters: &[Parameter],
+) -> Result<Linearised, TraceFitError> {
+    let mut jacobian = minimum.jacobian.clone();
+    let stated = search.stated_weights().into_iter().flatten();
+    let weights = minimum.weights.iter().flatten().zip(stated);
+    for (mut row, (weight, stated)) in jacobian.row_iter_mut().zip(weights) {
+        row *= stated / weight;
+    }
+    let response = response(&jacobian, parameters)?;
+    Ok(Linearised { jacobian, residuals: DVector::from_vec(huber::bounded(all)), response })
+}
+
 /// The pseudo-inverse of the derivatives, by which parameters answer to residuals.
-fn response(minimum: &Minimum, parameters: &[Parameter]) -> Result<DMatrix<f64>, TraceFitError> {
-    let sizes: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
-    let factored = minimum.jacobian.clone().qr();
+fn response(jacobian: &DMatrix<f64>, parameters: &[Parameter]) -> Result<DMatrix<f64>, TraceFitError> {
+    let sizes: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+    let factored = jacobian.clone().qr();
     let triangle = factored.r();
     for (place, size) in sizes.iter().enumerate() {
         // What is left of a column that the others span is rounding errors.

@@ -9,7 +9,7 @@ use libration::fit::DampingTerm;
 
 /// The few numbers that were asked for.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
-    let (period, uncertainty) = answer.fit.small_angle_period();
+    let (period, uncertainty) = answer.small_angle_period();
     let (name, value) = sheet::gravity_or_length(answer);
     let row = |name: &str, value: String| vec![name.to_owned(), value];
     let mut rows = vec![
@@ -19,8 +19,8 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
         row("β, the test of the exact law", sheet::beta(answer)),
         row("rms residual", sheet::residual(answer)),
     ];
-    let speed = &answer.fit.parameters[0];
-    rows.insert(1, row("ω₀ = 2π/T₀", with_uncertainty(speed.value, speed.uncertainty, "rad/s")));
+    let speed = std::f64::consts::TAU / period;
+    rows.insert(1, row("ω₀ = 2π/T₀", with_uncertainty(speed, speed * uncertainty / period, "rad/s")));
     let table = Table {
         caption: "What the measurement gives".to_owned(),
         columns: vec![Column::words("quantity"), Column::words("value")],
@@ -109,23 +109,28 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
     let equation = "The equation of motion is θ″ = −ω₀² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′|: dry friction d in the bearing, linear \
                     drag b of slow flow and in the string, quadratic drag c of fast flow around the bob. Small amplitudes fall as a \
                     straight line, as an exponential, and as 1/(t + constant).";
-    if answer.comparison.is_none() {
+    let Some(comparison) = &answer.comparison else {
         return vec![
             Block::words(equation),
             Block::words(format!("Only {} damping was fitted, as asked.", answer.fit.damping)),
         ];
-    }
+    };
     let rivals = answer.rivals();
-    let verdict = match rivals.len() {
-        0 => format!("The data prefer {}; adding other kinds does not explain them better.", named(answer)),
+    let verdict = match (rivals.len(), comparison.better().count()) {
+        (0, 0) => format!("The simplest description that the data allow is {}.", named(answer)),
+        (0, _) => format!(
+            "The simplest description with drag that brakes is {}, and another model explains the data better: see the doubts.",
+            named(answer)
+        ),
         _ => format!(
-            "The simplest description is {}, but these data cannot separate it from {}: T₀ and gravity hardly depend on it, the \
-             coefficients of damping do.",
+            "The simplest description is {}, but these data do not exclude {}: T₀ and gravity are averaged over them, and the \
+             coefficients of damping differ from one to the other.",
             named(answer),
             warnings::list(&rivals)
         ),
     };
-    vec![Block::words(equation), Block::words(verdict)]
+    let counted = sheet::counted_rows(answer, comparison);
+    vec![Block::words(equation), Block::words(verdict), Block::words(counted)]
 }
 
 /// `linear damping (b = 0.030 ± 0.001 1/s)`.

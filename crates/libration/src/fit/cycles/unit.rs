@@ -1,0 +1,77 @@
+//! Angles whose unit cannot be what it is said to be.
+
+use std::f64::consts::{PI, TAU};
+
+use super::Cycle;
+use super::swings::{turns, without_spikes};
+use crate::fit::{Law, PeriodTable, Uncertainties, excess_scale};
+use crate::measurement::{Seen, Trace};
+
+/// An angle that is not followed over the top jumps by a turn, and by its noise more.
+const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
+const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
+/// β of small angles in radians that are called degrees is (180/π)² = 3283, and anything above 1000 of no other making.
+const BETA_OF_RADIANS: f64 = 1000.0;
+/// With the right unit β is 1 within this, or within three of its uncertainties.
+const BETA_OF_A_PENDULUM: f64 = 0.15;
+
+/// Angles that go to and fro by more than a turn, which those of no free pendulum do: it turns back below the top only, and
+/// has never more energy than before.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "{name} swings to and fro by {:.0}° to each side, and no free pendulum turns back beyond 180°: {}",
+    half.to_degrees(),
+    if *in_degrees {
+        "these angles are degrees, not radians: give their unit as deg"
+    } else {
+        "check the unit of the angles, or leave out what is no free swing"
+    }
+)]
+pub struct BeyondATurn {
+    /// Whose.
+    pub name: String,
+    /// Half of what the angle goes from one turning point to the next, in radians.
+    pub half: f64,
+    /// Whether the numbers are angles of a pendulum if they are degrees.
+    pub in_degrees: bool,
+}
+
+/// Whether a trace of angles goes to and fro by more than a turn, twice in a row at least.
+#[must_use]
+pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
+    if trace.seen() != Seen::Angle || trace.len() < 3 {
+        return None;
+    }
+    let calm = without_spikes(trace.values());
+    let turns = turns(&calm, f64::INFINITY).ok()?;
+    let swings: Vec<f64> = turns.windows(2).map(|pair| (calm[pair[1]] - calm[pair[0]]).abs()).collect();
+    let both = swings.windows(2).map(|pair| pair[0].min(pair[1])).fold(0.0, f64::max);
+    let largest = swings.iter().copied().fold(0.0, f64::max);
+    (both > MORE_THAN_A_TURN).then(|| BeyondATurn {
+        name: trace.name().to_owned(),
+        half: 0.5 * both,
+        in_degrees: largest < TAU * DEGREES_PER_RADIAN,
+    })
+}
+
+/// Whether the angles of these cycles, of one trace or of several, are radians that were taken for degrees: the period changes
+/// with the amplitude as no pendulum's does, and as the exact law says where the numbers are radians.
+#[must_use]
+pub fn are_radians<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> bool {
+    let counted: Vec<&Cycle> = cycles.filter(|cycle| !cycle.outlier).collect();
+    let column = |of: &dyn Fn(&Cycle) -> f64| counted.iter().map(|cycle| of(cycle)).collect::<Vec<f64>>();
+    let amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude);
+    if beta < BETA_OF_RADIANS || amplitudes.iter().any(|&amplitude| amplitude >= PI) {
+        return false;
+    }
+    let periods = column(&|cycle| cycle.period);
+    let of_amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude_uncertainty);
+    let of_periods = column(&|cycle| cycle.period_uncertainty);
+    let uncertainties = Uncertainties { amplitudes: Some(&of_amplitudes), periods: Some(&of_periods) };
+    let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
+    let fit = table.ok().and_then(|table| excess_scale(&table, &Law::exact()).ok());
+    fit.is_some_and(|fit| {
+        let uncertainty = fit.beta_uncertainty.max(fit.beta_uncertainty_scaled.unwrap_or(0.0));
+        (fit.beta - 1.0).abs() < BETA_OF_A_PENDULUM.max(3.0 * uncertainty) && uncertainty < 1.0
+    })
+}
