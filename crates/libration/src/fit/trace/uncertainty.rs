@@ -34,26 +34,11 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         }
     };
     let block = (!autocorrelation.is_noise()).then(|| block(&autocorrelation, minimum, traces));
-    let inflations = block.map(|block| {
-        let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
-        let correction = (count(all.len()) / count(degrees_of_freedom)).sqrt();
-        bootstrap::deviations(&linearised.response, &linearised.residuals, &lengths, block)
-            .into_iter()
-            .map(move |it| it * correction)
-    });
-    let effects = noise::effects(traces, &linearised);
-    for (place, (parameter, effect)) in parameters.iter_mut().zip(&effects).enumerate() {
-        parameter.value = minimum.parameters[free[place]];
-        parameter.formal_uncertainty = (variance * covariance[(place, place)]).sqrt();
-        parameter.uncertainty = parameter.formal_uncertainty * effect.inflation.sqrt();
-        parameter.degrees_of_freedom = effect.degrees_of_freedom;
+    let formal = (0..free.len()).map(|place| (variance * covariance[(place, place)]).sqrt());
+    for (place, (parameter, formal)) in parameters.iter_mut().zip(formal).enumerate() {
+        (parameter.value, parameter.formal_uncertainty) = (minimum.parameters[free[place]], formal);
     }
-    for (parameter, deviation) in parameters.iter_mut().zip(inflations.into_iter().flatten()) {
-        parameter.uncertainty = parameter.uncertainty.max(deviation);
-    }
-    for parameter in &mut parameters {
-        parameter.intervals = profile::linear_intervals(parameter);
-    }
+    heed_noise(&mut parameters, traces, &linearised, block);
     let independent_rows = independent_rows(&parameters, all.len());
     if search.options.profile {
         search.weights.clone_from(&minimum.weights);
@@ -75,6 +60,23 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         standard_residuals: all,
         parameters,
     })
+}
+
+/// Uncertainties and intervals from the formal ones: by the noise, and by blocks of so many rows if that is more.
+fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], linearised: &Linearised, block: Option<usize>) {
+    let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
+    let rows = linearised.residuals.len();
+    let correction = (count(rows) / count(rows.saturating_sub(parameters.len()).max(1))).sqrt();
+    let by_blocks = block.map_or(vec![0.0; parameters.len()], |block| {
+        bootstrap::deviations(&linearised.response, &linearised.residuals, &lengths, block)
+    });
+    let effects = noise::effects(traces, linearised);
+    for ((parameter, effect), by_blocks) in parameters.iter_mut().zip(effects).zip(by_blocks) {
+        let by_noise = parameter.formal_uncertainty * effect.inflation.sqrt();
+        parameter.uncertainty = by_noise.max(by_blocks * correction);
+        parameter.degrees_of_freedom = effect.degrees_of_freedom;
+        parameter.intervals = profile::linear_intervals(parameter);
+    }
 }
 
 /// The rows over the geometric mean of what the noise makes of the variances of the shared parameters.
