@@ -43,9 +43,9 @@ Integration starts at t = 0. In the shell, put quotes round whatever has a prime
 in it: --initial \"theta=60deg,theta'=0.1\".
 Ctrl-C ends a run early: what was computed is written as a complete answer, from
 which --resume goes on. The answer is then that of one run, to the last byte.
-With long.csv comes long.csv.state, which says of what motion the numbers are and
-how it goes on; --resume needs it, and finds what a run that was ended by force
-has left as well.")]
+With long.csv comes long.csv.state, which says of what motion the numbers are
+and how it goes on; --resume needs it, and also finds what a run that was ended
+by force has left.")]
 pub(crate) struct Simulate {
     #[command(flatten)]
     system: SystemOptions,
