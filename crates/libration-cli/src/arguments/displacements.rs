@@ -2,10 +2,14 @@
 
 use crate::failure::Failure;
 use crate::output::number;
-use libration::quantity::{AngleRange, Dimension, RangeError, angles, numbers};
+use libration::quantity::{Displacement, RangeError, exact_angles, exact_numbers};
 
 /// Reads a list or a range of amplitudes above zero.
-pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Result<Vec<f64>, Failure> {
+pub(crate) fn displacements(
+    argument: &str,
+    text: &str,
+    is_angle: bool,
+) -> Result<Vec<Displacement>, Failure> {
     let refusal = |reason: String| Failure::usage(argument, reason);
     if !is_angle
         && text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter) || letter == '°')
@@ -17,25 +21,20 @@ pub(crate) fn displacements(argument: &str, text: &str, is_angle: bool) -> Resul
     }
     let values = match is_angle {
         true => read(text).map_err(|error| refusal(error.to_string()))?,
-        // Units having been refused, any dimension will do.
-        false => numbers(text, Dimension::Length)
+        false => exact_numbers(text)
             .map_err(|_| refusal(format!("`{}`: give numbers, such as 0.5,1 or 0.1:3:0.1", text.trim())))?,
     };
-    match values.iter().find(|value| **value <= 0.0) {
+    match values.iter().map(Displacement::to_f64).find(|value| *value <= 0.0) {
         Some(value) => {
-            Err(refusal(format!("{} is no amplitude: give numbers above zero", number::exact(*value))))
+            Err(refusal(format!("{} is no amplitude: give numbers above zero", number::exact(value))))
         }
         None => Ok(values),
     }
 }
 
 /// A bare number is a number of radians.
-fn read(text: &str) -> Result<Vec<f64>, RangeError> {
-    let radians = |angle: libration::quantity::Angle| angle.radians();
-    let read = match text.contains(':') {
-        true => AngleRange::parse(text)?.iter().map(radians).collect(),
-        false => angles(text)?.into_iter().map(radians).collect(),
-    };
+fn read(text: &str) -> Result<Vec<Displacement>, RangeError> {
+    let read = exact_angles(text)?;
     super::bare::say(text);
     Ok(read)
 }
@@ -44,11 +43,15 @@ fn read(text: &str) -> Result<Vec<f64>, RangeError> {
 mod tests {
     use super::*;
 
+    fn numbers(text: &str, is_angle: bool) -> Vec<f64> {
+        displacements("", text, is_angle).unwrap().iter().map(Displacement::to_f64).collect()
+    }
+
     #[test]
     fn lists_and_ranges_are_read() {
-        assert_eq!(displacements("", "0.1:0.3:0.1", false).unwrap(), [0.1, 0.2, 0.3]);
-        assert_eq!(displacements("", "90deg,2rad", true).unwrap(), [std::f64::consts::FRAC_PI_2, 2.0]);
-        assert_eq!(displacements("", "1e-3, 1e8", false).unwrap(), [1e-3, 1e8]);
+        assert_eq!(numbers("0.1:0.3:0.1", false), [0.1, 0.2, 0.3]);
+        assert_eq!(numbers("90deg,2rad", true), [std::f64::consts::FRAC_PI_2, 2.0]);
+        assert_eq!(numbers("1e-3, 1e8", false), [1e-3, 1e8]);
         for text in ["1deg", "0:1:0.1", "-1", "a", ""] {
             assert!(displacements("--amplitudes", text, false).is_err(), "{text}");
         }

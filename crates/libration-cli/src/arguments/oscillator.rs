@@ -4,7 +4,7 @@ use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::{Failure, excerpt};
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, Oscillator};
-use libration::quantity::{Angle, is_angle_name};
+use libration::quantity::{Displacement, is_angle_name};
 
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]
@@ -50,17 +50,15 @@ impl Chosen {
     }
 
     /// Reads an amplitude: a number, or an angle where the variable is one.
-    pub(crate) fn amplitude(&self, argument: &str, text: &str) -> Result<f64, Failure> {
-        let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-        if let Some(number) = number {
+    pub(crate) fn amplitude(&self, argument: &str, text: &str) -> Result<Displacement, Failure> {
+        if let Ok(number) = Displacement::from_number_text(text) {
             if self.is_angle() {
                 super::bare::say(text);
             }
             return Ok(number);
         }
         if self.is_angle() {
-            let angle = text.parse::<Angle>().map_err(|error| Failure::usage(argument, error))?;
-            return Ok(angle.radians());
+            return Displacement::from_angle_text(text).map_err(|error| Failure::usage(argument, error));
         }
         let name = self.oscillator.variable();
         let hint = "units of angles are for variables named as angles are, such as theta";

@@ -6,7 +6,7 @@ use crate::output::file;
 use libration::derivation::{self, Derivation, DerivationError, HIGHEST_ORDER, Released, Swing};
 use libration::pendulum::Amplitude;
 use libration::perturbation::Gauge;
-use libration::quantity::Angle;
+use libration::quantity::Displacement;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -31,8 +31,8 @@ pub(crate) struct Derive {
     #[command(flatten)]
     perturbation: PerturbationOptions,
     /// Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number
-    #[arg(long, value_parser = arguments::angle)]
-    amplitude: Option<Angle>,
+    #[arg(long, value_parser = Displacement::from_angle_text)]
+    amplitude: Option<Displacement>,
     #[command(flatten)]
     pendulum: PendulumOptions,
     /// How the derivation is written
@@ -112,7 +112,10 @@ impl Derive {
 
     /// The reader's swing, if there is one.
     fn swing(&self) -> Result<Option<Swing>, Failure> {
-        let Some(angle) = self.amplitude else { return Ok(None) };
+        let Some(displacement) = &self.amplitude else { return Ok(None) };
+        let angle = displacement.to_angle();
+        let angle =
+            angle.ok_or_else(|| Failure::usage("--amplitude", "give an angle of at most 2^53 rad"))?;
         let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitude", error))?;
         Ok(Some(Swing { pendulum: self.pendulum.pendulum()?, amplitude }))
     }
@@ -128,7 +131,7 @@ impl Derive {
         }
         let frequency = if is_pendulum { Some(self.pendulum.pendulum()?.angular_frequency()) } else { None };
         let released =
-            self.amplitude.map(|angle| Released { amplitude: angle.radians(), angular_frequency: frequency });
+            self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
         derivation::perturbation(&chosen.oscillator, order, &gauge, released.as_ref()).map_err(failure)

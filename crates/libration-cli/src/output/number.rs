@@ -38,6 +38,12 @@ pub(crate) fn short(value: f64, digits: usize) -> String {
     format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
+/// An uncertainty or a bound to one digit, which is not below it: `5e-13` for 4.1e-13.
+pub(crate) fn at_most(value: f64) -> String {
+    let text = rounded(value, 1);
+    if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
+}
+
 /// `1.637 ± 0.002 s`, to two digits of the uncertainty.
 pub(crate) fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     let text = match places(uncertainty) {
@@ -84,6 +90,12 @@ mod tests {
         assert_eq!(short(-0.25, 12), "-0.25");
         assert_eq!(short(1.5e-9, 12), "1.5e-9");
         assert_eq!(short(200.0, 2), "200");
+    }
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        let shown = [4.8e-13, 4.1e-13, 9.6e-16, 9.4e-16, 1e-3, 0.0, 1.01e-9].map(at_most);
+        assert_eq!(shown, ["5e-13", "6e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
     }
 
     #[test]

@@ -198,6 +198,58 @@ fn other_oscillators_have_exact_values_too() {
     close(&frequency["exact"], std::f64::consts::TAU / 5.768_845_544_751_767, 1e-12);
 }
 
+/// T/T0 by energy integrals in 120 digits, of the decimal and not of the f64 next to it.
+#[test]
+fn exact_values_hold_their_uncertainty_next_to_a_separatrix() {
+    let cases = [
+        ("duffing_soft --evaluate 0.999999999", 62.535_279_781_833_69),
+        ("duffing_soft --evaluate 0.99999", 36.484_517_388_730_866),
+        ("quadratic --evaluate 0.499999999999", 32.195_369_307_414_59),
+        ("pendulum --evaluate pi-1e-12", 118.841_850_630_433_54),
+    ];
+    for (question, period) in cases {
+        let answer = json(&format!("expand {question} --order 3"));
+        let stated = answer["exact_uncertainty"].as_f64().unwrap();
+        close(&answer["exact"], period / std::f64::consts::TAU, stated + 1e-14);
+        assert!(stated < 1e-13, "{question}: {stated:e}");
+    }
+    let sheet = text("expand duffing_soft --evaluate 0.999999999 --order 3");
+    assert!(sheet.contains("exact value   9.9527988949"), "{sheet}");
+}
+
+#[test]
+fn on_the_separatrix_there_is_the_series_and_no_exact_value() {
+    let questions = [
+        "quadratic --evaluate 0.5",
+        "rotating_hoop --evaluate 180deg",
+        "pendulum --evaluate 180deg",
+        "duffing_soft --evaluate 1",
+    ];
+    for question in questions {
+        let answer = json(&format!("expand {question} --order 5"));
+        assert_eq!(answer["exact"], Value::Null, "{question}");
+        let note = answer["note"].as_str().unwrap();
+        assert!(note.contains("the period is infinite"), "{question}: {note}");
+        assert!(answer["steps"].as_array().unwrap().len() > 1 && answer["steps"][0]["error"] == Value::Null);
+        let sheet = text(&format!("expand {question} --order 5"));
+        assert!(sheet.contains("exact value   none: the period is infinite"), "{sheet}");
+    }
+}
+
+#[test]
+fn a_motion_around_both_wells_is_not_what_the_series_is_for() {
+    let around = json("expand double_well --evaluate 0.42 --order 5");
+    close(&around["exact"], 15.084_420_399_954_246 / std::f64::consts::TAU * 2_f64.sqrt(), 1e-13);
+    close(&around["encloses"], 0.0, 1e-15);
+    assert!(around["note"].as_str().unwrap().contains("goes around another equilibrium too"));
+    let sheet = text("expand double_well --evaluate 0.42 --order 5");
+    assert!(sheet.contains("\nbut ") && sheet.contains("another equilibrium too, at 0"), "{sheet}");
+    // sqrt(2) - 1 = 0.41421356... is the barrier.
+    let inside = json("expand double_well --evaluate 0.4142 --order 5");
+    assert_eq!((&inside["encloses"], inside.get("note")), (&Value::Null, None));
+    assert!(!text("expand double_well --evaluate 0.4142 --order 5").contains("another equilibrium"));
+}
+
 #[test]
 fn it_is_seen_where_a_series_stops_helping() {
     let beyond = json("expand duffing --evaluate 1.5");

@@ -93,6 +93,7 @@ fn the_backbone_of_the_pendulum_has_three_roads() {
     close(&point["series"], 0.847_213_084_793_979_1, 1e-6);
     close(&point["other_turning_point"], -std::f64::consts::FRAC_PI_2, 1e-14);
     assert_eq!(point["series_remainder_is"], "estimated");
+    assert!(point["exact_uncertainty"].as_f64().unwrap() < 1e-15);
     let sheet = text("backbone pendulum --amplitudes 40deg,90deg");
     assert!(sheet.contains("90°  0.8472130847939"), "{sheet}");
 }
@@ -109,6 +110,57 @@ fn a_force_without_a_linear_part_has_orbits_only() {
     // Beyond the barrier there is none, and the table goes on.
     let csv = text("backbone duffing_soft --amplitudes 0.9,1.1 --csv");
     assert!(csv.lines().nth(2).unwrap().starts_with("1.1,,,"), "{csv}");
+}
+
+/// 2π over the energy integrals in 120 digits.
+#[test]
+fn the_backbone_holds_its_uncertainty_next_to_a_separatrix() {
+    let cases = [
+        (
+            "backbone duffing_soft --amplitudes 0.99999,0.999999999999",
+            [36.484_517_388_730_866, 82.073_362_182_602_65],
+        ),
+        ("backbone pendulum --amplitudes 3rad,pi-1e-12", [16.155_539_372_393_375, 118.841_850_630_433_54]),
+        ("backbone double_well --amplitudes 0.4,0.42", [6.756_369_163_739_06, 15.084_420_399_954_246]),
+    ];
+    for (question, periods) in cases {
+        let answer = json(question);
+        for (point, period) in answer["points"].as_array().unwrap().iter().zip(periods) {
+            let (stated, frequency) =
+                (point["uncertainty"].as_f64().unwrap(), std::f64::consts::TAU / period);
+            close(&point["frequency"], frequency, stated + 2e-16 * frequency);
+            assert!(stated < 1e-13, "{question}: {stated:e}");
+        }
+    }
+}
+
+#[test]
+fn the_backbone_says_where_orbits_are_of_another_family() {
+    let answer = json("backbone double_well --amplitudes 0.41,0.42");
+    let [one, both] = answer["points"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    assert!(one["encloses"] == Value::Null && one.get("note").is_none(), "{one}");
+    close(&both["encloses"], 0.0, 1e-15);
+    assert!(both["note"].as_str().unwrap().contains("around another equilibrium too"), "{both}");
+    let sheet = text("backbone double_well --amplitudes 0.41,0.42,0.5");
+    assert!(sheet.contains("At 2 of the amplitudes, the first at 0.42, the orbit goes around"), "{sheet}");
+    let top = json("backbone pendulum --amplitudes 90deg,180deg");
+    let top = &top["points"][1];
+    assert!(
+        top["exact"] == Value::Null && top["note"].as_str().unwrap().contains("period is infinite"),
+        "{top}"
+    );
+}
+
+#[test]
+fn a_centre_that_has_no_series_has_its_orbits() {
+    let falling = json_of(&["backbone", "x'' = -sign(x)", "--amplitudes", "0.5,2"]);
+    // 2π over 4√(2A).
+    close(&falling["points"][0]["frequency"], std::f64::consts::FRAC_PI_2, 1e-14);
+    close(&falling["points"][1]["frequency"], std::f64::consts::FRAC_PI_4, 1e-14);
+    let isochronous = json_of(&["backbone", "x'' + 3*x*x' + x^3 + x = 0", "--amplitudes", "0.5,1"]);
+    for point in isochronous["points"].as_array().unwrap() {
+        close(&point["frequency"], 1.0, 1e-12);
+    }
 }
 
 #[test]

@@ -1,11 +1,14 @@
 //! The backbone of an oscillator: its frequency against the amplitude, by orbits, by the perturbation series and, for the
 //! pendulum, exactly.
 
-use super::{Quantity, Radius, Relation};
+use super::enclosed::other_equilibrium;
+use super::{ExactValue, NoExactValue, Quantity, Radius, Relation};
+use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
-use crate::orbit::{NoOrbit, Orbit};
+use crate::orbit::{NoOrbit, Orbit, Place};
 use crate::oscillator::{Kind, Oscillator, OscillatorError};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
+use crate::quantity::Displacement;
 
 /// The amplitude–frequency curve of one coordinate.
 ///
@@ -79,8 +82,8 @@ pub struct BackbonePoint {
     pub orbit: Result<OrbitFrequency, NoOrbit>,
     /// By the perturbation series, where there is one.
     pub series: Option<SeriesFrequency>,
-    /// By elliptic integrals, for the pendulum.
-    pub exact: Option<f64>,
+    /// By elliptic integrals, or why there is none; `None` for all but the pendulum.
+    pub exact: Option<Result<ExactValue, NoExactValue>>,
 }
 
 /// The frequency of an orbit.
@@ -92,6 +95,8 @@ pub struct OrbitFrequency {
     pub uncertainty: f64,
     /// The displacement from the centre at the other turning point.
     pub other_side: f64,
+    /// Another equilibrium that the orbit goes around, if there is one: then it is not of the family that the series is for.
+    pub encloses: Option<f64>,
 }
 
 /// The frequency of a series.
@@ -157,29 +162,51 @@ impl Backbone {
         self.series.as_ref().ok().and_then(|series| series.relation().radius())
     }
 
-    /// All frequencies at an amplitude.
+    /// All frequencies at an amplitude, exactly this `f64`.
     #[must_use]
     pub fn at(&self, amplitude: f64) -> BackbonePoint {
-        let orbit = self.orbit_at(amplitude);
+        match Displacement::from_f64(amplitude) {
+            Some(displacement) => self.at_displacement(&displacement),
+            None => BackbonePoint {
+                amplitude,
+                orbit: Err(NoOrbit::Start { state: vec![amplitude], wanted: 1 }),
+                series: None,
+                exact: None,
+            },
+        }
+    }
+
+    /// All frequencies at an amplitude that is known to more digits than an `f64` has.
+    #[must_use]
+    pub fn at_displacement(&self, displacement: &Displacement) -> BackbonePoint {
+        let amplitude = displacement.to_f64();
+        let orbit = self.orbit_at(displacement);
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);
-            exact = own.exact_at(amplitude).map(|value| value * omega0);
+            exact = own.exact_at(displacement).map(|found| found.map(|it| in_units_of(it, omega0)));
         }
         BackbonePoint { amplitude, orbit, series, exact }
     }
 
-    fn orbit_at(&self, amplitude: f64) -> Result<OrbitFrequency, NoOrbit> {
-        let start = self.centre + amplitude;
-        let orbit = Orbit::released(&self.equation, start)?;
+    fn orbit_at(&self, displacement: &Displacement) -> Result<OrbitFrequency, NoOrbit> {
+        let origin = match &self.series {
+            Ok(series) => series.oscillator.equilibrium().digits(),
+            Err(_) => BigFloat::from_f64(self.centre, f64::MANTISSA_DIGITS as usize)
+                .unwrap_or_else(|| BigFloat::from_integer(0, 1)),
+        };
+        let start = self.centre + displacement.to_f64();
+        let orbit = Orbit::released_from(&self.equation, &Place::new(origin, displacement.clone()))?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_centre() && other_side >= self.centre {
             return Err(NoOrbit::Elsewhere { start, other_side, centre: self.centre });
         }
+        let enclosed = || other_equilibrium(&self.equation, self.centre, [other_side, start]);
         Ok(OrbitFrequency {
             frequency: orbit.frequency(),
-            uncertainty: orbit.frequency() * orbit.period_uncertainty() / orbit.period(),
+            uncertainty: orbit.frequency() * (orbit.period_uncertainty() / orbit.period() + ROUNDINGS),
             other_side: other_side - self.centre,
+            encloses: if self.has_centre() { enclosed() } else { None },
         })
     }
 
@@ -202,13 +229,18 @@ impl Series {
     }
 
     /// Ω/ω0 of the pendulum.
-    fn exact_at(&self, amplitude: f64) -> Option<f64> {
-        // The f64 nearest to π stands for the upright position itself.
-        if amplitude >= std::f64::consts::PI {
-            return None;
-        }
-        self.relation().exact_without_motion(amplitude)?.ok().map(|exact| exact.value)
+    fn exact_at(&self, displacement: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+        self.relation().exact_without_motion(displacement)
     }
+}
+
+/// Of 2π over a period.
+const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
+
+/// A ratio as a frequency; ω0 and the product are rounded.
+fn in_units_of(ratio: ExactValue, omega0: f64) -> ExactValue {
+    let value = ratio.value * omega0;
+    ExactValue { value, uncertainty: ratio.uncertainty * omega0 + ROUNDINGS * value, ..ratio }
 }
 
 #[cfg(test)]
@@ -224,10 +256,12 @@ mod tests {
         let pendulum = backbone("theta'' + 4*sin(theta) = 0");
         for amplitude in [0.05, 0.5, 1.5, 3.0] {
             let point = pendulum.at(amplitude);
-            let (orbit, series, exact) = (point.orbit.unwrap(), point.series.unwrap(), point.exact.unwrap());
-            assert!((orbit.frequency - exact).abs() <= orbit.uncertainty + 4e-16 * exact, "{amplitude}");
+            let (orbit, series) = (point.orbit.unwrap(), point.series.unwrap());
+            let exact = point.exact.unwrap().unwrap();
+            let allowed = orbit.uncertainty + exact.uncertainty;
+            assert!((orbit.frequency - exact.value).abs() <= allowed, "{amplitude}");
             // What is estimated to be missing is missing, but for a factor of some units.
-            let missing = (series.frequency - exact).abs();
+            let missing = (series.frequency - exact.value).abs();
             assert!(missing <= 5.0 * series.remainder.size + 1e-14, "{amplitude}: {missing:e}");
             assert!((orbit.other_side + amplitude).abs() < 1e-10);
         }
@@ -254,8 +288,9 @@ mod tests {
         let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9).unwrap();
         assert!(well.at(0.9).orbit.is_ok());
         assert!(matches!(well.at(1.5).orbit, Err(NoOrbit::Elsewhere { .. })));
-        // Around both wells.
-        assert!(well.at(3.0).orbit.is_ok());
+        // Around both wells, which is not what the series is for.
+        assert!(well.at(3.0).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
+        assert_eq!(well.at(0.9).orbit.unwrap().encloses, None);
     }
 
     #[test]

@@ -3,11 +3,16 @@
 
 mod approximant;
 mod quantity;
+
+mod enclosed;
+mod exact;
+
 mod relation;
 
 mod backbone;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
+pub use exact::{ExactValue, NoExactValue, Road};
 pub use quantity::{NotAQuantity, Quantity};
-pub use relation::{ExactValue, Radius, Relation, Road};
+pub use relation::{Radius, Relation};

@@ -3,12 +3,12 @@
 
 use std::f64::consts::PI;
 
+use super::exact::{ExactValue, Found, NoExactValue, of_pendulum};
 use super::{Approximant, Quantity};
 use crate::algebra::{Rational, Rationals};
-use crate::oscillator::{Kind, NoPeriodicMotion, Oscillator, PeriodicMotion};
-use crate::pendulum::{Pendulum, period_ratio};
+use crate::oscillator::Oscillator;
 use crate::perturbation::{Convergence, Evaluation, Expansion, Pade, is_pendulum, pendulum_period_remainder};
-use crate::quantity::Angle;
+use crate::quantity::Displacement;
 use crate::series::truncated::reciprocal;
 
 /// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
@@ -32,26 +32,6 @@ pub struct Relation<'a> {
     expansion: &'a Expansion,
     quantity: Quantity,
     series: Vec<Rational>,
-}
-
-/// A value found without the series.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExactValue {
-    /// The value.
-    pub value: f64,
-    /// It may be wrong by so much.
-    pub uncertainty: f64,
-    /// How it was found.
-    pub road: Road,
-}
-
-/// How an exact value is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Road {
-    /// Elliptic integrals and theta functions.
-    Elliptic,
-    /// The equation of motion, integrated by its Taylor series.
-    Integration,
 }
 
 /// The distance from zero up to which a series converges.
@@ -136,79 +116,43 @@ impl<'a> Relation<'a> {
         Some(Approximant { pade, first: real(first), stride: real(stride.max(1)) })
     }
 
-    /// The value without the series, as the motion itself has it. Harmonics of limit cycles are in the expansion's
-    /// units.
+    /// The value without the series, as the motion itself has it, at exactly this `f64`. Harmonics of limit cycles are in the
+    /// expansion's units.
     ///
     /// # Accuracy
     /// As [`ExactValue::uncertainty`] says.
     ///
     /// # Errors
-    /// There is no such motion, or it is not found.
-    pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoPeriodicMotion> {
+    /// There is no such motion, it is not found, or its period is infinite.
+    pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoExactValue> {
+        let displacement = Displacement::from_f64(amplitude).ok_or(NoExactValue::Amplitude(amplitude))?;
+        self.exact_from(&displacement)
+    }
+
+    /// The same at an amplitude, or a strength, that is known to more digits than an `f64` has.
+    ///
+    /// # Accuracy
+    /// As [`ExactValue::uncertainty`] says.
+    ///
+    /// # Errors
+    /// As [`exact_at`](Self::exact_at).
+    pub fn exact_from(&self, amplitude: &Displacement) -> Result<ExactValue, NoExactValue> {
         if let Some(exact) = self.exact_without_motion(amplitude) {
             return exact;
         }
-        let motion = self.motion_at(amplitude)?;
         let unit = libm::sqrt(self.expansion.unit_squared.to_f64());
-        let small_period = 2.0 * PI / libm::sqrt(self.expansion.omega0_squared.to_f64());
-        let ratio = motion.period() / small_period;
-        // Near an unstable equilibrium errors grow with the period.
-        let relative = 1e-13 * f64::max(1.0, ratio * ratio);
-        let (value, uncertainty) = match self.quantity {
-            Quantity::Period => (ratio, ratio * relative),
-            Quantity::Frequency => (1.0 / ratio, relative / ratio),
-            Quantity::Cosine(k) => (motion.cosine(k) / unit, relative * motion.x_max() / unit),
-        };
-        Ok(ExactValue { value, uncertainty, road: Road::Integration })
+        let small_period = 2.0 * PI / libm::sqrt(self.oscillator.omega0_squared().to_f64());
+        let near = self.expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
+        Ok(Found::of(self.oscillator, amplitude, near)?.value(self.quantity, small_period, unit))
     }
 
     /// The value by elliptic functions; `None` for all but the pendulum.
     pub(super) fn exact_without_motion(
         &self,
-        amplitude: f64,
-    ) -> Option<Result<ExactValue, NoPeriodicMotion>> {
-        is_pendulum(self.oscillator).then(|| self.of_pendulum(amplitude))
+        amplitude: &Displacement,
+    ) -> Option<Result<ExactValue, NoExactValue>> {
+        is_pendulum(self.oscillator).then(|| of_pendulum(self.quantity, amplitude))
     }
-
-    fn motion_at(&self, amplitude: f64) -> Result<PeriodicMotion, NoPeriodicMotion> {
-        match self.oscillator.kind() {
-            Kind::LimitCycle { .. } => {
-                let leading = self.expansion.x_max.first().map_or(0.0, Rational::to_f64);
-                let near = leading * libm::sqrt(self.expansion.unit_squared.to_f64());
-                PeriodicMotion::limit_cycle(self.oscillator, amplitude, near)
-            }
-            _ => PeriodicMotion::from_turning_point(self.oscillator, amplitude),
-        }
-    }
-
-    fn of_pendulum(&self, amplitude: f64) -> Result<ExactValue, NoPeriodicMotion> {
-        if !(amplitude > 0.0 && amplitude.is_finite()) {
-            return Err(NoPeriodicMotion::Amplitude(amplitude));
-        }
-        let ratio = period_ratio(amplitude);
-        if !ratio.is_finite() {
-            return Err(NoPeriodicMotion::NotRestoring(amplitude));
-        }
-        let value = match self.quantity {
-            Quantity::Period => ratio,
-            Quantity::Frequency => 1.0 / ratio,
-            Quantity::Cosine(k) => pendulum_harmonic(amplitude, k),
-        };
-        let uncertainty = match self.quantity {
-            Quantity::Cosine(_) => 4e-15 * value.abs(),
-            // Half a unit in the last place, and as much for what is compared with it.
-            _ => 2.0 * f64::EPSILON * value,
-        };
-        Ok(ExactValue { value, uncertainty, road: Road::Elliptic })
-    }
-}
-
-/// aₖ of the pendulum.
-fn pendulum_harmonic(amplitude: f64, k: usize) -> f64 {
-    let pendulum = Pendulum::from_angular_frequency(1.0).ok();
-    let motion = pendulum.zip(Angle::from_radians(amplitude).ok()).and_then(|(p, a)| p.released_from(a).ok());
-    let harmonics = motion.map(|motion| motion.harmonics(f64::MIN_POSITIVE, k / 2 + 1));
-    harmonics.map_or(f64::NAN, |it| it.terms.iter().find(|term| term.n == k).map_or(0.0, |term| term.angle))
 }
 
 /// The series of a limit cycle by powers of the strength.

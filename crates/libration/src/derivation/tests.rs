@@ -137,7 +137,9 @@ fn text_is_harmless_in_every_form() {
 fn derived(key: &str, order: usize, gauge: &str) -> Result<Derivation, DerivationError> {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
     let gauge: Gauge = gauge.parse().unwrap();
-    perturbation(&oscillator, order, &gauge, Some(&Released { amplitude: 0.2, angular_frequency: None }))
+    let amplitude = crate::quantity::Displacement::from_f64(0.2).unwrap();
+    let released = Released { amplitude, angular_frequency: None };
+    perturbation(&oscillator, order, &gauge, Some(&released))
 }
 
 #[test]

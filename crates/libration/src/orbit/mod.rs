@@ -12,6 +12,10 @@ mod harmonics;
 mod periodic;
 
 mod floquet;
+
+mod acceleration;
+mod place;
+mod precise;
 mod released;
 
 mod closing;
@@ -24,4 +28,5 @@ pub use error::{Lost, NoOrbit};
 pub use floquet::{Floquet, Stability};
 pub use harmonics::{Harmonic, Harmonics};
 pub use periodic::Orbit;
+pub(crate) use place::Place;
 pub use shooting::Near;

@@ -8,9 +8,21 @@ use std::ops::ControlFlow;
 pub(super) struct Path {
     steps: Vec<KeptStep>,
     end: f64,
+    /// Whether the steps are the first half only, and the second is the same backwards.
+    there_and_back: bool,
 }
 
 impl Path {
+    /// Steps from the time zero to the end.
+    pub(super) fn of_steps(steps: Vec<KeptStep>, end: f64) -> Self {
+        Self { steps, end, there_and_back: false }
+    }
+
+    /// Steps from the time zero to rest, and then the same way back, to a time.
+    pub(super) fn there_and_back(steps: Vec<KeptStep>, end: f64) -> Self {
+        Self { steps, end, there_and_back: true }
+    }
+
     /// The motion from a moment to a time.
     pub(super) fn to_time(
         system: &System,
@@ -23,7 +35,7 @@ impl Path {
             steps.push(step.kept());
             ControlFlow::Continue(())
         })?;
-        Ok(Self { steps, end })
+        Ok(Self { steps, end, there_and_back: false })
     }
 
     pub(super) fn start_time(&self) -> f64 {
@@ -41,6 +53,14 @@ impl Path {
 
     /// Coordinates, then velocities.
     pub(super) fn state_at(&self, time: f64) -> Vec<f64> {
+        if self.there_and_back && time > 0.5 * self.end {
+            let [x, velocity] = self.stepped(self.end - time)[..] else { return vec![] };
+            return vec![x, -velocity];
+        }
+        self.stepped(time)
+    }
+
+    fn stepped(&self, time: f64) -> Vec<f64> {
         let place = self.steps.partition_point(|kept| kept.step().end() < time);
         let kept = self.steps.get(place).or(self.steps.last());
         kept.map_or_else(Vec::new, |kept| kept.step().state_at(time))
@@ -48,30 +68,39 @@ impl Path {
 
     /// The end of this one is the start of the other.
     pub(super) fn followed_by(self, other: Self) -> Self {
-        Self { steps: self.steps.into_iter().chain(other.steps).collect(), end: other.end }
+        let steps = self.steps.into_iter().chain(other.steps).collect();
+        Self { steps, end: other.end, there_and_back: false }
     }
 }
 
 /// The motion from a moment until something happens, which is told of each step with its time; `None` when it does not up to
-/// the horizon.
+/// the last horizon. It is followed to the first horizon, then twice as far, and so on: on a step that seems to be a polynomial
+/// for ever the end of a branch would not be found to more than a part of the horizon.
 pub(super) fn until(
     system: &System,
     start: &Moment,
-    horizon: f64,
+    horizons: [f64; 2],
     effort: &Effort,
     mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
 ) -> Result<Option<Path>, IntegrationError> {
-    let (mut steps, mut found) = (vec![], None);
-    let outcome = integrate(system, start, &[horizon], effort, |step| {
-        steps.push(step.kept());
-        found = happens(step);
-        if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    match (found, outcome) {
-        (Some(end), _) => Ok(Some(Path { steps, end })),
-        (None, Ok(Solution { .. })) => Ok(None),
-        (None, Err(error)) => Err(error),
+    let [first, last] = horizons;
+    let (mut steps, mut found): (Vec<KeptStep>, _) = (vec![], None);
+    let (mut at, mut duration) = (start.clone(), first);
+    while duration < last {
+        let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
+        let outcome = integrate(system, &at, &[start.time + duration], &effort, |step| {
+            steps.push(step.kept());
+            found = happens(step);
+            if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        match (found, outcome) {
+            (Some(end), _) => return Ok(Some(Path::of_steps(steps, end))),
+            (None, Ok(Solution { end, .. })) => at = end,
+            (None, Err(error)) => return Err(error),
+        }
+        duration *= 2.0;
     }
+    Ok(None)
 }
 
 /// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.

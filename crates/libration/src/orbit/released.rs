@@ -1,8 +1,15 @@
 //! One coordinate released from rest, until it is back.
+//!
+//! It is followed in double precision first. Where that does not suffice, because of a separatrix nearby or a force that cancels, it
+//! is followed again with as many bits as it takes for two precisions to agree.
 
+use super::acceleration::Acceleration;
 use super::error::{Lost, NoOrbit};
 use super::path::{Path, sign_change, until};
 use super::periodic::Orbit;
+use super::place::Place;
+use super::precise::{Leg, Motion, NoLeg};
+use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 
@@ -10,19 +17,28 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 const MOST_STEPS: usize = 20_000;
 /// A period that may be wrong by more than this part of it is none.
 const UNCERTAIN: f64 = 1e-4;
+/// And one that may be wrong by more than this part of it, 2⁻⁴⁵, is looked for with more bits.
+const TRUSTED: f64 = 2.9e-14;
 /// Further off than this part of the swing an oscillation does not end where it began.
 const CLOSED: f64 = 1e-6;
+/// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
+const PRECISIONS: [usize; 3] = [128, 192, 256];
+/// Two precisions agree in a period when they differ by less than this part of it.
+const AGREED: f64 = 1e-3;
+/// While they agree the error is in proportion to the last bit, so that the higher precision is better by 2⁶⁴; half of these bits are
+/// left for what is by chance.
+const IMPROVED: f64 = 1.0 / 4_294_967_296.0;
 
 impl Orbit {
     /// The motion of one coordinate that is released from rest at a place: to the other turning point and back. It is
     /// periodic where the energy is conserved, or where the force is the same for the opposite velocity.
     ///
     /// # Accuracy
-    /// As [`period_uncertainty`](Self::period_uncertainty) says: some units in the last place, and near an unstable
-    /// equilibrium what becomes of them on the way.
+    /// As [`period_uncertainty`](Self::period_uncertainty) says: some units in the last place of the period, for exactly this `f64` as the
+    /// place. Where a force has no derivative, as |x| at zero, what becomes of rounding errors near an unstable equilibrium is part of it.
     ///
     /// # Errors
-    /// Several coordinates or the time in the equation, a release in an equilibrium, and motions that do not come
+    /// Several coordinates or the time in the equation, a release in an equilibrium or on a separatrix, and motions that do not come
     /// back to where they began.
     ///
     /// # Examples
@@ -34,33 +50,26 @@ impl Orbit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn released(equation: &Equation, place: f64) -> Result<Self, NoOrbit> {
-        let [_] = equation.variables() else {
-            return Err(NoOrbit::SeveralCoordinates(equation.variables().len()));
-        };
-        if depends_on_time(equation) {
-            return Err(NoOrbit::DependsOnTime);
-        }
-        if !place.is_finite() {
-            return Err(NoOrbit::Start { state: vec![place], wanted: 1 });
-        }
-        let system = System::new(equation)?;
-        let around = |tolerance| match once_around(&system, place, tolerance) {
-            Err(NoOrbit::NotClosed { start, .. }) if is_free_of_velocity(equation) => {
-                Err(NoOrbit::Separatrix(start))
-            }
-            other => other,
-        };
-        let path = around(1e-17)?;
-        // Other orders and lengths of the steps make other rounding errors.
-        let again = around(1e-16)?;
-        let (period, half) = (path.full.end_time(), path.half);
-        let spread = (period - again.full.end_time()).abs().max((period - 2.0 * half).abs());
-        let uncertainty = 4.0 * (spread + f64::EPSILON * period);
-        if uncertainty > UNCERTAIN * period {
-            return Err(NoOrbit::Unsure { start: place, period, uncertainty });
-        }
-        Ok(Self::new(equation, path.full, uncertainty, None))
+        let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
+        let exactly = Place::from_f64(place);
+        Release::check(equation)?;
+        Release::new(equation, &exactly.ok_or_else(refusal)?)?.orbit()
     }
+
+    /// The same from a place that is known to more digits than an `f64` has.
+    pub(crate) fn released_from(equation: &Equation, place: &Place) -> Result<Self, NoOrbit> {
+        Release::check(equation)?;
+        Release::new(equation, place)?.orbit()
+    }
+}
+
+/// A release from rest.
+struct Release<'a> {
+    equation: &'a Equation,
+    system: System,
+    acceleration: Acceleration,
+    place: &'a Place,
+    start: f64,
 }
 
 /// An oscillation and the time of the first half of it.
@@ -69,46 +78,182 @@ struct Around {
     half: f64,
 }
 
-fn once_around(system: &System, place: f64, tolerance: f64) -> Result<Around, NoOrbit> {
-    let start = Moment { time: 0.0, state: vec![place, 0.0] };
-    let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) };
-    let there = to_rest(system, &start, place, &effort)?;
-    let half = there.end_time();
-    let other_side = Moment { time: half, state: vec![there.state_at(half)[0], 0.0] };
-    let full = there.followed_by(to_rest(system, &other_side, place, &effort)?);
-    let end = full.state_at(full.end_time())[0];
-    let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
-    if back < CLOSED * swing {
-        return Err(NoOrbit::NoReturn { start: place, why: Lost::Rest });
+impl<'a> Release<'a> {
+    fn check(equation: &Equation) -> Result<(), NoOrbit> {
+        let [_] = equation.variables() else {
+            return Err(NoOrbit::SeveralCoordinates(equation.variables().len()));
+        };
+        if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
     }
-    if (end - place).abs() > CLOSED * swing {
-        return Err(NoOrbit::NotClosed { start: place, end });
+
+    fn new(equation: &'a Equation, place: &'a Place) -> Result<Self, NoOrbit> {
+        let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
+        Ok(Self { equation, system, acceleration, place, start: place.to_f64() })
     }
-    Ok(Around { full, half })
+
+    fn orbit(&self) -> Result<Orbit, NoOrbit> {
+        let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
+        let doubtful = match &found {
+            Ok(orbit) => orbit.period_uncertainty() > TRUSTED * orbit.period(),
+            // Next to a separatrix rounding may lead elsewhere; where energy is lost or won nothing more is learnt.
+            Err(_) => self.acceleration.is_free_of_velocity,
+        };
+        let found = found.and_then(|orbit| self.sure(orbit));
+        if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
+    }
+
+    /// The orbit with its uncertainty: what other steps make of it, and what rounding does to an acceleration that is as large as
+    /// the largest, e of it, anywhere on the way. That changes energies by e times acceleration and swing, as another amplitude does,
+    /// and the period by e.
+    fn judged(&self, around: Around) -> Result<Orbit, NoOrbit> {
+        let period = around.full.end_time();
+        // Other orders and lengths of the steps make other rounding errors.
+        let again = self.once_around(self.start, 1e-16)?;
+        let other_half = if self.acceleration.is_free_of_velocity { 2.0 * around.half } else { period };
+        let spread = (period - again.full.end_time()).abs().max((period - other_half).abs());
+        let [largest, measured] = self.acceleration.largest_and_rounding(&around.full);
+        let other_side = around.full.state_at(around.half)[0];
+        let swing = (self.start - other_side).abs();
+        let place = f64::EPSILON * self.start.abs().max(other_side.abs()) / swing;
+        let rounding = measured.max(place).max(f64::EPSILON);
+        let first = self.acceleration.at(&[self.start, 0.0]).abs();
+        let grown = 2.0 + self.condition(period, swing.copysign(other_side - self.start)) * largest / first;
+        let uncertainty = 16.0 * spread + 4.0 * rounding * grown * period;
+        Ok(Orbit::new(self.equation, around.full, uncertainty, None))
+    }
+
+    /// By how many parts of it the period changes when the amplitude changes by a part of the swing, as a neighbour tells it: infinite
+    /// where the neighbour is another motion altogether. Next to a kink no better answer follows, and both sides are asked.
+    fn condition(&self, period: f64, swing: f64) -> f64 {
+        // Small beside any distance from a separatrix at which double precision is trusted, large beside its errors.
+        const PART: f64 = 1e-8;
+        const OTHER: f64 = 1e-2;
+        let sides: &[f64] = if self.acceleration.is_smooth() { &[1.0] } else { &[1.0, -1.0] };
+        let change = |side: &f64| {
+            let neighbour = self.once_around(self.start + side * PART * swing, 1e-16);
+            neighbour.map_or(f64::INFINITY, |around| (1.0 - around.full.end_time() / period).abs())
+        };
+        let largest = sides.iter().map(change).fold(0.0, f64::max);
+        if largest < OTHER { largest / PART } else { f64::INFINITY }
+    }
+
+    fn sure(&self, orbit: Orbit) -> Result<Orbit, NoOrbit> {
+        let (period, uncertainty) = (orbit.period(), orbit.period_uncertainty());
+        if uncertainty <= UNCERTAIN * period {
+            return Ok(orbit);
+        }
+        Err(NoOrbit::Unsure { start: self.start, period, uncertainty })
+    }
+
+    /// The orbit with as many bits as it takes, or what double precision found where that is no way.
+    fn precisely(&self, rough: Result<Orbit, NoOrbit>) -> Result<Orbit, NoOrbit> {
+        let mut before: Option<BigFloat> = None;
+        for precision in PRECISIONS {
+            let found = match self.precise_legs(precision) {
+                Ok(legs) => legs,
+                Err(NoLeg::Undecided) => {
+                    before = None;
+                    continue;
+                }
+                Err(NoLeg::Unable) => return rough,
+                Err(NoLeg::Lost(time)) => {
+                    let lost = NoOrbit::NoReturn { start: self.start, why: Lost::OneWay(time) };
+                    return Err(rough
+                        .err()
+                        .filter(|error| !matches!(error, NoOrbit::Unsure { .. }))
+                        .unwrap_or(lost));
+                }
+            };
+            let period = found.period();
+            let spread = before.map(|before| (before - period.clone()).to_f64().abs());
+            if let Some(spread) = spread.filter(|spread| *spread <= AGREED * period.to_f64()) {
+                let uncertainty = IMPROVED * spread + f64::EPSILON * period.to_f64();
+                return found.closed(self.place.to_f64(), self.equation, uncertainty);
+            }
+            before = Some(period);
+        }
+        Err(NoOrbit::Separatrix(self.start))
+    }
+
+    fn precise_legs(&self, precision: usize) -> Result<Legs, NoLeg> {
+        let motion = Motion::new(&self.acceleration.tape, precision);
+        let there = motion.leg(&self.place.to_bits(precision), 0.0)?;
+        let back = match self.acceleration.is_free_of_velocity {
+            true => None,
+            false => Some(motion.leg(&there.end, there.duration.to_f64())?),
+        };
+        Ok(Legs { there, back })
+    }
+
+    fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, NoOrbit> {
+        let start = Moment { time: 0.0, state: vec![place, 0.0] };
+        let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) };
+        let there = self.to_rest(&start, place, &effort)?;
+        let half = there.end_time();
+        let other_side = Moment { time: half, state: vec![there.state_at(half)[0], 0.0] };
+        let full = there.followed_by(self.to_rest(&other_side, place, &effort)?);
+        let end = full.state_at(full.end_time())[0];
+        let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
+        if back < CLOSED * swing {
+            return Err(NoOrbit::NoReturn { start: place, why: Lost::Rest });
+        }
+        if (end - place).abs() > CLOSED * swing {
+            return Err(match self.acceleration.is_free_of_velocity {
+                true => NoOrbit::Separatrix(place),
+                false => NoOrbit::NotClosed { start: place, end },
+            });
+        }
+        Ok(Around { full, half })
+    }
+
+    /// From rest to the next rest.
+    fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
+        const FAR: f64 = 1e100;
+        let first = self.acceleration.at(&start.state).abs();
+        if first == 0.0 {
+            return Err(NoOrbit::AtRest(vec![start.state[0]]));
+        }
+        let happens = |step: &Step<'_>| sign_change(step, 1);
+        let horizon = Self::HORIZON * libm::sqrt(libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE) / first);
+        let found = until(&self.system, start, [horizon, FAR], effort, happens);
+        let lost = |why| NoOrbit::NoReturn { start: place, why };
+        match found {
+            Ok(Some(path)) => Ok(path),
+            Ok(None) => Err(lost(Lost::OneWay(FAR))),
+            Err(error) => Err(lost(why_lost(error))),
+        }
+    }
+
+    /// In times in which the first acceleration leads to zero, about: most motions have come to rest by then.
+    const HORIZON: f64 = 8.0;
 }
 
-/// From rest to the next rest.
-fn to_rest(system: &System, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
-    const FAR: f64 = 1e100;
-    let mut moves = true;
-    let happens = |step: &Step<'_>| {
-        moves = moves && is_moving(step);
-        if moves { sign_change(step, 1) } else { Some(step.end()) }
-    };
-    let found = until(system, start, FAR, effort, happens);
-    if !moves {
-        return Err(NoOrbit::AtRest(vec![start.state[0]]));
-    }
-    let lost = |why| NoOrbit::NoReturn { start: place, why };
-    match found {
-        Ok(Some(path)) => Ok(path),
-        Ok(None) => Err(lost(Lost::OneWay(FAR))),
-        Err(error) => Err(lost(why_lost(error))),
-    }
+/// The way to rest, and the way back where it is another.
+struct Legs {
+    there: Leg,
+    back: Option<Leg>,
 }
 
-fn is_moving(step: &Step<'_>) -> bool {
-    step.state_at(0.5 * (step.start() + step.end()))[1] != 0.0
+impl Legs {
+    fn period(&self) -> BigFloat {
+        let back = self.back.as_ref().unwrap_or(&self.there);
+        self.there.duration.clone() + back.duration.clone()
+    }
+
+    /// The orbit, if its end is its start.
+    fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, NoOrbit> {
+        let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
+        let Some(back) = self.back else {
+            let path = Path::there_and_back(self.there.steps, period);
+            return Ok(Orbit::new(equation, path, uncertainty, None));
+        };
+        let end = back.end.to_f64();
+        if (end - start).abs() > CLOSED * (start - other_side).abs() {
+            return Err(NoOrbit::NotClosed { start, end });
+        }
+        let path = Path::of_steps([self.there.steps, back.steps].concat(), period);
+        Ok(Orbit::new(equation, path, uncertainty, None))
+    }
 }
 
 fn why_lost(error: IntegrationError) -> Lost {
@@ -116,12 +261,6 @@ fn why_lost(error: IntegrationError) -> Lost {
         IntegrationError::Stopped { cause: Cause::StepLimit, solution } => Lost::OneWay(solution.end.time),
         other => Lost::Stopped(other),
     }
-}
-
-/// Whether the force is one of the place only, which conserves an energy.
-fn is_free_of_velocity(equation: &Equation) -> bool {
-    let mut velocities = equation.variables().iter().map(|name| Symbol::plain(name).with_primes(1));
-    velocities.all(|velocity| equation.accelerations().iter().all(|formula| !formula.contains(&velocity)))
 }
 
 /// Whether the time stands in one of the accelerations.

@@ -40,7 +40,7 @@ impl Constant {
     }
 
     /// To [`PRECISION`] bits.
-    pub(super) fn digits(&self) -> BigFloat {
+    pub(crate) fn digits(&self) -> BigFloat {
         match self {
             Self::Exact(value) => BigFloat::from_rational(value, PRECISION),
             Self::Approximate(Approximation(value)) => value.clone(),

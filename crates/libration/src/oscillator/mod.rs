@@ -12,14 +12,11 @@ mod roots;
 mod error;
 mod model;
 
-mod periodic_motion;
-
 pub use constant::{Approximation, Constant};
 pub use error::{Found, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
 pub use named::{NamedOscillator, Parameter, UnknownOscillator, catalogue};
 pub use neighbourhood::{Roughness, Tendency};
-pub use periodic_motion::{NoPeriodicMotion, PeriodicMotion};
 
 #[cfg(test)]
 mod tests;

@@ -11,6 +11,7 @@ mod angle_name;
 mod angle_text;
 mod bare_radians;
 mod decimal;
+mod displacement;
 mod error;
 mod excerpt;
 mod fraction;
@@ -24,11 +25,12 @@ mod unit;
 pub use angle::Angle;
 pub use angle_name::is_angle_name;
 pub use bare_radians::BareRadians;
+pub use displacement::Displacement;
 pub use error::QuantityError;
 pub(crate) use excerpt::excerpt;
 pub(crate) use nearest::nearest;
 pub use physical::{Quantity, parse};
-pub use range::{AngleRange, NumberRange, RangeError, angles, numbers};
+pub use range::{AngleRange, NumberRange, RangeError, angles, exact_angles, exact_numbers, numbers};
 pub use unit::Dimension;
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ const SHORT_PI_BITS: usize = 320;
 static SHORT_PI: LazyLock<IBig> = LazyLock::new(|| IBig::from(&*PI >> (PI_BITS - SHORT_PI_BITS)));
 
 /// The angle a·π + b radians, exactly.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct PiCombination {
     /// a, in units of π.
     pub(super) pi_multiple: RBig,

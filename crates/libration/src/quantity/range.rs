@@ -8,7 +8,7 @@ use super::decimal::Decimal;
 use super::excerpt::excerpt;
 use super::physical::ExactQuantity;
 use super::progression::{MOST_ELEMENTS, Progression};
-use super::{Angle, Dimension, QuantityError};
+use super::{Angle, Dimension, Displacement, QuantityError};
 
 /// Why a text is no range.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -153,6 +153,35 @@ pub fn numbers(text: &str, dimension: Dimension) -> Result<Vec<f64>, RangeError>
         return Ok(NumberRange::parse(text, dimension)?.iter().collect());
     }
     text.split(',').map(|part| Ok(super::parse(part, dimension)?.value)).collect()
+}
+
+/// The same, each number being the decimal itself.
+///
+/// # Errors
+/// As [`numbers`].
+pub fn exact_numbers(text: &str) -> Result<Vec<Displacement>, RangeError> {
+    if text.contains(':') {
+        // Units having no place here, any dimension will do.
+        let range = NumberRange::parse(text, Dimension::Length)?.0;
+        return Ok((0..range.count).map(|k| Displacement(range.element(k))).collect());
+    }
+    text.split(',').map(|part| Ok(Displacement::from_number_text(part)?)).collect()
+}
+
+/// The angles that a text means, as [`angles`], each being what is written.
+///
+/// # Errors
+/// As [`angles`].
+pub fn exact_angles(text: &str) -> Result<Vec<Displacement>, RangeError> {
+    if text.contains(':') {
+        let range = AngleRange::parse(text)?.0;
+        return Ok((0..range.count).map(|k| Displacement(range.element(k))).collect());
+    }
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    if units_are_mixed(&parts) {
+        return Err(RangeError::MixedUnits(excerpt(text)));
+    }
+    parts.into_iter().map(|part| Ok(Displacement::from_angle_text(part)?)).collect()
 }
 
 /// Whether bare numbers (other than zero) stand beside angles with a unit: `60,5deg` was meant otherwise.

@@ -2,7 +2,7 @@
 
 #![expect(clippy::approx_constant, reason = "golden numbers stand as mpmath printed them")]
 
-use super::{Angle, QuantityError};
+use super::{Angle, Displacement, QuantityError, RangeError, exact_angles, exact_numbers};
 use crate::double_double::DoubleDouble;
 
 /// Text, turns, and the two words each of the angle in the turn and of the complement (mpmath 1.4.1).
@@ -274,4 +274,34 @@ fn hostile_texts_are_refused_with_a_hint() {
     );
     assert!("1,2rad".parse::<Angle>().unwrap_err().to_string().contains("point"));
     assert_eq!(Angle::from_radians(f64::INFINITY), Err(QuantityError::NotAnAngle(f64::INFINITY)));
+}
+
+#[test]
+fn displacements_are_the_decimals_that_are_written() {
+    let number = |text: &str| Displacement::from_number_text(text).unwrap();
+    assert_eq!(number(" +1e-3 "), number("0.001"));
+    assert_ne!(Some(number("0.001")), Displacement::from_f64(0.001));
+    assert_eq!(Some(number("-0.5")), Displacement::from_f64(-0.5));
+    assert_eq!((number("0.1").to_f64(), number("0.1").to_string()), (0.1, "0.1".to_owned()));
+    assert_eq!(Displacement::from_f64(f64::INFINITY), None);
+    for text in ["", "1,5", "40deg", "1e999", "nan"] {
+        assert!(Displacement::from_number_text(text).is_err(), "{text}");
+    }
+    let angle = |text: &str| Displacement::from_angle_text(text).unwrap();
+    assert_eq!(angle("180deg"), angle("pi"));
+    assert_eq!(angle("pi-1e-12").to_angle().unwrap().complement(), 1e-12);
+    assert_eq!(angle("pi-1e-12").fraction(), None);
+    assert!(number("0.25").fraction().is_some());
+}
+
+#[test]
+fn ranges_and_lists_of_displacements_are_exact() {
+    let texts = ["0.1", "0.2", "0.3"].map(|text| Displacement::from_number_text(text).unwrap());
+    assert_eq!(exact_numbers("0.1:0.3:0.1").unwrap(), texts);
+    assert_eq!(exact_numbers("0.1, 0.2,0.3").unwrap(), texts);
+    let angles = ["60deg", "120deg", "180deg"].map(|text| Displacement::from_angle_text(text).unwrap());
+    assert_eq!(exact_angles("60deg:180deg:60deg").unwrap(), angles);
+    assert_eq!(exact_angles("60deg, 120deg,pi").unwrap(), angles);
+    assert!(matches!(exact_angles("60,5deg"), Err(RangeError::MixedUnits(_))));
+    assert!(exact_numbers("1deg").is_err() && exact_numbers("1:2").is_err());
 }

@@ -31,6 +31,12 @@ impl Step<'_> {
 }
 
 impl KeptStep {
+    /// A step that was found elsewhere: coordinate and velocity in powers of the time in a unit, as many terms of each.
+    pub(crate) fn new(start: f64, end: f64, unit: f64, series: [Vec<f64>; 2]) -> Self {
+        let terms = series[0].len();
+        Self { start, end, unit, terms, coefficients: series.concat(), low: vec![0.0; 2] }
+    }
+
     /// The step as it was.
     #[must_use]
     pub fn step(&self) -> Step<'_> {

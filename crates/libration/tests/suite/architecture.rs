@@ -34,6 +34,7 @@ const MAP: &[(&str, &[&str])] = &[
             "expression",
             "oscillator",
             "perturbation",
+            "comparison",
         ],
     ),
     ("measurement", &[]),

@@ -17,6 +17,7 @@ mod decay;
 mod elliptic;
 mod equation;
 mod events;
+mod exact;
 mod expansions;
 mod expression;
 mod fit;

@@ -223,13 +223,8 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
     assert!(matches!(refusal("x'' = -1", 2.0), NoOrbit::NoReturn { why: Lost::OneWay(_), .. }));
     assert!(matches!(refusal("x'' = x", 2.0), NoOrbit::NoReturn { .. }));
-    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1, and rounding errors decide what it does there.
-    let separatrix = refusal("x'' = -x - x^2", 0.5);
-    assert!(
-        matches!(separatrix, NoOrbit::Unsure { .. } | NoOrbit::NoReturn { .. } | NoOrbit::Separatrix(_)),
-        "{separatrix}"
-    );
-    assert_eq!(refusal("x'' = -sin(x)", PI), NoOrbit::Separatrix(PI));
+    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
+    assert_eq!(refusal("x'' = -x - x^2", 0.5), NoOrbit::Separatrix(0.5));
     assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
     assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
     assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));
@@ -244,4 +239,68 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), NoOrbit::DependsOnTime));
     assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0]).is_err());
     assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0]).is_err());
+}
+
+/// The `f64` next to π is 1.2e-16 below the top.
+#[test]
+fn the_last_amplitude_below_the_top_has_its_period() {
+    let orbit = released(PENDULUM, PI);
+    assert_within(
+        orbit.period(),
+        pendulum(PI).period(),
+        orbit.period_uncertainty(),
+        "from the f64 next to pi",
+    );
+    assert!(orbit.period_uncertainty() < 1e-13);
+    let (start, late) = (orbit.start(), orbit.state_at(0.75 * orbit.period()));
+    assert_within(start[0], PI, 0.0, "the start");
+    assert_within(late[0], 0.0, 1e-12, "a quarter before the end");
+    assert_within(late[1], 2.0, 1e-12, "upwards");
+}
+
+/// On this side of −3 it is x″ = −x − x²; but with an absolute value there are no more bits, and next to the separatrix no answer.
+#[test]
+fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
+    let kinked = "x'' = -x - x*(abs(x + 3) - 3)";
+    for (place, period) in [(0.49, 9.207_998_623_393_865), (0.4999, 13.775_357_879_043_217)] {
+        let orbit = released(kinked, place);
+        // The place is the f64 next to the decimal: at the last half a unit there is 1e-16/(0.5 - 0.4999) of a tenth of the period.
+        let rounded = 1e-12 * period;
+        assert_within(orbit.period(), period, orbit.period_uncertainty() + rounded, "beside the closed form");
+        assert!(orbit.period_uncertainty() < 1e-9 * period, "{:e}", orbit.period_uncertainty());
+    }
+    let refusal = Orbit::released(&equation(kinked), 0.5 - 1e-10).unwrap_err();
+    let NoOrbit::Unsure { start, period, uncertainty } = refusal else { panic!("{refusal}") };
+    assert!(start == 0.5 - 1e-10 && period > 25.0 && uncertainty > 1e-4 * period, "{period} {uncertainty}");
+}
+
+/// x″ + 3x·x′ + x³ + x = 0 is an isochronous centre, although the force is not the same for the opposite velocity.
+#[test]
+fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
+    for place in [0.1, 0.5, 1.0, 3.0] {
+        let orbit = released("x'' + 3*x*x' + x^3 + x = 0", place);
+        assert_within(orbit.period(), TAU, orbit.period_uncertainty(), &format!("from {place}"));
+        assert!(orbit.period_uncertainty() < 1e-11, "{place}: {:e}", orbit.period_uncertainty());
+    }
+}
+
+/// x″ = −sign(x) falls for √(2A) four times.
+#[test]
+fn a_force_of_one_size_has_the_period_of_free_fall() {
+    for place in [1e-20, 0.5, 1.0, 2.0, 1e10] {
+        let period = 4.0 * (2.0_f64 * place).sqrt();
+        let orbit = released("x'' = -sign(x)", place);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), &format!("from {place}"));
+        assert!(orbit.period_uncertainty() < 1e-13 * period, "{place}");
+        assert_within(orbit.state_at(0.5 * orbit.period())[0], -place, 1e-14 * place, "the other side");
+    }
+}
+
+/// (1 − c·cos x)·sin x with c = 1 − 2⁻²⁰ loses twenty bits next to the bottom: its own period by the energy integral in 60 digits.
+#[test]
+fn a_force_that_cancels_has_its_period() {
+    let orbit = released("x'' = -(1 - (1 - 2^(-20))*cos(x))*sin(x)", 1e-4);
+    let period = 6421.371_283_740_447_147;
+    assert_within(orbit.period(), period, orbit.period_uncertainty(), "beside the energy integral");
+    assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
 }

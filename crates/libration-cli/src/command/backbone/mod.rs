@@ -97,7 +97,8 @@ impl Backbone {
         let curve = Curve::new(&asked.equation, asked.about.as_ref(), self.order);
         let curve = curve.map_err(|error| Failure::no_answer("oscillator", error))?;
         interrupt::listen()?;
-        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| curve.at(*amplitude));
+        let points =
+            parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| curve.at_displacement(amplitude));
         Ok(Answer { asked, curve, order: self.order, points })
     }
 }

@@ -3,9 +3,9 @@
 use super::Answer;
 use crate::output::csv;
 use crate::output::json::{self, Record};
-use crate::output::number::{exact, rounded, short};
+use crate::output::number::{at_most, exact, rounded, short};
 use crate::output::table::{Column, Table, sheet, write_text};
-use libration::comparison::{BackbonePoint, Radius, SeriesFrequency};
+use libration::comparison::{BackbonePoint, ExactValue, Radius, SeriesFrequency};
 use libration::perturbation::Certainty;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -43,7 +43,8 @@ fn record(point: &BackbonePoint) -> Record {
         Ok(orbit) => record
             .number("frequency", orbit.frequency)
             .number("uncertainty", orbit.uncertainty)
-            .number("other_turning_point", orbit.other_side),
+            .number("other_turning_point", orbit.other_side)
+            .with("encloses", orbit.encloses.map(json::number)),
         Err(reason) => record.with("frequency", Value::Null).with("no_orbit", reason.to_string()),
     };
     let record = match &point.series {
@@ -54,7 +55,27 @@ fn record(point: &BackbonePoint) -> Record {
         }
         None => record.with("series", Value::Null),
     };
-    record.with("exact", point.exact.map_or(Value::Null, json::number))
+    let record = match encloses(point) {
+        Some(place) => record.note(&enclosing(place)),
+        None => record,
+    };
+    match &point.exact {
+        Some(Ok(exact)) => record.number("exact", exact.value).number("exact_uncertainty", exact.uncertainty),
+        Some(Err(reason)) => record.number_or("exact", None, &reason.to_string()),
+        None => record.with("exact", Value::Null),
+    }
+}
+
+/// Another equilibrium that the orbit goes around.
+fn encloses(point: &BackbonePoint) -> Option<f64> {
+    point.orbit.as_ref().ok()?.encloses
+}
+
+fn enclosing(place: f64) -> String {
+    format!(
+        "the orbit goes around another equilibrium too, at {}, and is not of the family that the series is for",
+        short(place, 6)
+    )
 }
 
 fn word(certainty: Certainty) -> &'static str {
@@ -65,7 +86,18 @@ fn word(certainty: Certainty) -> &'static str {
 }
 
 pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    csv::line(out, &["amplitude", "frequency", "uncertainty", "other_turning_point", "series", "exact"])?;
+    csv::line(
+        out,
+        &[
+            "amplitude",
+            "frequency",
+            "uncertainty",
+            "other_turning_point",
+            "series",
+            "exact",
+            "exact_uncertainty",
+        ],
+    )?;
     for point in &answer.points {
         let orbit = point.orbit.as_ref().ok();
         let cells = [
@@ -74,7 +106,8 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
             orbit.map(|it| it.uncertainty),
             orbit.map(|it| it.other_side),
             point.series.as_ref().map(|it| it.frequency),
-            point.exact,
+            known(point).map(|it| it.value),
+            known(point).map(|it| it.uncertainty),
         ];
         csv::line(out, &cells.map(|cell| cell.map_or_else(String::new, exact)))?;
     }
@@ -88,16 +121,33 @@ pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::R
         writeln!(out)?;
         points(out, answer)?;
     }
+    write_enclosing(out, answer)?;
     write_reasons(out, answer)
 }
 
 fn points(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    let pendulum = answer.points.iter().any(|point| point.exact.is_some());
+    let pendulum = answer.points.iter().any(|point| known(point).is_some());
     let mut table = Table::new(columns(answer, pendulum));
     for point in &answer.points {
         table.row(out, cells(answer, point, pendulum))?;
     }
     table.finish(out)
+}
+
+/// From where on orbits are of another family.
+fn write_enclosing(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let enclosing: Vec<(&BackbonePoint, f64)> =
+        answer.points.iter().filter_map(|point| Some((point, encloses(point)?))).collect();
+    let Some((first, place)) = enclosing.first() else { return Ok(()) };
+    let told = format!(
+        "At {} of the amplitudes, the first at {}, the orbit goes around another equilibrium too, at {}, and is not of the family \
+         that the series is for.",
+        enclosing.len(),
+        amplitude_text(answer, first.amplitude, 10),
+        amplitude_text(answer, *place, 6)
+    );
+    writeln!(out)?;
+    write_text(out, &told)
 }
 
 fn head(answer: &Answer) -> Vec<(&'static str, String)> {
@@ -153,26 +203,30 @@ fn cells(answer: &Answer, point: &BackbonePoint, pendulum: bool) -> Vec<String> 
     let mut cells = vec![
         amplitude_text(answer, point.amplitude, 10),
         orbit.map_or_else(none, |it| rounded(it.frequency, 15)),
-        orbit.map_or_else(String::new, |it| rounded(it.uncertainty, 1)),
+        orbit.map_or_else(String::new, |it| at_most(it.uncertainty)),
     ];
     if answer.curve.no_series().is_none() {
         cells.push(point.series.as_ref().map_or_else(none, |it| rounded(it.frequency, 15)));
         cells.push(error(point));
     }
     if pendulum {
-        cells.push(point.exact.map_or_else(none, |value| rounded(value, 15)));
+        cells.push(known(point).map_or_else(none, |it| rounded(it.value, 15)));
     }
     cells
+}
+
+fn known(point: &BackbonePoint) -> Option<ExactValue> {
+    point.exact.as_ref().and_then(|exact| exact.as_ref().ok().copied())
 }
 
 /// How far the series is from the exact value, or else from the orbit.
 fn error(point: &BackbonePoint) -> String {
     let orbit = point.orbit.as_ref().ok();
-    let best = point.exact.map(|value| (value, 4.0 * f64::EPSILON * value));
+    let best = known(point).map(|it| (it.value, it.uncertainty));
     let best = best.or_else(|| orbit.map(|it| (it.frequency, it.uncertainty)));
     match (&point.series, best) {
         (Some(series), Some((value, uncertainty))) if (series.frequency - value).abs() <= uncertainty => {
-            format!("below {uncertainty:.0e}")
+            format!("below {}", at_most(uncertainty))
         }
         (Some(series), Some((value, _))) => rounded(series.frequency - value, 2),
         _ => "unknown".to_owned(),

@@ -11,6 +11,7 @@ use crate::{interrupt, parallel};
 use libration::comparison::Quantity;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progress, Stage, expand_watched};
+use libration::quantity::Displacement;
 use std::io::Write;
 use std::sync::Mutex;
 
@@ -93,12 +94,17 @@ impl Expand {
             }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
-        self.write(out, &answer, amplitude)?;
+        self.write(out, &answer, amplitude.as_ref())?;
         out.flush()?;
         answer.interruption().map_or(Ok(()), Err)
     }
 
-    fn write(&self, out: &mut dyn Write, answer: &Answer, amplitude: Option<f64>) -> Result<(), Failure> {
+    fn write(
+        &self,
+        out: &mut dyn Write,
+        answer: &Answer,
+        amplitude: Option<&Displacement>,
+    ) -> Result<(), Failure> {
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
         }

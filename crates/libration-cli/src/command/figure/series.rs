@@ -6,9 +6,9 @@ use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
 use crate::output::series::{subscript, superscript};
-use libration::comparison::{ExactValue, Quantity, Radius, Relation};
-use libration::oscillator::NoPeriodicMotion;
+use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
 use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
+use libration::quantity::Displacement;
 
 /// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
@@ -83,7 +83,7 @@ impl Series {
     ) -> Result<Picture, Failure> {
         let radius = relation.radius().filter(|radius| radius.value().is_finite());
         let to = match &self.to {
-            Some(text) => positive(chosen, "--to", text)?,
+            Some(text) => positive(chosen, "--to", text)?.to_f64(),
             None => BEYOND * radius.map_or(UNKNOWN_RADIUS, |radius| radius.value()),
         };
         let sampled = sampled(relation, to);
@@ -110,8 +110,9 @@ impl Series {
         }
         let mut lines = vec![];
         for text in &self.amplitudes {
-            let amplitude = positive(chosen, "--amplitudes", text)?;
-            let exact = relation.exact_at(amplitude).map_err(|error| no_exact(text, &error))?;
+            let displacement = positive(chosen, "--amplitudes", text)?;
+            let amplitude = displacement.to_f64();
+            let exact = relation.exact_from(&displacement).map_err(|error| no_exact(text, &error))?;
             let evaluation = relation.evaluation_at(amplitude);
             let errors = evaluation
                 .steps()
@@ -149,13 +150,13 @@ fn lines(relation: &Relation<'_>, sampled: &[Sample], powers: &[usize], setting:
     lines
 }
 
-fn no_exact(text: &str, reason: &NoPeriodicMotion) -> Failure {
+fn no_exact(text: &str, reason: &NoExactValue) -> Failure {
     Failure::no_answer("--amplitudes", format!("{}: {reason}", text.trim()))
 }
 
-fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<f64, Failure> {
+fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<Displacement, Failure> {
     let amplitude = chosen.amplitude(argument, text)?;
-    if amplitude > 0.0 {
+    if amplitude.to_f64() > 0.0 {
         return Ok(amplitude);
     }
     Err(Failure::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))

@@ -8,10 +8,9 @@ use super::amplitude::of_amplitude;
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use crate::algebra::Rational;
-use crate::oscillator::PeriodicMotion;
-use crate::pendulum::period_ratio;
+use crate::comparison::{ExactValue, NoExactValue, Quantity, Relation};
 use crate::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
-use crate::quantity::is_angle_name;
+use crate::quantity::{Displacement, is_angle_name};
 
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
@@ -19,7 +18,10 @@ const LONGER: usize = 31;
 pub(super) const EXAMPLE: f64 = 1.0;
 
 pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<Step, DerivationError> {
-    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude);
+    let exactly =
+        released.map(|released| released.amplitude.clone()).or_else(|| Displacement::from_f64(EXAMPLE));
+    let exactly = exactly.ok_or(DerivationError::NotAnAmplitude(EXAMPLE))?;
+    let amplitude = exactly.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
@@ -29,7 +31,7 @@ pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<S
             "At an amplitude of {} the terms of the period are",
             [Formula::Decimal(Decimal::short(amplitude, unit))],
         )
-        .table(terms(question, amplitude)?);
+        .table(terms(question, &exactly)?);
     let Some(released) = released else { return Ok(step) };
     Ok(step
         .say("and with all of them the motion is", [])
@@ -61,7 +63,8 @@ fn sine_coefficient(n: usize) -> Rational {
 }
 
 /// The partial sums of T/T0.
-fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> {
+fn terms(question: &Question, exactly: &Displacement) -> Result<Table, DerivationError> {
+    let amplitude = exactly.to_f64();
     let pendulum = is_pendulum(question, amplitude);
     let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
     let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
@@ -71,7 +74,8 @@ fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> 
     } else {
         evaluation
     };
-    let exact = Exact::new(question, amplitude).map(|exact| exact.ratio);
+    let found = exact(question, Quantity::Period, exactly);
+    let exact = found.as_ref().ok().map(|exact| exact.value);
     let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
         let mut row = vec![
             Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
@@ -90,12 +94,26 @@ fn terms(question: &Question, amplitude: f64) -> Result<Table, DerivationError> 
     } else {
         format!("the rest is estimated from the terms to the power {LONGER}")
     };
-    let note = match exact {
-        Some(exact) => Prose::text(format!("{basis}; errors are relative to the exact "))
-            .and(Prose::formula(rounded(exact, 11, Unit::One))),
-        None => Prose::text(format!("{basis}; there is no oscillation about this place at this amplitude")),
+    Ok(Table { head, rows, note: note(&basis, &found) })
+}
+
+/// What the rests and the errors rest on.
+fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
+    let exact = match found {
+        Err(reason) => return Prose::text(format!("{basis}; there is no exact value: {reason}")),
+        Ok(exact) => exact,
     };
-    Ok(Table { head, rows, note })
+    let note = Prose::text(format!("{basis}; errors are relative to the exact "))
+        .and(Prose::formula(rounded(exact.value, 11, Unit::One)))
+        .and(Prose::text(", right to "))
+        .and(Prose::formula(rounded(exact.uncertainty, 1, Unit::One)));
+    match exact.encloses {
+        None => note,
+        Some(place) => note
+            .and(Prose::text(", of a motion that goes around another equilibrium too, at "))
+            .and(Prose::formula(rounded(place, 6, Unit::One)))
+            .and(Prose::text(", and is not what the series is for")),
+    }
 }
 
 fn rest(remainder: Remainder) -> Prose {
@@ -109,13 +127,14 @@ fn rest(remainder: Remainder) -> Prose {
 /// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
 pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
+    let amplitude = released.amplitude.to_f64();
     let value = |series: &[Rational], powers: usize| {
-        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * released.amplitude + c.to_f64())
+        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + c.to_f64())
     };
     let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
-    let exact = Exact::new(question, released.amplitude);
+    let exactly = |quantity| exact(question, quantity, &released.amplitude).ok().map(|exact| exact.value);
     let ratio = value(&of.period_ratio, question.order);
-    let exact_ratio = exact.as_ref().map(|exact| exact.ratio);
+    let exact_ratio = exactly(Quantity::Period);
     let mut rows = vec![
         (letter("ε"), value(&of.epsilon, question.order + 1), None, Unit::One),
         (letter("Δ"), value(&of.frequency_ratio, question.order), exact_ratio.map(f64::recip), Unit::One),
@@ -126,7 +145,7 @@ pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, 
         rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), Unit::Second));
     }
     for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
-        let exact = exact.as_ref().map(|exact| exact.motion.cosine(*k));
+        let exact = exactly(Quantity::Cosine(*k));
         rows.push((harmonic_name(*k).into(), value(series, question.order + 1), exact, unit));
     }
     let cell = |value: f64, unit| Prose::formula(rounded(value, 8, unit));
@@ -135,23 +154,17 @@ pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, 
         vec![Prose::formula(name), cell(value, unit), exact]
     };
     let head = ["quantity", "series", "exact"].map(Prose::text).into();
-    let note = Prose::text("series to the order derived; exact: the equation of motion integrated in time");
+    let note = Prose::text(
+        "series to the order derived; exact: by elliptic functions for the pendulum, else the equation of motion integrated in time",
+    );
     Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
 }
 
-/// The motion in numbers: in closed form the pendulum's period, integrated in time all else.
-struct Exact {
-    ratio: f64,
-    motion: PeriodicMotion,
-}
-
-impl Exact {
-    /// None where the oscillator does not swing at this amplitude.
-    fn new(question: &Question, amplitude: f64) -> Option<Self> {
-        let motion = PeriodicMotion::from_turning_point(&question.oscillator, amplitude).ok()?;
-        let small = 2.0 * std::f64::consts::PI / question.omega0_squared.to_f64().sqrt();
-        let pendulum = is_pendulum(question, amplitude);
-        let ratio = if pendulum { period_ratio(amplitude) } else { motion.period() / small };
-        Some(Self { ratio, motion })
-    }
+/// The value without the series: in closed form for the pendulum, for all else by integration in time.
+fn exact(
+    question: &Question,
+    quantity: Quantity,
+    amplitude: &Displacement,
+) -> Result<ExactValue, NoExactValue> {
+    Relation::new(&question.oscillator, &question.solution.expansion, quantity).exact_from(amplitude)
 }

@@ -20,7 +20,7 @@ pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
 ) -> Result<Option<Step>, DerivationError> {
-    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude);
+    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude.to_f64());
     let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
     let Some(solutions) = system.ok().and_then(|system| system.solutions(amplitude).ok()) else {
         return Ok(None);

@@ -18,13 +18,14 @@ use super::check::DerivationError;
 use super::document::{Block, Derivation, Prose};
 use crate::oscillator::Oscillator;
 use crate::perturbation::Gauge;
+use crate::quantity::Displacement;
 use question::Question;
 
 /// The oscillation whose numbers a derivation shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Released {
     /// The largest displacement from the equilibrium, in radians for a pendulum.
-    pub amplitude: f64,
+    pub amplitude: Displacement,
     /// ω0 in rad/s, if times are to be given in seconds.
     pub angular_frequency: Option<f64>,
 }

@@ -10,6 +10,7 @@ use crate::algebra::Rational;
 use crate::derivation::{Block, Formula, Prose, Span};
 use crate::oscillator::NamedOscillator;
 use crate::perturbation::Gauge;
+use crate::quantity::Displacement;
 
 fn question(key: &str, order: usize) -> Question {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
@@ -50,7 +51,8 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
     // At x_max = 0.01 terms of the fifth order, left out, are of the size of 1e-10.
     for (key, harmonics) in [("pendulum", 2), ("quadratic", 5), ("double_well", 5)] {
         let question = question(key, 4);
-        let released = Released { amplitude: 0.01, angular_frequency: Some(1.0) };
+        let amplitude = Displacement::from_f64(0.01).unwrap();
+        let released = Released { amplitude, angular_frequency: Some(1.0) };
         let table = motion_in_numbers(&question, &released).unwrap();
         let number = |prose: &Prose| match prose.0.as_slice() {
             [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
@@ -69,6 +71,7 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
 #[test]
 fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     let verdicts = |key: &str, order: usize, amplitude: f64| {
+        let amplitude = Displacement::from_f64(amplitude).unwrap();
         let released = Released { amplitude, angular_frequency: None };
         let step = few_harmonics::step(&question(key, order), Some(&released)).unwrap()?;
         let tables = step.blocks.into_iter().filter_map(|block| match block {

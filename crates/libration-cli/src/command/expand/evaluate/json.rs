@@ -39,10 +39,15 @@ fn with_exact(record: Record, numbers: &Numbers<'_>) -> Record {
                 Road::Elliptic => "elliptic integrals",
                 Road::Integration => "integration of the equation of motion",
             };
-            record
+            let record = record
                 .number("exact", exact.value)
                 .number("exact_uncertainty", exact.uncertainty)
                 .with("exact_by", road)
+                .with("encloses", exact.encloses.map(json::number));
+            match numbers.other_family() {
+                Some(told) => record.note(&told),
+                None => record,
+            }
         }
         Err(reason) => record.number_or("exact", None, &reason.to_string()),
     }

@@ -6,9 +6,10 @@ mod table;
 use super::Answer;
 use crate::failure::Failure;
 use crate::output::Form;
-use libration::comparison::{ExactValue, Quantity, Radius, Relation};
-use libration::oscillator::NoPeriodicMotion;
+use crate::output::number::short;
+use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
 use libration::perturbation::{Certainty, Evaluation};
+use libration::quantity::Displacement;
 use std::io::Write;
 
 /// The relative errors for which the terms are counted.
@@ -23,7 +24,7 @@ struct Numbers<'a> {
     relation: &'a Relation<'a>,
     amplitude: f64,
     evaluation: Evaluation,
-    exact: Result<ExactValue, NoPeriodicMotion>,
+    exact: Result<ExactValue, NoExactValue>,
     radius: Option<Radius>,
     pade: Vec<Quotient>,
 }
@@ -42,7 +43,7 @@ pub(super) fn write(
     form: Form,
     answer: &Answer,
     quantity: Quantity,
-    amplitude: f64,
+    amplitude: &Displacement,
 ) -> Result<(), Failure> {
     let relation = Relation::new(&answer.oscillator, &answer.expansion, quantity);
     if relation.series().iter().all(libration::algebra::Rational::is_zero) {
@@ -65,9 +66,10 @@ fn absent(answer: &Answer) -> String {
 }
 
 impl<'a> Numbers<'a> {
-    fn new(answer: &'a Answer, relation: &'a Relation<'a>, amplitude: f64) -> Result<Self, Failure> {
-        let exact = relation.exact_at(amplitude);
-        if let Err(refusal @ NoPeriodicMotion::Amplitude(_)) = &exact {
+    fn new(answer: &'a Answer, relation: &'a Relation<'a>, exactly: &Displacement) -> Result<Self, Failure> {
+        let amplitude = exactly.to_f64();
+        let exact = relation.exact_from(exactly);
+        if let Err(refusal @ NoExactValue::Amplitude(_)) = &exact {
             return Err(Failure::no_answer("--evaluate", refusal));
         }
         let evaluation = relation.evaluation_at(amplitude);
@@ -80,6 +82,15 @@ impl<'a> Numbers<'a> {
     /// How far a value is from the exact one; `None` when there is none.
     fn error(&self, value: f64) -> Option<f64> {
         self.exact.as_ref().ok().map(|exact| value - exact.value)
+    }
+
+    /// That the exact motion is not what the series is for.
+    fn other_family(&self) -> Option<String> {
+        let place = self.exact.as_ref().ok()?.encloses?;
+        Some(format!(
+            "the motion goes around another equilibrium too, at {}: it is not of the family that the series is for",
+            short(place, 6)
+        ))
     }
 
     fn needed(&self) -> impl Iterator<Item = (f64, Option<usize>)> {

@@ -2,7 +2,7 @@
 
 use super::super::listing::{self, Symbols};
 use super::{Numbers, Quotient};
-use crate::output::number::{rounded, short};
+use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet, write_text};
 use libration::algebra::Rational;
@@ -111,7 +111,7 @@ fn shortened(value: &Rational, precision: Precision) -> String {
 fn error<E>(exact: &Result<ExactValue, E>, value: f64) -> String {
     match exact {
         Ok(exact) if (value - exact.value).abs() <= exact.uncertainty => {
-            format!("below {:.0e}", exact.uncertainty)
+            format!("below {}", at_most(exact.uncertainty))
         }
         Ok(exact) => rounded(value - exact.value, 3),
         Err(_) => "unknown".to_owned(),
@@ -119,7 +119,9 @@ fn error<E>(exact: &Result<ExactValue, E>, value: f64) -> String {
 }
 
 fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
-    let mut lines = vec![("exact value", exact(numbers)), ("convergence", convergence(numbers))];
+    let mut lines = vec![("exact value", exact(numbers))];
+    lines.extend(numbers.other_family().map(|told| ("but", told)));
+    lines.push(("convergence", convergence(numbers)));
     if let Some(smallest) = numbers.evaluation.smallest_term() {
         lines.push(("no help after", after(numbers, smallest)));
     }
@@ -134,7 +136,7 @@ fn exact(numbers: &Numbers<'_>) -> String {
                 Road::Elliptic => "by elliptic integrals",
                 Road::Integration => "by integrating the equation of motion",
             };
-            format!("{}, right to {:.0e}, {road}", rounded(exact.value, 16), exact.uncertainty)
+            format!("{}, right to {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
         }
         Err(reason) => format!("none: {reason}"),
     }

@@ -1,0 +1,229 @@
+//! The motion of one coordinate from rest to rest in floats of many bits, for what double precision cannot tell.
+//!
+//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from
+//! them is a difference of δ² in energy. So every number is carried in so many bits that what is left of them is enough.
+
+use crate::algebra::{BigFloat, Floats, Ring};
+use crate::expression::{Jet, Tape};
+use crate::taylor::KeptStep;
+
+/// Position and velocity.
+#[derive(Clone, Debug)]
+struct State {
+    x: BigFloat,
+    velocity: BigFloat,
+}
+
+/// The position as a polynomial of the time, with what the velocity has beyond it.
+struct Series {
+    x: Vec<BigFloat>,
+    velocity: Vec<BigFloat>,
+}
+
+/// A motion from rest to the next rest.
+pub(super) struct Leg {
+    pub(super) steps: Vec<KeptStep>,
+    pub(super) duration: BigFloat,
+    /// The place at the end.
+    pub(super) end: BigFloat,
+}
+
+/// Why there is no such motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum NoLeg {
+    /// It comes so near an equilibrium that these bits do not tell what it does there.
+    Undecided,
+    /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
+    Lost(f64),
+    /// The series end, and say nothing about how far they hold, or there are too many steps.
+    Unable,
+}
+
+/// An acceleration as a function of position and velocity.
+pub(super) struct Motion<'a> {
+    tape: &'a Tape,
+    ring: Floats,
+    order: u32,
+}
+
+/// Steps of a leg; more are taken only by motions without end.
+const MOST_STEPS: usize = 600;
+/// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
+const LAST: f64 = 4.0;
+
+impl<'a> Motion<'a> {
+    pub(super) fn new(tape: &'a Tape, precision: usize) -> Self {
+        // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
+        let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
+        Self { tape, ring: Floats { precision }, order }
+    }
+
+    /// The motion that is released from rest at a place, at a time that its steps begin to count from.
+    pub(super) fn leg(&self, place: &BigFloat, start: f64) -> Result<Leg, NoLeg> {
+        let size = place.exponent().unwrap_or(0);
+        let mut state = State { x: place.clone(), velocity: self.ring.zero() };
+        let (mut steps, mut duration) = (vec![], self.ring.zero());
+        let mut nearness = Nearness::default();
+        for _ in 0..MOST_STEPS {
+            let lost = NoLeg::Lost(duration.to_f64());
+            let series = self.series(&state).filter(|_| !is_far(&state.x, size)).ok_or(lost)?;
+            nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
+            let length = self.length(&series, size.max(state.x.exponent().unwrap_or(size)))?;
+            let begin = start + duration.to_f64();
+            if let Some(rest) = self.rest_within(&series, length) {
+                duration = duration + rest.clone();
+                let end = sum_at(&series.x, &rest);
+                nearness.conclude(self.ring.precision)?;
+                steps.push(kept(&series, begin, start + duration.to_f64(), length));
+                return Ok(Leg { steps, duration, end });
+            }
+            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoLeg::Unable)?;
+            duration = duration + elapsed.clone();
+            steps.push(kept(&series, begin, start + duration.to_f64(), length));
+            state = State { x: sum_at(&series.x, &elapsed), velocity: sum_at(&series.velocity, &elapsed) };
+        }
+        Err(NoLeg::Unable)
+    }
+
+    /// `None` where the acceleration has no value.
+    fn series(&self, state: &State) -> Option<Series> {
+        let mut series = Series { x: vec![state.x.clone()], velocity: vec![state.velocity.clone()] };
+        let mut jet = Jet::new(&self.ring, self.tape, &[state.x.clone(), state.velocity.clone()]).ok()?;
+        for n in 1..=u64::from(self.order) {
+            let last = usize::try_from(n - 1).ok()?;
+            series.x.push(self.ring.over_integer(&series.velocity[last], n)?);
+            series.velocity.push(self.ring.over_integer(&jet.result(0)[last], n)?);
+            jet.extend(&[series.x[last + 1].clone(), series.velocity[last + 1].clone()]).ok()?;
+        }
+        Some(series)
+    }
+
+    /// Where the last terms are below the last bit of a number whose first bit is 2^size, and fall.
+    fn length(&self, series: &Series, size: isize) -> Result<f64, NoLeg> {
+        let bits = f64::from(u32::try_from(self.ring.precision).unwrap_or(u32::MAX)) + 4.0;
+        let exponents: Vec<(f64, f64)> = (series.x.iter().enumerate())
+            .filter_map(|(n, c)| Some((real(n), real_exponent(c.exponent()? - size))))
+            .collect();
+        let last = exponents.iter().filter(|(n, _)| *n > f64::from(self.order) - LAST);
+        let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
+        let length = libm::exp2(shortest - excess(&exponents, f64::from(self.order), shortest));
+        if length == f64::INFINITY { Err(NoLeg::Unable) } else { Ok(length) }
+    }
+
+    /// When the velocity vanishes in a step, to the last bit; `None` when it does not.
+    fn rest_within(&self, series: &Series, length: f64) -> Option<BigFloat> {
+        let near = sign_change(&scaled(&series.velocity, length))? * length;
+        let mut time = BigFloat::from_f64(near, self.ring.precision)?;
+        let slope: Vec<BigFloat> =
+            (1_i64..).zip(&series.velocity[1..]).map(|(n, c)| self.ring.times_integer(c, n)).collect();
+        for _ in 0..self.ring.precision.ilog2() {
+            let step = sum_at(&series.velocity, &time) / sum_at(&slope, &time);
+            time = time - step;
+        }
+        Some(time)
+    }
+}
+
+/// By how many powers of two a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
+/// may still grow, as those of eˣ do up to the order x, and a sum that ends among them is not near its end.
+fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
+    /// Powers of two a term.
+    const FALL: f64 = 1.5;
+    let quarter = 0.25 * order;
+    let largest = |from: f64, to: f64| {
+        let within = exponents.iter().filter(|(n, _)| (from..to).contains(n));
+        within.map(|(n, exponent)| exponent + n * log2_length).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (third, last) = (largest(2.0 * quarter, 3.0 * quarter), largest(3.0 * quarter, f64::INFINITY));
+    if third == f64::NEG_INFINITY { 0.0 } else { f64::max(0.0, (last - third) / quarter + FALL) }
+}
+
+/// How near an equilibrium a motion comes: where velocity and acceleration are both small.
+#[derive(Default)]
+struct Nearness {
+    /// The first acceleration, then the largest, and the largest velocity, as powers of two.
+    first: Option<isize>,
+    acceleration: Option<isize>,
+    velocity: Option<isize>,
+}
+
+impl Nearness {
+    fn watch(&mut self, velocity: &BigFloat, acceleration: &BigFloat, precision: usize) -> Result<(), NoLeg> {
+        let (v, a) = (velocity.exponent(), acceleration.exponent());
+        self.first = self.first.or(a);
+        self.velocity = self.velocity.max(v);
+        self.acceleration = self.acceleration.max(a);
+        let below = |own: Option<isize>, largest: Option<isize>| {
+            largest.is_some_and(|largest| own.is_none_or(|own| own - largest < -limit(precision)))
+        };
+        let near = below(v, self.velocity) && below(a, self.acceleration);
+        if near { Err(NoLeg::Undecided) } else { Ok(()) }
+    }
+
+    /// At the end it is known how small the first acceleration was.
+    fn conclude(&self, precision: usize) -> Result<(), NoLeg> {
+        let parts = self.first.zip(self.acceleration);
+        let near = parts.is_none_or(|(first, largest)| first - largest < -limit(precision));
+        if near { Err(NoLeg::Undecided) } else { Ok(()) }
+    }
+}
+
+/// What is on the separatrix to p bits comes within 2^(−p/2) of the equilibrium, where an energy is lost in rounding; nothing is
+/// decided from 2^(−3p/8) on.
+fn limit(precision: usize) -> isize {
+    isize::try_from(3 * precision / 8).unwrap_or(isize::MAX)
+}
+
+/// Whether a place is so far from the first that nothing that passed an equilibrium slowly comes back from there.
+fn is_far(place: &BigFloat, size: isize) -> bool {
+    const FAR: isize = 40;
+    place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
+}
+
+fn sum_at(series: &[BigFloat], time: &BigFloat) -> BigFloat {
+    let mut terms = series.iter().rev().cloned();
+    let last = terms.next().unwrap_or_else(|| BigFloat::from_integer(0, time.precision()));
+    terms.fold(last, |sum, c| sum * time.clone() + c)
+}
+
+/// The coefficients in powers of the part of a step, which neither overflow nor underflow.
+fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
+    const ENOUGH: usize = 64;
+    let Some(length) = BigFloat::from_f64(length, ENOUGH) else { return vec![] };
+    let powers = std::iter::successors(Some(BigFloat::from_integer(1, ENOUGH)), |power| {
+        Some(power.clone() * length.clone())
+    });
+    series.iter().zip(powers).map(|(c, power)| (c.rounded_to(ENOUGH) * power).to_f64()).collect()
+}
+
+/// Where a polynomial on [0, 1] first changes its sign; one that begins with zero has the sign that it takes soon after.
+fn sign_change(polynomial: &[f64]) -> Option<f64> {
+    const LOOKS: u32 = 16;
+    const SOON: f64 = 1e-3;
+    let value = |part: f64| polynomial.iter().rev().fold(0.0, |sum, c| sum * part + c);
+    let sign = value(if polynomial[0] == 0.0 { SOON } else { 0.0 });
+    let turned = |part: f64| value(part) * sign <= 0.0;
+    let after = (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)).find(|part| turned(*part))?;
+    let mut bracket = ((after - 1.0 / f64::from(LOOKS)).max(SOON), after);
+    loop {
+        let middle = 0.5 * (bracket.0 + bracket.1);
+        if middle <= bracket.0 || middle >= bracket.1 {
+            return Some(middle);
+        }
+        if turned(middle) { bracket.1 = middle } else { bracket.0 = middle }
+    }
+}
+
+/// The step in double precision, of length one in its own unit.
+fn kept(series: &Series, start: f64, end: f64, unit: f64) -> KeptStep {
+    KeptStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
+}
+
+fn real(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]
+fn real_exponent(exponent: isize) -> f64 {
+    exponent as f64
+}
