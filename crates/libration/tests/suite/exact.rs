@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use crate::golden::Table;
-use libration::comparison::{ExactValue, NoExactValue, Quantity, Relation, Road};
+use libration::comparison::{Backbone, ExactValue, NoExactValue, Quantity, Relation, Road};
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Expansion, Gauge, expand};
 use libration::quantity::Displacement;
@@ -119,6 +119,33 @@ fn a_decimal_and_its_f64_are_two_amplitudes() {
         relation.exact_at(f64::NAN).map_err(|it| it.to_string()).unwrap_err(),
         "NaN is no amplitude: give a finite number above zero"
     );
+}
+
+#[test]
+fn a_backbone_takes_the_decimal_too() {
+    let curve = Backbone::new(&"x'' = -x + x^3".parse().unwrap(), None, 3).unwrap();
+    for (point, period) in [
+        (curve.at_displacement(&displacement("0.999999999")), 62.535_279_781_833_69),
+        (curve.at(0.999_999_999), 62.535_279_861_827_07),
+    ] {
+        let orbit = point.orbit.unwrap();
+        assert!((orbit.frequency - TAU / period).abs() <= orbit.uncertainty + f64::EPSILON * orbit.frequency);
+        assert!(orbit.uncertainty < 1e-15 && point.exact.is_none());
+    }
+    assert!(curve.at(f64::INFINITY).orbit.is_err());
+}
+
+/// Of x″ + x + x² = 0 the period has a logarithm at 1/2, on whose cut, beyond, approximants have their poles; of x″ + x + x³ = 0 it has none.
+#[test]
+fn approximants_have_their_poles_beyond_the_separatrix() {
+    let pole = |key: &str, degree: usize| {
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        Relation::new(&oscillator, &expansion, Quantity::Period).approximant(degree).unwrap().first_pole()
+    };
+    assert!(pole("quadratic", 8).is_some_and(|place| (0.5..0.55).contains(&place)));
+    assert!(pole("duffing_soft", 4).is_some_and(|place| (1.0..1.25).contains(&place)));
+    assert_eq!(pole("duffing", 4), None);
 }
 
 #[test]

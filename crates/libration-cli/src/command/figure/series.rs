@@ -210,11 +210,11 @@ struct Sample {
     evaluation: Evaluation,
 }
 
-/// Even steps from zero up to where motions end.
+/// Even steps from zero up to where motions end, or go around another equilibrium too.
 fn sampled(relation: &Relation<'_>, to: f64) -> Vec<Sample> {
     let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
     let sample = |amplitude| {
-        let exact = relation.exact_at(amplitude).ok()?;
+        let exact = relation.exact_at(amplitude).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Sample { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
     };
     amplitudes.map_while(sample).collect()
