@@ -4,7 +4,7 @@ use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::{Failure, excerpt};
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, Oscillator};
-use libration::quantity::{Displacement, is_angle_name};
+use libration::quantity::{Angle, Displacement, is_angle_name};
 
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]

@@ -46,7 +46,9 @@ pub enum NoExactValue {
     )]
     Infinite(f64),
     /// A release beyond the equilibrium's own well.
-    #[error("at the displacement {0:?} from the equilibrium the force does not drive back: give a smaller one")]
+    #[error(
+        "at the displacement {0:?} from the equilibrium the force does not drive back: give a smaller one"
+    )]
     NotRestoring(f64),
     /// A motion that does not come back.
     #[error(

@@ -289,7 +289,8 @@ fn displacements_are_the_decimals_that_are_written() {
     }
     let angle = |text: &str| Displacement::from_angle_text(text).unwrap();
     assert_eq!(angle("180deg"), angle("pi"));
-    assert_eq!(angle("pi-1e-12").to_angle().unwrap().complement(), 1e-12);
+    let complement = angle("pi-1e-12").to_angle().unwrap().complement();
+    assert_eq!(complement.to_bits(), 1e-12_f64.to_bits());
     assert_eq!(angle("pi-1e-12").fraction(), None);
     assert!(number("0.25").fraction().is_some());
 }
