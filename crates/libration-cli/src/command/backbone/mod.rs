@@ -97,8 +97,9 @@ impl Backbone {
         let curve = Curve::new(&asked.equation, asked.about.as_ref(), self.order);
         let curve = curve.map_err(|error| Failure::no_answer("oscillator", error))?;
         interrupt::listen()?;
-        let points =
-            parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| curve.at_displacement(amplitude));
+        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| {
+            curve.at_displacement(amplitude)
+        });
         Ok(Answer { asked, curve, order: self.order, points })
     }
 }

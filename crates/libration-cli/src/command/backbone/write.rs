@@ -147,7 +147,7 @@ fn write_enclosing(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         amplitude_text(answer, *place, 6)
     );
     writeln!(out)?;
-    write_text(out, &told)
+    write_text(out, "", &told)
 }
 
 fn head(answer: &Answer) -> Vec<(&'static str, String)> {
