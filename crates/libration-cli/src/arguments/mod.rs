@@ -46,7 +46,7 @@ pub(crate) use system::SystemOptions;
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
-    angle, angular_velocity, count, finite_time, gravity, length, length_with_uncertainty, not_negative,
-    positive,
+    angle, angular_velocity, count, displacement, finite_time, gravity, length, length_with_uncertainty,
+    not_negative, positive,
 };
 pub(crate) use times::{TimeOptions, Times, times};

@@ -1,12 +1,19 @@
 //! Quantities from the command line, each checked where it stands.
 
 use super::bare;
-use libration::quantity::{Angle, Dimension, Quantity, QuantityError, parse};
+use libration::quantity::{Angle, Dimension, Displacement, Quantity, QuantityError, parse};
 
 pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
     let angle = text.parse()?;
     bare::say(text);
     Ok(angle)
+}
+
+/// An angle as it is written.
+pub(crate) fn displacement(text: &str) -> Result<Displacement, QuantityError> {
+    let displacement = Displacement::from_angle_text(text)?;
+    bare::say(text);
+    Ok(displacement)
 }
 
 pub(crate) fn length(text: &str) -> Result<f64, String> {

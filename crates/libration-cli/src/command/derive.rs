@@ -31,7 +31,7 @@ pub(crate) struct Derive {
     #[command(flatten)]
     perturbation: PerturbationOptions,
     /// Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number
-    #[arg(long, value_parser = Displacement::from_angle_text)]
+    #[arg(long, value_parser = arguments::displacement)]
     amplitude: Option<Displacement>,
     #[command(flatten)]
     pendulum: PendulumOptions,
