@@ -387,7 +387,10 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
     let growing = Released { drag: -0.02, degrees: 40.0, ..Released::USUAL }.write("fit-trace-growing");
     let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy");
     let cosine = swing_by("fit-trace-cosine", |time, _| 80.0 * f64::cos(std::f64::consts::TAU / 1.5 * time));
-    let stray = swing_by("fit-trace-stray", |time, angle| if time == 7.5 { angle + 30.0 } else { angle });
+    let stray = swing_by(
+        "fit-trace-stray",
+        |time, angle| if (time - 7.5).abs() < 1e-9 { angle + 30.0 } else { angle },
+    );
     for (kind, swing, model) in [
         ("feeds_energy", &growing, "linear"),
         ("negative_damping", &growing, "linear"),
@@ -407,7 +410,10 @@ fn advice_is_given_where_it_would_help() {
     let usual = advice(&Released::USUAL.write("fit-trace-no-advice"));
     let tilted = swing_by("fit-trace-tilted", |_, angle| angle + 2.0);
     let held = swing_by("fit-trace-held", |time, angle| if time < 0.2 { 50.0 } else { angle });
-    let stray = swing_by("fit-trace-one-stray", |time, angle| if time == 7.5 { angle + 30.0 } else { angle });
+    let stray = swing_by(
+        "fit-trace-one-stray",
+        |time, angle| if (time - 7.5).abs() < 1e-9 { angle + 30.0 } else { angle },
+    );
     let coarse = Released::USUAL.write("fit-trace-coarse");
     let table = fs::read_to_string(&coarse).unwrap();
     let every_fifth: Vec<&str> = table.lines().skip(1).step_by(5).collect();
