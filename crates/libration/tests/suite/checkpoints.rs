@@ -74,18 +74,18 @@ fn from_every_step_the_motion_goes_on_as_it_did() {
 #[test]
 fn a_motion_to_a_nearer_goal_gives_checkpoints_of_the_farther_one() {
     for (equation, start) in MOTIONS {
-        let system = system(equation);
-        let (whole, ..) = run(&system, &at(start), &[20.0], 1e-12);
-        for nearer in [0.01, 0.3, 4.0, 7.7, 19.99] {
-            let (_, checkpoints, _) = run(&system, &at(start), &[nearer], 1e-12);
-            let from = checkpoints.last().cloned().map_or(at(start), Departure::From);
-            let (resumed, ..) = run(&system, &from, &[20.0], 1e-12);
-            assert_eq!(
-                (resumed.end, resumed.steps),
-                (whole.end.clone(), whole.steps),
-                "{equation} at {nearer}"
-            );
-        }
+        assert_same_from_nearer_goals(equation, start);
+    }
+}
+
+fn assert_same_from_nearer_goals(equation: &str, start: &[f64]) {
+    let system = system(equation);
+    let (whole, ..) = run(&system, &at(start), &[20.0], 1e-12);
+    for nearer in [0.01, 0.3, 4.0, 7.7, 19.99] {
+        let (_, checkpoints, _) = run(&system, &at(start), &[nearer], 1e-12);
+        let from = checkpoints.last().cloned().map_or(at(start), Departure::From);
+        let (resumed, ..) = run(&system, &from, &[20.0], 1e-12);
+        assert_eq!((resumed.end, resumed.steps), (whole.end.clone(), whole.steps), "{equation} at {nearer}");
     }
 }
 

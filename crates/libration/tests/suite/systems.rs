@@ -239,3 +239,14 @@ fn pendulums_have_the_frequency_of_their_length_and_gravity() {
         assert!(matches!(values("pendulum", Some(impossible), None), Err(NoSuchPendulum::NotAbove(_))));
     }
 }
+
+#[test]
+fn an_energy_that_had_no_value_once_has_no_drift() {
+    let model = Model::by_key("pendulum", &[], &[]).unwrap();
+    let energy = model.energy().unwrap();
+    let moment = |state: [f64; 2]| Moment { time: 0.0, state: state.to_vec() };
+    let mut balance = energy.balance(&moment([1.0, 0.0]));
+    balance.record(&moment([f64::NAN, 0.0]));
+    balance.record(&moment([0.5, 0.9]));
+    assert!(balance.drift().is_nan());
+}

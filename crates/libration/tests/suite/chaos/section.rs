@@ -252,3 +252,25 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
         );
     }
 }
+
+#[test]
+fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
+    let equation = "x'' = -x - x'/2 + cos(A*t)".parse().unwrap();
+    let section = Section::Stroboscope { period: None, phase: 0.25 };
+    let points = Points { skipped: 0, kept: 3 };
+    let family = Family { equation: &equation, parameter: "A", section: &section, points };
+    let effort = Effort::to_tolerance(1e-12);
+    let columns = bifurcation_diagram(
+        &family,
+        &[1.0, 1.3],
+        &from(&[1.0, 0.0]),
+        Continuation::LastState,
+        &effort,
+        |_| ControlFlow::Continue(()),
+    )
+    .unwrap();
+    let [before, after] = [0, 1].map(|column: usize| &columns[column].section.points);
+    // The first flash of the new drive is where the last of the old one was.
+    assert_eq!(after[0].state, before[2].state);
+    assert!((after[0].time - 0.25 * TAU / 1.3).abs() < 1e-14, "{}", after[0].time);
+}
