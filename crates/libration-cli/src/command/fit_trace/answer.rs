@@ -68,7 +68,7 @@ impl<'a> Answer<'a> {
             measured.traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
         let beta = Beta::of(&cycles);
         let period = small_angle_period(&fit, comparison.as_ref());
-        let pendulum = Pendulum::of(period, &cycles, apparatus)?;
+        let pendulum = Pendulum::of(&fit, period, &cycles, apparatus)?;
         let mut answer = Self {
             measured,
             fit,
@@ -215,6 +215,7 @@ impl Beta {
 
 impl Pendulum {
     fn of(
+        motion: &TraceFit,
         (value, uncertainty): (f64, f64),
         cycles: &[Result<Cycles, CyclesError>],
         options: &ApparatusOptions,
@@ -227,23 +228,14 @@ impl Pendulum {
             t0: Quantity { value, uncertainty: Some(uncertainty) },
             amplitude: middle_amplitude(cycles),
             // What a fitted scale is worth is part of T0 already.
-            angle_scale: fit.parameter("scale").map_or(options.angle_scale(), |_| Some(0.0)),
+            angle_scale: motion.parameter("scale").map_or(options.angle_scale(), |_| Some(0.0)),
             clock: options.clock(),
-            degrees_of_freedom: independent_rows(fit),
-            damping: damping(fit),
+            degrees_of_freedom: motion.parameters[0].degrees_of_freedom,
+            damping: damping(motion),
         };
         let budget = fit::budget(&apparatus, &period, options.correlations())
             .map_err(|error| Failure::no_answer("gravity", error))?;
         Ok(Self::Gravity { budget, length: apparatus.length })
-    }
-}
-
-/// The degrees of freedom of the scatter, as many rows as are alike counting as one.
-fn independent_rows(fit: &TraceFit) -> f64 {
-    let degrees = f64::from(u32::try_from(fit.degrees_of_freedom).unwrap_or(u32::MAX));
-    match fit.autocorrelation.is_noise() {
-        true => degrees,
-        false => (degrees / fit.autocorrelation.time.max(1.0)).max(1.0),
     }
 }
 
