@@ -1,11 +1,11 @@
 //! The pendulum as a laboratory knows it: lengths and masses with their uncertainties.
 
-use super::text;
-use libration::fit::{AIR_DENSITY, Apparatus};
+use super::{correlation, text};
+use libration::fit::{AIR_DENSITY, Apparatus, Correlation, PeriodDamping};
 use libration::quantity::Quantity;
 
 /// The options that give g and the budget of its uncertainty.
-#[derive(Clone, Copy, Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
 pub(crate) struct ApparatusOptions {
     /// From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity
@@ -35,6 +35,27 @@ pub(crate) struct ApparatusOptions {
     /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     angle_scale: Option<f64>,
+    /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
+    #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
+    clock: Option<f64>,
+    /// Two inputs that are known by what they have in common, such as length,bob-radius=0.9
+    #[arg(long, value_name = "NAME,NAME=R", value_parser = correlation::correlation, requires = "length", allow_hyphen_values = true)]
+    correlation: Vec<Correlation>,
+}
+
+/// The damping of a period that contains it.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
+pub(crate) struct DampingOptions {
+    /// Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected]
+    #[arg(long, value_name = "RATE", value_parser = text::rate_with_uncertainty, requires = "length")]
+    linear_damping: Option<Quantity>,
+}
+
+impl DampingOptions {
+    pub(crate) fn damping(self) -> PeriodDamping {
+        self.linear_damping.map_or(PeriodDamping::Unknown, PeriodDamping::Contained)
+    }
 }
 
 impl ApparatusOptions {
@@ -43,9 +64,24 @@ impl ApparatusOptions {
         self.length
     }
 
+    /// Of the bob.
+    pub(crate) fn bob_radius(&self) -> Option<Quantity> {
+        self.bob_radius
+    }
+
     /// The relative uncertainty of the angles.
     pub(crate) fn angle_scale(&self) -> Option<f64> {
         self.angle_scale
+    }
+
+    /// The relative uncertainty of the clock.
+    pub(crate) fn clock(&self) -> Option<f64> {
+        self.clock
+    }
+
+    /// The correlations that were given.
+    pub(crate) fn correlations(&self) -> &[Correlation] {
+        &self.correlation
     }
 
     /// The apparatus; none when no length is given, without which there is no gravity.

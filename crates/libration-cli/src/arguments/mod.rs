@@ -5,6 +5,7 @@ mod angle_list;
 mod apparatus;
 mod bare;
 mod column_units;
+mod correlation;
 mod counted;
 mod displacements;
 mod formulas;
@@ -27,7 +28,7 @@ mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
 pub(crate) use angle_list::{AngleList, angle_list};
-pub(crate) use apparatus::ApparatusOptions;
+pub(crate) use apparatus::{ApparatusOptions, DampingOptions};
 pub(crate) use bare::say as say_radians;
 pub(crate) use column_units::{ColumnsInSi, Wanted};
 pub(crate) use counted::CountedOptions;
@@ -47,6 +48,6 @@ pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_colum
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
     angle, angular_velocity, count, displacement, finite_time, gravity, length, length_with_uncertainty,
-    not_negative, positive,
+    not_negative, part, positive,
 };
 pub(crate) use times::{TimeOptions, Times, times};

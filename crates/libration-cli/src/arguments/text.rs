@@ -38,8 +38,14 @@ pub(super) fn density_with_uncertainty(text: &str) -> Result<Quantity, String> {
     parse(text, Dimension::Density).map_err(|error| error.to_string())
 }
 
+/// A rate above zero with the uncertainty it was given.
+pub(super) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Rate)?;
+    parse(text, Dimension::Rate).map_err(|error| error.to_string())
+}
+
 /// A part of one, such as 0.01 or 1%.
-pub(super) fn part(text: &str) -> Result<f64, String> {
+pub(crate) fn part(text: &str) -> Result<f64, String> {
     let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number, 0.01));
     let part = number.trim().parse::<f64>().ok().map(|number| number * unit);
     part.filter(|part| (0.0..1.0).contains(part))

@@ -99,7 +99,7 @@ struct FitQuestion {
 
 #[derive(Debug, clap::Subcommand)]
 enum Fit {
-    Periods(fit_periods::FitPeriods),
+    Periods(Box<fit_periods::FitPeriods>),
     Lengths(fit_lengths::FitLengths),
     Gates(Box<fit_gates::FitGates>),
     Trace(Box<fit_trace::FitTrace>),

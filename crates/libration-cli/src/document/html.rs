@@ -1,33 +1,81 @@
 //! A document as one HTML file that needs nothing else: its pictures are inside.
 
-use super::{Block, Document, Figure, Section, Table};
+use super::{Block, Document, Figure, Section, Table, latex, legend};
+use crate::figure::chart::Picture;
 use crate::figure::draw;
 use crate::output::table::Column;
 
-/// Readable on a telephone, where wide tables and pictures are moved by the finger, and on paper.
+/// Readable on a telephone and on paper. Tables fit where they stand: their cells are broken, and on the screen of a telephone
+/// each row of a wide table becomes a list.
 const STYLE: &str = "\
 :root{color-scheme:light}
 body{font:17px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:56rem;margin:0 auto;\
 padding:1rem}
 h1{font-size:1.7rem;line-height:1.2;overflow-wrap:anywhere}
 h2{font-size:1.25rem;margin-top:2.2rem;border-bottom:1px solid #bbb;padding-bottom:.2rem}
-p,li{max-width:44rem}
+p,li{max-width:44rem;overflow-wrap:anywhere}
 figure{margin:1.4rem 0}
 .wide{overflow-x:auto}
-figure svg{display:block;width:100%;min-width:34rem;height:auto}
+figure svg{display:block;width:100%;height:auto}
+.wide svg{min-width:26rem}
 figcaption{font-size:.9rem;color:#444;max-width:44rem}
+.legend{list-style:none;margin:.3rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.1rem 1.2rem}
+.legend svg{display:inline-block;width:48px;height:16px;vertical-align:-2px}
+.aside{border-left:.3rem solid #b35c00;background:#fff6e8;padding:.3rem 1rem;margin:1rem 0}
+.aside h3{font-size:1rem;margin:.3rem 0}
+.aside ul{margin:.3rem 0;padding-left:1.2rem}
 table{border-collapse:collapse;font-size:.95rem;font-variant-numeric:tabular-nums}
 caption{text-align:left;font-size:.9rem;color:#444;padding-bottom:.3rem}
 th,td{padding:.25rem .8rem;text-align:left;vertical-align:top;border-bottom:1px solid #ddd}
 tbody th{font-weight:600}
 .short,.number{white-space:nowrap}
+.many .short{white-space:normal}
+td:last-child{overflow-wrap:anywhere}
 .number{text-align:right}
-thead th{border-bottom:2px solid #888}
-@media (max-width:40rem){.short{white-space:normal}th,td{padding:.25rem .4rem}}
-@media print{body{font-size:10.5pt;max-width:none;padding:0}figure,tr,li{break-inside:avoid}h2{break-after:avoid}\
-.wide{overflow:visible}table{font-size:9pt}th,td{padding:.15rem .4rem}.short{white-space:normal}\
-figure svg{min-width:0;max-height:20cm}}
+thead th{border-bottom:2px solid #888;white-space:normal}
+.copy{margin:.3rem 0 1rem}
+.copy button{font:inherit;font-size:.8rem;margin-right:.5rem}
+@media (max-width:60rem){table{font-size:.82rem}th,td{padding:.2rem .35rem}\
+.short,.number{white-space:normal}}
+@media (max-width:40rem){.many thead{display:none}.many,.many caption,.many tbody,.many tr,.many th,.many td{display:block}\
+.many tr{border-bottom:2px solid #888;padding:.3rem 0}.many th,.many td{border:0;text-align:left;padding:.1rem 0}\
+.many td::before{content:attr(data-head) ': ';color:#555}.many td:empty{display:none}}
+@media print{body{font-size:10.5pt;max-width:none;padding:0}figure,tr,li,.aside{break-inside:avoid}h2{break-after:avoid}\
+.wide{overflow:visible}table{font-size:9pt}th,td{padding:.15rem .4rem}.short,.number{white-space:normal}\
+.wide svg{min-width:0;max-height:20cm}.copy{display:none}}
 ";
+
+/// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.
+const SCRIPT: &str = "\
+for (const bar of document.querySelectorAll('.copy')) {
+  const table = bar.parentNode.querySelector('table');
+  const text = Array.from(table.rows, row => Array.from(row.cells, cell => cell.textContent).join('\\t')).join('\\n');
+  bar.hidden = false;
+  for (const button of bar.children) button.onclick = () => {
+    const fill = event => {
+      event.preventDefault();
+      const latex = button.className === 'latex';
+      event.clipboardData.setData('text/plain', latex ? table.dataset.latex : text);
+      if (!latex) event.clipboardData.setData('text/html', '<table>' + table.innerHTML + '</table>');
+    };
+    document.addEventListener('copy', fill);
+    const done = document.execCommand('copy');
+    document.removeEventListener('copy', fill);
+    button.title = done ? 'copied' : 'the browser did not allow it';
+    button.style.outline = done ? '2px solid #2a7' : '2px solid #b35c00';
+  };
+}
+";
+
+/// What the page may load: nothing; its style, its script and its icon are inside.
+const POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+
+/// The width that pictures are drawn for: letters stay readable where it is made half as wide.
+const PICTURE_WIDTH: f64 = 760.0;
+
+/// Columns of a table whose rows are no longer lines on the screen of a telephone.
+const MANY: usize = 4;
 
 /// Letters of a cell that is kept on one line.
 const SHORT: usize = 32;
@@ -39,9 +87,10 @@ pub(super) fn page(document: &Document) -> String {
     let sections: String = document.sections.iter().map(|each| section(each, &mut pictures)).collect();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n\
-         <body>\n<main>\n<h1>{title}</h1>\n{sections}</main>\n</body>\n</html>\n"
+         <body>\n<main>\n<h1>{title}</h1>\n{sections}</main>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n"
     )
 }
 
@@ -53,9 +102,9 @@ fn section(section: &Section, pictures: &mut usize) -> String {
 fn block(block: &Block, pictures: &mut usize) -> String {
     match block {
         Block::Paragraph(text) => format!("<p>{}</p>\n", escaped(text)),
-        Block::List(items) => {
-            let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect();
-            format!("<ul>\n{items}</ul>\n")
+        Block::List(items) => list(items),
+        Block::Aside(title, items) => {
+            format!("<div class=\"aside\">\n<h3>{}</h3>\n{}</div>\n", escaped(title), list(items))
         }
         Block::Table(table) => self::table(table),
         Block::Figure(figure) => {
@@ -65,15 +114,25 @@ fn block(block: &Block, pictures: &mut usize) -> String {
     }
 }
 
+fn list(items: &[String]) -> String {
+    let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect();
+    format!("<ul>\n{items}</ul>\n")
+}
+
+/// The table, which becomes a list of lists on small screens if it has many columns of words, with its buttons.
 fn table(table: &Table) -> String {
+    let words = table.columns.iter().filter(|column| !column.is_of_numbers()).count();
+    let many = if table.columns.len() >= MANY && words > 1 { " class=\"many\"" } else { "" };
     let head = |column: &Column| {
         format!("<th scope=\"col\"{}>{}</th>", class(column, false), escaped(&column.title))
     };
     let heads: String = table.columns.iter().map(head).collect();
     let rows: String = table.rows.iter().map(|cells| row(&table.columns, cells)).collect();
     format!(
-        "<div class=\"wide\"><table>\n<caption>{}</caption>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n\
-         </table></div>\n",
+        "<div><div class=\"wide\"><table{many} data-latex=\"{}\">\n<caption>{}</caption>\n<thead><tr>{heads}</tr></thead>\n\
+         <tbody>\n{rows}</tbody>\n</table></div>\n<p class=\"copy\" hidden><button class=\"word\">Copy for Word</button>\
+         <button class=\"latex\">Copy for LaTeX</button></p></div>\n",
+        escaped(&latex::tabular(table)),
         escaped(&table.caption)
     )
 }
@@ -83,7 +142,9 @@ fn row(columns: &[Column], cells: &[String]) -> String {
     let cell = |(place, (column, cell)): (usize, (&Column, &String))| {
         let class = class(column, cell.chars().count() <= SHORT);
         let (tag, scope) = if place == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
-        format!("<{tag}{scope}{class}>{}</{tag}>", escaped(cell))
+        let head =
+            if place == 0 { String::new() } else { format!(" data-head=\"{}\"", escaped(&column.title)) };
+        format!("<{tag}{scope}{class}{head}>{}</{tag}>", escaped(cell))
     };
     let cells: String = columns.iter().zip(cells).enumerate().map(cell).collect();
     format!("<tr>{cells}</tr>\n")
@@ -101,11 +162,13 @@ fn class(column: &Column, is_short: bool) -> &'static str {
 /// A picture with names of its own for its parts, since all pictures share the names of the page.
 fn figure(figure: &Figure, number: usize) -> String {
     let caption = escaped(&figure.caption);
-    let svg = draw::to_svg(&figure.picture)
+    let names = legend::list(&figure.picture);
+    let picture = Picture { width: PICTURE_WIDTH, ..legend::without_names(&figure.picture) };
+    let svg = draw::to_svg(&picture)
         .replace("id=\"", &format!("id=\"picture{number}-"))
         .replace("url(#", &format!("url(#picture{number}-"));
     format!(
-        "<figure>\n<div class=\"wide\">{}</div>\n<figcaption>{caption}</figcaption>\n</figure>\n",
+        "<figure>\n<div class=\"wide\">{}</div>\n{names}<figcaption>{caption}</figcaption>\n</figure>\n",
         scalable(&svg, &caption)
     )
 }
@@ -128,14 +191,13 @@ fn scalable(svg: &str, caption: &str) -> String {
     sized.replacen("<svg ", &begin, 1)
 }
 
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::chart::Picture;
 
     #[test]
     fn what_is_written_is_never_taken_for_tags() {
@@ -144,14 +206,52 @@ mod tests {
             Figure { name: "a".to_owned(), caption: text.to_owned(), picture: Picture::new(text, vec![]) };
         let table = Table {
             caption: text.to_owned(),
-            columns: vec![Column::words("x")],
-            rows: vec![vec![text.to_owned()]],
+            columns: vec![Column::words(text), Column::numbers(text)],
+            rows: vec![vec![text.to_owned(); 2]],
         };
-        let blocks = vec![Block::words(text), Block::List(vec![text.to_owned()]), Block::Table(table)];
+        let list = vec![text.to_owned()];
+        let blocks = vec![
+            Block::words(text),
+            Block::Aside("doubts", list.clone()),
+            Block::List(list),
+            Block::Table(table),
+        ];
         let sections =
             vec![Section { title: "what", blocks: [blocks, vec![Block::Figure(figure)]].concat() }];
         let page = page(&Document { title: text.to_owned(), sections });
-        assert!(!page.contains("<script"), "{page}");
+        // The one script is that of the page.
+        assert!(
+            page.matches("<script").count() == 1 && page.contains(&format!("<script>\n{SCRIPT}")),
+            "{page}"
+        );
+        assert!(!page.contains("\"more\""), "{page}");
         assert!(page.contains("viewBox=\"0 0 ") && page.contains("role=\"img\""), "{page}");
+    }
+
+    #[test]
+    fn tables_can_be_copied_and_fit_small_screens() {
+        let written = |columns: Vec<Column>| {
+            let row = vec!["a_b".to_owned(); columns.len()];
+            table(&Table { caption: "What".to_owned(), columns, rows: vec![row] })
+        };
+        let words = written(["one", "two", "three", "four"].map(Column::words).to_vec());
+        assert!(words.contains("class=\"many\"") && words.contains("data-head=\"four\""), "{words}");
+        assert!(words.contains("data-latex=\"% What\n\\begin{tabular}{llll}"), "{words}");
+        assert!(
+            words.contains("a\\_b &amp; a\\_b") && words.contains("<p class=\"copy\" hidden>"),
+            "{words}"
+        );
+        let numbers = [vec![Column::words("one")], ["two", "three", "four"].map(Column::numbers).to_vec()];
+        assert!(!written(numbers.concat()).contains("class=\"many\""));
+        assert!(STYLE.contains("@media print") && STYLE.contains(".copy{display:none}"));
+    }
+
+    #[test]
+    fn the_page_may_load_nothing() {
+        let page = page(&Document { title: "what".to_owned(), sections: vec![] });
+        assert!(page.contains("default-src 'none'"), "{page}");
+        let outside = ["http", "//", "@import", "url(", "fetch", "XMLHttp"].map(|word| page.contains(word));
+        assert_eq!(outside, [true, false, false, false, false, false], "http-equiv alone");
+        assert_eq!(page.matches("http").count(), 1);
     }
 }

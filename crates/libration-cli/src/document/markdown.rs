@@ -21,6 +21,10 @@ fn block(block: &Block, file_of: &impl Fn(&Figure) -> String) -> String {
         Block::List(items) => {
             items.iter().map(|item| format!("- {}", escaped(item))).collect::<Vec<_>>().join("\n")
         }
+        Block::Aside(title, items) => {
+            let items: Vec<String> = items.iter().map(|item| format!("> - {}", escaped(item))).collect();
+            format!("> **{}**\n>\n{}", escaped(title), items.join("\n"))
+        }
         Block::Table(table) => self::table(table),
         Block::Figure(figure) => {
             let caption = escaped(&figure.caption);
@@ -60,6 +64,12 @@ fn escaped(text: &str) -> Cow<'_, str> {
 mod tests {
     use super::*;
     use crate::output::table::Column;
+
+    #[test]
+    fn what_must_not_be_missed_stands_out() {
+        let aside = Block::Aside("Doubts", vec!["one_1".to_owned(), "two".to_owned()]);
+        assert_eq!(block(&aside, &|_| String::new()), "> **Doubts**\n>\n> - one\\_1\n> - two");
+    }
 
     #[test]
     fn tables_have_a_rule_and_text_is_escaped() {

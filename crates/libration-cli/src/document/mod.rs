@@ -3,9 +3,13 @@
 
 mod files;
 mod html;
+mod latex;
+mod legend;
 mod markdown;
+mod provenance;
 
 pub(crate) use files::{name, write};
+pub(crate) use provenance::provenance;
 
 use crate::figure::chart::Picture;
 use crate::output::table::Column;
@@ -29,6 +33,8 @@ pub(crate) struct Section {
 pub(crate) enum Block {
     Paragraph(String),
     List(Vec<String>),
+    /// What must not be missed, under a title.
+    Aside(&'static str, Vec<String>),
     Table(Table),
     Figure(Figure),
 }

@@ -1,19 +1,42 @@
 //! The budget of the uncertainty of g, as a table and as JSON.
 
 use super::json::Record;
-use super::number;
 use super::table::{Column, Table};
+use super::{combined, number};
 use libration::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
+use libration::quantity::Quantity;
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The budget as a table: name, correction, contribution, kind, formula, and with what.
+/// The budget as two tables: the effects (name, correction, contribution, kind, formula, and with what), and the inputs.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
     let mut table = Table::new(columns());
     for row in rows(budget) {
         table.row(out, row)?;
     }
-    table.finish(out)
+    table.finish(out)?;
+    writeln!(out)?;
+    combined::write_table(out, &budget.combined)
+}
+
+/// g from a length, its expanded uncertainty, and what is doubtful about both, as lines of a sheet.
+pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, String)> {
+    let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
+    let gravity = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
+    let mut lines = vec![("gravity", format!("{gravity}  (length {length})"))];
+    lines.push(("expanded", combined::expanded(&budget.combined)));
+    lines.extend(doubts(budget).into_iter().map(|doubt| ("doubtful", doubt)));
+    lines
+}
+
+/// What is doubtful about g and its uncertainty.
+pub(crate) fn doubts(budget: &Budget) -> Vec<String> {
+    contradiction(budget).into_iter().chain(budget.warnings()).collect()
+}
+
+/// The fields of a budget and of the uncertainty of g.
+pub(crate) fn fields(record: Record, budget: &Budget) -> Record {
+    combined::fields(record.with("budget", records(budget)), &budget.combined)
 }
 
 /// What to think of a gravity that is found nowhere on Earth, by more than three of its uncertainties.
@@ -84,7 +107,7 @@ fn cells(row: &BudgetRow) -> [String; 6] {
 }
 
 /// The rows as JSON: `correction` is null where none is applied, `usual_size` says how large it would be.
-pub(crate) fn records(budget: &Budget) -> Vec<Value> {
+fn records(budget: &Budget) -> Vec<Value> {
     let record = |row: &BudgetRow| {
         let optional = |value: Option<f64>| value.map_or(Value::Null, super::json::number);
         let (applied, usual) = match row.correction {

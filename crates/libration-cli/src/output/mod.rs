@@ -1,6 +1,7 @@
 //! How answers are written: as a table to read, as JSON, as CSV, or as a file.
 
 pub(crate) mod budget;
+pub(crate) mod combined;
 pub(crate) mod csv;
 pub(crate) mod file;
 pub(crate) mod json;
@@ -8,6 +9,7 @@ pub(crate) mod leftover;
 pub(crate) mod number;
 pub(crate) mod place;
 pub(crate) mod progress;
+pub(crate) mod scatter;
 pub(crate) mod screen;
 pub(crate) mod series;
 pub(crate) mod standard;

@@ -44,9 +44,10 @@ pub(crate) fn at_most(value: f64) -> String {
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
-/// `1.637 ± 0.002 s`, to two digits of the uncertainty.
+/// `1.637 ± 0.002 s`, to two digits of the uncertainty; one that is not finite is said to be so.
 pub(crate) fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     let text = match places(uncertainty) {
+        _ if !uncertainty.is_finite() => format!("{} ± {} {unit}", short(value, 6), non_finite(uncertainty)),
         Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
         None if uncertainty > 0.0 => format!("{} ± {} {unit}", rounded(value, 12), rounded(uncertainty, 2)),
         None => format!("{} {unit}", short(value, 12)),
@@ -104,6 +105,7 @@ mod tests {
         assert_eq!(with_uncertainty(0.003122450913, 4.4e-6, ""), "0.0031225 ± 0.0000044");
         assert_eq!(with_uncertainty(1234.5, 67.8, "m"), "1234 ± 68 m");
         assert_eq!(with_uncertainty(0.56, 0.0, "m"), "0.56 m");
+        assert_eq!(with_uncertainty(9.8577686, f64::NAN, "m"), "9.85777 ± nan m");
         assert_eq!(with_uncertainty(1.5e-20, 2e-21, "s"), "1.50000000000e-20 ± 2.0e-21 s");
     }
 

@@ -14,6 +14,7 @@ mod figure_sizes;
 mod figures;
 mod files;
 mod fit;
+mod fit_budget;
 mod fit_lengths_and_gates;
 mod fit_trace;
 mod formulas;

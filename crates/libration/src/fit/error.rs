@@ -84,6 +84,9 @@ pub enum FitError {
         /// In metres.
         length: f64,
     },
+    /// An uncertainty of the clock that is none.
+    #[error("a relative uncertainty of the clock of {0} is not usable: give a finite number of zero or more")]
+    Clock(f64),
     /// Lengths that do not tell g from their offset.
     #[error("the lengths are all the same, which leaves their offset open: measure with different lengths")]
     EqualLengths,

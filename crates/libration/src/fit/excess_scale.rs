@@ -1,6 +1,7 @@
 //! The one-parameter test of a law: T = T0·[1 + β(R(A) − 1)], where β = 1 is the law itself.
 
 use super::law::{Law, Point};
+use super::scatter::{self, Scatter};
 use super::small_angle_period::{count, per_dof};
 use super::{FitError, PeriodTable, Weighting};
 
@@ -11,14 +12,15 @@ const MOST_ROUNDS: usize = 100;
 pub struct ExcessScaleFit {
     /// The factor on the law's excess R − 1: 1 is the law, 0 a constant period.
     pub beta: f64,
-    /// Its standard deviation from the uncertainties of the rows as given; without them from the scatter.
+    /// Its standard deviation from the uncertainties of the rows, [enlarged](Scatter) where they scatter more; without them from
+    /// the scatter.
     pub beta_uncertainty: f64,
-    /// The same times √(χ²/dof): the standard deviation if all uncertainties were wrong by one factor. None
-    /// without a degree of freedom.
+    /// By the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, be it above or below one.
+    /// None without a degree of freedom.
     pub beta_uncertainty_scaled: Option<f64>,
     /// The period of small swings that goes with β, in seconds.
     pub t0: f64,
-    /// Its standard deviation, in seconds.
+    /// Its standard deviation, in seconds, likewise.
     pub t0_uncertainty: f64,
     /// The correlation of T0 and β.
     pub correlation: f64,
@@ -33,6 +35,12 @@ impl ExcessScaleFit {
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         per_dof(self.chi2, self.dof)
+    }
+
+    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn scatter(&self) -> Option<Scatter> {
+        Scatter::of(self.chi2, self.dof)
     }
 }
 
@@ -102,8 +110,10 @@ impl Line {
         let dof = points.len() - 2;
         let weighted = weighting != Weighting::Scatter;
         let per_dof = (dof > 0).then(|| self.chi2 / count(dof));
+        let chi2 = weighted.then_some(self.chi2);
+        let enlargement = scatter::enlargement(chi2, dof);
         // Unit weights: the variance of a row is the scatter about the line.
-        let unit = if weighted { 1.0 } else { per_dof.unwrap_or(f64::NAN) };
+        let unit = if weighted { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
         let t0 = self.mean - self.slope * self.centre;
         let beta = self.slope / t0;
         let t0_variance = self.mean_variance + self.centre * self.centre * self.slope_variance;
@@ -111,16 +121,14 @@ impl Line {
         let beta_variance =
             (self.slope_variance - 2.0 * beta * covariance + beta * beta * t0_variance) / (t0 * t0);
         let t0_beta_covariance = (covariance - beta * t0_variance) / t0;
-        let beta_uncertainty = (beta_variance * unit).sqrt();
-        let scale = if weighted { per_dof.map(f64::sqrt) } else { Some(1.0) };
         ExcessScaleFit {
             beta,
-            beta_uncertainty,
-            beta_uncertainty_scaled: scale.map(|scale| scale * beta_uncertainty),
+            beta_uncertainty: (beta_variance * unit).sqrt(),
+            beta_uncertainty_scaled: per_dof.map(|per_dof| (beta_variance * per_dof).sqrt()),
             t0,
             t0_uncertainty: (t0_variance * unit).sqrt(),
             correlation: t0_beta_covariance / (t0_variance * beta_variance).sqrt(),
-            chi2: weighted.then_some(self.chi2),
+            chi2,
             dof,
         }
     }

@@ -14,6 +14,7 @@
 
 mod akaike;
 mod budget;
+mod chi_squared;
 pub mod cycles;
 mod damping_terms;
 mod error;
@@ -26,20 +27,23 @@ mod outliers;
 mod period_table;
 mod periods;
 mod robust;
+mod scatter;
 mod small_angle_period;
 mod student;
 pub mod trace;
 
 pub use budget::{
-    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod, budget,
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, COVERAGE, CombinedUncertainty,
+    Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping, budget,
 };
 pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{GRAVITY_ON_EARTH, Gravity, gravity};
 pub use law::Law;
-pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, lengths};
+pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{Options, PeriodFit, periods};
+pub use scatter::{Scatter, ScatterVerdict};
 pub use small_angle_period::{LawFit, small_angle_period};

@@ -1,6 +1,7 @@
 //! T0 under a law T = T0·R(A).
 
 use super::law::{Law, Point};
+use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
 
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
@@ -15,8 +16,8 @@ pub struct LawFit {
     pub key: String,
     /// The period of small swings, in seconds.
     pub t0: f64,
-    /// Its standard deviation, in seconds: from the uncertainties of the rows as given, or without them from
-    /// the scatter.
+    /// Its standard deviation, in seconds: from the uncertainties of the rows, [enlarged](Scatter) where they scatter more, or
+    /// without them from the scatter.
     pub t0_uncertainty: f64,
     /// The sum of the squared residuals over their effective variances; none without uncertainties.
     pub chi2: Option<f64>,
@@ -37,6 +38,18 @@ impl LawFit {
     pub fn chi2_per_dof(&self) -> Option<f64> {
         per_dof(self.chi2, self.dof)
     }
+
+    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn scatter(&self) -> Option<Scatter> {
+        Scatter::of(self.chi2, self.dof)
+    }
+
+    /// Of the uncertainty of T0: infinite where it comes from stated uncertainties.
+    #[must_use]
+    pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
+        scatter::degrees_of_freedom(self.chi2, self.dof)
+    }
 }
 
 /// T0 under the law.
@@ -53,12 +66,13 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     let residuals: Vec<f64> = points.iter().map(|point| point.row.period - t0 * point.ratio).collect();
     let dof = points.len() - 1;
     let variances = variances.unwrap_or_else(|| vec![sum_of_squares(&residuals) / count(dof); points.len()]);
-    let chi2 = residuals.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
+    let chi2: f64 = residuals.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
+    let chi2 = (table.weighting() != Weighting::Scatter).then_some(chi2);
     Ok(LawFit {
         key: law.key().into(),
         t0,
-        t0_uncertainty: 1.0 / information(&points, &variances).sqrt(),
-        chi2: (table.weighting() != Weighting::Scatter).then_some(chi2),
+        t0_uncertainty: scatter::enlargement(chi2, dof) / information(&points, &variances).sqrt(),
+        chi2,
         dof,
         rms: (sum_of_squares(&residuals) / count(residuals.len())).sqrt(),
         residuals,

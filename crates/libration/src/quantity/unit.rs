@@ -24,6 +24,8 @@ pub enum Dimension {
     Mass,
     /// In kilograms per cubic metre.
     Density,
+    /// In one per second.
+    Rate,
 }
 
 impl Dimension {
@@ -38,6 +40,7 @@ impl Dimension {
             Self::Velocity => "0.3m/s, 20 cm/s or 5 km/h (a bare number is in m/s)",
             Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
             Self::Density => "7850kg/m^3, 7.85 g/cm^3 or 1.20(2) kg/m^3 (a bare number is in kg/m^3)",
+            Self::Rate => "0.03/s, 0.030(1)/s or 0.030 ± 0.001 1/s (a bare number is in 1/s)",
         }
     }
 }
@@ -52,6 +55,7 @@ impl fmt::Display for Dimension {
             Self::Velocity => "a velocity",
             Self::Mass => "a mass",
             Self::Density => "a density",
+            Self::Rate => "a rate",
         })
     }
 }
@@ -110,7 +114,7 @@ const fn half_turns_per_second(names: &'static [&'static str], numerator: i64, d
 /// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
 /// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg
 /// (international, 1959).
-static UNITS: [Unit; 32] = [
+static UNITS: [Unit; 34] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),
     unit(Dimension::Length, &["dm"], 1, 10),
@@ -148,4 +152,6 @@ static UNITS: [Unit; 32] = [
         1000,
         1,
     ),
+    unit(Dimension::Rate, &["/s", "1/s", "s^-1", "s⁻¹", "per second"], 1, 1),
+    unit(Dimension::Rate, &["/min", "1/min", "min^-1", "min⁻¹", "per minute"], 1, 60),
 ];

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use libration::fit::{
-    FitError, Law, Options, PeriodTable, Uncertainties, Weighting, excess_scale, gravity, outliers, periods,
-    small_angle_period,
+    FitError, Law, Options, PeriodTable, Scatter, ScatterVerdict, Uncertainties, Weighting, excess_scale,
+    gravity, outliers, periods, small_angle_period,
 };
 use libration::measurement::{Column, Options as ReadOptions, Table};
 use libration::pendulum::Amplitude;
@@ -58,7 +58,12 @@ fn close(ours: f64, reference: f64, relative: f64) -> bool {
 #[test]
 fn the_synthetic_table_gives_what_scipy_gives() {
     let fit = periods(&synthetic(), &[], &Options::default()).unwrap();
-    assert!(close(fit.exact.t0, 2.001200291, 1e-9) && close(fit.exact.t0_uncertainty, 0.00068712, 1e-5));
+    // SciPy takes the uncertainties as they are stated.
+    let stated = |uncertainty: f64, scatter: Option<Scatter>| uncertainty / scatter.unwrap().enlargement();
+    assert!(
+        close(fit.exact.t0, 2.001200291, 1e-9)
+            && close(stated(fit.exact.t0_uncertainty, fit.exact.scatter()), 0.00068712, 1e-5)
+    );
     assert!(close(fit.exact.chi2.unwrap(), 42.380483, 1e-6) && fit.exact.dof == 39);
     assert!(close(fit.exact.rms, 0.0096724724, 1e-6));
     assert!(
@@ -66,8 +71,10 @@ fn the_synthetic_table_gives_what_scipy_gives() {
             && close(fit.constant.chi2_per_dof().unwrap(), 20545.848, 1e-7)
     );
     let beta = fit.beta.unwrap();
-    assert!(close(beta.beta, 1.00784786, 1e-7) && close(beta.beta_uncertainty, 0.00404745, 1e-5), "{beta:?}");
-    assert!(close(beta.t0, 2.0001208, 1e-7) && close(beta.t0_uncertainty, 0.00088428, 1e-5), "{beta:?}");
+    let of_beta = stated(beta.beta_uncertainty, beta.scatter());
+    assert!(close(beta.beta, 1.00784786, 1e-7) && close(of_beta, 0.00404745, 1e-5), "{beta:?}");
+    let of_t0 = stated(beta.t0_uncertainty, beta.scatter());
+    assert!(close(beta.t0, 2.0001208, 1e-7) && close(of_t0, 0.00088428, 1e-5), "{beta:?}");
     assert!(close(beta.chi2_per_dof().unwrap(), 1.0066201, 1e-6));
 }
 
@@ -173,19 +180,41 @@ fn the_uncertainties_are_the_scatter_of_repeated_experiments() {
     assert!((mean(chi2) - 1.0).abs() < 4.0 * 0.0072, "{}", mean(chi2));
 }
 
+/// χ²/dof is 1.0 for the table as it is, and so above one with halves of its uncertainties.
 #[test]
-fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_scaled_sigma() {
+fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_answer() {
     let columns = synthetic_columns();
     let halves = [2, 3].map(|c: usize| columns[c].iter().map(|s| s / 2.0).collect::<Vec<f64>>());
     let uncertainties = Uncertainties { amplitudes: Some(&halves[0]), periods: Some(&halves[1]) };
     let halved = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
     let full = excess_scale(&synthetic(), &Law::exact()).unwrap();
     let half = excess_scale(&halved, &Law::exact()).unwrap();
-    assert!(
-        close(half.beta, full.beta, 1e-10) && close(half.beta_uncertainty, full.beta_uncertainty / 2.0, 1e-9)
-    );
+    assert!(close(half.beta, full.beta, 1e-10));
     assert!(close(half.chi2.unwrap(), 4.0 * full.chi2.unwrap(), 1e-9));
+    assert!(full.scatter().unwrap().enlargement() > 1.0);
+    for (ours, wanted) in
+        [(half.beta_uncertainty, full.beta_uncertainty), (half.t0_uncertainty, full.t0_uncertainty)]
+    {
+        assert!(close(ours, wanted, 1e-9), "{ours} {wanted}");
+    }
     assert!(close(half.beta_uncertainty_scaled.unwrap(), full.beta_uncertainty_scaled.unwrap(), 1e-9));
+    let t0 = |table: &PeriodTable| small_angle_period(table, &Law::exact()).unwrap();
+    assert!(close(t0(&halved).t0_uncertainty, t0(&synthetic()).t0_uncertainty, 1e-9));
+    assert!(close(t0(&halved).uncertainty_degrees_of_freedom(), 39.0, 1e-12));
+}
+
+#[test]
+fn uncertainties_too_large_by_a_factor_are_not_made_smaller() {
+    let columns = synthetic_columns();
+    let thrice = [2, 3].map(|c: usize| columns[c].iter().map(|s| s * 3.0).collect::<Vec<f64>>());
+    let uncertainties = Uncertainties { amplitudes: Some(&thrice[0]), periods: Some(&thrice[1]) };
+    let table = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
+    let fit = excess_scale(&table, &Law::exact()).unwrap();
+    let scatter = fit.scatter().unwrap();
+    assert!(close(scatter.enlargement(), 1.0, 1e-15) && scatter.verdict() == ScatterVerdict::Less);
+    assert!(close(fit.beta_uncertainty * scatter.birge_ratio(), fit.beta_uncertainty_scaled.unwrap(), 1e-12));
+    let t0 = small_angle_period(&table, &Law::exact()).unwrap();
+    assert!(t0.uncertainty_degrees_of_freedom().is_infinite());
 }
 
 #[test]

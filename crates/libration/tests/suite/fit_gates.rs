@@ -148,3 +148,27 @@ fn times_of_no_pendulum_are_refused() {
     let wide = GateOptions { width: Some(exactly(4.0)), ..GateOptions::default() };
     assert!(matches!(gates(&[0.0, 1.0, 2.0], None, &wide), Err(GatesError::NotUsable { .. })));
 }
+
+/// The whole calculation with a bob that is a little wider and narrower.
+#[test]
+fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
+    let (times, blocked) = split(&edges(0.1, 1e-5));
+    let found = |factor: f64| {
+        let width = Some(Quantity { value: WIDTH * factor, uncertainty: Some(0.01 * WIDTH) });
+        gates(&times, Some(&blocked), &GateOptions { width, ..GateOptions::default() }).unwrap()
+    };
+    let fit = found(1.0);
+    let part = 0.005;
+    let wanted =
+        (found(1.0 + part).t0.unwrap().value - found(1.0 - part).t0.unwrap().value) / (2.0 * part * WIDTH);
+    let slope = fit.t0_by_width.unwrap();
+    assert!((slope / wanted - 1.0).abs() < 1e-3, "{slope} {wanted}");
+    // The width is nearly all that makes this T0 uncertain.
+    let correlation = fit.correlation_by_width(0.01 * WIDTH).unwrap();
+    assert!((-1.0..-0.9).contains(&correlation), "{correlation}");
+    assert!(fit.t0_degrees_of_freedom > 1000.0);
+    let exact = gates(&times, Some(&blocked), &with_width()).unwrap();
+    assert!((10.0..100.0).contains(&exact.t0_degrees_of_freedom), "{}", exact.t0_degrees_of_freedom);
+    let bare = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
+    assert_eq!(gates(&times, Some(&blocked), &bare).unwrap().correlation_by_width(1e-3), None);
+}

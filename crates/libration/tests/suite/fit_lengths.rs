@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use libration::fit::{FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, lengths};
+use libration::fit::{
+    BudgetInput, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths,
+};
 use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 
@@ -28,7 +30,9 @@ fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable
 
 fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
     let sigma = vec![1e-3; periods.len()];
-    lengths(&table(lengths_given, periods, Some(&sigma)), radius).unwrap()
+    let bob_radius = radius.map(|value| Quantity { value, uncertainty: None });
+    let options = LengthsOptions { bob_radius, clock: None };
+    lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
 }
 
 #[test]
@@ -69,7 +73,7 @@ fn large_swings_are_brought_back_to_small_ones() {
         amplitudes: &[Quantity { value: amplitude, uncertainty: None }],
         ..LengthColumns::default()
     };
-    let fit = lengths(&LengthTable::new(&columns).unwrap(), None).unwrap();
+    let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-12);
 }
 
@@ -92,7 +96,7 @@ fn uncertainties_hold_the_truth_as_often_as_they_say() {
             period_uncertainties: Some(&[of_period; 15]),
             amplitudes: &[],
         };
-        let fit = lengths(&LengthTable::new(&columns).unwrap(), None).unwrap();
+        let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
         let best = fit.best();
         let offset = best.offset.unwrap();
         let errors = [
@@ -117,7 +121,7 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
     for _ in 0..200 {
         let noisy = |length: &f64| period(*length, 0.0, 0.0) + 0.003 * normal(&mut random);
         let periods: Vec<f64> = given.iter().map(noisy).collect();
-        let fit = lengths(&table(&given, &periods, None), None).unwrap();
+        let fit = lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
         needed += u32::from(fit.of(LengthModel::Offset).unwrap().chance.unwrap() < 0.05);
     }
     // 5 % of 200 are 10, with a standard deviation of 3.
@@ -128,11 +132,82 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
 fn tables_that_tell_nothing_are_refused() {
     let refuse = |given: &[f64], periods: &[f64]| {
         let columns = LengthColumns { lengths: given, periods, ..LengthColumns::default() };
-        LengthTable::new(&columns).and_then(|table| lengths(&table, None)).unwrap_err()
+        LengthTable::new(&columns).and_then(|table| lengths(&table, &LengthsOptions::default())).unwrap_err()
     };
     assert_eq!(refuse(&[1.0, 1.0, 1.0], &[2.0, 2.01, 2.02]), FitError::EqualLengths);
     assert!(matches!(refuse(&[1.0], &[2.0]), FitError::TooFewRows { .. }));
     assert!(matches!(refuse(&[1.0, -1.0], &[2.0, 2.0]), FitError::LengthOfRow { row: 2, .. }));
     assert!(matches!(refuse(&[1.0, 2.0], &[2.0, 0.0]), FitError::Period { row: 2, .. }));
     assert!(matches!(refuse(&[1.0, 2.0], &[2.0]), FitError::LengthMismatch { .. }));
+}
+
+/// χ² of ten degrees of freedom is as large as wanted.
+fn scattered(per_dof: f64) -> LengthsFit {
+    let given: Vec<f64> = (1..=12).map(|k| 0.1 * f64::from(k)).collect();
+    // Orthogonal to a constant and a line, in y = (T/2π)².
+    let pattern = [1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 1.0, 1.0, -1.0];
+    let size = 1e-4;
+    let periods: Vec<f64> = given
+        .iter()
+        .zip(pattern)
+        .map(|(&length, sign)| TAU * ((length + 0.01) / G + size * sign).sqrt())
+        .collect();
+    // The uncertainties that make every residual of size one in y the same number of them.
+    let sigma = (8.0 / (10.0 * per_dof)).sqrt() * size;
+    let of_periods: Vec<f64> = periods.iter().map(|period| TAU * TAU * sigma / (2.0 * period)).collect();
+    lengths(&table(&given, &periods, Some(&of_periods)), &LengthsOptions::default()).unwrap()
+}
+
+#[test]
+fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
+    let (stated, more) = (scattered(1.0), scattered(19.9));
+    assert!((more.best().chi2_per_dof().unwrap() - 19.9).abs() < 1e-6, "{:?}", more.best());
+    let spread = |fit: &LengthsFit| {
+        let best = fit.best();
+        [best.g, best.offset.unwrap()].map(|found| found.uncertainty.unwrap())
+    };
+    // Stated uncertainties that are √19.9 times smaller leave the scatter, and so the answer, as it is.
+    for (ours, wanted) in spread(&more).into_iter().zip(spread(&stated)) {
+        assert!((ours / wanted - 1.0).abs() < 1e-6, "{ours} {wanted}");
+    }
+    assert!(more.warnings.iter().any(|text| text.contains("4.46 times")), "{:?}", more.warnings);
+    assert!((more.best().uncertainty_degrees_of_freedom() - 10.0).abs() < 1e-12);
+    assert!(stated.warnings.iter().all(|text| !text.contains("scatter")), "{:?}", stated.warnings);
+}
+
+/// Of ten degrees of freedom chance leaves χ² below 2.558 in one table of a hundred.
+#[test]
+fn rows_that_scatter_less_than_stated_are_told_and_nothing_is_made_smaller() {
+    let (little, enough) = (scattered(0.25), scattered(0.26));
+    let told = |fit: &LengthsFit| fit.warnings.iter().any(|text| text.contains("belong to the offset"));
+    assert!(told(&little) && !told(&enough));
+    let g = |fit: &LengthsFit| fit.gravity().uncertainty.unwrap();
+    assert!((g(&scattered(0.25)) / g(&scattered(1.0)) - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn clock_and_bob_are_part_of_the_uncertainty() {
+    let given = ten_lengths();
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.02, 0.06)).collect();
+    let sigma = vec![1e-3; periods.len()];
+    let columns = table(&given, &periods, Some(&sigma));
+    let g = |options: &LengthsOptions| lengths(&columns, options).unwrap();
+    let of_radius = |value: f64| LengthsOptions {
+        bob_radius: Some(Quantity { value, uncertainty: Some(0.01) }),
+        clock: Some(0.002),
+    };
+    let found = g(&of_radius(0.06));
+    let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
+    assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-12);
+    let whole = (g(&of_radius(0.061)).best().g.value - g(&of_radius(0.059)).best().g.value) / 0.002;
+    assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{found:?}");
+    let line = found.best().g.uncertainty.unwrap();
+    assert!((of(BudgetInput::Slope).change() / -line - 1.0).abs() < 1e-12);
+    let squares = [line, 0.004 * found.best().g.value, 0.01 * whole].map(|part| part * part);
+    let together = squares.iter().sum::<f64>().sqrt();
+    assert!((found.gravity().uncertainty.unwrap() / together - 1.0).abs() < 1e-4);
+    for clock in [-0.1, f64::NAN, f64::INFINITY] {
+        let refused = lengths(&columns, &LengthsOptions { bob_radius: None, clock: Some(clock) });
+        assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
+    }
 }

@@ -21,6 +21,7 @@ mod exact;
 mod expansions;
 mod expression;
 mod fit;
+mod fit_budget;
 mod fit_cycles;
 mod fit_gates;
 mod fit_lengths;

@@ -175,3 +175,29 @@ fn no_text_makes_the_readers_panic() {
     }
     assert!(read > 1000, "only {read} of the texts were read at all");
 }
+
+#[test]
+fn rates_are_one_over_a_time() {
+    for (text, value, uncertainty) in [
+        ("0.03/s", 0.03, None),
+        ("0.030(1) /s", 0.03, Some(0.001)),
+        ("0.03±0.03 1/s", 0.03, Some(0.03)),
+        ("1.8 /min ± 100%", 0.03, Some(0.03)),
+        ("0.03", 0.03, None),
+    ] {
+        let rate = parse(text, Dimension::Rate).unwrap();
+        assert_eq!((rate.value, rate.uncertainty), (value, uncertainty), "{text}");
+    }
+    assert!(parse("0.03 s", Dimension::Rate).unwrap_err().to_string().contains("a rate"));
+}
+
+#[test]
+fn uncertainties_may_be_zero_and_larger_than_the_value() {
+    let uncertainty = |text: &str| parse(text, Dimension::Length).unwrap().uncertainty;
+    assert_eq!(uncertainty("1m±1m"), Some(1.0));
+    assert_eq!(uncertainty("1m±150%"), Some(1.5));
+    assert_eq!(uncertainty("1(3)m"), Some(3.0));
+    assert_eq!(uncertainty("1m±0m"), Some(0.0));
+    assert_eq!(uncertainty("1m"), None);
+    assert!(parse("1m±-1m", Dimension::Length).is_err());
+}

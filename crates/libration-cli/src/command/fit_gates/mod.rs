@@ -2,12 +2,12 @@
 
 mod write;
 
-use crate::arguments::{ApparatusOptions, RecordingOptions, told};
+use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, told};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
 use libration::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
-use libration::fit::{self, Budget, MeasuredPeriod};
+use libration::fit::{self, Budget, BudgetInput, Correlation, MeasuredPeriod};
 use libration::quantity::{Angle, Quantity};
 use std::io::Write;
 use std::path::PathBuf;
@@ -49,6 +49,8 @@ pub(crate) struct FitGates {
     #[command(flatten)]
     apparatus: ApparatusOptions,
     #[command(flatten)]
+    damping: DampingOptions,
+    #[command(flatten)]
     reading: RecordingOptions,
 }
 
@@ -71,8 +73,8 @@ impl FitGates {
         };
         let findings: Vec<String> = read.findings.iter().map(told).collect();
         let incomplete = read.incomplete;
-        write::Answer { fit: &fit, budget: budget.as_ref(), findings, incomplete }
-            .write(out, self.form.form())?;
+        let budget = budget.as_ref().zip(self.apparatus.length());
+        write::Answer { fit: &fit, budget, findings, incomplete }.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
@@ -111,10 +113,30 @@ impl FitGates {
                 Some(T0Source::Speeds) => Some(0.0),
                 _ => self.apparatus.angle_scale(),
             },
-            linear_damping: None,
+            clock: self.apparatus.clock(),
+            degrees_of_freedom: fit.t0_degrees_of_freedom,
+            damping: self.damping.damping(),
         };
-        let budget =
-            fit::budget(&apparatus, &period).map_err(|error| Failure::no_answer("gravity", error))?;
+        let correlations = [self.apparatus.correlations(), &self.by_width(fit)].concat();
+        let budget = fit::budget(&apparatus, &period, &correlations)
+            .map_err(|error| Failure::no_answer("gravity", error))?;
         Ok(Some(budget))
+    }
+
+    /// What T0 has in common with the sizes that the width comes from.
+    fn by_width(&self, fit: &GatesFit) -> Vec<Correlation> {
+        let Some(width) = self.width() else { return vec![] };
+        let relative = |quantity: Quantity| quantity.uncertainty.unwrap_or(0.0) / quantity.value;
+        let length = self.apparatus.length().filter(|_| self.gate_distance.is_none());
+        let radius = self.apparatus.bob_radius().filter(|_| self.diameter.is_none());
+        let changes = [
+            (BudgetInput::Length, length.map(|length| -relative(length))),
+            (BudgetInput::BobRadius, radius.map(relative)),
+        ];
+        let correlation = |(input, part): (BudgetInput, Option<f64>)| {
+            let coefficient = fit.correlation_by_width(width.value * part.filter(|part| *part != 0.0)?)?;
+            Some(Correlation { between: [input, BudgetInput::Period], coefficient })
+        };
+        changes.into_iter().filter_map(correlation).collect()
     }
 }

@@ -13,7 +13,8 @@ use std::io::{self, Write};
 /// What is said about the times.
 pub(super) struct Answer<'a> {
     pub(super) fit: &'a GatesFit,
-    pub(super) budget: Option<&'a Budget>,
+    /// With the length.
+    pub(super) budget: Option<(&'a Budget, Quantity)>,
     pub(super) findings: Vec<String>,
     pub(super) incomplete: usize,
 }
@@ -51,20 +52,25 @@ impl Answer<'_> {
             .with("t0_by", source(fit.t0_source))
             .number_or("beta", fit.beta.map(|beta| beta.beta), no_beta)
             .number_or("beta_uncertainty", fit.beta.map(|beta| beta.uncertainty), no_beta)
-            .number_or("gravity_m_per_s2", self.budget.map(|budget| budget.g), no_gravity)
+            .number_or("gravity_m_per_s2", self.budget.map(|(budget, _)| budget.g), no_gravity)
             .number_or(
                 "gravity_uncertainty_m_per_s2",
-                self.budget.map(|budget| budget.uncertainty),
+                self.budget.map(|(budget, _)| budget.uncertainty),
                 no_gravity,
             );
         let record = match self.budget {
-            Some(budget) => record.with("budget", output::budget::records(budget)),
+            Some((budget, _)) => output::budget::fields(record, budget),
             None => record,
         };
         record
             .with("cycles", fit.cycles.iter().map(|cycle| cycle_record(cycle).into()).collect::<Vec<Value>>())
             .with("told_from_file", self.findings.clone())
-            .with("warnings", fit.warnings.clone())
+            .with("warnings", self.warnings())
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let of_gravity = self.budget.into_iter().flat_map(|(budget, _)| output::budget::doubts(budget));
+        self.fit.warnings.iter().cloned().chain(of_gravity).collect()
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -85,7 +91,7 @@ impl Answer<'_> {
         for warning in &self.fit.warnings {
             write_text(out, "note: ", warning)?;
         }
-        let Some(budget) = self.budget else { return Ok(()) };
+        let Some((budget, _)) = self.budget else { return Ok(()) };
         writeln!(out)?;
         output::budget::write_table(out, budget)
     }
@@ -125,9 +131,8 @@ impl Answer<'_> {
             let text = number::with_uncertainty(beta.beta, beta.uncertainty, "");
             lines.push(("β", format!("{text}  (1 is the exact law)")));
         }
-        if let Some(budget) = self.budget {
-            lines.push(("gravity", said(budget.gravity(), "m/s²")));
-            lines.extend(output::budget::contradiction(budget).map(|doubt| ("doubtful", doubt)));
+        if let Some((budget, length)) = self.budget {
+            lines.extend(output::budget::lines(budget, length));
         }
         lines
     }

@@ -8,7 +8,7 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measured;
-use libration::fit;
+use libration::fit::{self, LengthsOptions};
 use libration::quantity::Quantity;
 use std::io::Write;
 use std::path::PathBuf;
@@ -32,6 +32,9 @@ pub(crate) struct FitLengths {
     /// Radius of the bob, a ball, which then bends the line by a known amount; without it the bend is fitted
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
     bob_radius: Option<Quantity>,
+    /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
+    #[arg(long, value_name = "PART", value_parser = crate::arguments::part)]
+    clock: Option<f64>,
     /// Draw the data, the line and the residuals to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -43,7 +46,8 @@ impl FitLengths {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let measured = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
-        let fit = fit::lengths(&measured.table, radius).map_err(|error| self.input.no_answer(error))?;
+        let options = LengthsOptions { bob_radius: self.bob_radius, clock: self.clock };
+        let fit = fit::lengths(&measured.table, &options).map_err(|error| self.input.no_answer(error))?;
         let drawn = match &self.figure {
             Some(path) => {
                 vec![figure::file::write(path, &figure::lengths::fitted(&measured, fit.best(), radius))?]

@@ -30,23 +30,24 @@ impl Answer<'_> {
         let best = self.fit.best();
         let offset = best.offset;
         let none = "the rows do not determine an offset";
-        Record::new()
+        let record = Record::new()
             .with("rows", self.measured.table.len())
             .with("rows_incomplete", self.measured.dropped)
             .with("told_from_file", self.measured.told.clone())
             .with("weighting", self.weighting())
             .with("law", best.model.name())
             .number("gravity_m_per_s2", best.g.value)
-            .number("gravity_uncertainty_m_per_s2", best.g.uncertainty.unwrap_or(f64::NAN))
+            .number("gravity_uncertainty_m_per_s2", self.fit.combined.standard)
             .number_or("offset_m", offset.map(|offset| offset.value), none)
             .number_or("offset_uncertainty_m", offset.and_then(|offset| offset.uncertainty), none)
             .with("laws", self.fit.fits.iter().map(|fit| law_record(fit).into()).collect::<Vec<Value>>())
-            .with("warnings", self.fit.warnings.iter().cloned().chain(self.doubt()).collect::<Vec<_>>())
+            .with("warnings", self.fit.warnings.iter().cloned().chain(self.doubt()).collect::<Vec<_>>());
+        output::combined::fields(output::scatter::fields(record, best.scatter()), &self.fit.combined)
     }
 
     /// What to think of a gravity that is found nowhere on Earth.
     fn doubt(&self) -> Option<String> {
-        let found = self.fit.best().g;
+        let found = self.fit.gravity();
         let doubt = output::budget::found_nowhere(found.value, found.uncertainty.unwrap_or(0.0))?;
         let times_too_large = found.value / GRAVITY_ON_EARTH[0];
         let advice = match self.measured.half_periods {
@@ -101,6 +102,8 @@ impl Answer<'_> {
             table.row(out, cells(fit))?;
         }
         table.finish(out)?;
+        writeln!(out)?;
+        output::combined::write_table(out, &self.fit.combined)?;
         for warning in &self.fit.warnings {
             write_text(out, "note: ", warning)?;
         }
@@ -115,7 +118,12 @@ impl Answer<'_> {
         let mut lines = vec![
             ("rows", format!("{}{incomplete}", self.measured.table.len())),
             ("weights", self.weighting().to_owned()),
-            ("gravity", number::with_uncertainty(best.g.value, best.g.uncertainty.unwrap_or(0.0), "m/s²")),
+            (
+                "gravity",
+                number::with_uncertainty(best.g.value, self.fit.combined.standard, "m/s²")
+                    + &output::scatter::remark(best.scatter()),
+            ),
+            ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
         if !self.measured.told.is_empty() {
             lines.insert(1, ("units", self.measured.told.join("; ")));
@@ -162,7 +170,7 @@ fn law_record(fit: &LengthFit) -> Record {
     let [g, of_g] = parts(Some(fit.g));
     let (offset, gyration) = (fit.offset, fit.gyration);
     let free = "not free in this law";
-    Record::new()
+    output::scatter::fields(Record::new(), fit.scatter())
         .with("law", fit.model.name())
         .number("g_m_per_s2", g)
         .number("g_uncertainty_m_per_s2", of_g)

@@ -3,7 +3,7 @@
 mod input;
 mod write;
 
-use crate::arguments::{ApparatusOptions, FormulaChoice, positive};
+use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
@@ -44,6 +44,8 @@ pub(crate) struct FitPeriods {
     form: FormOptions,
     #[command(flatten)]
     apparatus: ApparatusOptions,
+    #[command(flatten)]
+    damping: DampingOptions,
 }
 
 impl FitPeriods {
@@ -57,7 +59,11 @@ impl FitPeriods {
             formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
         let options = fit::Options { reject_outliers: self.reject_outliers };
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
-        let budget = self.apparatus.apparatus().map(|apparatus| fit::budget(&apparatus, &self.period(&fit)));
+        let correlations = self.apparatus.correlations();
+        let budget = self
+            .apparatus
+            .apparatus()
+            .map(|apparatus| fit::budget(&apparatus, &self.period(&fit), correlations));
         let budget = budget.transpose().map_err(|error| Failure::no_answer("gravity", error))?;
         let mut drawn = vec![];
         if let Some(path) = &self.figure {
@@ -86,7 +92,9 @@ impl FitPeriods {
             t0: Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) },
             amplitude,
             angle_scale: self.apparatus.angle_scale(),
-            linear_damping: None,
+            clock: self.apparatus.clock(),
+            degrees_of_freedom: fit.exact.uncertainty_degrees_of_freedom(),
+            damping: self.damping.damping(),
         }
     }
 }

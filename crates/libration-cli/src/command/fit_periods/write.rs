@@ -42,8 +42,19 @@ impl Answer<'_> {
             .with("told_from_file", self.measured.told.clone())
             .with("weighting", weighting(self.fit.weighting))
             .with("outlier_lines", self.outlier_lines())
-            .with("laws", laws);
+            .with("laws", laws)
+            .with("warnings", self.warnings());
         self.gravity_fields(self.beta_fields(record))
+    }
+
+    /// What is doubtful about the rows, and about gravity.
+    fn warnings(&self) -> Vec<String> {
+        let of_rows = self.scatter_warning();
+        of_rows.into_iter().chain(self.budget.into_iter().flat_map(output::budget::doubts)).collect()
+    }
+
+    fn scatter_warning(&self) -> Option<String> {
+        self.fit.exact.scatter()?.warning("T₀")
     }
 
     fn beta_fields(&self, record: Record) -> Record {
@@ -70,7 +81,7 @@ impl Answer<'_> {
             why_none,
         );
         match self.budget {
-            Some(budget) => record.with("budget", output::budget::records(budget)),
+            Some(budget) => output::budget::fields(record, budget),
             None => record,
         }
     }
@@ -120,17 +131,19 @@ impl Answer<'_> {
         let mut lines = vec![
             ("rows", self.rows_line()),
             ("weights", weighting(self.fit.weighting).to_owned()),
-            ("T₀, exact law", number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")),
+            (
+                "T₀, exact law",
+                number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")
+                    + &output::scatter::remark(exact.scatter()),
+            ),
             ("β", self.beta_line()),
         ];
+        lines.extend(self.scatter_warning().map(|warning| ("doubtful", warning)));
         if !self.measured.told.is_empty() {
             lines.insert(1, ("units", self.measured.told.join("; ")));
         }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
-            let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
-            let value = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
-            lines.push(("gravity", format!("{value}  (length {length})")));
-            lines.extend(output::budget::contradiction(budget).map(|doubt| ("doubtful", doubt)));
+            lines.extend(output::budget::lines(budget, length));
         }
         lines
     }
@@ -166,12 +179,12 @@ impl Answer<'_> {
 fn law_record(key: &str, law: Result<&LawFit, &FitError>) -> Record {
     let record = Record::new().with("key", key);
     match law {
-        Ok(law) => record
+        Ok(law) => output::scatter::fields(record, law.scatter())
             .number("t0_s", law.t0)
             .number("t0_uncertainty_s", law.t0_uncertainty)
             .number_or("chi2_per_dof", law.chi2_per_dof(), "the table has no uncertainties of the periods")
             .number("rms_s", law.rms),
-        Err(error) => ["t0_s", "t0_uncertainty_s", "chi2_per_dof", "rms_s"]
+        Err(error) => ["t0_s", "t0_uncertainty_s", "chi2_per_dof", "rms_s", "birge_ratio"]
             .into_iter()
             .fold(record, |record, name| record.with(name, Value::Null))
             .note(&error.to_string()),

@@ -9,7 +9,9 @@ use crate::interrupt;
 use crate::output::progress::Progress;
 use libration::fit::cycles::{self, Cycle, Cycles, CyclesError};
 use libration::fit::trace::{Comparison, TraceFit, TraceFitError, TraceOptions, compare, fit_traces};
-use libration::fit::{self, Budget, Law, MeasuredPeriod, PeriodTable, Uncertainties, excess_scale};
+use libration::fit::{
+    self, Budget, Law, MeasuredPeriod, PeriodDamping, PeriodTable, Uncertainties, excess_scale,
+};
 use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
 use std::f64::consts::TAU;
@@ -66,7 +68,7 @@ impl<'a> Answer<'a> {
             measured.traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
         let beta = Beta::of(&cycles);
         let period = small_angle_period(&fit, comparison.as_ref());
-        let pendulum = Pendulum::of(period, &cycles, apparatus)?;
+        let pendulum = Pendulum::of(&fit, period, &cycles, apparatus)?;
         let mut answer = Self {
             measured,
             fit,
@@ -195,8 +197,7 @@ impl Beta {
             PeriodTable::new(&column(|cycle| cycle.amplitude), &column(|cycle| cycle.period), uncertainties)
                 .map_err(|error| error.to_string())?;
         let fit = excess_scale(&table, &Law::exact()).map_err(|error| error.to_string())?;
-        let scaled = fit.beta_uncertainty_scaled.unwrap_or(fit.beta_uncertainty);
-        Ok(Self { value: fit.beta, uncertainty: fit.beta_uncertainty.max(scaled), t0: fit.t0 })
+        Ok(Self { value: fit.beta, uncertainty: fit.beta_uncertainty, t0: fit.t0 })
     }
 
     /// By which part the angles are too small, if a wrong scale of them can be why β is not 1.
@@ -214,6 +215,7 @@ impl Beta {
 
 impl Pendulum {
     fn of(
+        motion: &TraceFit,
         (value, uncertainty): (f64, f64),
         cycles: &[Result<Cycles, CyclesError>],
         options: &ApparatusOptions,
@@ -225,12 +227,23 @@ impl Pendulum {
         let period = MeasuredPeriod {
             t0: Quantity { value, uncertainty: Some(uncertainty) },
             amplitude: middle_amplitude(cycles),
-            angle_scale: options.angle_scale(),
-            linear_damping: None,
+            // What a fitted scale is worth is part of T0 already.
+            angle_scale: motion.parameter("scale").map_or(options.angle_scale(), |_| Some(0.0)),
+            clock: options.clock(),
+            degrees_of_freedom: motion.parameters[0].degrees_of_freedom,
+            damping: damping(motion),
         };
-        let budget =
-            fit::budget(&apparatus, &period).map_err(|error| Failure::no_answer("gravity", error))?;
+        let budget = fit::budget(&apparatus, &period, options.correlations())
+            .map_err(|error| Failure::no_answer("gravity", error))?;
         Ok(Self::Gravity { budget, length: apparatus.length })
+    }
+}
+
+/// A damped motion was fitted, whose T0 is that without damping; an undamped one leaves the damping in it.
+fn damping(fit: &TraceFit) -> PeriodDamping {
+    match fit.damping.count() {
+        0 => PeriodDamping::Unknown,
+        _ => PeriodDamping::Fitted(fit.parameter("linear").map_or(0.0, |linear| linear.value)),
     }
 }
 

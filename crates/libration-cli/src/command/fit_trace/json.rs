@@ -99,12 +99,11 @@ fn cycle(cycle: &Cycle, trace: Option<usize>) -> Record {
 
 fn of_pendulum(record: Record, answer: &Answer<'_>) -> Record {
     match &answer.pendulum {
-        Pendulum::Gravity { budget, length } => record
+        Pendulum::Gravity { budget, length } => output::budget::fields(record, budget)
             .number("length_m", length.value)
             .number_or("length_uncertainty_m", length.uncertainty, "the length was given without one")
             .number("gravity_m_per_s2", budget.g)
-            .number("gravity_uncertainty_m_per_s2", budget.uncertainty)
-            .with("budget", output::budget::records(budget)),
+            .number("gravity_uncertainty_m_per_s2", budget.uncertainty),
         Pendulum::Length { value, uncertainty } => record
             .number("length_in_standard_gravity_m", *value)
             .number("length_in_standard_gravity_uncertainty_m", *uncertainty)

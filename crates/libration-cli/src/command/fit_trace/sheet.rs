@@ -41,15 +41,23 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
     let (period, uncertainty) = answer.small_angle_period();
-    vec![
+    let mut lines = vec![
         ("read", read(answer)),
         ("model", model(answer)),
         ("T₀", with_uncertainty(period, uncertainty, "s")),
         gravity_or_length(answer),
-        ("rms residual", residual(answer)),
-        ("cycles", cycles(answer)),
-        ("β", beta(answer)),
-    ]
+    ];
+    lines.extend(expanded(answer).map(|text| ("expanded", text)));
+    lines.extend([("rms residual", residual(answer)), ("cycles", cycles(answer)), ("β", beta(answer))]);
+    lines
+}
+
+/// The expanded uncertainty of gravity, where there is one.
+pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
+    match &answer.pendulum {
+        Pendulum::Gravity { budget, .. } => Some(output::combined::expanded(&budget.combined)),
+        Pendulum::Length { .. } => None,
+    }
 }
 
 fn read(answer: &Answer<'_>) -> String {

@@ -19,15 +19,16 @@ pub(super) struct Warning {
 /// The warnings, the gravest first.
 pub(super) fn of(answer: &Answer<'_>) -> Vec<Warning> {
     let fit = &answer.fit;
-    let contradiction = match &answer.pendulum {
-        Pendulum::Gravity { budget, .. } => output::budget::contradiction(budget).into_iter().collect(),
-        Pendulum::Length { .. } => vec![],
+    let (contradiction, of_budget) = match &answer.pendulum {
+        Pendulum::Gravity { budget, .. } => (output::budget::contradiction(budget), budget.warnings()),
+        Pendulum::Length { .. } => (None, vec![]),
     };
     let one = |text: Option<String>| -> Vec<String> { text.into_iter().collect() };
     let kinds = [
         ("not_converged", one(of_convergence(fit))),
         ("angles_are_radians", one(of_radians(answer))),
-        ("gravity_contradicted", contradiction),
+        ("gravity_contradicted", one(contradiction)),
+        ("budget", of_budget),
         ("poor_fit", one(of_poor_fit(fit))),
         ("feeds_energy", one(of_energy(fit))),
         ("negative_damping", one(of_negative_damping(answer))),

@@ -52,14 +52,36 @@ pub struct MeasuredPeriod {
     pub amplitude: Option<f64>,
     /// The relative standard uncertainty of all angles: 0.01 where a degree may be 0.99 or 1.01 of one.
     pub angle_scale: Option<f64>,
-    /// The coefficient of linear damping that T0 still contains, in 1/s; none where a fit with damping gave T0.
-    pub linear_damping: Option<Quantity>,
+    /// The relative standard uncertainty of the clock or frame rate: 0.001 where 29.97 frames a second were taken for 30.
+    pub clock: Option<f64>,
+    /// The degrees of freedom of the uncertainty of T0; infinite where that is taken as known.
+    pub degrees_of_freedom: f64,
+    /// What is known of the damping.
+    pub damping: PeriodDamping,
+}
+
+/// What damping has to do with a period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PeriodDamping {
+    /// Nothing is known of it.
+    Unknown,
+    /// T0 contains it: this is the coefficient of the linear one, in 1/s.
+    Contained(Quantity),
+    /// A fit of the damped motion gave T0, which contains none: the coefficient of the linear one, in 1/s, zero for other kinds.
+    Fitted(f64),
 }
 
 impl MeasuredPeriod {
     /// T0 of which nothing else is known.
     #[must_use]
     pub fn of_small_swings(t0: Quantity) -> Self {
-        Self { t0, amplitude: None, angle_scale: None, linear_damping: None }
+        Self {
+            t0,
+            amplitude: None,
+            angle_scale: None,
+            clock: None,
+            degrees_of_freedom: f64::INFINITY,
+            damping: PeriodDamping::Unknown,
+        }
     }
 }

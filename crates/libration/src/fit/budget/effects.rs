@@ -27,7 +27,10 @@ pub(super) enum Effect {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Values {
     pub(super) length: f64,
+    /// As the clock showed it.
     pub(super) t0: f64,
+    /// By which all times are to be multiplied.
+    pub(super) clock: f64,
     pub(super) amplitude: f64,
     /// By which all angles are to be multiplied; T0 was found with 1.
     pub(super) angle_scale: f64,
@@ -56,7 +59,7 @@ impl Values {
             + on(Effect::Rod) * mass * length * length / 3.0
             + on(Effect::AddedMass) * self.added_mass_over_displaced() * air;
         let torque = 1.0 + on(Effect::Rod) * 0.5 * mass * length - on(Effect::Buoyancy) * air;
-        let frequency = TAU / self.t0;
+        let frequency = TAU / self.period();
         let ideal = frequency * frequency * self.length / self.amplitude_correction(left_out);
         let stretch = 1.375 * (self.stretch / self.length) * square(self.amplitude);
         let damping = square(0.5 * self.damping / frequency);
@@ -67,6 +70,11 @@ impl Values {
 
     pub(super) fn gravity(&self) -> f64 {
         self.gravity_without(None)
+    }
+
+    /// T0 in true seconds.
+    fn period(&self) -> f64 {
+        self.t0 * self.clock
     }
 
     /// What divides g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.
@@ -93,13 +101,18 @@ impl Values {
         self.added_mass * (0.5 + self.viscous_part())
     }
 
-    pub(super) fn viscous_part(&self) -> f64 {
+    /// Flow about a bob that swings further than its radius is neither ideal nor laminar: half of what viscosity adds.
+    pub(super) fn uncertainty_of_added_mass(&self) -> f64 {
+        if self.radius > 0.0 { 0.5 * self.viscous_part() / self.added_mass_over_displaced() } else { 0.5 }
+    }
+
+    fn viscous_part(&self) -> f64 {
         if self.radius > 0.0 { 2.25 * self.layer() / self.radius } else { 0.0 }
     }
 
     /// δ.
     pub(super) fn layer(&self) -> f64 {
-        (2.0 * VISCOSITY_OF_AIR * self.t0 / TAU).sqrt()
+        (2.0 * VISCOSITY_OF_AIR * self.period() / TAU).sqrt()
     }
 
     /// μ.

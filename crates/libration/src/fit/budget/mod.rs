@@ -8,12 +8,19 @@
 //! the viscous layer as in L. D. Landau and E. M. Lifshitz, *Fluid Mechanics*, § 24.
 
 mod apparatus;
+mod combined;
+mod derivative;
 mod effects;
+mod input;
+mod inputs;
 mod rows;
 #[cfg(test)]
 mod tests;
 
-pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod};
+pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};
+pub use combined::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
+pub(super) use derivative::derivative;
+pub use input::BudgetInput;
 
 use crate::quantity::Quantity;
 
@@ -56,6 +63,22 @@ pub enum BudgetError {
     /// The mass of the rod counts relative to that of the bob.
     #[error("a mass of the rod without one of the bob tells nothing: give the mass of the bob too")]
     RodWithoutBob,
+    /// Of an input that the budget does not have.
+    #[error(
+        "the {0} is correlated with another input and was not given: give it too, or leave out the correlation"
+    )]
+    CorrelationWithNothing(&'static str),
+    /// A coefficient that is none, or one of an input with itself.
+    #[error(
+        "a correlation of {coefficient} cannot be: give a number from -1 to 1 between two different inputs"
+    )]
+    Correlation {
+        /// What was got.
+        coefficient: f64,
+    },
+    /// Correlations that contradict each other.
+    #[error("the correlations contradict each other: no inputs can be correlated like this")]
+    Correlations,
 }
 
 /// How an uncertainty was found (Guide to the Expression of Uncertainty in Measurement, 4.2 and 4.3).
@@ -117,8 +140,12 @@ pub struct Budget {
     pub length: f64,
     /// With the corrections that are applied, in m/s².
     pub g: f64,
-    /// From the rows that are known, in m/s²; of those that are not it knows nothing.
+    /// The standard uncertainty of g, in m/s², from the inputs that are known; of those that are not it knows nothing.
     pub uncertainty: f64,
+    /// The same input by input.
+    pub combined: CombinedUncertainty,
+    /// By how much the mean of g would be off because g is not a straight line over the uncertainties of its inputs, in m/s².
+    pub curvature: f64,
 }
 
 impl Budget {
@@ -127,12 +154,37 @@ impl Budget {
     pub fn gravity(&self) -> Quantity {
         Quantity { value: self.g, uncertainty: Some(self.uncertainty) }
     }
+
+    /// Whether g is nearly a straight line over the uncertainties of its inputs: the bend is below a tenth of the uncertainty.
+    /// Where it is not, ± is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        self.curvature.abs() <= 0.1 * self.uncertainty
+    }
+
+    /// What a reader should know of the uncertainty.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let open: Vec<&str> = self.combined.without_uncertainty().map(BudgetInput::name).collect();
+        let missing = (!open.is_empty()).then(|| {
+            format!(
+                "given without an uncertainty: {}; that of gravity is too small by what is missing",
+                open.join(", ")
+            )
+        });
+        let bent = (!self.is_linear()).then(|| {
+            "the uncertainties are so large that gravity does not follow them in proportion: ± is rough"
+                .to_owned()
+        });
+        missing.into_iter().chain(bent).collect()
+    }
 }
 
-/// The budget of this pendulum with this period.
+/// The budget of this pendulum with this period; inputs are independent but for these correlations.
 ///
 /// # Errors
-/// A length, mass, density or period that is not above zero, an uncertainty below zero, a bob that does not fit or floats.
+/// A length, mass, density or period that is not above zero, an uncertainty below zero, a bob that does not fit or floats,
+/// correlations that cannot be.
 ///
 /// # Examples
 /// ```
@@ -141,12 +193,16 @@ impl Budget {
 ///
 /// let length = parse("1.0000(5) m", Dimension::Length)?;
 /// let t0 = parse("2.0065(2) s", Dimension::Time)?;
-/// let bare = budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0))?;
+/// let bare = budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0), &[])?;
 /// let radius = Some(parse("20.0(1) mm", Dimension::Length)?);
-/// let ball = budget(&Apparatus { bob_radius: radius, ..Apparatus::of_length(length) }, &MeasuredPeriod::of_small_swings(t0))?;
+/// let ball = budget(&Apparatus { bob_radius: radius, ..Apparatus::of_length(length) }, &MeasuredPeriod::of_small_swings(t0), &[])?;
 /// assert!((ball.g / bare.g - 1.00016).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn budget(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Budget, BudgetError> {
-    rows::Inputs::new(apparatus, period).map(|inputs| inputs.budget())
+pub fn budget(
+    apparatus: &Apparatus,
+    period: &MeasuredPeriod,
+    correlations: &[Correlation],
+) -> Result<Budget, BudgetError> {
+    inputs::Inputs::new(apparatus, period)?.budget(correlations)
 }

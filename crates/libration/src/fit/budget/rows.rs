@@ -1,117 +1,38 @@
-//! The rows of a budget: each effect with its size, and its part of the uncertainty by central differences.
+//! The rows of a budget: each effect with its size, and its part of the uncertainty.
 
 use super::effects::{Effect, Values};
-use super::{Apparatus, Budget, BudgetError, BudgetRow, Correction, Evaluation, MeasuredPeriod};
-use crate::quantity::Quantity;
-
-/// The inputs with their uncertainties.
-#[derive(Clone, Debug)]
-pub(super) struct Inputs {
-    values: Values,
-    uncertain: Vec<(Input, f64)>,
-    has_angle_scale: bool,
-}
-
-/// What can be uncertain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Input {
-    Length,
-    T0,
-    AngleScale,
-    Radius,
-    BobMass,
-    BobDensity,
-    RodMass,
-    RodLength,
-    AirDensity,
-    AddedMass,
-    Stretch,
-    Damping,
-}
+use super::inputs::Inputs;
+use super::{
+    Budget, BudgetError, BudgetInput, BudgetRow, Correction, Correlation, Evaluation, PeriodDamping,
+};
 
 impl Inputs {
-    pub(super) fn new(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Self, BudgetError> {
-        let amplitude = period.amplitude.unwrap_or(0.0);
-        if !(0.0..std::f64::consts::PI).contains(&amplitude) {
-            return Err(BudgetError::Amplitude(amplitude));
-        }
-        let mut uncertain = vec![];
-        let mut given = |name: &'static str, input: Input, quantity: Option<Quantity>| {
-            let Some(Quantity { value, uncertainty }) = quantity else { return Ok(0.0) };
-            let spread = uncertainty.unwrap_or(0.0);
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(BudgetError::NotPositive { name, value });
-            }
-            if !(0.0..f64::INFINITY).contains(&spread) {
-                return Err(BudgetError::Uncertainty { name, value: spread });
-            }
-            uncertain.push((input, spread));
-            Ok(value)
-        };
-        let scale = period.angle_scale.map(|spread| Quantity { value: 1.0, uncertainty: Some(spread) });
-        let mut values = Values {
-            length: given("length", Input::Length, Some(apparatus.length))?,
-            t0: given("period", Input::T0, Some(period.t0))?,
-            amplitude,
-            angle_scale: given("angle scale", Input::AngleScale, scale)?.max(1.0),
-            radius: given("radius of the bob", Input::Radius, apparatus.bob_radius)?,
-            bob_mass: given("mass of the bob", Input::BobMass, apparatus.bob_mass)?,
-            bob_density: given("density of the bob", Input::BobDensity, apparatus.bob_density)?,
-            rod_mass: given("mass of the rod", Input::RodMass, apparatus.rod_mass)?,
-            rod_length: given("length of the rod", Input::RodLength, apparatus.rod_length)?,
-            air_density: given("density of the air", Input::AirDensity, Some(apparatus.air_density))?,
-            added_mass: 1.0,
-            stretch: given("stretch", Input::Stretch, apparatus.stretch)?,
-            damping: given("linear damping", Input::Damping, period.linear_damping)?,
-        };
-        if values.radius >= values.length {
-            return Err(BudgetError::BobTooLarge { radius: values.radius, length: values.length });
-        }
-        if values.rod_mass > 0.0 && values.bob_mass <= 0.0 {
-            return Err(BudgetError::RodWithoutBob);
-        }
-        // Flow about a bob that swings further than its radius is neither ideal nor laminar: half of what viscosity adds.
-        let of_layer = 0.5 * values.viscous_part() / values.added_mass_over_displaced();
-        uncertain.push((Input::AddedMass, if values.radius > 0.0 { of_layer } else { 0.5 }));
-        values.added_mass = 1.0;
-        let has_angle_scale = period.angle_scale.is_some();
-        let inputs = Self { values, uncertain, has_angle_scale };
-        if inputs.values.gravity() > 0.0 { Ok(inputs) } else { Err(BudgetError::BobTooLight) }
-    }
-
-    pub(super) fn budget(&self) -> Budget {
-        let g = self.values.gravity();
-        let contributions = self.uncertain.iter().map(|&(input, _)| self.change(input, Values::gravity));
-        let uncertainty = contributions.map(|change| change * change).sum::<f64>().sqrt();
+    pub(super) fn budget(&self, correlations: &[Correlation]) -> Result<Budget, BudgetError> {
         let rows = [
-            vec![self.length(), self.timing(), self.amplitude(), self.angle_scale()],
+            vec![self.length(), self.timing(), self.clock(), self.amplitude(), self.angle_scale()],
             vec![self.buoyancy(), self.added_mass(), self.finite_bob(), self.rod(), self.stretch()],
-            self.damping().into_iter().collect(),
+            vec![self.damping()],
         ];
-        Budget { rows: rows.concat(), length: self.values.length, g, uncertainty }
-    }
-
-    /// What a function of the values changes by with one standard uncertainty of an input.
-    fn change(&self, input: Input, of: impl Fn(&Values) -> f64) -> f64 {
-        let spread =
-            self.uncertain.iter().find(|uncertain| uncertain.0 == input).map_or(0.0, |found| found.1);
-        let (mut above, mut below) = (self.values, self.values);
-        *input.place(&mut above) += spread;
-        *input.place(&mut below) -= spread;
-        0.5 * (of(&above) - of(&below))
+        let combined = self.combined(correlations)?;
+        Ok(Budget {
+            rows: rows.concat(),
+            length: self.values.length,
+            g: self.values.gravity(),
+            uncertainty: combined.standard,
+            combined,
+            curvature: self.curvature(),
+        })
     }
 
     /// An effect: its size, and the uncertainty that its own inputs give it.
     fn effect(&self, name: &'static str, formula: &'static str, effect: Effect, note: String) -> BudgetRow {
         let ratio = |values: &Values| values.gravity() / values.gravity_without(Some(effect));
-        let own = self.uncertain.iter().filter(|(input, _)| !matches!(input, Input::Length | Input::T0));
-        let square: f64 =
-            own.map(|&(input, _)| self.change(input, ratio)).map(|change| change * change).sum();
+        let own = |input| !matches!(input, BudgetInput::Length | BudgetInput::Period | BudgetInput::Clock);
         BudgetRow {
             name,
             formula,
             correction: Correction::Applied(ratio(&self.values) - 1.0),
-            uncertainty: Some(self.values.gravity() * square.sqrt()),
+            uncertainty: self.changes(ratio, own).map(|change| self.values.gravity() * change),
             evaluation: Evaluation::Judgement,
             note,
         }
@@ -121,10 +42,10 @@ impl Inputs {
         &self,
         name: &'static str,
         formula: &'static str,
-        input: Input,
+        input: BudgetInput,
         evaluation: Evaluation,
     ) -> BudgetRow {
-        let uncertainty = Some(self.change(input, Values::gravity).abs());
+        let uncertainty = self.uncertainty(input).map(|_| self.change(input, Values::gravity).abs());
         BudgetRow {
             name,
             formula,
@@ -137,12 +58,22 @@ impl Inputs {
 
     fn length(&self) -> BudgetRow {
         let note = format!("L = {} m", self.values.length);
-        BudgetRow { note, ..self.input("length", "u(L)/L", Input::Length, Evaluation::Judgement) }
+        BudgetRow { note, ..self.input("length", "u(L)/L", BudgetInput::Length, Evaluation::Judgement) }
     }
 
     fn timing(&self) -> BudgetRow {
         let note = format!("T0 = {:.6} s", self.values.t0);
-        BudgetRow { note, ..self.input("timing", "2 u(T0)/T0", Input::T0, Evaluation::Statistics) }
+        BudgetRow { note, ..self.input("timing", "2 u(T0)/T0", BudgetInput::Period, Evaluation::Statistics) }
+    }
+
+    fn clock(&self) -> BudgetRow {
+        const FORMULA: &str = "2 u(t)/t";
+        if !self.is_given(BudgetInput::Clock) {
+            let note = "for 29.97 frames/s taken as 30; give the uncertainty of clock or frame rate".into();
+            return usually("clock", FORMULA, -0.002, note);
+        }
+        let row = self.input("clock", FORMULA, BudgetInput::Clock, Evaluation::Judgement);
+        BudgetRow { note: "all times by one factor".into(), ..row }
     }
 
     fn amplitude(&self) -> BudgetRow {
@@ -165,13 +96,13 @@ impl Inputs {
         if self.values.amplitude <= 0.0 {
             return unknown("angle scale", FORMULA, "the amplitude is not known");
         }
-        if !self.has_angle_scale {
+        if !self.is_given(BudgetInput::AngleScale) {
             let one_percent = Values { angle_scale: 1.01, ..self.values };
             let size = one_percent.gravity() / self.values.gravity() - 1.0;
             let note = "for angles that are all 1 % off; give their uncertainty".into();
             return usually("angle scale", FORMULA, size, note);
         }
-        let row = self.input("angle scale", FORMULA, Input::AngleScale, Evaluation::Judgement);
+        let row = self.input("angle scale", FORMULA, BudgetInput::AngleScale, Evaluation::Judgement);
         let note = if row.uncertainty == Some(0.0) { "exact, or part of T0" } else { "" };
         BudgetRow { note: note.into(), ..row }
     }
@@ -254,12 +185,32 @@ impl Inputs {
         }
     }
 
-    fn damping(&self) -> Option<BudgetRow> {
-        let note = format!("b = {:.3e} 1/s, w = 2pi/T0", self.values.damping);
-        let row = || self.effect("damping", "1 + (b/2w)^2", Effect::Damping, note);
-        (self.values.damping > 0.0).then(row)
+    fn damping(&self) -> BudgetRow {
+        const FORMULA: &str = "1 + (b/2w)^2";
+        match self.damping {
+            PeriodDamping::Contained(_) => {
+                let note = format!("b = {:.3e} 1/s, w = 2pi/T0", self.values.damping);
+                self.effect("damping", FORMULA, Effect::Damping, note)
+            }
+            PeriodDamping::Fitted(linear) => {
+                let with = Values { damping: linear, ..self.values };
+                let size = with.gravity() / with.gravity_without(Some(Effect::Damping)) - 1.0;
+                let note =
+                    format!("b = {linear:.3e} 1/s; already in T0, which is that of the undamped motion");
+                let row = unknown("damping", FORMULA, &note);
+                BudgetRow { correction: Correction::Applied(size), ..row }
+            }
+            PeriodDamping::Unknown => {
+                let note =
+                    "for linear drag by which the amplitude falls to 1/e in 30 swings; give its coefficient";
+                usually("damping", FORMULA, THIRTY_SWINGS, note.into())
+            }
+        }
     }
 }
+
+/// (b/2ω)² where exp(−b·t/2) is 1/e after 30 periods: 1/(60π)².
+const THIRTY_SWINGS: f64 = 2.814e-5;
 
 fn usually(name: &'static str, formula: &'static str, size: f64, note: String) -> BudgetRow {
     let correction = Correction::Usually(size);
@@ -270,23 +221,4 @@ fn unknown(name: &'static str, formula: &'static str, note: &str) -> BudgetRow {
     let correction = Correction::Unknown;
     let note = note.to_owned();
     BudgetRow { name, formula, correction, uncertainty: None, evaluation: Evaluation::Judgement, note }
-}
-
-impl Input {
-    fn place(self, values: &mut Values) -> &mut f64 {
-        match self {
-            Self::Length => &mut values.length,
-            Self::T0 => &mut values.t0,
-            Self::AngleScale => &mut values.angle_scale,
-            Self::Radius => &mut values.radius,
-            Self::BobMass => &mut values.bob_mass,
-            Self::BobDensity => &mut values.bob_density,
-            Self::RodMass => &mut values.rod_mass,
-            Self::RodLength => &mut values.rod_length,
-            Self::AirDensity => &mut values.air_density,
-            Self::AddedMass => &mut values.added_mass,
-            Self::Stretch => &mut values.stretch,
-            Self::Damping => &mut values.damping,
-        }
-    }
 }

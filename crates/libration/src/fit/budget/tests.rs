@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use super::{Apparatus, BudgetError, Correction, MeasuredPeriod, budget};
+use super::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
 use crate::quantity::Quantity;
 use crate::taylor::{Direction, Effort, Event, Moment, System, integrate};
 
@@ -15,6 +15,11 @@ fn exactly(value: f64) -> Quantity {
 
 fn about(value: f64, uncertainty: f64) -> Quantity {
     Quantity { value, uncertainty: Some(uncertainty) }
+}
+
+/// With independent inputs.
+fn budget(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Budget, BudgetError> {
+    super::budget(apparatus, period, &[])
 }
 
 fn small_swings(t0: f64) -> MeasuredPeriod {
@@ -110,7 +115,7 @@ fn damping_makes_the_period_longer_in_second_order() {
     let (length, damping) = (1.0, 0.3);
     let equation = format!("x'' = -{:e}*x - {damping}*x'", G / length);
     let t0 = period_of(&equation, &[0.1, 0.0], "x");
-    let measured = MeasuredPeriod { linear_damping: Some(exactly(damping)), ..small_swings(t0) };
+    let measured = MeasuredPeriod { damping: PeriodDamping::Contained(exactly(damping)), ..small_swings(t0) };
     let found = budget(&Apparatus::of_length(exactly(length)), &measured).unwrap();
     assert!((found.g / G - 1.0).abs() < 1e-6, "{}", found.g);
 }
@@ -127,7 +132,7 @@ fn contributions_are_derivatives_times_uncertainties() {
         t0: about(2.006, 0.001),
         amplitude: Some(amplitude),
         angle_scale: Some(0.02),
-        linear_damping: None,
+        ..small_swings(2.006)
     };
     let found = budget(&apparatus, &measured).unwrap();
     let of = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().uncertainty.unwrap();

@@ -16,6 +16,10 @@ use period_law::{Row, Side};
 /// What periods with their amplitudes tell.
 pub(super) struct BySpeeds {
     pub(super) t0: Quantity,
+    /// ∂T0/∂(width), in s/rad.
+    pub(super) t0_by_width: f64,
+    /// Of the uncertainty of T0.
+    pub(super) degrees_of_freedom: f64,
     pub(super) beta: Option<Beta>,
     pub(super) amplitude: Option<f64>,
 }
@@ -76,6 +80,41 @@ impl Swings {
 
     /// T0 and the test of the exact law by the bottom passages and the amplitudes.
     pub(super) fn by_speeds(&self, width: Quantity, amplitudes: &Amplitudes) -> Option<BySpeeds> {
+        /// The width is changed by this part of itself to see what follows it.
+        const STEP: f64 = 1e-3;
+        let rows = self.rows_by_speeds(amplitudes)?;
+        let law = period_law::exact(&rows)?;
+        let beta = period_law::beta(&rows).ok();
+        let ratio = rows.iter().map(|row| row.ratio).sum::<f64>() / count(rows.len());
+        let typical = Amplitude::from_period_ratio(ratio).ok()?.radians();
+        // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
+        let [below, above] = [1.0 - STEP, 1.0 + STEP]
+            .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor)));
+        let (below, above) = (below?, above?);
+        let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
+            Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
+        };
+        let t0_by_width = slope(&|rows| Some(period_law::exact(rows)?.t0))?;
+        let beta_by_width = slope(&|rows| Some(period_law::beta(rows).ok()?.beta));
+        let spread = width.uncertainty.unwrap_or(0.0);
+        let whole = libm::hypot(law.t0_uncertainty, t0_by_width * spread);
+        let part_of_scatter = law.t0_uncertainty * law.t0_uncertainty / (whole * whole);
+        let widen = |(beta, by_width): (Beta, f64)| Beta {
+            uncertainty: libm::hypot(beta.uncertainty, by_width * spread),
+            ..beta
+        };
+        Some(BySpeeds {
+            t0: Quantity { value: law.t0, uncertainty: Some(whole) },
+            t0_by_width,
+            // After Welch and Satterthwaite: the width is taken as known, the scatter has its rows.
+            degrees_of_freedom: count(rows.len() - 1) / (part_of_scatter * part_of_scatter),
+            beta: beta.zip(beta_by_width).map(widen),
+            amplitude: Some(typical),
+        })
+    }
+
+    /// The cycles between passages of the bottom.
+    fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
         let variance = self.timing() * self.timing();
         let noise = amplitudes.noise(self);
         let gate = self.gate_height(amplitudes)?;
@@ -87,22 +126,7 @@ impl Swings {
             let passages = ends.map(|k| (k, variance.max(1e-24)));
             Some(Row::new([begin?, end?], passages, [side(cycle)?, side(cycle + 1)?]))
         };
-        let rows: Vec<Row> = self.cycles.iter().filter_map(row).collect();
-        let law = period_law::exact(&rows)?;
-        let ratio = rows.iter().map(|row| row.ratio).sum::<f64>() / count(rows.len());
-        let typical = Amplitude::from_period_ratio(ratio).ok()?.radians();
-        // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
-        let relative = width.uncertainty.unwrap_or(0.0) / width.value;
-        let slope = Law::exact().slope_at(typical) * 2.0 * libm::tan(0.5 * typical);
-        let (by_period, by_excess) = (slope / ratio, slope / (ratio - 1.0));
-        let change = relative / (1.0 + by_period);
-        let widened = |own: f64, by_width: f64| libm::hypot(own, by_width * change);
-        let uncertainty = Some(widened(law.t0_uncertainty, law.t0 * by_period));
-        let beta = period_law::beta(&rows).ok();
-        let widen =
-            |beta: Beta| Beta { uncertainty: widened(beta.uncertainty, beta.beta * by_excess), ..beta };
-        let t0 = Quantity { value: law.t0, uncertainty };
-        Some(BySpeeds { t0, beta: beta.map(widen), amplitude: Some(typical) })
+        Some(self.cycles.iter().filter_map(row).collect())
     }
 
     /// The sine of half the angle of the gate, on the side to which the passages of the first side go, by the unevenness

@@ -97,6 +97,11 @@ impl Swings {
             first_period,
             t0,
             t0_source,
+            t0_by_width: by_speeds.as_ref().map(|speeds| speeds.t0_by_width),
+            // Neighbouring periods share their passages.
+            t0_degrees_of_freedom: by_speeds
+                .as_ref()
+                .map_or(count(periods.len() / 2).max(2.0) - 1.0, |speeds| speeds.degrees_of_freedom),
             amplitude: by_speeds
                 .as_ref()
                 .map_or(options.amplitude.map(|a| a.value), |speeds| speeds.amplitude),

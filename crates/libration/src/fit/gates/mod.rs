@@ -96,10 +96,24 @@ pub struct GatesFit {
     pub t0: Option<Quantity>,
     /// Where it comes from.
     pub t0_source: Option<T0Source>,
+    /// By how much T0 changes with the angular width of the bob, in s/rad; none where it does not come from the width.
+    pub t0_by_width: Option<f64>,
+    /// Of the uncertainty of T0.
+    pub t0_degrees_of_freedom: f64,
     /// The amplitude whose T/T0 is that of the periods T0 comes from, in radians.
     pub amplitude: Option<f64>,
     /// The test of the exact law, where amplitudes are known.
     pub beta: Option<Beta>,
     /// What a reader should know.
     pub warnings: Vec<String>,
+}
+
+impl GatesFit {
+    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; none
+    /// where T0 does not come from the width.
+    #[must_use]
+    pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
+        let spread = self.t0?.uncertainty.filter(|spread| *spread > 0.0)?;
+        Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
+    }
 }

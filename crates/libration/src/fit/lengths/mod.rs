@@ -13,10 +13,21 @@ pub use model::{LengthFit, LengthModel};
 pub use table::{LengthColumns, LengthTable};
 
 use super::FitError;
+use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
+use super::scatter::Scatter;
 use crate::quantity::Quantity;
 
 /// A term counts as needed when chance would make it as large less often than this.
 const NEEDED: f64 = 0.01;
+
+/// What is known besides the table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LengthsOptions {
+    /// Radius of the bob, a ball, in metres: its moment of inertia is then taken into account.
+    pub bob_radius: Option<Quantity>,
+    /// The relative standard uncertainty of the clock, which multiplies all periods.
+    pub clock: Option<f64>,
+}
 
 /// What a table of periods against lengths says.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +36,8 @@ pub struct LengthsFit {
     pub fits: Vec<LengthFit>,
     /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
     pub known_gyration: Option<f64>,
+    /// The uncertainty of the best g, with what all rows have in common: clock and bob.
+    pub combined: CombinedUncertainty,
     /// What a reader should know.
     pub warnings: Vec<String>,
 }
@@ -36,6 +49,12 @@ impl LengthsFit {
         self.of(LengthModel::Offset).unwrap_or(&self.fits[0])
     }
 
+    /// The best g with all of its uncertainty, in m/s².
+    #[must_use]
+    pub fn gravity(&self) -> Quantity {
+        Quantity { value: self.best().g.value, uncertainty: Some(self.combined.standard) }
+    }
+
     /// The fit of a law, where the rows determine it.
     #[must_use]
     pub fn of(&self, model: LengthModel) -> Option<&LengthFit> {
@@ -43,15 +62,15 @@ impl LengthsFit {
     }
 }
 
-/// g and the offset of the lengths; with the radius of the bob, a ball, its moment of inertia is taken into account.
+/// g and the offset of the lengths.
 ///
 /// # Errors
-/// Fewer than two rows (without uncertainties three), all lengths the same, a radius that is not a positive number.
-pub fn lengths(table: &LengthTable, bob_radius: Option<f64>) -> Result<LengthsFit, FitError> {
-    if let Some(value) = bob_radius.filter(|radius| !(*radius > 0.0 && radius.is_finite())) {
-        return Err(FitError::Length { value, uncertainty: 0.0 });
-    }
-    let known = bob_radius.map(|radius| 0.4 * radius * radius);
+/// Fewer than two rows (without uncertainties three), all lengths the same, a radius that is not a positive number, an uncertainty
+/// that is none.
+pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
+    options.check()?;
+    let radius = options.bob_radius.map(|radius| radius.value);
+    let known = radius.map(gyration);
     let fit = |model| model::fit(table, model, known.unwrap_or(0.0));
     let free = LengthModel::ALL.into_iter();
     // A κ that is known is not free.
@@ -64,11 +83,58 @@ pub fn lengths(table: &LengthTable, bob_radius: Option<f64>) -> Result<LengthsFi
     if fits.len() == 1 {
         return Err(FitError::EqualLengths);
     }
-    let warnings = warnings(&fits, known, table);
-    Ok(LengthsFit { fits, known_gyration: known, warnings })
+    let warnings = warnings(&fits, known);
+    // The same that `best` takes.
+    let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
+    let combined = options.combined(table, best)?;
+    Ok(LengthsFit { fits, known_gyration: known, combined, warnings })
 }
 
-fn warnings(fits: &[LengthFit], known: Option<f64>, table: &LengthTable) -> Vec<String> {
+/// κ of a ball.
+fn gyration(radius: f64) -> f64 {
+    0.4 * radius * radius
+}
+
+impl LengthsOptions {
+    fn check(&self) -> Result<(), FitError> {
+        let usable = |spread: f64| (0.0..f64::INFINITY).contains(&spread);
+        if let Some(Quantity { value, uncertainty }) = self.bob_radius {
+            let uncertainty = uncertainty.unwrap_or(0.0);
+            if !(value > 0.0 && value.is_finite() && usable(uncertainty)) {
+                return Err(FitError::Length { value, uncertainty });
+            }
+        }
+        self.clock.filter(|clock| !usable(*clock)).map_or(Ok(()), |clock| Err(FitError::Clock(clock)))
+    }
+
+    /// The uncertainty of g by the slope of the line, the bob and the clock.
+    fn combined(&self, table: &LengthTable, best: &LengthFit) -> Result<CombinedUncertainty, FitError> {
+        let g = best.g.value;
+        let slope = Contribution {
+            evaluation: Evaluation::Statistics,
+            degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
+            ..Contribution::judged(
+                BudgetInput::Slope,
+                1.0 / g,
+                best.g.uncertainty.map(|uncertainty| uncertainty / (g * g)),
+                -g * g,
+            )
+        };
+        let radius = self.bob_radius.map(|radius| {
+            let refitted = |radius: f64| {
+                model::fit(table, best.model, gyration(radius)).map_or(f64::NAN, |fit| fit.g.value)
+            };
+            let sensitivity = budget::derivative(radius.value, radius.value, refitted);
+            Contribution::judged(BudgetInput::BobRadius, radius.value, radius.uncertainty, sensitivity)
+        });
+        let clock =
+            self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g));
+        let contributions = [Some(slope), radius, clock].into_iter().flatten().collect();
+        CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
+    }
+}
+
+fn warnings(fits: &[LengthFit], known: Option<f64>) -> Vec<String> {
     let of = |model: LengthModel| fits.iter().find(|fit| fit.model == model);
     let mut warnings = vec![];
     let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
@@ -90,17 +156,11 @@ fn warnings(fits: &[LengthFit], known: Option<f64>, table: &LengthTable) -> Vec<
                 .to_owned(),
         });
     }
-    let per_dof = of(LengthModel::Offset).and_then(LengthFit::chi2_per_dof);
-    if per_dof.is_some_and(|per_dof| per_dof < 0.3) && table.len() > 5 {
-        warnings.push(
-            "the rows scatter much less than their uncertainties: these are perhaps common to all rows, and then belong \
-             to the offset"
-                .to_owned(),
-        );
-    }
-    if per_dof.is_some_and(|per_dof| per_dof > 3.0) {
-        warnings.push("the rows scatter more than their uncertainties say".to_owned());
-    }
+    warnings.extend(
+        of(LengthModel::Offset)
+            .and_then(LengthFit::scatter)
+            .and_then(|scatter: Scatter| scatter.warning("the offset")),
+    );
     let offset =
         of(LengthModel::Offset).and_then(|fit| fit.offset).map_or(0.0, |offset: Quantity| offset.value);
     if known.is_some_and(|known| offset.abs() > 10.0 * (2.5 * known).sqrt()) {

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
 use crate::fit::akaike;
+use crate::fit::scatter::{self, Scatter};
 use crate::fit::small_angle_period::count;
 use crate::fit::student::probability_beyond;
 use crate::quantity::Quantity;
@@ -53,7 +54,7 @@ impl LengthModel {
 pub struct LengthFit {
     /// The law.
     pub model: LengthModel,
-    /// In m/s².
+    /// In m/s². All uncertainties are [enlarged](Scatter) where the rows scatter more than theirs.
     pub g: Quantity,
     /// δ, in metres, to be added to the lengths given.
     pub offset: Option<Quantity>,
@@ -71,7 +72,7 @@ pub struct LengthFit {
     pub chance: Option<f64>,
     /// T less what the law says, in seconds, row by row.
     pub residuals: Vec<f64>,
-    /// The standard deviations of these, in seconds; without uncertainties their scatter.
+    /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
     pub standard_deviations: Vec<f64>,
 }
 
@@ -80,6 +81,18 @@ impl LengthFit {
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         self.chi2.filter(|_| self.dof > 0).map(|chi2| chi2 / count(self.dof))
+    }
+
+    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn scatter(&self) -> Option<Scatter> {
+        Scatter::of(self.chi2, self.dof)
+    }
+
+    /// Of the uncertainties: infinite where they come from stated ones.
+    #[must_use]
+    pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
+        scatter::degrees_of_freedom(self.chi2, self.dof)
     }
 }
 
@@ -147,18 +160,22 @@ impl Solution {
         let chi2: f64 = left.iter().zip(&self.variances).map(|(r, v)| r * r / v).sum();
         let dof = rows.len() - width;
         let per_dof = (dof > 0).then(|| chi2 / count(dof));
+        let stated = table.weighted.then_some(chi2);
+        let enlargement = scatter::enlargement(stated, dof);
         // Unit weights: the variance of a row is the scatter about the law.
-        let unit = if table.weighted { 1.0 } else { per_dof? };
+        let of_row = if table.weighted { 1.0 } else { per_dof? };
+        let unit = of_row * enlargement * enlargement;
         // With y = (T/2πR)², dT = 2π²R²/T·dy.
         let to_seconds = |row: &Row| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
-        let deviations = self.variances.iter().zip(rows).map(|(v, row)| (v * unit).sqrt() * to_seconds(row));
+        let deviations =
+            self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
         Some(LengthFit {
             model,
             g: self.quotient(None, unit),
             offset: (width > 1).then(|| self.quotient(Some(1), unit)),
             gyration: (width > 2).then(|| self.quotient(Some(2), unit)),
             correlation: (width > 1).then(|| self.correlation()),
-            chi2: table.weighted.then_some(chi2),
+            chi2: stated,
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),
             chance: per_dof.filter(|_| width > 1).map(|per_dof| self.chance(per_dof, dof)),

@@ -5,12 +5,12 @@ mod tables;
 mod words;
 
 use super::answer::Answer;
-use crate::document::{Block, Document, Section};
+use crate::document::{Block, Document, Section, provenance};
 
 /// The whole report.
 pub(super) fn document(answer: &Answer<'_>) -> Document {
     let sections = [
-        Section::new("Result", words::result(answer)),
+        Section::new("Result", [words::result(answer), doubts(answer), words::meaning(answer)].concat()),
         Section::new("What was read", words::read(answer)),
         Section::new("The motion and the fit", pictures::of_motion(answer)),
         Section::new(
@@ -25,24 +25,68 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
             "Damping",
             [words::damping(answer), tables::models(answer), pictures::of_damping(answer)].concat(),
         ),
-        Section::new("The uncertainty of gravity", [words::budget(answer), tables::budget(answer)].concat()),
+        Section::new(
+            "The uncertainty of gravity",
+            [words::budget(answer), tables::budget(answer), words::inputs(answer), tables::inputs(answer)]
+                .concat(),
+        ),
         Section::new("All numbers", [tables::parameters(answer), words::numbers(answer)].concat()),
-        Section::new("Doubts", list(&answer.warnings)),
         Section::new("What would make it better", list(&answer.advice)),
+        Section::new("All cycles", tables::cycles(answer)),
+        Section::new("How this report was made", vec![provenance()]),
     ];
     let title = format!("A pendulum's swing: {}", answer.measured.short_names());
     Document { title, sections: sections.into_iter().flatten().collect() }
 }
 
-/// The sentences as a list, each with a capital letter and a full stop.
-fn list(sentences: &[String]) -> Vec<Block> {
-    let items: Vec<String> = sentences.iter().map(|text| sentence(text)).collect();
-    if items.is_empty() { vec![] } else { vec![Block::List(items)] }
+/// What is doubtful about the result.
+fn doubts(answer: &Answer<'_>) -> Vec<Block> {
+    match answer.warnings.is_empty() {
+        true => vec![],
+        false => vec![Block::Aside("What is doubtful about it", sentences(&answer.warnings))],
+    }
 }
 
+/// The sentences as a list.
+fn list(items: &[String]) -> Vec<Block> {
+    if items.is_empty() { vec![] } else { vec![Block::List(sentences(items))] }
+}
+
+fn sentences(items: &[String]) -> Vec<String> {
+    items.iter().map(|text| sentence(text)).collect()
+}
+
+/// With a capital letter, if it begins with a word and not with a symbol or a name, and a full stop.
 fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
     let stop = if text.ends_with(['.', '!', '?']) { "" } else { "." };
-    format!("{first}{}{stop}", letters.as_str())
+    let first = text.split_whitespace().next().unwrap_or_default().trim_end_matches([',', ':', ';']);
+    let is_a_word =
+        first == "a" || (first.len() > 1 && first.bytes().all(|letter| letter.is_ascii_lowercase()));
+    let (head, rest) = text.split_at(usize::from(is_a_word));
+    format!("{}{rest}{stop}", head.to_ascii_uppercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentences_that_begin_with_a_symbol_keep_it() {
+        for (text, expected) in [
+            ("the fit did not settle", "The fit did not settle."),
+            ("a simple pendulum is longer", "A simple pendulum is longer."),
+            ("cycles: a few.", "Cycles: a few."),
+            ("β is 3.7", "β is 3.7."),
+            ("y grows upwards", "y grows upwards."),
+            ("omega0 is free", "omega0 is free."),
+            ("swing.csv has no header", "swing.csv has no header."),
+            ("T₀ by single cycles", "T₀ by single cycles."),
+            ("--from was given", "--from was given."),
+            ("1 row is an outlier", "1 row is an outlier."),
+            ("θ is an angle!", "θ is an angle!"),
+            ("", "."),
+        ] {
+            assert_eq!(sentence(text), expected);
+        }
+    }
 }

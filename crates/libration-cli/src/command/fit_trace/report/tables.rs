@@ -4,6 +4,9 @@ use super::super::answer::{Answer, Pendulum};
 use super::super::sheet;
 use crate::document::{Block, Table};
 use crate::output;
+use crate::output::number::{short, with_uncertainty};
+use crate::output::table::Column;
+use libration::fit::cycles::Cycle;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
@@ -37,6 +40,62 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
         columns: output::budget::columns(),
         rows: output::budget::rows(budget),
     })]
+}
+
+/// Its inputs one by one.
+pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
+    let Pendulum::Gravity { budget, .. } = &answer.pendulum else { return vec![] };
+    vec![Block::Table(Table {
+        caption: "The inputs of gravity with their sensitivity coefficients".to_owned(),
+        columns: output::combined::columns(),
+        rows: output::combined::rows(&budget.combined),
+    })]
+}
+
+/// Every cycle that was measured.
+pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
+    let several = answer.measured.traces.len() > 1;
+    let rows: Vec<Vec<String>> = answer
+        .all_cycles()
+        .zip(1..)
+        .map(|(cycle, number)| of_cycle(answer, number, cycle, several))
+        .collect();
+    if rows.is_empty() {
+        return vec![];
+    }
+    let numbers =
+        ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °"].map(Column::numbers);
+    let of_trace = several.then(|| Column::words("trace"));
+    vec![Block::Table(Table {
+        caption: "Every cycle by itself, from one passage of the centre to the next in the same direction; they overlap by half. An \
+                  asterisk marks those that do not count because their period is far from the law"
+            .to_owned(),
+        columns: numbers.into_iter().chain(of_trace).collect(),
+        rows,
+    })]
+}
+
+fn of_cycle(
+    answer: &Answer<'_>,
+    number: usize,
+    (trace, cycle): (usize, &Cycle),
+    several: bool,
+) -> Vec<String> {
+    let both = |value: f64, uncertainty: f64| -> [String; 2] {
+        let text = with_uncertainty(value, uncertainty, "");
+        let (value, uncertainty) = text.split_once(" ± ").unwrap_or((&text, "–"));
+        [value.to_owned(), uncertainty.to_owned()]
+    };
+    let mark = if cycle.outlier { "*" } else { "" };
+    let [period, of_period] = both(cycle.period, cycle.period_uncertainty);
+    let [amplitude, of_amplitude] =
+        both(cycle.amplitude.to_degrees(), cycle.amplitude_uncertainty.to_degrees());
+    let start = short(cycle.time - 0.5 * cycle.period, 6);
+    let name = several.then(|| answer.measured.traces[trace].name().to_owned());
+    [format!("{number}{mark}"), start, period, of_period, amplitude, of_amplitude]
+        .into_iter()
+        .chain(name)
+        .collect()
 }
 
 /// The fitted parameters.

@@ -21,14 +21,22 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
     ];
     let speed = std::f64::consts::TAU / period;
     rows.insert(1, row("ω₀ = 2π/T₀", with_uncertainty(speed, speed * uncertainty / period, "rad/s")));
+    if let Some(expanded) = sheet::expanded(answer) {
+        rows.insert(3, row("expanded uncertainty of gravity", expanded));
+    }
     let table = Table {
         caption: "What the measurement gives".to_owned(),
         columns: vec![Column::words("quantity"), Column::words("value")],
         rows,
     };
+    vec![Block::Table(table)]
+}
+
+/// What the result means.
+pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
     let meaning = "The number after ± is the standard uncertainty: the truth lies within it with a probability of 68 %, and \
                    within twice as much with 95 %, if the errors are as chance has them.";
-    vec![Block::Table(table), Block::words(meaning), Block::words(formula(answer))]
+    vec![Block::words(meaning), Block::words(formula(answer))]
 }
 
 /// How gravity or the length follow.
@@ -51,6 +59,19 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
             "Each line is one effect: what is done to g because of it, what it adds to the uncertainty of g, whether that is known \
              from scatter (type A) or from judgement (type B), and by which formula. Contributions add as squares, so that the \
              largest ones are all that counts. What is in brackets is not corrected, since nothing was said about it.",
+        )],
+        Pendulum::Length { .. } => vec![],
+    }
+}
+
+/// How to read the inputs of the budget.
+pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
+    match answer.pendulum {
+        Pendulum::Gravity { .. } => vec![Block::words(
+            "Input by input: its value x with its standard uncertainty u(x), the sensitivity coefficient ∂g/∂x by which g follows it, \
+             their product, and its share of the variance of g; ν are the degrees of freedom of u(x), ∞ where it is taken as known. The \
+             expanded uncertainty is U = k·u(g) with Student's k for 95 % and the effective degrees of freedom after Welch and \
+             Satterthwaite (Guide to the Expression of Uncertainty in Measurement, JCGM 100:2008).",
         )],
         Pendulum::Length { .. } => vec![],
     }

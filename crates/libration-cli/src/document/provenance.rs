@@ -1,0 +1,85 @@
+//! Where a document comes from: program, version, command line and date.
+
+use super::{Block, Table};
+use crate::output::table::Column;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// A table of these for a document that is made now, by the command that was given.
+pub(crate) fn provenance() -> Block {
+    let command = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
+    let command: Vec<String> = std::iter::once("libration".to_owned()).chain(command).collect();
+    let row = |name: &str, value: String| vec![name.to_owned(), value];
+    Block::Table(Table {
+        caption: "With this the report can be made again".to_owned(),
+        columns: vec![Column::words("what"), Column::words("which")],
+        rows: vec![
+            row("program", format!("libration {}", env!("CARGO_PKG_VERSION"))),
+            row("command", command.join(" ")),
+            row("date", date(now())),
+        ],
+    })
+}
+
+/// Seconds since 1970; those of `SOURCE_DATE_EPOCH` where it is set, so that the same report can be made twice.
+fn now() -> u64 {
+    let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
+    let since = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    given.unwrap_or_else(since)
+}
+
+/// `2026-11-22 03:10 UTC`, in the Gregorian calendar.
+fn date(seconds: u64) -> String {
+    const DAYS_IN_400_YEARS: u64 = 146_097;
+    // Days since the 1st of March 1600: a leap day is then the last of its year.
+    let days = seconds / 86_400 + DAYS_IN_400_YEARS - 11_017;
+    let in_cycle = days % DAYS_IN_400_YEARS;
+    let year_of_cycle = (in_cycle - in_cycle / 1460 + in_cycle / 36_524 - in_cycle / 146_096) / 365;
+    let day_of_year = in_cycle - (365 * year_of_cycle + year_of_cycle / 4 - year_of_cycle / 100);
+    // The months from March on have 31, 30, 31, 30, 31 days again and again: 153 in five.
+    let month_from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month_from_march + 2) / 5 + 1;
+    let month = if month_from_march < 10 { month_from_march + 3 } else { month_from_march - 9 };
+    let year = 1600 + 400 * (days / DAYS_IN_400_YEARS) + year_of_cycle + u64::from(month <= 2);
+    let (hours, minutes) = (seconds / 3600 % 24, seconds / 60 % 60);
+    format!("{year:04}-{month:02}-{day:02} {hours:02}:{minutes:02} UTC")
+}
+
+/// As a shell takes it for one word.
+fn quoted(word: &str) -> String {
+    let plain = |letter: char| letter.is_alphanumeric() || "_-./=+:,@%±^".contains(letter);
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By `date -u -d @SECONDS`.
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        for (seconds, expected) in [
+            (0, "1970-01-01 00:00 UTC"),
+            (951_782_400, "2000-02-29 00:00 UTC"),
+            (951_868_799, "2000-02-29 23:59 UTC"),
+            (951_868_800, "2000-03-01 00:00 UTC"),
+            (1_000_000_000, "2001-09-09 01:46 UTC"),
+            (1_709_164_800, "2024-02-29 00:00 UTC"),
+            (1_735_689_599, "2024-12-31 23:59 UTC"),
+            (4_107_542_400, "2100-03-01 00:00 UTC"),
+        ] {
+            assert_eq!(date(seconds), expected);
+        }
+    }
+
+    #[test]
+    fn words_are_quoted_for_a_shell() {
+        assert_eq!(quoted("--length"), "--length");
+        assert_eq!(quoted("0.57m±0.004m"), "0.57m±0.004m");
+        assert_eq!(quoted("my swing.csv"), "'my swing.csv'");
+        assert_eq!(quoted("it's"), r"'it'\''s'");
+        assert_eq!(quoted(""), "''");
+    }
+}

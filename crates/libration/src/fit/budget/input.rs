@@ -1,0 +1,126 @@
+//! What g is computed from.
+
+use super::effects::Values;
+
+/// An input of a budget.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BudgetInput {
+    /// From the pivot to the centre of the bob.
+    Length,
+    /// T0.
+    Period,
+    /// The slope of T²/4π² against the length.
+    Slope,
+    /// By which all times are to be multiplied.
+    Clock,
+    /// By which all angles are to be multiplied.
+    AngleScale,
+    /// Of the bob, a ball.
+    BobRadius,
+    /// Of the bob.
+    BobMass,
+    /// Of the bob.
+    BobDensity,
+    /// Of the rod or string.
+    RodMass,
+    /// From the pivot to its end.
+    RodLength,
+    /// Of the air.
+    AirDensity,
+    /// By which the mass of the air that moves along is to be multiplied.
+    AddedMass,
+    /// Of the string, by the bob at rest.
+    Stretch,
+    /// The coefficient of linear damping.
+    Damping,
+}
+
+impl BudgetInput {
+    /// All of them.
+    pub const ALL: [Self; 14] = [
+        Self::Length,
+        Self::Period,
+        Self::Slope,
+        Self::Clock,
+        Self::AngleScale,
+        Self::BobRadius,
+        Self::BobMass,
+        Self::BobDensity,
+        Self::RodMass,
+        Self::RodLength,
+        Self::AirDensity,
+        Self::AddedMass,
+        Self::Stretch,
+        Self::Damping,
+    ];
+
+    /// `length`, `bob radius` and so on.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Period => "period",
+            Self::Slope => "slope",
+            Self::Clock => "clock",
+            Self::AngleScale => "angle scale",
+            Self::BobRadius => "bob radius",
+            Self::BobMass => "bob mass",
+            Self::BobDensity => "bob density",
+            Self::RodMass => "rod mass",
+            Self::RodLength => "rod length",
+            Self::AirDensity => "air density",
+            Self::AddedMass => "added mass",
+            Self::Stretch => "stretch",
+            Self::Damping => "damping",
+        }
+    }
+
+    /// Of its value; `1` for a factor.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "m",
+            Self::Period => "s",
+            Self::Slope => "s^2/m",
+            Self::Clock | Self::AngleScale | Self::AddedMass => "1",
+            Self::BobMass | Self::RodMass => "kg",
+            Self::BobDensity | Self::AirDensity => "kg/m^3",
+            Self::Damping => "1/s",
+        }
+    }
+
+    /// Of ∂g/∂x.
+    #[must_use]
+    pub fn unit_of_sensitivity(self) -> &'static str {
+        match self {
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "1/s^2",
+            Self::Period => "m/s^3",
+            Self::Slope => "m^2/s^4",
+            Self::Clock | Self::AngleScale | Self::AddedMass => "m/s^2",
+            Self::BobMass | Self::RodMass => "m/(s^2 kg)",
+            Self::BobDensity | Self::AirDensity => "m^4/(s^2 kg)",
+            Self::Damping => "m/s",
+        }
+    }
+
+    /// Where it stands among the values; none of the slope of a line, which takes the place of all of them.
+    pub(super) fn place(self, values: &mut Values) -> Option<&mut f64> {
+        match self {
+            Self::Length => Some(&mut values.length),
+            Self::Period => Some(&mut values.t0),
+            Self::Slope => None,
+            Self::Clock => Some(&mut values.clock),
+            Self::AngleScale => Some(&mut values.angle_scale),
+            Self::BobRadius => Some(&mut values.radius),
+            Self::BobMass => Some(&mut values.bob_mass),
+            Self::BobDensity => Some(&mut values.bob_density),
+            Self::RodMass => Some(&mut values.rod_mass),
+            Self::RodLength => Some(&mut values.rod_length),
+            Self::AirDensity => Some(&mut values.air_density),
+            Self::AddedMass => Some(&mut values.added_mass),
+            Self::Stretch => Some(&mut values.stretch),
+            Self::Damping => Some(&mut values.damping),
+        }
+    }
+}
