@@ -382,6 +382,9 @@ fn the_column_behind_the_angles_holds_their_uncertainties() {
     let file = "t (s),±,θ (deg),± (deg)\n0,0.001,30,0.5\n0.1,0.001,20,0.5\n";
     let found = traces(file, &Choices::default()).unwrap();
     assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let without_unit = "t (s),θ (deg),±,height\n0,30,0.5,1\n0.1,20,0.5,1\n";
+    let found = traces(without_unit, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
     let empty = "t (s),θ (deg),±\n0,30,\n0.1,20,\n";
     assert_eq!(traces(empty, &Choices::default()).unwrap().traces[0].uncertainties(), None);
 }
@@ -407,6 +410,105 @@ fn degrees_under_a_header_of_radians_are_doubted_at_once() {
     };
     assert!(doubtful("θ (rad)", 47.3));
     assert!(!doubtful("θ (deg)", 47.3) && !doubtful("θ (rad)", 2.9));
+}
+
+#[test]
+fn times_that_rounding_has_kept_apart_stay_as_they_are_written() {
+    let written = |row: u32| (1e3 * f64::from(row) / 60.0).round() / 1e3;
+    let row = |row: u32| format!("{:.3},{:.4}\n", written(row), 0.5 * libm::cos(0.07 * f64::from(row)));
+    let file = format!("t (s),theta (rad)\n{}", (0..300).map(row).collect::<String>());
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert!(
+        found.traces[0]
+            .times()
+            .iter()
+            .zip((0..).map(written))
+            .all(|(time, truth)| (time - truth).abs() < 1e-15)
+    );
+    assert!(found.traces[0].clock_uncertainty().abs() < 1e-300);
+    let even = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    let found = traces(&file, &even).unwrap();
+    assert!(found.traces[0].times().windows(2).all(|pair| (pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6));
+}
+
+/// The strongest axis has 99.5 % of the mean square, and alone would make all rates 0.25 % too small.
+#[test]
+fn a_gyroscope_tilted_by_four_degrees_loses_nothing() {
+    let mut file = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)\n".to_owned();
+    for row in 0..300 {
+        let rate = libm::sin(0.04 * f64::from(row));
+        file += &format!(
+            "{:.2},0,{:.8},{:.8}\n",
+            0.01 * f64::from(row),
+            rate * 0.995_f64.sqrt(),
+            rate * 0.005_f64.sqrt()
+        );
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    let values = found.traces[0].values();
+    assert!(
+        values.iter().zip(0..).all(|(value, row)| (value - libm::sin(0.04 * f64::from(row))).abs() < 1e-7)
+    );
+}
+
+/// A pendulum that goes round passes no side twice.
+#[test]
+fn a_rotation_without_a_unit_is_not_taken_for_degrees() {
+    let file = format!(
+        "t (s),angle\n{}",
+        timed(|_, time| time)
+            .lines()
+            .skip(1)
+            .zip(0..)
+            .map(|(line, row)| {
+                format!("{},{:.3}\n", line.split(',').next().unwrap_or_default(), 0.1 * f64::from(row))
+            })
+            .collect::<String>()
+    );
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert!(refused.to_string().contains("say unit=rad or deg"), "{refused}");
+}
+
+/// Twenty thousand rows know the radius to a few hundredths, but an arc no higher than twice its scatter may be bent by anything.
+#[test]
+fn an_arc_lost_in_its_scatter_has_no_pivot_however_many_rows_there_are() {
+    let row = |row: u32| {
+        let angle = 0.2 * libm::sin(0.01 * f64::from(row));
+        let radius = 1.0 + if row.is_multiple_of(2) { 0.01 } else { -0.01 };
+        format!(
+            "{:.2},{:.6},{:.6}\n",
+            0.01 * f64::from(row),
+            radius * libm::sin(angle),
+            -radius * libm::cos(angle)
+        )
+    };
+    let file = format!("t (s),x (m),y (m)\n{}", (0..20_000).map(row).collect::<String>());
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert!(matches!(refused, MeasurementError::PivotUnknown(_)), "{refused}");
+}
+
+#[test]
+fn edges_without_a_unit_are_seconds_by_the_time_between_passages() {
+    let edges: String =
+        (1..20).map(|n| format!("{:.2}\n{:.2}\n", 0.76 * f64::from(n), 0.76 * f64::from(n) + 0.02)).collect();
+    assert_eq!(recording(edges.as_bytes()).gate_times(&Choices::default()).unwrap().times.len(), 38);
+}
+
+#[test]
+fn a_clock_of_a_gate_goes_back_in_one_row_of_ten_at_most() {
+    let back = |rows: &[u32]| {
+        let time = |n: u32| if rows.contains(&n) { f64::from(n) - 1.5 } else { f64::from(n) };
+        let file: String = (1..=20).map(|n| format!("{}\n", time(n))).collect();
+        recording(file.as_bytes()).gate_times(&Choices::default())
+    };
+    assert_eq!(back(&[5, 10]).unwrap().times.len(), 20);
+    assert!(matches!(back(&[5, 10, 15]), Err(MeasurementError::NotGateTimes { goes_back: 3, rows: 20 })));
+}
+
+#[test]
+fn one_numbered_symbol_names_no_run() {
+    let found = traces("t_{1},theta_{1} (rad)\n0,0.5\n0.1,0.4\n", &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].name(), "");
 }
 
 #[test]
