@@ -1,5 +1,5 @@
-//! The pendulum at any amplitude: its exact period, motion and harmonics, the published formulas for its
-//! period, each with its exact error, and the exact law fitted to measured periods.
+//! The pendulum at any amplitude: its exact period, motion and harmonics, and the published formulas for its
+//! period, each with its exact error. From there any nonlinear oscillator.
 //!
 //! Angles are radians from the downward vertical, times seconds, lengths metres. Near the top the distance
 //! π − θ is the number that matters, so an [`Angle`](quantity::Angle) carries it beside the angle: released
@@ -48,7 +48,8 @@
 //! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; the complement beside the modulus |
 //! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
 //! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
-//! | [`algebra`] | the exact rationals in which series coefficients are given, polynomials in named variables |
+//! | [`algebra`] | exact rationals, floats of any precision, polynomials in named variables, and the rings of all of them |
+//! | [`series`] | truncated power series over any ring |
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
@@ -59,9 +60,6 @@
 //! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
-//! | [`derivation`] | worked derivations, and two published ones checked equation by equation |
-//! | [`measurement`] | an instrument's file as columns with quantities and units, and the traces in it |
-//! | [`fit`] | measured periods explained by a law: T0, its test, gravity |
 //!
 //! The library reads no files, prints nothing and knows no clock. Functions of numbers return NaN outside
 //! their documented domain; constructors check their arguments once and return an error that says what was
@@ -80,7 +78,7 @@ pub mod period_formulas;
 
 pub mod algebra;
 mod linear;
-mod series;
+pub mod series;
 
 pub mod expression;
 
@@ -99,12 +97,6 @@ pub mod orbit;
 
 pub mod decay;
 pub mod normal_modes;
-
-pub mod derivation;
-
-pub mod measurement;
-
-pub mod fit;
 
 // What all of them stand on.
 mod double_double;

@@ -1,8 +1,8 @@
 //! The pendulum as a laboratory knows it: lengths and masses with their uncertainties.
 
 use super::{correlation, text};
-use libration::fit::{AIR_DENSITY, Apparatus, Correlation, PeriodDamping};
 use libration::quantity::Quantity;
+use libration_lab::fit::{AIR_DENSITY, Apparatus, Correlation, PeriodDamping};
 
 /// The options that give g and the budget of its uncertainty.
 #[derive(Clone, Debug, clap::Args)]

@@ -1,7 +1,7 @@
 //! The units of chosen columns: said by an option, else written in the header, else those of the SI.
 
 use super::CountedOptions;
-use libration::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
+use libration_lab::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
 
 /// What a column is to hold, and what an option says of it.
 #[derive(Clone, Copy, Debug)]

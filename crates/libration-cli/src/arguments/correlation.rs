@@ -1,6 +1,6 @@
 //! Inputs that are known by what they have in common: `length,bob-radius=0.9`.
 
-use libration::fit::{BudgetInput, Correlation};
+use libration_lab::fit::{BudgetInput, Correlation};
 
 /// Reads `NAME,NAME=R`.
 pub(super) fn correlation(text: &str) -> Result<Correlation, String> {

@@ -1,6 +1,6 @@
 //! How many periods a row of a table holds: said by an option, else written in the header, else one.
 
-use libration::measurement::{Column, CountedPeriods, Table};
+use libration_lab::measurement::{Column, CountedPeriods, Table};
 
 /// How many periods each time of the table lasts.
 #[derive(Clone, Copy, Debug, clap::Args)]

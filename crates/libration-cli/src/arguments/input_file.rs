@@ -1,7 +1,7 @@
 //! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
 
 use crate::failure::Failure;
-use libration::measurement::Options;
+use libration_lab::measurement::Options;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;

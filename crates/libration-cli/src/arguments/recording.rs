@@ -2,7 +2,7 @@
 
 use super::read_bytes;
 use crate::failure::Failure;
-use libration::measurement::{
+use libration_lab::measurement::{
     Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options, Recording,
     Stamps, Traces, Unit,
 };

@@ -2,7 +2,7 @@
 
 use super::read_bytes;
 use crate::failure::Failure;
-use libration::measurement::{Column, Delimiter, Header, Options, Table, Unit};
+use libration_lab::measurement::{Column, Delimiter, Header, Options, Table, Unit};
 use std::path::Path;
 
 /// How a table is written, where it is not to be told from the file.

@@ -2,7 +2,7 @@
 
 use super::optional_column;
 use crate::failure::Failure;
-use libration::measurement::{Column, Table};
+use libration_lab::measurement::{Column, Table};
 
 /// The columns of two quantities, of the uncertainties of both, and of what else there may be.
 #[derive(Clone, Debug, clap::Args)]

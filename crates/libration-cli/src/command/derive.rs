@@ -3,10 +3,10 @@
 use crate::arguments::{self, OscillatorOptions, PendulumOptions};
 use crate::failure::Failure;
 use crate::output::file;
-use libration::derivation::{self, Derivation, DerivationError, HIGHEST_ORDER, Released, Swing};
 use libration::pendulum::Amplitude;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
+use libration_derivation::{Derivation, DerivationError, HIGHEST_ORDER, Released, Swing};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -103,8 +103,8 @@ impl Derive {
         }
         let derivation = match self.road {
             Road::Perturbation => return self.perturbation(),
-            Road::Elliptic => derivation::elliptic,
-            Road::Formulas => derivation::formulas,
+            Road::Elliptic => libration_derivation::elliptic,
+            Road::Formulas => libration_derivation::formulas,
         };
         self.perturbation.refuse()?;
         derivation(self.swing()?.as_ref()).map_err(failure)
@@ -134,7 +134,8 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        derivation::perturbation(&chosen.oscillator, order, &gauge, released.as_ref()).map_err(failure)
+        libration_derivation::perturbation(&chosen.oscillator, order, &gauge, released.as_ref())
+            .map_err(failure)
     }
 }
 
@@ -171,9 +172,9 @@ impl PerturbationOptions {
 impl Format {
     fn write(self, derivation: &Derivation) -> String {
         match self {
-            Self::Markdown => derivation::to_markdown(derivation),
-            Self::Latex => derivation::to_latex(derivation),
-            Self::Html => derivation::to_html(derivation),
+            Self::Markdown => libration_derivation::to_markdown(derivation),
+            Self::Latex => libration_derivation::to_latex(derivation),
+            Self::Html => libration_derivation::to_html(derivation),
         }
     }
 }

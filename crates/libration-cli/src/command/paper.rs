@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
-use libration::derivation::paper::{Document, Row, Verdict, rows_where};
+use libration_derivation::paper::{Document, Row, Verdict, rows_where};
 use std::io::{self, Write};
 
 /// Every equation of two published derivations, verified or corrected by computing it

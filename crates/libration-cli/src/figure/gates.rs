@@ -3,8 +3,8 @@
 use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::range::around;
 use super::style;
-use libration::fit::Law;
-use libration::fit::gates::{GateCycle, GatesFit};
+use libration_lab::fit::Law;
+use libration_lab::fit::gates::{GateCycle, GatesFit};
 
 const SAMPLES: u32 = 300;
 

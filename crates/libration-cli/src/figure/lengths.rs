@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::range::around;
 use super::style;
 use crate::command::fit_lengths::Measured;
-use libration::fit::LengthFit;
+use libration_lab::fit::LengthFit;
 
 const SAMPLES: u32 = 400;
 

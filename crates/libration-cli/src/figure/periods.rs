@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::range::around;
 use super::style;
 use crate::command::fit_periods::Measurement;
-use libration::fit::{Law, PeriodFit};
+use libration_lab::fit::{Law, PeriodFit};
 
 const SAMPLES: u32 = 400;
 

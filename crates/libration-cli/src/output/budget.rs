@@ -3,8 +3,8 @@
 use super::json::Record;
 use super::table::{Column, Table};
 use super::{combined, number};
-use libration::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
 use libration::quantity::Quantity;
+use libration_lab::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
 use serde_json::Value;
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 use super::json::{self, Record};
 use super::number;
 use super::table::{Column, Table};
-use libration::fit::{COVERAGE, CombinedUncertainty, Contribution};
+use libration_lab::fit::{COVERAGE, CombinedUncertainty, Contribution};
 use serde_json::Value;
 use std::io::{self, Write};
 

@@ -2,7 +2,7 @@
 
 use super::json::Record;
 use super::number;
-use libration::fit::Scatter;
+use libration_lab::fit::Scatter;
 
 /// What stands behind an uncertainty that was enlarged: `  (1.04 times what was stated, by the scatter)`; empty for others.
 pub(crate) fn remark(scatter: Option<Scatter>) -> String {

@@ -17,20 +17,25 @@ type Float = FBig<HalfEven, 2>;
 /// larger precision of its operands. Division by zero, and roots and logarithms outside their domain, are the
 /// caller's to avoid.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
-pub(crate) struct BigFloat(Float);
+pub struct BigFloat(Float);
 
 impl BigFloat {
-    pub(crate) fn from_integer(integer: i64, precision: usize) -> Self {
+    /// A whole number, rounded to so many bits.
+    #[must_use]
+    pub fn from_integer(integer: i64, precision: usize) -> Self {
         Self(rounded(Float::from(integer), precision))
     }
 
-    /// `None` for what is not finite.
-    pub(crate) fn from_f64(value: f64, precision: usize) -> Option<Self> {
+    /// An `f64`, rounded to so many bits; `None` for what is not finite.
+    #[must_use]
+    pub fn from_f64(value: f64, precision: usize) -> Option<Self> {
         let value = Float::try_from(value).ok().filter(|_| value.is_finite())?;
         Some(Self(rounded(value, precision)))
     }
 
-    pub(crate) fn from_rational(value: &Rational, precision: usize) -> Self {
+    /// A fraction, rounded to so many bits.
+    #[must_use]
+    pub fn from_rational(value: &Rational, precision: usize) -> Self {
         let (numerator, denominator) = value.parts();
         Self::from_big(numerator.clone(), precision)
             / Self::from_big(IBig::from(denominator.clone()), precision)
@@ -47,76 +52,102 @@ impl BigFloat {
     }
 
     /// π; to 1280 bits it is worked out once.
-    pub(crate) fn pi(precision: usize) -> Self {
+    #[must_use]
+    pub fn pi(precision: usize) -> Self {
         const KEPT: usize = 1280;
         static PI: LazyLock<Float> = LazyLock::new(|| Float::pi(KEPT));
         if precision < KEPT { Self(rounded(PI.clone(), precision)) } else { Self(Float::pi(precision)) }
     }
 
     /// Bits of the significand.
-    pub(crate) fn precision(&self) -> usize {
+    #[must_use]
+    pub fn precision(&self) -> usize {
         self.0.precision()
     }
 
     /// The nearest `f64`, ties to even, subnormal and infinite as they come.
-    pub(crate) fn to_f64(&self) -> f64 {
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
         self.0.to_f64().value()
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
         self.0.repr().significand().is_zero()
     }
 
     /// The exponent e with 2^(e−1) ≤ |x| < 2^e; `None` for zero.
-    pub(crate) fn exponent(&self) -> Option<isize> {
+    #[must_use]
+    pub fn exponent(&self) -> Option<isize> {
         let repr = self.0.repr();
         let bits = isize::try_from(repr.significand().bit_len()).ok()?;
         (bits > 0).then(|| repr.exponent() + bits)
     }
 
-    pub(crate) fn sqrt(&self) -> Self {
+    /// √x.
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
         if self.is_zero() { self.clone() } else { Self(self.0.sqrt()) }
     }
 
-    pub(crate) fn ln(&self) -> Self {
+    /// ln x.
+    #[must_use]
+    pub fn ln(&self) -> Self {
         Self(self.0.ln())
     }
 
     /// ln(1 + x) with full relative accuracy at small x.
-    pub(crate) fn ln_1p(&self) -> Self {
+    #[must_use]
+    pub fn ln_1p(&self) -> Self {
         Self(self.0.ln_1p())
     }
 
-    pub(crate) fn exp(&self) -> Self {
+    /// eˣ.
+    #[must_use]
+    pub fn exp(&self) -> Self {
         Self(self.0.exp())
     }
 
-    pub(crate) fn sin(&self) -> Self {
+    /// sin x.
+    #[must_use]
+    pub fn sin(&self) -> Self {
         Self(self.0.sin())
     }
 
-    pub(crate) fn cos(&self) -> Self {
+    /// cos x.
+    #[must_use]
+    pub fn cos(&self) -> Self {
         Self(self.0.cos())
     }
 
-    pub(crate) fn asin(&self) -> Self {
+    /// arcsin x.
+    #[must_use]
+    pub fn asin(&self) -> Self {
         Self(self.0.asin())
     }
 
-    pub(crate) fn acos(&self) -> Self {
+    /// arccos x.
+    #[must_use]
+    pub fn acos(&self) -> Self {
         Self(self.0.acos())
     }
 
-    pub(crate) fn atan(&self) -> Self {
+    /// arctan x.
+    #[must_use]
+    pub fn atan(&self) -> Self {
         Self(self.0.atan())
     }
 
-    pub(crate) fn rounded_to(&self, precision: usize) -> Self {
+    /// Rounded to so many bits.
+    #[must_use]
+    pub fn rounded_to(&self, precision: usize) -> Self {
         Self(rounded(self.0.clone(), precision))
     }
 
     /// The same number as a fraction.
-    pub(crate) fn to_rational(&self) -> Rational {
+    #[must_use]
+    pub fn to_rational(&self) -> Rational {
         let repr = self.0.repr();
         let (significand, exponent) = (repr.significand().clone(), repr.exponent());
         let scale = UBig::ONE << exponent.unsigned_abs();
@@ -129,7 +160,8 @@ impl BigFloat {
 
     /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place
     /// (DLMF 19.8(i)). Each step doubles the digits that agree, so the last is taken when half of them do.
-    pub(crate) fn agm(&self, other: &Self) -> Self {
+    #[must_use]
+    pub fn agm(&self, other: &Self) -> Self {
         let half_the_bits = isize::try_from(self.precision() / 2 + 2).unwrap_or(isize::MAX);
         let (mut a, mut b) = (self.clone(), other.clone());
         loop {
@@ -145,7 +177,8 @@ impl BigFloat {
     }
 
     /// Half of it, exactly.
-    pub(crate) fn halved(self) -> Self {
+    #[must_use]
+    pub fn halved(self) -> Self {
         Self(self.0 >> 1)
     }
 

@@ -4,7 +4,7 @@ use super::{Function, Lanes, Rational, Ring};
 
 /// The `f64`s; NaN where there is no value.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Doubles;
+pub struct Doubles;
 
 impl Ring for Doubles {
     type Element = f64;

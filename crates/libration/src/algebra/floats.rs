@@ -4,8 +4,9 @@ use super::{BigFloat, Function, Rational, Ring};
 
 /// Binary floats of a fixed precision, in bits; every operation rounds to nearest.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Floats {
-    pub(crate) precision: usize,
+pub struct Floats {
+    /// Bits of the significand.
+    pub precision: usize,
 }
 
 impl Floats {

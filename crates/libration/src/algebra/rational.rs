@@ -92,7 +92,8 @@ impl Rational {
     }
 
     /// The number as a natural one, when it is that and fits.
-    pub(crate) fn to_natural(&self) -> Option<u64> {
+    #[must_use]
+    pub fn to_natural(&self) -> Option<u64> {
         self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
     }
 
@@ -130,7 +131,8 @@ impl Rational {
     }
 
     /// aⁿ; `None` for a negative power of zero, or more bits than 2¹⁶.
-    pub(crate) fn integer_power(&self, n: isize) -> Option<Self> {
+    #[must_use]
+    pub fn integer_power(&self, n: isize) -> Option<Self> {
         const BITS: usize = 1 << 16;
         let (numerator, denominator) = self.parts();
         let size = numerator.bit_len().max(denominator.bit_len());
@@ -141,7 +143,9 @@ impl Rational {
         if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
     }
 
-    pub(crate) fn divided_by_power_of_two(&self, exponent: usize) -> Self {
+    /// The fraction over 2ⁿ.
+    #[must_use]
+    pub fn divided_by_power_of_two(&self, exponent: usize) -> Self {
         Self(&self.0 / RBig::from(UBig::ONE << exponent))
     }
 

@@ -7,7 +7,7 @@ use super::{Function, Rational, Ring, product};
 
 /// The field of all fractions.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Rationals;
+pub struct Rationals;
 
 impl Ring for Rationals {
     type Element = Rational;

@@ -6,22 +6,42 @@ use super::{Function, Rational};
 
 /// A commutative ring that contains the integers. What its elements share, such as a modulus or a precision,
 /// is held by the ring, so that elements are plain data.
-pub(crate) trait Ring {
+///
+/// ```
+/// use libration::algebra::{Rational, Rationals, Ring};
+///
+/// /// 1 + a + … + aⁿ, in any ring.
+/// fn geometric<R: Ring>(ring: &R, a: &R::Element, n: usize) -> Option<R::Element> {
+///     let one = ring.rational(&Rational::from(1))?;
+///     Some((0..n).fold(one.clone(), |sum, _| ring.add(&one, &ring.multiply(&sum, a))))
+/// }
+/// let half = Rational::new(1, 2).ok_or("zero")?;
+/// assert_eq!(geometric(&Rationals, &half, 3).map(|sum| sum.to_string()).as_deref(), Some("15/8"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Ring {
     /// A member of the ring.
     type Element: Clone + Debug;
 
+    /// 0.
     fn zero(&self) -> Self::Element;
+    /// Whether it is 0.
     fn is_zero(&self, a: &Self::Element) -> bool;
-    /// `None` when the fraction is not in the ring.
+    /// The fraction as an element; `None` when it is not in the ring.
     fn rational(&self, value: &Rational) -> Option<Self::Element>;
+    /// a + b.
     fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    /// a − b.
     fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    /// −a.
     fn negate(&self, a: &Self::Element) -> Self::Element;
+    /// a·b.
     fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
+    /// The multiple of it.
     fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element;
-    /// `None` when there is no quotient in the ring.
+    /// a/divisor; `None` when there is no quotient in the ring.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element>;
-    /// `None` when there is no quotient in the ring.
+    /// a/divisor; `None` when there is no quotient in the ring.
     fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element>;
 
     /// The value of a function; `None` when it is not in the ring.

@@ -40,8 +40,9 @@ const GREEK: &[(char, &str)] = &[
     ('Ω', "Omega"),
 ];
 
-/// The Greek letter of this name.
-pub(crate) fn greek_letter(name: &str) -> Option<char> {
+/// The Greek letter of this name: θ of `theta`.
+#[must_use]
+pub fn greek_letter(name: &str) -> Option<char> {
     GREEK.iter().find(|(_, greek)| *greek == name).map(|(letter, _)| *letter)
 }
 

@@ -22,6 +22,7 @@ mod jet;
 mod no_value;
 mod side;
 mod tape;
+mod taylor_series;
 mod value;
 
 use crate::algebra::Rational;
@@ -30,7 +31,7 @@ pub use crate::algebra::Function;
 pub use equation::{Equation, EquationError};
 pub use error::{Fault, ParseError};
 pub(crate) use jet::{Jet, NoSeries};
-pub(crate) use letters::greek_letter;
+pub use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
 pub use no_value::NoValue;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};

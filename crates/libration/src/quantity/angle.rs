@@ -123,6 +123,12 @@ impl Angle {
         if self.radians() < 0.0 { -self } else { self }
     }
 
+    /// The angle in the turn as an unevaluated sum of two numbers, high word first: about 106 bits of it.
+    #[must_use]
+    pub fn in_turn_in_two_words(&self) -> [f64; 2] {
+        [self.in_turn.hi, self.in_turn.lo]
+    }
+
     pub(crate) fn in_turn_words(&self) -> DoubleDouble {
         self.in_turn
     }

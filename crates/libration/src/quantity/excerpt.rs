@@ -1,7 +1,7 @@
 //! Foreign text, as a message may show it.
 
-/// The text without control characters, at most 40 characters of it.
-pub(crate) fn excerpt(text: &str) -> String {
+/// A text of somebody else without control characters, at most 40 characters of it.
+pub fn excerpt(text: &str) -> String {
     const SHOWN: usize = 40;
     let mut shown = String::new();
     for c in text.chars().take(SHOWN) {

@@ -27,7 +27,7 @@ pub use angle_name::is_angle_name;
 pub use bare_radians::BareRadians;
 pub use displacement::Displacement;
 pub use error::QuantityError;
-pub(crate) use excerpt::excerpt;
+pub use excerpt::excerpt;
 pub(crate) use nearest::nearest;
 pub use physical::{Quantity, parse};
 pub use range::{AngleRange, NumberRange, RangeError, angles, exact_angles, exact_numbers, numbers};

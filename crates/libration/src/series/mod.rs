@@ -1,13 +1,17 @@
-//! Truncated power series with exact coefficients.
+//! Truncated power series over any ring: product, reciprocal, root, composition, reversion, elementary functions.
 //!
-//! Integers all the way: the series here are ordinary ones with integer coefficients, Σ yₙxⁿ, or even
+//! Inside, long series with integer coefficients, integers all the way: they are ordinary ones with integer coefficients, Σ yₙxⁿ, or even
 //! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
 
 mod online;
+mod power_series;
 pub(crate) mod recurrences;
 pub(crate) mod truncated;
 
 use dashu::integer::IBig;
+
+pub use power_series::PowerSeries;
+pub use truncated::{Powers, powers, powers_of_inverse, product, reciprocal, square_root_of_unit};
 
 use online::{BLOCK, Convolution, Weight};
 

@@ -16,12 +16,7 @@ fn every_second<E: Clone>(a: &[E], parity: usize) -> Vec<E> {
 }
 
 /// The first `length` coefficients of a·b.
-pub(crate) fn product<R: Ring>(
-    ring: &R,
-    a: &[R::Element],
-    b: &[R::Element],
-    length: usize,
-) -> Vec<R::Element> {
+pub fn product<R: Ring>(ring: &R, a: &[R::Element], b: &[R::Element], length: usize) -> Vec<R::Element> {
     let (Some(p), Some(q)) = (parity(ring, a), parity(ring, b)) else {
         return ring.series_product(a, b, length);
     };
@@ -35,7 +30,7 @@ pub(crate) fn product<R: Ring>(
 }
 
 /// As many coefficients of 1/a as a has; `None` when a₀ has no inverse.
-pub(crate) fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
+pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let one = ring.rational(&1.into())?;
     let first = ring.divide(&one, a.first()?)?;
     let mut b = vec![first.clone()];
@@ -47,7 +42,7 @@ pub(crate) fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::E
 }
 
 /// As many coefficients of √a as a has, for a₀ = 1 and the root that begins with 1.
-pub(crate) fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
+pub fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let mut b = vec![ring.rational(&1.into())?];
     for a_n in a.iter().skip(1) {
         b.push(next_square_root(ring, a_n, &b)?);
@@ -62,7 +57,7 @@ pub(crate) fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Elem
 }
 
 /// The powers 1, a, a², … of a series without constant term, as far as they are not zero.
-pub(crate) fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
+pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
     let one = ring.rational(&1.into())?;
     let length = a.len();
     let mut unit = vec![ring.zero(); length];
@@ -81,7 +76,7 @@ pub(crate) fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::El
 /// [xⁿ] yʲ = (j/n) [xⁿ⁻ʲ] (x/a(x))ⁿ; `None` when a₁ has no inverse.
 ///
 /// Reference: P. Henrici, *Applied and Computational Complex Analysis*, vol. 1, Wiley 1974, section 1.9.
-pub(crate) fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
+pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
     let length = a.len();
     let phi = reciprocal(ring, a.get(1..)?)?;
     let mut powers = vec![vec![ring.zero(); length]; length];
@@ -99,18 +94,18 @@ pub(crate) fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<P
 
 /// The powers of a series without constant term, which is what it takes to compose with it.
 #[derive(Clone, Debug)]
-pub(crate) struct Powers<E> {
+pub struct Powers<E> {
     powers: Vec<Vec<E>>,
 }
 
 impl<E: Clone> Powers<E> {
     /// The series itself.
-    pub(crate) fn first(&self) -> Vec<E> {
+    pub fn first(&self) -> Vec<E> {
         self.powers.get(1).cloned().unwrap_or_default()
     }
 
     /// outer(inner(x)): as many coefficients as both determine.
-    pub(crate) fn composed<R: Ring<Element = E>>(&self, ring: &R, outer: &[E]) -> Vec<E> {
+    pub fn composed<R: Ring<Element = E>>(&self, ring: &R, outer: &[E]) -> Vec<E> {
         let length = outer.len().min(self.powers.len());
         let mut sums = vec![ring.zero(); length];
         for (j, factor) in outer.iter().take(length).enumerate().filter(|(_, factor)| !ring.is_zero(factor)) {

@@ -1,5 +1,7 @@
 //! Seeded random inputs: splitmix64 (Steele, Lea and Flood, OOPSLA 2014, doi:10.1145/2660193.2660195).
 
+#![allow(dead_code, reason = "each suite draws what it needs")]
+
 use core::f64::consts::LN_10;
 
 pub(crate) struct Random(u64);

@@ -6,9 +6,9 @@ use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, told}
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
-use libration::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
-use libration::fit::{self, Budget, BudgetInput, Correlation, MeasuredPeriod};
 use libration::quantity::{Angle, Quantity};
+use libration_lab::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
+use libration_lab::fit::{self, Budget, BudgetInput, Correlation, MeasuredPeriod};
 use std::io::Write;
 use std::path::PathBuf;
 

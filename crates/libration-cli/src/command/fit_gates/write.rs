@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, csv, number};
-use libration::fit::Budget;
-use libration::fit::gates::{GateCycle, GatesFit, T0Source};
 use libration::quantity::Quantity;
+use libration_lab::fit::Budget;
+use libration_lab::fit::gates::{GateCycle, GatesFit, T0Source};
 use serde_json::Value;
 use std::io::{self, Write};
 

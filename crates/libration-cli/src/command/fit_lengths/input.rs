@@ -4,8 +4,8 @@ use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
 };
 use crate::failure::Failure;
-use libration::fit::{LengthColumns, LengthTable};
 use libration::quantity::{Angle, Quantity};
+use libration_lab::fit::{LengthColumns, LengthTable};
 use std::path::PathBuf;
 
 /// Which file, and how to read it.

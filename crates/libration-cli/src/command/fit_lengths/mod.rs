@@ -8,8 +8,8 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measured;
-use libration::fit::{self, LengthsOptions};
 use libration::quantity::Quantity;
+use libration_lab::fit::{self, LengthsOptions};
 use std::io::Write;
 use std::path::PathBuf;
 

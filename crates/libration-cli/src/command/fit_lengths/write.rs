@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{Column, Table, sheet, write_text};
 use crate::output::{self, Form, csv, number};
-use libration::fit::{GRAVITY_ON_EARTH, LengthFit, LengthsFit};
 use libration::quantity::Quantity;
+use libration_lab::fit::{GRAVITY_ON_EARTH, LengthFit, LengthsFit};
 use serde_json::Value;
 use std::io::{self, Write};
 

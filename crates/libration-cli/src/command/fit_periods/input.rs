@@ -2,7 +2,7 @@
 
 use crate::arguments::{AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, Wanted};
 use crate::failure::Failure;
-use libration::fit::{PeriodTable, Uncertainties};
+use libration_lab::fit::{PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
 /// Which file, and how to read it.

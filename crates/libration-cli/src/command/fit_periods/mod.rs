@@ -9,9 +9,9 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measurement;
-use libration::fit::{self, Law, MeasuredPeriod, PeriodFit};
 use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
+use libration_lab::fit::{self, Law, MeasuredPeriod, PeriodFit};
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{self, Form, csv, number};
-use libration::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 use libration::quantity::Quantity;
+use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 use serde_json::Value;
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 use super::answer::{Answer, Pendulum};
 use super::warnings::doubtful_beta;
 use crate::output::number::rounded;
-use libration::measurement::{Faults, Seen, Trace};
+use libration_lab::measurement::{Faults, Seen, Trace};
 
 /// The advice, what helps most first.
 pub(super) fn of(answer: &Answer<'_>) -> Vec<String> {

@@ -7,13 +7,13 @@ use crate::arguments::ApparatusOptions;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::progress::Progress;
-use libration::fit::cycles::{self, Cycle, Cycles, CyclesError};
-use libration::fit::trace::{Comparison, TraceFit, TraceFitError, TraceOptions, compare, fit_traces};
-use libration::fit::{
-    self, Budget, Law, MeasuredPeriod, PeriodDamping, PeriodTable, Uncertainties, excess_scale,
-};
 use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
+use libration_lab::fit::cycles::{self, Cycle, Cycles, CyclesError};
+use libration_lab::fit::trace::{Comparison, TraceFit, TraceFitError, TraceOptions, compare, fit_traces};
+use libration_lab::fit::{
+    self, Budget, Law, MeasuredPeriod, PeriodDamping, PeriodTable, Uncertainties, excess_scale,
+};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 

@@ -2,7 +2,7 @@
 
 use crate::arguments::{RecordingOptions, told};
 use crate::failure::Failure;
-use libration::measurement::Trace;
+use libration_lab::measurement::Trace;
 use std::path::{Path, PathBuf};
 
 /// Which files.

@@ -3,10 +3,10 @@
 use super::answer::{Answer, Pendulum};
 use crate::output;
 use crate::output::json::{self, Record};
-use libration::fit::DampingTerm;
-use libration::fit::cycles::Cycle;
-use libration::fit::trace::{Averaged, Comparison, Parameter, Standing};
-use libration::measurement::Seen;
+use libration_lab::fit::DampingTerm;
+use libration_lab::fit::cycles::Cycle;
+use libration_lab::fit::trace::{Averaged, Comparison, Parameter, Standing};
+use libration_lab::measurement::Seen;
 use serde_json::Value;
 use std::io::{self, Write};
 

@@ -17,7 +17,7 @@ use crate::figure;
 use crate::output::{Form, FormOptions, announce};
 use answer::Answer;
 use input::{Input, Measured};
-use libration::fit::trace::TraceOptions;
+use libration_lab::fit::trace::TraceOptions;
 use model::Model;
 use std::io::Write;
 use std::path::PathBuf;

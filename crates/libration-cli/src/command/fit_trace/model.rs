@@ -1,6 +1,6 @@
 //! Which damping is fitted.
 
-use libration::fit::{DampingTerms, DampingTermsError};
+use libration_lab::fit::{DampingTerms, DampingTermsError};
 use std::str::FromStr;
 
 /// The damping that is fitted.

@@ -4,10 +4,10 @@ use super::answer::{Answer, Pendulum, STANDARD_GRAVITY};
 use crate::output;
 use crate::output::number::{rounded, short, with_uncertainty};
 use crate::output::table::{Column, Table, paragraph, sheet};
-use libration::fit::DampingTerm;
-use libration::fit::cycles::Cycles;
-use libration::fit::trace::{Comparison, Parameter, Standing};
-use libration::measurement::Seen;
+use libration_lab::fit::DampingTerm;
+use libration_lab::fit::cycles::Cycles;
+use libration_lab::fit::trace::{Comparison, Parameter, Standing};
+use libration_lab::measurement::Seen;
 use std::io::{self, Write};
 
 /// Letters in a line.
@@ -63,7 +63,8 @@ pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
 fn read(answer: &Answer<'_>) -> String {
     let traces = &answer.measured.traces;
     let rows = answer.fit.rows();
-    let seconds = |trace: &libration::measurement::Trace| trace.times()[trace.len() - 1] - trace.times()[0];
+    let seconds =
+        |trace: &libration_lab::measurement::Trace| trace.times()[trace.len() - 1] - trace.times()[0];
     match &traces[..] {
         [only] => format!("{rows} rows in {} s from {}", rounded(seconds(only), 4), answer.measured.names()),
         many => format!("{rows} rows in {} traces from {}", many.len(), answer.measured.names()),

@@ -4,8 +4,8 @@ use super::answer::{Answer, Beta, Pendulum};
 use super::sheet;
 use crate::output;
 use crate::output::number::{rounded, with_uncertainty};
-use libration::fit::cycles;
-use libration::fit::trace::{Comparison, TraceFit};
+use libration_lab::fit::cycles;
+use libration_lab::fit::trace::{Comparison, TraceFit};
 
 /// A difference of so many uncertainties is not chance.
 pub(super) const SIGNIFICANT: f64 = 3.0;

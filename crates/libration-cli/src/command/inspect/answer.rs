@@ -1,6 +1,6 @@
 //! What is said of a file: its tables, what would be fitted, and why not if nothing would.
 
-use libration::measurement::{
+use libration_lab::measurement::{
     Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
 };
 

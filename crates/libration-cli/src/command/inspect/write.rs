@@ -7,7 +7,7 @@ use crate::output::json::{self, Record};
 use crate::output::number::{exact, short};
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use crate::output::{Form, csv};
-use libration::measurement::{
+use libration_lab::measurement::{
     Channel, Choice, Finding, Format, Gates, MeasurementError, Quantity, Seen, Sheet, Trace,
 };
 use serde_json::Value;

@@ -3,8 +3,8 @@
 use super::super::chart::{Axis, Look, Panel, Picture, Point, Series};
 use super::super::range::around;
 use super::super::style;
-use libration::fit::Law;
-use libration::fit::cycles::{Cycle, HalfSwing};
+use libration_lab::fit::Law;
+use libration_lab::fit::cycles::{Cycle, HalfSwing};
 
 const SAMPLES: u32 = 400;
 /// With more cycles than this, bars of uncertainty would hide them.

@@ -10,8 +10,8 @@ pub(crate) use cycles::{Envelope, Swings, amplitudes, periods};
 pub(crate) use data::{is_long, stretches, whole};
 pub(crate) use residuals::residuals;
 
-use libration::fit::trace::FittedTrace;
-use libration::measurement::{Seen, Trace};
+use libration_lab::fit::trace::FittedTrace;
+use libration_lab::measurement::{Seen, Trace};
 
 /// A trace and what was fitted to it.
 #[derive(Clone, Copy, Debug)]

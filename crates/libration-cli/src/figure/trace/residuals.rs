@@ -3,7 +3,7 @@
 use super::super::chart::{Axis, Panel, Picture, Series};
 use super::super::range::around;
 use super::super::style;
-use libration::fit::trace::Autocorrelation;
+use libration_lab::fit::trace::Autocorrelation;
 use std::f64::consts::TAU;
 
 /// Lags that are shown.

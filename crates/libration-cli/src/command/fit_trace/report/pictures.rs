@@ -4,9 +4,9 @@ use super::super::answer::Answer;
 use crate::document::{Block, Figure};
 use crate::figure::chart::Picture;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
-use libration::fit::cycles::HalfSwing;
-use libration::fit::trace::TraceFit;
-use libration::measurement::Seen;
+use libration_lab::fit::cycles::HalfSwing;
+use libration_lab::fit::trace::TraceFit;
+use libration_lab::measurement::Seen;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
     Block::Figure(Figure { name: name.to_owned(), caption, picture })

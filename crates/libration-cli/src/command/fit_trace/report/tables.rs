@@ -6,7 +6,7 @@ use crate::document::{Block, Table};
 use crate::output;
 use crate::output::number::{short, with_uncertainty};
 use crate::output::table::Column;
-use libration::fit::cycles::Cycle;
+use libration_lab::fit::cycles::Cycle;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {

@@ -5,7 +5,7 @@ use super::super::{sheet, warnings};
 use crate::document::{Block, Table};
 use crate::output::number::{rounded, with_uncertainty};
 use crate::output::table::Column;
-use libration::fit::DampingTerm;
+use libration_lab::fit::DampingTerm;
 
 /// The few numbers that were asked for.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {

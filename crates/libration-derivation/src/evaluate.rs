@@ -1,0 +1,303 @@
+//! The value of a formula: in digits, as a power series, or in any other ring.
+
+use std::collections::BTreeMap;
+
+use super::formula::{Formula, Name, Subscript};
+use libration::algebra::{Function, Rational, Ring};
+
+/// A ring in which there are also sums without end, integrals, derivatives and means.
+pub(super) trait Analysis: Ring {
+    /// Whether an infinite sum may end at this term.
+    fn is_negligible(&self, term: &Self::Element, sum: &Self::Element) -> bool;
+    /// The terms after which an infinite sum is given up.
+    fn most_terms(&self) -> usize;
+    /// ∫ over the interval.
+    fn integral(
+        &self,
+        from: &Self::Element,
+        to: &Self::Element,
+        integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoValue>,
+    ) -> Result<Self::Element, NoValue>;
+    /// The derivative at 0 of a function of a small number.
+    fn slope(
+        &self,
+        function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoValue>,
+    ) -> Result<Self::Element, NoValue>;
+    /// The arithmetic–geometric mean.
+    fn agm(&self, a: &Self::Element, b: &Self::Element) -> Option<Self::Element>;
+    /// The value of terms that are left out.
+    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, NoValue>;
+}
+
+/// Why a formula has no value.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoValue {
+    /// A letter that stands for nothing yet.
+    #[error("`{0}` has no value here")]
+    Unknown(String),
+    /// An operation that leads out of the numbers in use.
+    #[error("{0} cannot be formed here")]
+    NotInRing(&'static str),
+    /// An infinite sum or an integral that does not come to its end.
+    #[error("{0} does not converge fast enough to be checked")]
+    Divergent(&'static str),
+}
+
+/// What the letters stand for.
+#[derive(Clone, Debug)]
+pub(super) struct Values<E> {
+    numbers: BTreeMap<String, E>,
+    indices: BTreeMap<String, i64>,
+    functions: BTreeMap<String, (Vec<Name>, Formula)>,
+    /// For the letter of time: what changes with it, and how fast.
+    rates: Vec<(Name, Formula)>,
+}
+
+impl<E> Default for Values<E> {
+    fn default() -> Self {
+        Self {
+            numbers: BTreeMap::new(),
+            indices: BTreeMap::new(),
+            functions: BTreeMap::new(),
+            rates: Vec::new(),
+        }
+    }
+}
+
+/// The letter of time.
+const TIME: &str = "t";
+
+impl<E: Clone> Values<E> {
+    /// A letter stands for a number.
+    pub(super) fn set(&mut self, name: &Name, value: E) {
+        let key = self.key(name);
+        self.indices.remove(&key);
+        self.numbers.insert(key, value);
+    }
+
+    /// A letter stands for an integer.
+    pub(super) fn set_index(&mut self, name: &Name, value: i64) {
+        self.indices.insert(self.key(name), value);
+    }
+
+    /// A name stands for a function.
+    pub(super) fn define(&mut self, name: &Name, parameters: &[&str], body: Formula) {
+        let parameters = parameters.iter().map(|parameter| Name::new(parameter)).collect();
+        self.functions.insert(self.key(name), (parameters, body));
+    }
+
+    /// A letter changes with time at this rate.
+    pub(super) fn set_rate(&mut self, name: &Name, rate: Formula) {
+        self.rates.push((name.clone(), rate));
+    }
+
+    /// What tells names apart, with the values of indices in them.
+    fn key(&self, name: &Name) -> String {
+        let primes = "'".repeat(usize::from(name.primes));
+        let below = match &name.subscript {
+            None => String::new(),
+            Some(Subscript::Word(word)) => format!("_{word}"),
+            Some(Subscript::Index(index)) => match self.constant(index) {
+                Some(value) => format!("_{value}"),
+                None => format!("_{index:?}"),
+            },
+        };
+        format!("{}{below}{primes}", name.letter)
+    }
+
+    /// The value of a formula of numbers and indices alone.
+    pub(super) fn constant(&self, formula: &Formula) -> Option<Rational> {
+        match formula {
+            Formula::Number(value) => Some(value.clone()),
+            Formula::Decimal(value) => value.value(),
+            Formula::Name(name) => self.indices.get(&self.key(name)).map(|&index| Rational::from(index)),
+            Formula::Negate(it) => Some(-self.constant(it)?),
+            Formula::Sum(terms) => {
+                terms.iter().try_fold(Rational::from(0), |sum, term| Some(sum + self.constant(term)?))
+            }
+            Formula::Product(factors) => factors
+                .iter()
+                .try_fold(Rational::from(1), |product, factor| Some(product * self.constant(factor)?)),
+            Formula::Fraction(over, under) => self.constant(over)?.checked_div(&self.constant(under)?),
+            Formula::Power(base, exponent) => {
+                self.constant(base)?.integer_power(isize::try_from(self.integer(exponent)?).ok()?)
+            }
+            _ => None,
+        }
+    }
+
+    fn integer(&self, formula: &Formula) -> Option<i64> {
+        let value = self.constant(formula)?;
+        (value.denominator() == "1").then(|| value.numerator().parse().ok()).flatten()
+    }
+}
+
+/// The value of the formula.
+pub(super) fn evaluate<R: Analysis>(
+    formula: &Formula,
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoValue> {
+    let of = |formula: &Formula| evaluate(formula, ring, values);
+    let rational = |value: &Rational| ring.rational(value).ok_or(NoValue::NotInRing("a fraction"));
+    match formula {
+        Formula::Number(value) => rational(value),
+        Formula::Decimal(value) => {
+            let plain = rational(&value.value().ok_or(NoValue::NotInRing("a decimal"))?)?;
+            if value.unit == super::formula::Unit::Degree { degrees(ring, &plain) } else { Ok(plain) }
+        }
+        Formula::Pi => ring.pi().ok_or(NoValue::NotInRing("π")),
+        Formula::Name(name) => of_name(name, ring, values),
+        Formula::Negate(it) => Ok(ring.negate(&of(it)?)),
+        Formula::Sum(terms) => terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?))),
+        Formula::Product(factors) => {
+            let one = rational(&Rational::from(1))?;
+            factors.iter().try_fold(one, |product, factor| Ok(ring.multiply(&product, &of(factor)?)))
+        }
+        Formula::Fraction(over, under) => {
+            ring.divide(&of(over)?, &of(under)?).ok_or(NoValue::NotInRing("a quotient"))
+        }
+        Formula::Power(base, exponent) => power(base, exponent, ring, values),
+        Formula::Call(function, argument) => {
+            ring.value(*function, &of(argument)?).ok_or(NoValue::NotInRing(function.name()))
+        }
+        Formula::Apply(name, arguments) => apply(name, arguments, ring, values),
+        Formula::Agm(a, b) => ring.agm(&of(a)?, &of(b)?).ok_or(NoValue::NotInRing("agm")),
+        Formula::Series { index, from, to, term } => series(index, from, to.as_deref(), term, ring, values),
+        Formula::Integral { variable, from, to, integrand } => {
+            let mut inner = values.clone();
+            ring.integral(&of(from)?, &of(to)?, &mut |x| {
+                inner.set(variable, x);
+                evaluate(integrand, ring, &inner)
+            })
+        }
+        Formula::Derivative { of, by } => derivative(of, by, ring, values),
+        Formula::DoubleFactorial(it) => {
+            let last = values.integer(it).ok_or(NoValue::NotInRing("!! of what is not an integer"))?;
+            rational(&double_factorial(last))
+        }
+        Formula::Order(it) => ring.left_out(&of(it)?),
+    }
+}
+
+fn degrees<R: Ring>(ring: &R, value: &R::Element) -> Result<R::Element, NoValue> {
+    let pi = ring.pi().ok_or(NoValue::NotInRing("π"))?;
+    ring.over_integer(&ring.multiply(value, &pi), 180).ok_or(NoValue::NotInRing("an angle"))
+}
+
+fn of_name<R: Analysis>(name: &Name, ring: &R, values: &Values<R::Element>) -> Result<R::Element, NoValue> {
+    let key = values.key(name);
+    if let Some(&index) = values.indices.get(&key) {
+        return ring.rational(&Rational::from(index)).ok_or(NoValue::NotInRing("an index"));
+    }
+    values.numbers.get(&key).cloned().ok_or(NoValue::Unknown(key))
+}
+
+fn power<R: Analysis>(
+    base: &Formula,
+    exponent: &Formula,
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoValue> {
+    let value = evaluate(base, ring, values)?;
+    if let Some(whole) = values.integer(exponent) {
+        return whole_power(ring, &value, whole);
+    }
+    if let Some(constant) = values.constant(exponent) {
+        return ring.power(&value, &constant).ok_or(NoValue::NotInRing("a power"));
+    }
+    let logarithm = ring.value(Function::Ln, &value).ok_or(NoValue::NotInRing("a logarithm"))?;
+    let product = ring.multiply(&evaluate(exponent, ring, values)?, &logarithm);
+    ring.value(Function::Exp, &product).ok_or(NoValue::NotInRing("a power"))
+}
+
+/// Repeated squaring.
+fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, NoValue> {
+    let one = ring.rational(&Rational::from(1)).ok_or(NoValue::NotInRing("a power"))?;
+    let (mut power, mut square, mut rest) = (one.clone(), base.clone(), exponent.unsigned_abs());
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power = ring.multiply(&power, &square);
+        }
+        rest /= 2;
+        if rest > 0 {
+            square = ring.multiply(&square, &square);
+        }
+    }
+    if exponent < 0 { ring.divide(&one, &power).ok_or(NoValue::NotInRing("a power")) } else { Ok(power) }
+}
+
+fn apply<R: Analysis>(
+    name: &Name,
+    arguments: &[Formula],
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoValue> {
+    let key = values.key(name);
+    let (parameters, body) = values.functions.get(&key).ok_or(NoValue::Unknown(key))?;
+    let mut inner = values.clone();
+    for (parameter, argument) in parameters.iter().zip(arguments) {
+        match values.integer(argument) {
+            Some(index) => inner.set_index(parameter, index),
+            None => inner.set(parameter, evaluate(argument, ring, values)?),
+        }
+    }
+    evaluate(body, ring, &inner)
+}
+
+fn series<R: Analysis>(
+    index: &Name,
+    from: &Formula,
+    to: Option<&Formula>,
+    term: &Formula,
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoValue> {
+    let integer = |formula| values.integer(formula).ok_or(NoValue::NotInRing("a sum without integer limits"));
+    let first = integer(from)?;
+    let last = to.map(integer).transpose()?;
+    let most = i64::try_from(ring.most_terms()).unwrap_or(i64::MAX);
+    let mut inner = values.clone();
+    let mut sum = ring.zero();
+    for n in first..=last.unwrap_or(first.saturating_add(most)) {
+        inner.set_index(index, n);
+        let term = evaluate(term, ring, &inner)?;
+        sum = ring.add(&sum, &term);
+        if last.is_none() && ring.is_negligible(&term, &sum) {
+            return Ok(sum);
+        }
+    }
+    if last.is_some() { Ok(sum) } else { Err(NoValue::Divergent("the sum")) }
+}
+
+/// The variable alone moves; with time moves all that has a rate.
+fn derivative<R: Analysis>(
+    of: &Formula,
+    by: &Name,
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoValue> {
+    let mut movements = vec![];
+    if by.letter == TIME {
+        for (name, rate) in &values.rates {
+            movements.push((name, of_name(name, ring, values)?, evaluate(rate, ring, values)?));
+        }
+    }
+    let at = if by.letter == TIME { None } else { Some(of_name(by, ring, values)?) };
+    ring.slope(&mut |small| {
+        let mut inner = values.clone();
+        if let Some(at) = &at {
+            inner.set(by, ring.add(at, &small));
+        }
+        for (name, start, rate) in &movements {
+            inner.set(name, ring.add(start, &ring.multiply(rate, &small)));
+        }
+        evaluate(of, ring, &inner)
+    })
+}
+
+/// n!!, and 1 for n = 0 and n = −1.
+fn double_factorial(last: i64) -> Rational {
+    (1..=last).rev().step_by(2).fold(Rational::from(1), |product, factor| product * Rational::from(factor))
+}

@@ -1,0 +1,244 @@
+//! Writing formulas in Rust as they read in mathematics.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Decimal, Formula, Name, Unit};
+use libration::algebra::{Function, Rational};
+
+/// An integer.
+pub(crate) fn number(integer: i64) -> Formula {
+    Formula::Number(Rational::from(integer))
+}
+
+/// A letter.
+pub(crate) fn letter(letter: &str) -> Formula {
+    Formula::Name(Name::new(letter))
+}
+
+/// An elementary function.
+pub(crate) fn call(function: Function, argument: impl Into<Formula>) -> Formula {
+    Formula::Call(function, Box::new(argument.into()))
+}
+
+pub(crate) fn sin(argument: impl Into<Formula>) -> Formula {
+    call(Function::Sin, argument)
+}
+
+pub(crate) fn cos(argument: impl Into<Formula>) -> Formula {
+    call(Function::Cos, argument)
+}
+
+pub(crate) fn sqrt(argument: impl Into<Formula>) -> Formula {
+    call(Function::Sqrt, argument)
+}
+
+pub(crate) fn ln(argument: impl Into<Formula>) -> Formula {
+    call(Function::Ln, argument)
+}
+
+/// A function defined on the way.
+pub(crate) fn apply<const N: usize>(name: &str, arguments: [Formula; N]) -> Formula {
+    Formula::Apply(Name::new(name), arguments.into())
+}
+
+/// The arithmetic–geometric mean.
+pub(crate) fn agm(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
+    Formula::Agm(Box::new(a.into()), Box::new(b.into()))
+}
+
+/// Σ from an index to infinity.
+pub(crate) fn series(index: &str, from: i64, term: Formula) -> Formula {
+    Formula::Series { index: Name::new(index), from: Box::new(number(from)), to: None, term: Box::new(term) }
+}
+
+/// ∫ over a variable between two limits.
+pub(crate) fn integral(
+    variable: &str,
+    from: impl Into<Formula>,
+    to: impl Into<Formula>,
+    integrand: Formula,
+) -> Formula {
+    let (from, to) = (Box::new(from.into()), Box::new(to.into()));
+    Formula::Integral { variable: Name::new(variable), from, to, integrand: Box::new(integrand) }
+}
+
+/// The derivative by a variable.
+pub(crate) fn derivative(of: impl Into<Formula>, by: &str) -> Formula {
+    Formula::Derivative { of: Box::new(of.into()), by: Name::new(by) }
+}
+
+pub(crate) fn double_factorial(of: impl Into<Formula>) -> Formula {
+    Formula::DoubleFactorial(Box::new(of.into()))
+}
+
+/// O(…).
+pub(crate) fn order(of: impl Into<Formula>) -> Formula {
+    Formula::Order(Box::new(of.into()))
+}
+
+/// A number rounded to so many digits.
+pub(crate) fn rounded(value: f64, digits: usize, unit: Unit) -> Formula {
+    Formula::Decimal(Decimal::rounded(value, digits, unit))
+}
+
+/// Σ coefficientₙ·xⁿ over the coefficients that are not zero, with O(…) of the next power that may follow.
+pub(crate) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formula {
+    let powers = coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
+    let terms: Vec<Formula> = powers.map(|(n, coefficient)| monomial(coefficient, variable, n)).collect();
+    if terms.is_empty() { number(0) } else { sum(terms) }
+}
+
+/// A sum of what may be a single term.
+pub(crate) fn sum(mut terms: Vec<Formula>) -> Formula {
+    match terms.len() {
+        1 => terms.remove(0),
+        _ => Formula::Sum(terms),
+    }
+}
+
+/// coefficient·xⁿ, with ones left out.
+pub(crate) fn monomial(coefficient: &Rational, variable: &Formula, n: usize) -> Formula {
+    let power = match n {
+        0 => return Formula::Number(coefficient.clone()),
+        1 => variable.clone(),
+        _ => variable.clone().pow(i64::try_from(n).unwrap_or(i64::MAX)),
+    };
+    scaled(coefficient, power)
+}
+
+/// coefficient·formula, with ones left out.
+pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
+    if *coefficient == Rational::from(1) {
+        formula
+    } else if *coefficient == Rational::from(-1) {
+        -formula
+    } else {
+        Formula::Number(coefficient.clone()) * formula
+    }
+}
+
+impl Formula {
+    /// This to a power.
+    pub(crate) fn pow(self, exponent: impl Into<Self>) -> Self {
+        Self::Power(Box::new(self), Box::new(exponent.into()))
+    }
+
+    /// Minus this, the sign taken into its summands.
+    pub(crate) fn negated(self) -> Self {
+        match self {
+            Self::Negate(inner) => *inner,
+            Self::Sum(terms) => Self::Sum(terms.into_iter().map(Self::negated).collect()),
+            Self::Product(mut factors)
+                if matches!(factors.first(), Some(Self::Number(_) | Self::Negate(_))) =>
+            {
+                let first = factors.remove(0).negated();
+                let rest = factors.into_iter().reduce(|product, factor| product * factor);
+                match (first, rest) {
+                    (Self::Number(one), Some(rest)) => scaled(&one, rest),
+                    (first, Some(rest)) => first * rest,
+                    (first, None) => first,
+                }
+            }
+            Self::Fraction(over, under) => Self::Fraction(Box::new(over.negated()), under),
+            formula => -formula,
+        }
+    }
+
+    pub(crate) fn squared(self) -> Self {
+        self.pow(2)
+    }
+}
+
+impl From<i64> for Formula {
+    fn from(integer: i64) -> Self {
+        number(integer)
+    }
+}
+
+impl From<Rational> for Formula {
+    fn from(value: Rational) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl<T: Into<Self>> Add<T> for Formula {
+    type Output = Self;
+    fn add(self, other: T) -> Self {
+        let mut terms = match self {
+            Self::Sum(terms) => terms,
+            term => vec![term],
+        };
+        match other.into() {
+            Self::Sum(more) => terms.extend(more),
+            term => terms.push(term),
+        }
+        Self::Sum(terms)
+    }
+}
+
+impl<T: Into<Self>> Sub<T> for Formula {
+    type Output = Self;
+    fn sub(self, other: T) -> Self {
+        self + -other.into()
+    }
+}
+
+impl<T: Into<Self>> Mul<T> for Formula {
+    type Output = Self;
+    fn mul(self, other: T) -> Self {
+        let mut factors = match self {
+            Self::Product(factors) => factors,
+            factor => vec![factor],
+        };
+        match other.into() {
+            Self::Product(more) => factors.extend(more),
+            factor => factors.push(factor),
+        }
+        Self::Product(factors)
+    }
+}
+
+impl<T: Into<Self>> Div<T> for Formula {
+    type Output = Self;
+    fn div(self, other: T) -> Self {
+        Self::Fraction(Box::new(self), Box::new(other.into()))
+    }
+}
+
+impl Neg for Formula {
+    type Output = Self;
+    fn neg(self) -> Self {
+        match self {
+            Self::Number(value) => Self::Number(-value),
+            formula => Self::Negate(Box::new(formula)),
+        }
+    }
+}
+
+impl Mul<Formula> for i64 {
+    type Output = Formula;
+    fn mul(self, other: Formula) -> Formula {
+        number(self) * other
+    }
+}
+
+impl Add<Formula> for i64 {
+    type Output = Formula;
+    fn add(self, other: Formula) -> Formula {
+        number(self) + other
+    }
+}
+
+impl Sub<Formula> for i64 {
+    type Output = Formula;
+    fn sub(self, other: Formula) -> Formula {
+        number(self) - other
+    }
+}
+
+impl Div<Formula> for i64 {
+    type Output = Formula;
+    fn div(self, other: Formula) -> Formula {
+        number(self) / other
+    }
+}

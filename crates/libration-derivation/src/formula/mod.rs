@@ -1,0 +1,77 @@
+//! Formulas as they stand in a book: one tree that is printed, and evaluated to check what is printed.
+
+mod build;
+mod convert;
+mod decimal;
+mod name;
+mod statement;
+
+pub use decimal::{Decimal, Unit};
+pub use name::{Name, Subscript};
+pub use statement::{Relation, Statement};
+
+pub(super) use build::*;
+
+use libration::algebra::{Function, Rational};
+
+/// A formula. Nothing is simplified: it prints as it was put together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Formula {
+    /// An exact number.
+    Number(Rational),
+    /// A rounded number, with its unit.
+    Decimal(Decimal),
+    /// π.
+    Pi,
+    /// A variable, a constant or an index.
+    Name(Name),
+    /// −a.
+    Negate(Box<Self>),
+    /// a + b + …; a summand that begins with a minus is printed as a difference.
+    Sum(Vec<Self>),
+    /// a·b·….
+    Product(Vec<Self>),
+    /// a/b.
+    Fraction(Box<Self>, Box<Self>),
+    /// aᵇ.
+    Power(Box<Self>, Box<Self>),
+    /// An elementary function of its argument.
+    Call(Function, Box<Self>),
+    /// A function that has been defined on the way, of its arguments.
+    Apply(Name, Vec<Self>),
+    /// The arithmetic–geometric mean of two numbers.
+    Agm(Box<Self>, Box<Self>),
+    /// Σ of the term over the index.
+    Series {
+        /// What is counted.
+        index: Name,
+        /// The first index.
+        from: Box<Self>,
+        /// The last index; `None` is ∞.
+        to: Option<Box<Self>>,
+        /// What is added.
+        term: Box<Self>,
+    },
+    /// ∫ of the integrand over the variable.
+    Integral {
+        /// The variable.
+        variable: Name,
+        /// The lower limit.
+        from: Box<Self>,
+        /// The upper limit.
+        to: Box<Self>,
+        /// What is integrated.
+        integrand: Box<Self>,
+    },
+    /// The derivative with respect to a variable.
+    Derivative {
+        /// What is differentiated.
+        of: Box<Self>,
+        /// The variable.
+        by: Name,
+    },
+    /// n!!, the product of every second integer down from n.
+    DoubleFactorial(Box<Self>),
+    /// Terms of this order and above, left out.
+    Order(Box<Self>),
+}

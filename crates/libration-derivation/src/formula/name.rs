@@ -1,0 +1,60 @@
+//! The names of variables: a letter with a subscript and primes.
+
+use super::Formula;
+
+/// A letter with what is written at it: θ, θ₀, θ′, a₂ₙ₊₁.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The letter itself, in Unicode; several letters are a word and printed upright.
+    pub letter: String,
+    /// What is written below it.
+    pub subscript: Option<Subscript>,
+    /// How many times it is differentiated with respect to time.
+    pub primes: u8,
+}
+
+/// What is written below a letter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Subscript {
+    /// A word, such as the first letters of an author.
+    Word(String),
+    /// A number or an index.
+    Index(Box<Formula>),
+}
+
+impl Name {
+    /// The letter alone.
+    pub(crate) fn new(letter: &str) -> Self {
+        Self { letter: letter.to_owned(), subscript: None, primes: 0 }
+    }
+
+    /// With a number or an index below.
+    pub(crate) fn index(mut self, index: impl Into<Formula>) -> Self {
+        self.subscript = Some(Subscript::Index(Box::new(index.into())));
+        self
+    }
+
+    /// With a word below.
+    pub(crate) fn word(mut self, word: &str) -> Self {
+        self.subscript = Some(Subscript::Word(word.to_owned()));
+        self
+    }
+
+    /// Differentiated once more with respect to time.
+    pub(crate) fn prime(mut self) -> Self {
+        self.primes += 1;
+        self
+    }
+}
+
+impl From<Name> for Formula {
+    fn from(name: Name) -> Self {
+        Self::Name(name)
+    }
+}
+
+impl From<&Name> for Formula {
+    fn from(name: &Name) -> Self {
+        Self::Name(name.clone())
+    }
+}

@@ -1,0 +1,54 @@
+//! Statements: formulas with relations between them.
+
+use super::Formula;
+
+/// How a formula stands to the one before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Equal.
+    Equal,
+    /// Equal by definition of the left side.
+    Defined,
+    /// Equal to the digits printed.
+    Rounded,
+    /// Below.
+    Less,
+}
+
+/// A chain such as a = b = c ≈ 1.07.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statement {
+    /// The first formula.
+    pub first: Formula,
+    /// What follows it.
+    pub rest: Vec<(Relation, Formula)>,
+}
+
+impl Statement {
+    /// left = right.
+    pub(crate) fn equal(left: impl Into<Formula>, right: impl Into<Formula>) -> Self {
+        Self { first: left.into(), rest: vec![(Relation::Equal, right.into())] }
+    }
+
+    /// left ≔ right.
+    pub(crate) fn defined(left: impl Into<Formula>, right: impl Into<Formula>) -> Self {
+        Self { first: left.into(), rest: vec![(Relation::Defined, right.into())] }
+    }
+
+    /// … = next.
+    pub(crate) fn and_equal(self, next: impl Into<Formula>) -> Self {
+        self.and(Relation::Equal, next)
+    }
+
+    /// The chain continued.
+    pub(crate) fn and(mut self, relation: Relation, next: impl Into<Formula>) -> Self {
+        self.rest.push((relation, next.into()));
+        self
+    }
+}
+
+impl From<Formula> for Statement {
+    fn from(formula: Formula) -> Self {
+        Self { first: formula, rest: Vec::new() }
+    }
+}

@@ -1,0 +1,42 @@
+//! Worked derivations: every step in sentences and formulas, and every formula checked as it is written.
+//!
+//! A [`Derivation`] is data. Its formulas are trees that are printed and evaluated: what a reader sees is what was
+//! checked, exactly with fractions where that is possible, else in 77 digits at several amplitudes, or against the
+//! library's exact solution. An [`Equation`] cannot be made without passing its check.
+//!
+//! ```
+//! use libration_derivation::{elliptic, to_markdown};
+//! let derivation = elliptic(None)?;
+//! assert!(to_markdown(&derivation).contains("K"));
+//! # Ok::<(), libration_derivation::DerivationError>(())
+//! ```
+
+mod document;
+mod formula;
+
+mod check;
+mod evaluate;
+mod numbers;
+mod trials;
+mod words;
+
+mod elliptic;
+mod lindstedt;
+mod published;
+
+mod print;
+
+pub mod paper;
+
+#[cfg(test)]
+mod tests;
+
+pub use check::{Against, Check, DerivationError, Equation};
+pub use document::{Block, Derivation, Prose, Span, Step, Table};
+pub use elliptic::elliptic;
+pub use evaluate::NoValue;
+pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
+pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
+pub use print::{formula_latex, statement_latex, to_html, to_latex, to_markdown};
+pub use published::formulas;
+pub use trials::Swing;

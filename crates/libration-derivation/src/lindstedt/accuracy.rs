@@ -1,0 +1,170 @@
+//! How good the series are at an amplitude.
+
+use super::super::check::DerivationError;
+use super::super::document::{Prose, Step, Table};
+use super::super::formula::{Decimal, Formula, Name, Unit, letter, number, rounded};
+use super::Released;
+use super::amplitude::of_amplitude;
+use super::ansatz::harmonic_name;
+use super::question::Question;
+use libration::algebra::Rational;
+use libration::comparison::{ExactValue, NoExactValue, Quantity, Relation};
+use libration::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
+use libration::quantity::{Displacement, is_angle_name};
+
+/// The order to which what is missing is estimated.
+const LONGER: usize = 31;
+/// The amplitude when none is given.
+pub(super) const EXAMPLE: f64 = 1.0;
+
+pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<Step, DerivationError> {
+    let exactly =
+        released.map(|released| released.amplitude.clone()).or_else(|| Displacement::from_f64(EXAMPLE));
+    let exactly = exactly.ok_or(DerivationError::NotAnAmplitude(EXAMPLE))?;
+    let amplitude = exactly.to_f64();
+    if !(amplitude > 0.0 && amplitude.is_finite()) {
+        return Err(DerivationError::NotAnAmplitude(amplitude));
+    }
+    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let step = Step::new("How good it is")
+        .say(
+            "At an amplitude of {} the terms of the period are",
+            [Formula::Decimal(Decimal::short(amplitude, unit))],
+        )
+        .table(terms(question, &exactly)?);
+    let Some(released) = released else { return Ok(step) };
+    Ok(step
+        .say("and with all of them the motion is", [])
+        .table(motion(question, released)?)
+        .say(
+            "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
+             the command libration expand tells where it stops converging.",
+            [],
+        ))
+}
+
+pub(super) fn is_angle(question: &Question) -> bool {
+    is_angle_name(question.oscillator.variable())
+}
+
+/// Whether the exact period is known: the pendulum below the upright position.
+fn is_pendulum(question: &Question, amplitude: f64) -> bool {
+    let sine: Vec<Rational> = (1..=question.force.len()).map(sine_coefficient).collect();
+    is_angle(question) && question.force == sine && amplitude < std::f64::consts::PI
+}
+
+fn sine_coefficient(n: usize) -> Rational {
+    if n.is_multiple_of(2) {
+        return Rational::from(0);
+    }
+    let factorial =
+        (2..=n).fold(1_i64, |product, i| product.saturating_mul(i64::try_from(i).unwrap_or(i64::MAX)));
+    Rational::new(if n % 4 == 1 { 1 } else { -1 }, factorial).unwrap_or_else(|| Rational::from(0))
+}
+
+/// The partial sums of T/T0.
+fn terms(question: &Question, exactly: &Displacement) -> Result<Table, DerivationError> {
+    let amplitude = exactly.to_f64();
+    let pendulum = is_pendulum(question, amplitude);
+    let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
+    let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
+    let evaluation = Evaluation::new(&series, amplitude);
+    let evaluation = if pendulum {
+        evaluation.with_bound(|n| pendulum_period_remainder(amplitude, n / 2))
+    } else {
+        evaluation
+    };
+    let found = exact(question, Quantity::Period, exactly);
+    let exact = found.as_ref().ok().map(|exact| exact.value);
+    let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
+        let mut row = vec![
+            Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
+            Prose::formula(rounded(step.term, 6, Unit::One)),
+            Prose::formula(rounded(step.sum, 10, Unit::One)),
+            rest(step.remainder),
+        ];
+        row.extend(exact.map(|exact| Prose::formula(rounded(step.sum / exact - 1.0, 2, Unit::One))));
+        row
+    });
+    let rows = rows.collect();
+    let mut head = ["power", "term", "sum", "rest"].map(Prose::text).to_vec();
+    head.extend(exact.map(|_| Prose::text("error")));
+    let basis = if pendulum {
+        "the rest is proved to be below the bound given".to_owned()
+    } else {
+        format!("the rest is estimated from the terms to the power {LONGER}")
+    };
+    Ok(Table { head, rows, note: note(&basis, &found) })
+}
+
+/// What the rests and the errors rest on.
+fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
+    let exact = match found {
+        Err(reason) => return Prose::text(format!("{basis}; there is no exact value: {reason}")),
+        Ok(exact) => exact,
+    };
+    let note = Prose::text(format!("{basis}; errors are relative to the exact "))
+        .and(Prose::formula(rounded(exact.value, 11, Unit::One)))
+        .and(Prose::text(", right to "))
+        .and(Prose::formula(rounded(exact.uncertainty, 1, Unit::One)));
+    match exact.encloses {
+        None => note,
+        Some(place) => note
+            .and(Prose::text(", of a motion that goes around another equilibrium too, at "))
+            .and(Prose::formula(rounded(place, 6, Unit::One)))
+            .and(Prose::text(", and is not what the series is for")),
+    }
+}
+
+fn rest(remainder: Remainder) -> Prose {
+    if !remainder.size.is_finite() {
+        return Prose::text("no end in sight");
+    }
+    let word = if remainder.certainty == Certainty::Proven { "below " } else { "about " };
+    Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, Unit::One)))
+}
+
+/// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
+pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
+    let of = of_amplitude(question, &question.solution)?;
+    let amplitude = released.amplitude.to_f64();
+    let value = |series: &[Rational], powers: usize| {
+        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + c.to_f64())
+    };
+    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let exactly = |quantity| exact(question, quantity, &released.amplitude).ok().map(|exact| exact.value);
+    let ratio = value(&of.period_ratio, question.order);
+    let exact_ratio = exactly(Quantity::Period);
+    let mut rows = vec![
+        (letter("ε"), value(&of.epsilon, question.order + 1), None, Unit::One),
+        (letter("Δ"), value(&of.frequency_ratio, question.order), exact_ratio.map(f64::recip), Unit::One),
+        (letter("T") / Formula::from(Name::new("T").index(0)), ratio, exact_ratio, Unit::One),
+    ];
+    if let Some(frequency) = released.angular_frequency {
+        let small = 2.0 * std::f64::consts::PI / frequency;
+        rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), Unit::Second));
+    }
+    for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
+        let exact = exactly(Quantity::Cosine(*k));
+        rows.push((harmonic_name(*k).into(), value(series, question.order + 1), exact, unit));
+    }
+    let cell = |value: f64, unit| Prose::formula(rounded(value, 8, unit));
+    let row = |(name, value, exact, unit): (Formula, f64, Option<f64>, Unit)| {
+        let exact = exact.map_or_else(|| Prose::text(""), |exact| cell(exact, unit));
+        vec![Prose::formula(name), cell(value, unit), exact]
+    };
+    let head = ["quantity", "series", "exact"].map(Prose::text).into();
+    let note = Prose::text(
+        "series to the order derived; exact: by elliptic functions for the pendulum, else the equation of motion integrated in time",
+    );
+    Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
+}
+
+/// The value without the series: in closed form for the pendulum, for all else by integration in time.
+fn exact(
+    question: &Question,
+    quantity: Quantity,
+    amplitude: &Displacement,
+) -> Result<ExactValue, NoExactValue> {
+    Relation::new(&question.oscillator, &question.solution.expansion, quantity).exact_from(amplitude)
+}

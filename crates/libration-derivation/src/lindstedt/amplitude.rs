@@ -1,0 +1,161 @@
+//! From the expansion parameter to the amplitude and back, and what can be measured.
+
+use super::super::check::{
+    DerivationError, Equation, Given, failed, same_series, same_series_where, series_value,
+};
+use super::super::document::Step;
+use super::super::formula::{
+    Formula, Name, Statement, agm, apply, cos, letter, monomial, number, order, polynomial, sum,
+};
+use super::ansatz::harmonic_name;
+use super::question::{Question, Solution};
+use super::substitution::in_epsilon;
+use libration::algebra::Rational;
+use libration::period_formulas::period_in_amplitude;
+use libration::perturbation::{AmplitudeSeries, Gauge};
+
+/// Σ cₙAⁿ + O(…), with the powers that are present.
+fn in_amplitude(question: &Question, coefficients: &[Rational], next: usize) -> Formula {
+    let amplitude = Formula::from(question.amplitude());
+    let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
+    let terms = powers.map(|(n, c)| monomial(c, &amplitude, n));
+    let next = order(amplitude.clone().pow(i64::try_from(next).unwrap_or(i64::MAX)));
+    Formula::Sum(terms.chain([next]).collect())
+}
+
+/// The relations between what can be measured.
+pub(super) fn of_amplitude<'a>(
+    question: &Question,
+    solution: &'a Solution,
+) -> Result<&'a AmplitudeSeries, DerivationError> {
+    solution.expansion.of_amplitude.as_ref().ok_or_else(|| {
+        failed(
+            &Statement::from(Formula::from(question.amplitude())),
+            "there is no series in the amplitude".to_owned(),
+        )
+    })
+}
+
+pub(super) fn iteration(question: &Question) -> Result<Step, DerivationError> {
+    let sum_of_harmonics = &question.solution.expansion.x_max;
+    let total = question.harmonics().into_iter().map(|k| Formula::from(harmonic_name(k)));
+    let statement = Statement::equal(question.amplitude(), sum(total.collect()))
+        .and_equal(in_epsilon(sum_of_harmonics, question.order + 1));
+    let mut given = harmonics_in_epsilon(question, &question.solution);
+    given.push(Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))));
+    let step = Step::new("From the amplitude to the expansion parameter")
+        .say(
+            "What is known of a swing is its largest displacement {}, at {} = 0, where all cosines are one:",
+            [question.amplitude().into(), letter("τ")],
+        )
+        .show(same_series_where(&Name::new("ε"), question.order + 1, &given, statement)?);
+    if question.solution.gauge == Gauge::XMax {
+        return Ok(
+            step.say("In this gauge nothing is left to do: the expansion parameter is the amplitude.", [])
+        );
+    }
+    passes(question, step, sum_of_harmonics)
+}
+
+/// aₖ as series in ε.
+fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Given<'a>> {
+    let series = |k: usize| polynomial(&solution.harmonic(k), &letter("ε"));
+    question.harmonics().into_iter().map(|k| Given::Value(harmonic_name(k), series(k))).collect()
+}
+
+/// ε after so many passes.
+fn answer(pass: usize) -> Name {
+    Name::new("ε").index(i64::try_from(pass).unwrap_or(i64::MAX))
+}
+
+/// A = s₁ε + s₂ε² + … solved as ε = A/s₁ + F(ε), by putting each answer in again.
+fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Result<Step, DerivationError> {
+    let amplitude = Formula::from(question.amplitude());
+    let one = Rational::from(1);
+    let scale = sum_of_harmonics.get(1).and_then(|first| one.checked_div(first)).unwrap_or(one);
+    let beyond =
+        |(n, c): (usize, &Rational)| if n < 2 { Rational::from(0) } else { -(c.clone() * scale.clone()) };
+    let rest: Vec<Rational> = sum_of_harmonics.iter().enumerate().map(beyond).collect();
+    let function = polynomial(&rest, &letter("z"));
+    let start = monomial(&scale, &amplitude, 1);
+    let mut step = step
+        .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
+        .show(Equation::definition(Statement::defined(apply("F", [letter("z")]), function.clone())))
+        .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
+        .show(Equation::definition(Statement::defined(answer(0), start.clone())));
+    let wanted = &of_amplitude(question, &question.solution)?.epsilon;
+    let mut known = vec![Rational::from(0), scale];
+    for pass in 1..=question.order {
+        let again = start.clone() + apply("F", [answer(pass - 1).into()]);
+        let given = [
+            Given::Function("F", "z", function.clone()),
+            Given::Value(answer(pass - 1), polynomial(&known, &amplitude)),
+            Given::Value(answer(pass), again.clone()),
+        ];
+        let mut next = series_value(&question.amplitude(), question.order + 1, &given, &again)?;
+        next.truncate(question.order + 1);
+        let statement = Statement::equal(answer(pass), again).and_equal(in_amplitude(
+            question,
+            &next,
+            question.order + 1,
+        ));
+        step = step.show(same_series_where(&question.amplitude(), question.order + 1, &given, statement)?);
+        known = next;
+        if known.iter().eq(wanted.iter().take(question.order + 1)) {
+            return Ok(step.say(
+                "Each pass has settled at least one more coefficient, and another would change nothing: this is the series of {}.",
+                [letter("ε")],
+            ));
+        }
+    }
+    let statement = Statement::from(polynomial(&known, &amplitude));
+    Err(failed(&statement, "the iteration does not lead to the series of the engine".to_owned()))
+}
+
+pub(super) fn physical_relations(question: &Question) -> Result<Step, DerivationError> {
+    let step = Step::new("The period and the harmonics").say(
+        "Put in the place of {}, this gives what can be measured: the frequency and the period over those of very small \
+         swings, and the harmonics.",
+        [letter("ε")],
+    );
+    let step = relations(question, &question.solution)?.into_iter().fold(step, Step::show);
+    let coefficients = period_in_amplitude(question.order / 2);
+    let of = of_amplitude(question, &question.solution)?;
+    let even: Vec<&Rational> = of.period_ratio.iter().take(question.order).step_by(2).collect();
+    let known: Vec<&Rational> = coefficients.iter().take(even.len()).collect();
+    if question.displacement.letter != "θ" || even != known {
+        return Ok(step);
+    }
+    let exact = number(1) / agm(1, cos(Formula::from(question.amplitude()) / 2));
+    let statement = Statement::equal(exact, in_amplitude(question, &of.period_ratio, question.order));
+    Ok(step
+        .say("For the pendulum the period is known exactly, by the arithmetic–geometric mean, and has the same series:", [])
+        .show(same_series(&question.amplitude(), question.order, statement)?))
+}
+
+/// Frequency, period and harmonics by powers of the amplitude, from the series in ε.
+pub(super) fn relations(question: &Question, solution: &Solution) -> Result<Vec<Equation>, DerivationError> {
+    let of = of_amplitude(question, solution)?;
+    let period = letter("T");
+    let small = Name::new("T").index(0);
+    let mut given = vec![Given::Value(Name::new("ε"), polynomial(&of.epsilon, &question.amplitude().into()))];
+    given.extend(harmonics_in_epsilon(question, solution));
+    given.push(Given::Value(Name::new("Δ"), polynomial(&solution.expansion.frequency_ratio, &letter("ε"))));
+    given.push(Given::Value(Name::new("T"), number(1) / letter("Δ")));
+    given.push(Given::Value(small.clone(), number(1)));
+    let frequency = in_amplitude(question, &of.frequency_ratio, question.order);
+    let ratio = in_amplitude(question, &of.period_ratio, question.order);
+    let mut statements = vec![
+        (Statement::equal(letter("Δ"), frequency), question.order),
+        (
+            Statement::equal(period / Formula::from(small), number(1) / letter("Δ")).and_equal(ratio),
+            question.order,
+        ),
+    ];
+    for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
+        let series = in_amplitude(question, series, question.order + 1);
+        statements.push((Statement::equal(harmonic_name(*k), series), question.order + 1));
+    }
+    let check = |(statement, length)| same_series_where(&question.amplitude(), length, &given, statement);
+    statements.into_iter().map(check).collect()
+}

@@ -1,0 +1,125 @@
+//! The form the motion is looked for in, and what it means that a sum of cosines vanishes.
+
+use super::super::check::{DerivationError, Equation};
+use super::super::document::Step;
+use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum};
+use super::super::trials::Trials;
+use super::question::Question;
+use super::substitution::left_side;
+use libration::algebra::{Rational, Variable};
+use libration::perturbation::OpenGauge;
+
+/// aₖ.
+pub(super) fn harmonic_name(k: usize) -> Name {
+    Name::new("a").index(i64::try_from(k).unwrap_or(i64::MAX))
+}
+
+/// The letter of the coefficient of εⁿ in aₖ.
+pub(super) fn coefficient_name(k: usize, n: usize) -> Variable {
+    let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    OpenGauge::coefficient_name(small(k), small(n))
+}
+
+/// cos kτ, and 1 for k = 0.
+pub(super) fn cosine(k: usize) -> Formula {
+    match k {
+        0 => number(1),
+        1 => cos(letter("τ")),
+        k => cos(Formula::from(i64::try_from(k).unwrap_or(i64::MAX)) * letter("τ")),
+    }
+}
+
+fn power_of_epsilon(n: usize) -> Formula {
+    if n == 1 { letter("ε") } else { letter("ε").pow(i64::try_from(n).unwrap_or(i64::MAX)) }
+}
+
+fn left_out(question: &Question) -> Formula {
+    order(power_of_epsilon(question.order + 1))
+}
+
+pub(super) fn fundamental_and_harmonics(question: &Question) -> Step {
+    let omega = || letter("Ω");
+    let phase = Statement::defined(letter("τ"), omega() * letter("t"));
+    let ratio = Statement::defined(letter("Δ"), omega() / Formula::from(Name::new("ω").index(0)));
+    let motion = Statement::equal(left_side(question), 0);
+    let cosines = question.harmonics().into_iter().map(|k| match k {
+        0 => harmonic_name(0).into(),
+        k => Formula::from(harmonic_name(k)) * cosine(k),
+    });
+    let ansatz = Statement::equal(question.u(), sum(cosines.collect()));
+    let step = Step::new("The ansatz")
+        .say(
+            "The motion is periodic with a frequency {} that is not known yet. So time is counted in such a way that the period \
+             becomes a fixed number,",
+            [omega()],
+        )
+        .show(Equation::definition(phase))
+        .show(Equation::definition(ratio))
+        .say("and with primes now for derivatives with respect to {} the equation of motion is", [letter("τ")])
+        .show(Equation::premise(motion))
+        .say("A motion that begins at a turning point is even in {} and a sum of cosines:", [letter("τ")])
+        .show(Equation::definition(ansatz));
+    let step = if question.is_odd() {
+        step.say(
+            "Even multiples are missing, because half a period later, at {}, the displacement is the opposite one.",
+            [letter("τ") + Formula::Pi],
+        )
+    } else {
+        step.say("The force is not odd, so that the motion has a constant part and all multiples.", [])
+    };
+    let step = step.say(
+        "The coefficients are power series in a small number {}, which is a measure of the size of the swing and has no \
+         other meaning yet; the coefficient of {} begins with the power {}, because it takes so many factors to make it:",
+        [letter("ε"), cos(letter("k") * letter("τ")), letter("ε").pow(letter("k"))],
+    );
+    let step = question.harmonics().into_iter().fold(step, |step, k| step.show(harmonic_series(question, k)));
+    step.show(frequency_series(question))
+}
+
+fn harmonic_series(question: &Question, k: usize) -> Equation {
+    let first = if k == 0 { 2 } else { k };
+    let powers = question.powers().into_iter().filter(|n| *n >= first);
+    let terms = powers.map(|n| Formula::from(Name::from(&coefficient_name(k, n))) * power_of_epsilon(n));
+    let terms = terms.chain([left_out(question)]).collect();
+    Equation::definition(Statement::equal(harmonic_name(k), sum(terms)))
+}
+
+fn frequency_series(question: &Question) -> Equation {
+    let powers = question.powers().into_iter().filter(|n| *n > 1).map(|n| n - 1);
+    let term = |n: usize| {
+        let name = Name::new("d").index(i64::try_from(n).unwrap_or(i64::MAX));
+        Formula::from(name) * power_of_epsilon(n)
+    };
+    let next = order(power_of_epsilon(question.order));
+    let terms = [number(1)].into_iter().chain(powers.map(term)).chain([next]).collect();
+    Equation::definition(Statement::equal(letter("Δ"), sum(terms)))
+}
+
+pub(super) fn projection() -> Result<Step, DerivationError> {
+    let (j, k, tau) = (|| letter("j"), || letter("k"), || letter("τ"));
+    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
+    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?.with(&Name::new("j"), number(3))?;
+    let product = Statement::equal(
+        cos(j() * tau()) * cos(k() * tau()),
+        (cos((j() - k()) * tau()) + cos((j() + k()) * tau())) / 2,
+    );
+    let whole = |integrand| number(1) / Formula::Pi * integral("τ", 0, 2 * Formula::Pi, integrand);
+    let same = Statement::equal(whole(cos(k() * tau()).squared()), 1);
+    let cube = Statement::equal(cos(tau()).pow(3), (3 * cos(tau()) + cos(3 * tau())) / 4);
+    Ok(Step::new("Projection on the harmonics")
+        .say("Powers of the sum are sums of cosines again, because a product of two is half the sum of two others:", [])
+        .show(trials.compare_cases("k", 1..=5, product)?)
+        .say("for example", [])
+        .show(trials.compare_once(cube)?)
+        .say(
+            "A sum of cosines vanishes at all times only if the factor of each cosine does. That factor is found by projection: the \
+             integral over a period of the sum times {} is zero for all other cosines, and for this one",
+            [cos(k() * tau())],
+        )
+        .show(trials.compare_cases("k", 1..=5, same)?)
+        .say(
+            "The same holds for the powers of {}. So the equation of motion becomes one condition for each harmonic and each \
+             power.",
+            [letter("ε")],
+        ))
+}

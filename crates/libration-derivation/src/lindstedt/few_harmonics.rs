@@ -1,0 +1,102 @@
+//! The shortcut: few harmonics, a force cut off, and the equations that are left solved as they stand.
+
+use super::super::check::DerivationError;
+use super::super::document::{Prose, Step, Table};
+use super::super::formula::{Decimal, Formula, Unit, cos, letter, number, rounded};
+use super::Released;
+use super::accuracy::{EXAMPLE, is_angle};
+use super::ansatz::harmonic_name;
+use super::question::Question;
+use libration::algebra::Complex;
+use libration::perturbation::{TruncatedSolution, TruncatedSystem, Verdict};
+
+/// cos Ωt and cos 3Ωt, with the cube of the displacement.
+const HARMONICS: u32 = 2;
+const DEGREE: usize = 3;
+
+/// All solutions for two harmonics, with what is to be thought of each; nothing for a force without a cube, or one
+/// that is not odd, or at an amplitude where solutions coincide.
+pub(super) fn step(
+    question: &Question,
+    released: Option<&Released>,
+) -> Result<Option<Step>, DerivationError> {
+    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude.to_f64());
+    let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
+    let Some(solutions) = system.ok().and_then(|system| system.solutions(amplitude).ok()) else {
+        return Ok(None);
+    };
+    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let step = Step::new("The shortcut of two harmonics")
+        .say(
+            "One can also keep the first two harmonics alone, {} and {}, and of the force the terms up to the cube. Then the \
+             conditions for {} and {}, and that the two add up to the amplitude, are three equations for \
+             three unknowns. At the amplitude {} they have the solutions",
+            [
+                harmonic_name(1).into(),
+                harmonic_name(3).into(),
+                cos(letter("τ")),
+                cos(number(3) * letter("τ")),
+                Formula::Decimal(Decimal::short(amplitude, unit)),
+            ],
+        )
+        .table(table(&solutions))
+        .say(outcome(&solutions), []);
+    Ok(Some(step))
+}
+
+/// What is to be learned from the verdicts.
+fn outcome(solutions: &[TruncatedSolution]) -> &'static str {
+    if solutions.iter().any(|solution| solution.verdict == Verdict::Accepted) {
+        "Only one of them is a motion that becomes a small swing as the amplitude falls. With the series there is nothing \
+         to choose: they begin at the small swing and stay with it."
+    } else {
+        "None of them is a motion that becomes a small swing as the amplitude falls: so far out the force cut off after \
+         the cube has lost it."
+    }
+}
+
+fn table(solutions: &[TruncatedSolution]) -> Table {
+    let row = |solution: &TruncatedSolution| {
+        let numbers = solution.amplitudes.iter().chain([&solution.frequency_ratio_squared]);
+        let mut row: Vec<Prose> = numbers.map(|number| complex(*number, size(solution))).collect();
+        row.push(Prose::formula(rounded(solution.residual, 2, Unit::One)));
+        row.push(Prose::text(word(solution.verdict)));
+        row
+    };
+    let head = [harmonic_name(1).into(), harmonic_name(3).into(), letter("Δ").squared()].map(Prose::formula);
+    let head = head.into_iter().chain(["rest", "verdict"].map(Prose::text)).collect();
+    let note = Prose::text(
+        "rest: what the equation of motion with the force to the order derived leaves, its root mean square over a period; \
+         not a small swing: real, but not connected with one; nothing oscillates: the square of the frequency is not positive",
+    );
+    Table { head, rows: solutions.iter().map(row).collect(), note }
+}
+
+const fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Accepted => "accepted",
+        Verdict::Overtone => "no first harmonic",
+        Verdict::OtherBranch => "not a small swing",
+        Verdict::NoOscillation => "nothing oscillates",
+        Verdict::Complex => "complex",
+    }
+}
+
+/// The largest of the amplitudes.
+fn size(solution: &TruncatedSolution) -> f64 {
+    solution.amplitudes.iter().map(|a| a.abs()).fold(0.0, f64::max)
+}
+
+/// A complex number, its parts zero where they are what rounding leaves of numbers of this size.
+fn complex(number: Complex, size: f64) -> Prose {
+    const DIGITS: usize = 5;
+    const ROUNDING: f64 = 1e-9;
+    let part = |part: f64| if part.abs() <= ROUNDING * size { 0.0 } else { part };
+    let (re, im) = (part(number.re), part(number.im));
+    let formula = |part| Prose::formula(rounded(part, DIGITS, Unit::One));
+    if im == 0.0 {
+        return formula(re);
+    }
+    let sign = if im < 0.0 { " − " } else { " + " };
+    formula(re).and(Prose::text(sign)).and(formula(im.abs())).and(Prose::text("i"))
+}

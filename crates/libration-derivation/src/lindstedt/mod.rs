@@ -1,0 +1,82 @@
+//! The perturbation road: Lindstedt and Poincaré's method with the gauge left open, step by step.
+
+mod accuracy;
+mod amplitude;
+mod ansatz;
+mod few_harmonics;
+mod motion;
+mod orders;
+mod question;
+mod second_gauge;
+mod small_swings;
+mod substitution;
+
+#[cfg(test)]
+mod tests;
+
+use super::check::DerivationError;
+use super::document::{Block, Derivation, Prose};
+use libration::oscillator::Oscillator;
+use libration::perturbation::Gauge;
+use libration::quantity::Displacement;
+use question::Question;
+
+/// The oscillation whose numbers a derivation shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Released {
+    /// The largest displacement from the equilibrium, in radians for a pendulum.
+    pub amplitude: Displacement,
+    /// ω0 in rad/s, if times are to be given in seconds.
+    pub angular_frequency: Option<f64>,
+}
+
+/// The highest order that is derived step by step.
+pub const HIGHEST_ORDER: usize = 9;
+
+/// The motion and the period of a conservative oscillator as series in the amplitude, derived order by order with the
+/// gauge left open, then in the gauge asked for and in a second one, with the numbers of an oscillation if one is
+/// given.
+///
+/// # Errors
+/// An order that is not between 2 and [`HIGHEST_ORDER`]; an oscillator whose acceleration depends on the velocity or has
+/// numbers that are no fractions; a gauge that the oscillator does not have; an amplitude that is not positive and
+/// finite; and a formula that fails its check, which would be an error of this program.
+pub fn perturbation(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+    released: Option<&Released>,
+) -> Result<Derivation, DerivationError> {
+    let question = Question::new(oscillator, order, gauge)?;
+    let mut steps = vec![
+        small_swings::equation_of_motion(&question)?,
+        small_swings::taylor(&question)?,
+        ansatz::fundamental_and_harmonics(&question),
+        ansatz::projection()?,
+        orders::secular_terms()?,
+    ];
+    steps.extend(orders::conditions(&question)?);
+    steps.push(motion::gauge(&question)?);
+    steps.push(motion::solution(&question)?);
+    steps.push(amplitude::iteration(&question)?);
+    steps.push(amplitude::physical_relations(&question)?);
+    steps.push(second_gauge::comparison(&question)?);
+    let accuracy = accuracy::step(&question, released)?;
+    steps.extend(few_harmonics::step(&question, released)?);
+    steps.push(accuracy);
+    let title = "Perturbation theory of an oscillator, order by order".to_owned();
+    Ok(Derivation { title, introduction: introduction(), steps })
+}
+
+fn introduction() -> Vec<Block> {
+    let what = Prose::text(
+        "An oscillator with a force that is not exactly linear has a period that depends on its amplitude, and overtones. \
+         Both follow from its equation of motion alone, as power series, by the method of Lindstedt and Poincaré: \
+         the motion and its frequency are expanded together, so that no term grows with time.",
+    );
+    let how = Prose::text(
+        "Below each formula stands how it was checked while this text was written. Nearly all of it is arithmetic with \
+         fractions and checked exactly: the solutions are put back into the equation of motion, not compared with a table.",
+    );
+    vec![Block::Paragraph(what), Block::Paragraph(how)]
+}

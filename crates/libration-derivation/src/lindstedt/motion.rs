@@ -1,0 +1,114 @@
+//! The choice of the gauge, and the motion in it.
+
+use super::super::check::{Check, DerivationError, Equation, failed};
+use super::super::document::Step;
+use super::super::formula::{Formula, Name, Statement, letter, number};
+use super::ansatz::{coefficient_name, harmonic_name};
+use super::question::{Question, Solution};
+use super::substitution::{Motion, in_epsilon, solves};
+use libration::algebra::{Rational, Variable};
+use libration::perturbation::Gauge;
+
+pub(super) fn gauge(question: &Question) -> Result<Step, DerivationError> {
+    let unknowns = question.open.unknowns().len();
+    let free = question.open.free_constants();
+    let fixed = number(i64::try_from(unknowns - free.len()).unwrap_or(i64::MAX));
+    let mut step = Step::new("The gauge")
+        .say(
+            "The ansatz has {} coefficients, of which the conditions fix {}. Free are the {} coefficients of the first harmonic: \
+             they say what {} means, since any other measure of the size of the swing would do as well. To choose them is to choose \
+             the gauge. It changes every series in {}, and no relation between quantities that can be measured.",
+            [
+                number(i64::try_from(unknowns).unwrap_or(i64::MAX)),
+                fixed,
+                number(i64::try_from(free.len()).unwrap_or(i64::MAX)),
+                letter("ε"),
+                letter("ε"),
+            ],
+        )
+        .say(meaning(&question.solution.gauge), []);
+    for n in question.powers() {
+        let value = question.solution.coefficient(1, n);
+        let name = Name::from(&coefficient_name(1, n));
+        step = step.show(Equation::definition(Statement::defined(name, value)));
+    }
+    Ok(step)
+}
+
+fn meaning(gauge: &Gauge) -> &'static str {
+    match gauge {
+        Gauge::Fundamental => {
+            "Here the expansion parameter shall be the coefficient of the first harmonic itself:"
+        }
+        Gauge::XMax => "Here the expansion parameter shall be the largest displacement, which takes",
+        Gauge::HalfSwing => {
+            "Here the expansion parameter shall be half the distance between the turning points, which takes"
+        }
+        Gauge::Energy => {
+            "Here the square of the expansion parameter shall be twice the energy over the square of the frequency of small \
+             swings, which takes"
+        }
+        Gauge::Nome => {
+            "Here the expansion parameter shall be eight times the root of Jacobi’s nome, which takes"
+        }
+        _ => "Here they are chosen as asked for:",
+    }
+}
+
+pub(super) fn solution(question: &Question) -> Result<Step, DerivationError> {
+    agrees_with_open_gauge(question, &question.solution)?;
+    let step =
+        Step::new("The solution").say("With these the coefficients are numbers, and the motion is", []);
+    let step = (series(question, &question.solution).into_iter()).fold(step, Step::show);
+    Ok(step
+        .say(
+            "These series were found by a computation that goes another way and to any order. That they are a solution is seen by \
+             putting them back into the equation of motion, with the whole force and not its Taylor series:",
+            [],
+        )
+        .show(solves(question, &motion(question, &question.solution))?))
+}
+
+/// The harmonics and the frequency, each with the check that is shown below them.
+pub(super) fn series(question: &Question, solution: &Solution) -> Vec<Equation> {
+    let mut equations = Vec::new();
+    for k in question.harmonics() {
+        let statement =
+            Statement::equal(harmonic_name(k), in_epsilon(&solution.harmonic(k), question.order + 1));
+        equations.push(Equation::new(statement, Check::Below));
+    }
+    let frequency = in_epsilon(&solution.expansion.frequency_ratio, question.order);
+    equations.push(Equation::new(Statement::equal(letter("Δ"), frequency), Check::Below));
+    equations
+}
+
+pub(super) fn motion(question: &Question, solution: &Solution) -> Motion {
+    Motion {
+        harmonics: question.harmonics().into_iter().map(|k| (k, solution.harmonic(k))).collect(),
+        frequency: solution.expansion.frequency_ratio.clone(),
+    }
+}
+
+/// The general solution, with the letters of this gauge put in, is the solution in this gauge.
+fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<(), DerivationError> {
+    let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
+    let values = question.open.in_gauge(|n| solution.coefficient(1, place(n)));
+    for (variable, value) in values {
+        let there = coefficient_of(question, solution, &variable);
+        if there.is_some_and(|there| there != value) {
+            let statement = Statement::equal(Name::from(&variable), Formula::from(value));
+            return Err(failed(&statement, "the engine finds another value".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// What the engine says a letter is.
+fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Rational> {
+    let n = usize::try_from(variable.index()?).ok()?;
+    if variable.letters() == "d" {
+        return solution.expansion.frequency_ratio.get(n).cloned();
+    }
+    let k = question.harmonics().into_iter().find(|k| coefficient_name(*k, n) == *variable)?;
+    Some(solution.coefficient(k, n))
+}

@@ -1,0 +1,168 @@
+//! The conditions order by order, with the gauge open.
+
+use super::super::check::{Check, DerivationError, Equation};
+use super::super::document::Step;
+use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin};
+use super::super::trials::Trials;
+use super::ansatz::{coefficient_name, cosine};
+use super::question::Question;
+use super::substitution::{Motion, has_harmonics};
+use libration::algebra::{Polynomial, Rational, Variable};
+use libration::perturbation::Condition;
+
+/// Choices of fractions for the letters that a condition is checked with.
+const CHOICES: usize = 3;
+
+pub(super) fn secular_terms() -> Result<Step, DerivationError> {
+    let tau = || letter("τ");
+    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
+    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?;
+    let growing = tau() * sin(tau()) / 2;
+    let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
+    let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
+    let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
+    Ok(Step::new("What each condition decides")
+        .say(
+            "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
+             this is not zero, and the condition fixes that coefficient.",
+            [
+                letter("ε").pow(letter("n")),
+                cos(letter("k") * tau()),
+                letter("y").clone() + Formula::from(Name::new("y").prime().prime()),
+                number(1) - letter("k").squared(),
+            ],
+        )
+        .say(
+            "For the first harmonic it is zero: the oscillator is driven at its own frequency. If something were left over \
+             there, the answer would grow with time, for instance",
+            [],
+        )
+        .show(trials.compare_once(first)?)
+        .show(trials.compare_once(second)?)
+        .say(
+            "and a motion that is periodic would be written as one that is not. Such secular terms are avoided by the frequency: its \
+             correction has the factor {} in this very condition, and is chosen so that nothing is left over. The coefficient of the \
+             first harmonic itself is not fixed by anything.",
+            [Formula::from(-2) * Formula::from(Name::new("A").index(1))],
+        ))
+}
+
+/// The orders whose conditions are written out: they grow fast.
+fn written_out(question: &Question) -> usize {
+    question.order.min(if question.is_odd() { 5 } else { 3 })
+}
+
+pub(super) fn conditions(question: &Question) -> Result<Vec<Step>, DerivationError> {
+    let last = written_out(question);
+    let mut steps = Vec::new();
+    for order in question.powers() {
+        check_order(question, order)?;
+        if (2..=last).contains(&order) {
+            steps.push(one_order(question, order));
+        }
+    }
+    if let Some(step) = steps.pop() {
+        let more = "The conditions of the following orders are longer and no different; they were checked in the same way.";
+        steps.push(if question.order > last { step.say(more, []) } else { step });
+    }
+    Ok(steps)
+}
+
+fn one_order(question: &Question, order: usize) -> Step {
+    let heading = format!("Order {order}, with the gauge open");
+    let mut step = Step::new(&heading);
+    for condition in question.open.conditions().iter().filter(|condition| is_shown(condition, order)) {
+        let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
+        let power = letter("ε").pow(i64::from(condition.order));
+        let statement = Statement::equal(&condition.polynomial, 0);
+        step = step
+            .say("The factor of {} in the power {} gives", [cosine(k), power])
+            .show(Equation::new(statement, Check::Substituted { choices: CHOICES }));
+        if let Some((unknown, value)) = solved(question, condition) {
+            let statement = Statement::equal(Name::from(&unknown), value);
+            step = step
+                .say("so that", [])
+                .show(Equation::new(statement, Check::Substituted { choices: CHOICES }));
+        }
+    }
+    step
+}
+
+/// Conditions that say more than 0 = 0, or that a harmonic not yet made is not there.
+fn is_shown(condition: &Condition, order: usize) -> bool {
+    let this = usize::try_from(condition.order) == Ok(order) && condition.harmonic <= condition.order;
+    this && !condition.polynomial.is_zero() && condition.polynomial.terms().count() > 1
+}
+
+/// The coefficient that a condition fixes, and its value.
+fn solved<'a>(question: &'a Question, condition: &Condition) -> Option<(Variable, &'a Polynomial)> {
+    let unknown = match condition.harmonic {
+        1 => Variable::indexed("d", condition.order.checked_sub(1)?),
+        k => coefficient_name(usize::try_from(k).ok()?, usize::try_from(condition.order).ok()?),
+    };
+    let value = question.open.solution().get(&unknown)?;
+    Some((unknown, value))
+}
+
+/// Puts fractions for all letters into the ansatz, with the orders below as they were found, and compares what the equation
+/// of motion then is with the conditions; then with the solution, when it must be zero.
+fn check_order(question: &Question, order: usize) -> Result<(), DerivationError> {
+    for choice in 0..CHOICES {
+        let any = |variable: &Variable| fraction_for(variable, choice);
+        let expected: Vec<(usize, Rational)> = (question.open.conditions().iter())
+            .filter(|condition| usize::try_from(condition.order) == Ok(order))
+            .filter_map(|condition| {
+                let value = condition.polynomial.value(|variable| Some(any(variable)))?;
+                Some((usize::try_from(condition.harmonic).ok()?, value))
+            })
+            .collect();
+        has_harmonics(question, &motion(question, order, &any, Newest::Open), order, &expected)?;
+        has_harmonics(question, &motion(question, order, &any, Newest::Solved), order, &[])?;
+    }
+    Ok(())
+}
+
+/// What the coefficients of the highest order are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Newest {
+    /// Any fractions.
+    Open,
+    /// The solution.
+    Solved,
+}
+
+/// The ansatz up to an order, the letters that are free replaced by fractions.
+fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational, newest: Newest) -> Motion {
+    let value = |variable: Variable, n: usize| {
+        let found = question.open.solution().get(&variable);
+        let found = found.filter(|_| n < order || newest == Newest::Solved);
+        found
+            .and_then(|polynomial| polynomial.value(|free| Some(any(free))))
+            .unwrap_or_else(|| any(&variable))
+    };
+    let zero = || Rational::from(0);
+    let powers = question.powers();
+    let series = |k: usize| -> Vec<Rational> {
+        let present = |n: usize| n <= order && powers.contains(&n);
+        (0..=order).map(|n| if present(n) { value(coefficient_name(k, n), n) } else { zero() }).collect()
+    };
+    let correction = |n: usize| match n {
+        0 => Rational::from(1),
+        n if powers.contains(&(n + 1)) => {
+            value(Variable::indexed("d", u32::try_from(n).unwrap_or(u32::MAX)), n + 1)
+        }
+        _ => zero(),
+    };
+    Motion {
+        harmonics: question.harmonics().into_iter().map(|k| (k, series(k))).collect(),
+        frequency: (0..order).map(correction).collect(),
+    }
+}
+
+/// A small fraction that differs from letter to letter, and is not zero.
+fn fraction_for(variable: &Variable, choice: usize) -> Rational {
+    let seed = variable.letters().bytes().map(i64::from).sum::<i64>() * 31
+        + variable.index().map_or(0, i64::from) * 17;
+    let mixed = (seed + i64::try_from(choice).unwrap_or(0) * 7919) % 1009;
+    Rational::new(mixed % 13 + 1, mixed % 5 + 2).unwrap_or_else(|| Rational::from(1))
+}

@@ -1,0 +1,138 @@
+//! What is derived: an oscillator as a Taylor series, its expansion, and the letters for both.
+
+use super::super::check::DerivationError;
+use super::super::formula::{Formula, Name};
+use super::HIGHEST_ORDER;
+use libration::algebra::{Rational, Rationals};
+use libration::expression::Symbol;
+use libration::oscillator::{Kind, Oscillator};
+use libration::perturbation::{Expansion, Gauge, OpenGauge, Powers, expand};
+
+/// An oscillator about its equilibrium, prepared.
+pub(super) struct Question {
+    pub(super) oscillator: Oscillator,
+    /// The variable of the equation of motion.
+    pub(super) variable: Name,
+    /// The displacement from the equilibrium; the variable itself where that is zero.
+    pub(super) displacement: Name,
+    pub(super) equilibrium: Rational,
+    pub(super) omega0_squared: Rational,
+    /// The factors of u, u², … in the restoring force over ω0².
+    pub(super) force: Vec<Rational>,
+    pub(super) order: usize,
+    pub(super) open: OpenGauge,
+    pub(super) solution: Solution,
+}
+
+/// The motion in one gauge.
+pub(super) struct Solution {
+    pub(super) gauge: Gauge,
+    pub(super) expansion: Expansion,
+}
+
+impl Question {
+    pub(super) fn new(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Self, DerivationError> {
+        if !(2..=HIGHEST_ORDER).contains(&order) {
+            return Err(DerivationError::Order { order });
+        }
+        if *oscillator.kind() != Kind::Conservative {
+            return Err(DerivationError::Velocity);
+        }
+        let exact = (oscillator.equilibrium().exact(), oscillator.omega0_squared().exact());
+        let (Some(equilibrium), Some(omega0_squared)) = exact else {
+            return Err(DerivationError::NoFractions);
+        };
+        let force = restoring_force(oscillator, equilibrium, omega0_squared, order);
+        let force = force.ok_or(DerivationError::NoFractions)?;
+        let variable = Name::from(&Symbol { name: oscillator.variable().to_owned(), primes: 0 });
+        let displacement = if equilibrium.is_zero() { variable.clone() } else { Name::new("u") };
+        let solution = Solution::new(oscillator, order, gauge)?;
+        let powers =
+            if oscillator.is_odd() && !solution.has_even_powers() { Powers::OneParity } else { Powers::All };
+        let open = OpenGauge::new(&force, u32::try_from(order).unwrap_or(u32::MAX), powers)?;
+        Ok(Self {
+            oscillator: oscillator.clone(),
+            variable,
+            displacement,
+            equilibrium: equilibrium.clone(),
+            omega0_squared: omega0_squared.clone(),
+            force,
+            order,
+            open,
+            solution,
+        })
+    }
+
+    /// The acceleration, as a formula of the variable.
+    pub(super) fn acceleration(&self) -> Formula {
+        self.oscillator.acceleration().into()
+    }
+
+    /// The restoring force over ω0², as a formula of the variable.
+    pub(super) fn restoring_force(&self) -> Formula {
+        let force = self.acceleration().negated();
+        let unit = self.omega0_squared == Rational::from(1);
+        if unit { force } else { force / self.omega0_squared.clone() }
+    }
+
+    /// u.
+    pub(super) fn u(&self) -> Formula {
+        (&self.displacement).into()
+    }
+
+    /// The largest displacement.
+    pub(super) fn amplitude(&self) -> Name {
+        match self.displacement.letter.as_str() {
+            "θ" => Name::new("θ").index(0),
+            letter => Name::new(letter).word("max"),
+        }
+    }
+
+    /// Whether the motion has the harmonics of an odd force only.
+    pub(super) fn is_odd(&self) -> bool {
+        self.oscillator.is_odd()
+    }
+
+    /// The harmonics of the ansatz.
+    pub(super) fn harmonics(&self) -> Vec<usize> {
+        if self.is_odd() { (1..=self.order).step_by(2).collect() } else { (0..=self.order).collect() }
+    }
+
+    /// The powers of ε in the ansatz.
+    pub(super) fn powers(&self) -> Vec<usize> {
+        let odd_only = self.is_odd() && !self.solution.has_even_powers();
+        (1..=self.order).step_by(if odd_only { 2 } else { 1 }).collect()
+    }
+}
+
+impl Solution {
+    pub(super) fn new(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Self, DerivationError> {
+        Ok(Self { gauge: gauge.clone(), expansion: expand(oscillator, order, gauge)? })
+    }
+
+    /// The coefficients of cos kτ, by powers of ε.
+    pub(super) fn harmonic(&self, k: usize) -> Vec<Rational> {
+        self.expansion.harmonic(k).map_or_else(Vec::new, |harmonic| harmonic.cos.clone())
+    }
+
+    /// The coefficient of εⁿ in a harmonic.
+    pub(super) fn coefficient(&self, k: usize, n: usize) -> Rational {
+        self.harmonic(k).get(n).cloned().unwrap_or_else(|| Rational::from(0))
+    }
+
+    fn has_even_powers(&self) -> bool {
+        self.harmonic(1).iter().step_by(2).any(|a| !a.is_zero())
+    }
+}
+
+/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first to the one of the order asked for.
+fn restoring_force(
+    oscillator: &Oscillator,
+    equilibrium: &Rational,
+    omega0_squared: &Rational,
+    order: usize,
+) -> Option<Vec<Rational>> {
+    let x = Symbol { name: oscillator.variable().to_owned(), primes: 0 };
+    let series = oscillator.acceleration().taylor_series(&Rationals, &x, equilibrium, order + 1)?;
+    series[1..].iter().map(|c| (-c.clone()).checked_div(omega0_squared)).collect()
+}

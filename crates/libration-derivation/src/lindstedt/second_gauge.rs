@@ -1,0 +1,42 @@
+//! The same motion in another gauge: other series in ε, the same in the amplitude.
+
+use super::super::check::{DerivationError, Equation, failed};
+use super::super::document::Step;
+use super::super::formula::{Name, Statement, letter};
+use super::amplitude::{of_amplitude, relations};
+use super::ansatz::coefficient_name;
+use super::motion::{motion, series};
+use super::question::{Question, Solution};
+use super::substitution::solves;
+use libration::algebra::Rational;
+use libration::perturbation::Gauge;
+
+/// A₁ = 1, and −1 for the next coefficient there is; the first harmonic itself if that was the gauge.
+fn other(question: &Question) -> Gauge {
+    let next = if question.is_odd() { vec![1, 0, -1] } else { vec![1, -1] };
+    let other = Gauge::Coefficients(next.into_iter().map(Rational::from).collect());
+    if question.solution.gauge == other { Gauge::Fundamental } else { other }
+}
+
+pub(super) fn comparison(question: &Question) -> Result<Step, DerivationError> {
+    let other = Solution::new(&question.oscillator, question.order, &other(question))?;
+    let mut step = Step::new("A second gauge")
+        .say("That the choice is free is best seen by making another one. With", []);
+    for n in question.powers() {
+        let name = Name::from(&coefficient_name(1, n));
+        step = step.show(Equation::definition(Statement::defined(name, other.coefficient(1, n))));
+    }
+    step = step.say("the series in {} are others:", [letter("ε")]);
+    step = series(question, &other).into_iter().fold(step, Step::show);
+    step = step.show(solves(question, &motion(question, &other))?);
+    let (here, there) = (of_amplitude(question, &question.solution)?, of_amplitude(question, &other)?);
+    let same = here.frequency_ratio == there.frequency_ratio
+        && here.period_ratio == there.period_ratio
+        && here.harmonics == there.harmonics;
+    if !same {
+        let statement = Statement::from(letter("Δ"));
+        return Err(failed(&statement, "two gauges give different frequencies or harmonics".to_owned()));
+    }
+    step = step.say("But put the series of {} in the amplitude into them, which is another one too, and the same comes out:", [letter("ε")]);
+    Ok(relations(question, &other)?.into_iter().fold(step, Step::show))
+}

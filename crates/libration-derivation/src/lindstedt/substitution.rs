@@ -1,0 +1,114 @@
+//! Putting a motion back into the equation of motion: the proof that it is a solution.
+//!
+//! At each order the equation is a polynomial in cos τ of a degree not above the order. So as many different values of
+//! cos τ as the order has, and one more, decide; fractions will do.
+
+use super::super::check::{Check, DerivationError, Equation, Given, failed, same_series_where, series_value};
+use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, polynomial};
+use super::question::Question;
+use libration::algebra::Rational;
+
+/// A motion as the harmonics k with their series in ε, and its Ω/ω0.
+pub(super) struct Motion {
+    pub(super) harmonics: Vec<(usize, Vec<Rational>)>,
+    pub(super) frequency: Vec<Rational>,
+}
+
+/// Checks that a motion solves Δ²u″ = f/ω0² up to the order asked for.
+pub(super) fn solves(question: &Question, motion: &Motion) -> Result<Equation, DerivationError> {
+    let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
+    let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));
+    let phases = question.order + 1;
+    for cosine in cosines(phases) {
+        same_series_where(&epsilon(), phases, &given(question, motion, &cosine), statement.clone())?;
+    }
+    Ok(Equation::new(statement, Check::Phases { variable: epsilon(), order: question.order, phases }))
+}
+
+/// Checks that the coefficient of εⁿ in the equation of motion is Σ pₖ cos kτ.
+pub(super) fn has_harmonics(
+    question: &Question,
+    motion: &Motion,
+    n: usize,
+    expected: &[(usize, Rational)],
+) -> Result<(), DerivationError> {
+    for cosine in cosines(question.order + 1) {
+        let values = given(question, motion, &cosine);
+        let residual = series_value(&epsilon(), question.order + 1, &values, &left_side(question))?;
+        let chebyshev = chebyshev(&cosine, question.order);
+        let sum =
+            expected.iter().fold(Rational::from(0), |sum, (k, p)| sum + p.clone() * chebyshev[*k].clone());
+        if residual.get(n) != Some(&sum) {
+            let statement = Statement::from(left_side(question));
+            return Err(failed(&statement, format!("its part of order {n} is not what the conditions say")));
+        }
+    }
+    Ok(())
+}
+
+fn epsilon() -> Name {
+    Name::new("ε")
+}
+
+fn second_derivative(question: &Question) -> Name {
+    question.displacement.clone().prime().prime()
+}
+
+/// Δ²u″ + g, with the restoring force g over ω0².
+pub(super) fn left_side(question: &Question) -> Formula {
+    letter("Δ").squared() * Formula::Name(second_derivative(question)) + question.restoring_force()
+}
+
+/// 0, 1/n, 2/n, …: as many different values of cos τ.
+fn cosines(count: usize) -> impl Iterator<Item = Rational> {
+    let count = i64::try_from(count).unwrap_or(i64::MAX);
+    (0..count).filter_map(move |n| Rational::new(n, count))
+}
+
+/// cos kτ for k = 0, 1, … from cos τ.
+fn chebyshev(cosine: &Rational, highest: usize) -> Vec<Rational> {
+    let mut values = vec![Rational::from(1), cosine.clone()];
+    for k in 2..=highest {
+        let next = Rational::from(2) * cosine.clone() * values[k - 1].clone() - values[k - 2].clone();
+        values.push(next);
+    }
+    values
+}
+
+/// Δ, u, u″ and the variable at one phase.
+fn given<'a>(question: &Question, motion: &Motion, cosine: &Rational) -> Vec<Given<'a>> {
+    let chebyshev = chebyshev(cosine, question.order);
+    let sum = |weight: &dyn Fn(usize) -> i64| {
+        let mut sums = vec![Rational::from(0); question.order + 1];
+        for (k, series) in &motion.harmonics {
+            let factor = chebyshev[*k].clone() * Rational::from(weight(*k));
+            for (sum, coefficient) in sums.iter_mut().zip(series) {
+                *sum = sum.clone() + factor.clone() * coefficient.clone();
+            }
+        }
+        polynomial(&sums, &letter("ε"))
+    };
+    let square = |k: usize| -i64::try_from(k * k).unwrap_or(i64::MAX);
+    let displacement = sum(&|_| 1);
+    let mut given = vec![
+        Given::Value(Name::new("Δ"), polynomial(&motion.frequency, &letter("ε"))),
+        Given::Value(question.displacement.clone(), displacement),
+        Given::Value(second_derivative(question), sum(&square)),
+    ];
+    if question.variable != question.displacement {
+        let place = Formula::from(question.equilibrium.clone()) + question.u();
+        given.push(Given::Value(question.variable.clone(), place));
+    }
+    given
+}
+
+/// Σ cₙεⁿ + O(…), with the powers that are present.
+pub(super) fn in_epsilon(coefficients: &[Rational], next: usize) -> Formula {
+    let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
+    let mut terms: Vec<Formula> = powers.map(|(n, c)| monomial(c, &letter("ε"), n)).collect();
+    if terms.is_empty() {
+        terms.push(number(0));
+    }
+    terms.push(order(letter("ε").pow(i64::try_from(next).unwrap_or(i64::MAX))));
+    Formula::Sum(terms)
+}

@@ -1,0 +1,96 @@
+//! A motion that is no solution is not taken for one.
+
+use super::Released;
+use super::accuracy::motion as motion_in_numbers;
+use super::few_harmonics;
+use super::motion::motion;
+use super::question::Question;
+use super::substitution::{has_harmonics, solves};
+use crate::{Block, Formula, Prose, Span};
+use libration::algebra::Rational;
+use libration::oscillator::NamedOscillator;
+use libration::perturbation::Gauge;
+use libration::quantity::Displacement;
+
+fn question(key: &str, order: usize) -> Question {
+    let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+    Question::new(&oscillator, order, &Gauge::Fundamental).unwrap()
+}
+
+#[test]
+fn every_single_coefficient_matters_to_the_equation_of_motion() {
+    for (key, order) in [("pendulum", 5), ("quadratic", 4)] {
+        let question = question(key, order);
+        let right = motion(&question, &question.solution);
+        assert!(solves(&question, &right).is_ok());
+        for (place, (k, series)) in right.harmonics.iter().enumerate() {
+            for n in (0..series.len()).filter(|n| *k != 1 || *n == 0) {
+                let mut wrong = motion(&question, &question.solution);
+                wrong.harmonics[place].1[n] = series[n].clone() + Rational::new(1, 1_000_000).unwrap();
+                assert!(solves(&question, &wrong).is_err(), "{key} {k} {n}");
+            }
+        }
+        for n in 0..order {
+            let mut wrong = motion(&question, &question.solution);
+            wrong.frequency[n] = wrong.frequency[n].clone() + Rational::new(1, 1_000_000).unwrap();
+            assert!(solves(&question, &wrong).is_err(), "{key} frequency {n}");
+        }
+    }
+}
+
+#[test]
+fn wrong_harmonics_of_the_residual_are_noticed() {
+    let question = question("pendulum", 3);
+    let right = motion(&question, &question.solution);
+    assert!(has_harmonics(&question, &right, 3, &[]).is_ok());
+    assert!(has_harmonics(&question, &right, 3, &[(3, Rational::from(1))]).is_err());
+}
+
+#[test]
+fn the_exact_motion_beside_the_series_is_the_same_motion() {
+    // At x_max = 0.01 terms of the fifth order, left out, are of the size of 1e-10.
+    for (key, harmonics) in [("pendulum", 2), ("quadratic", 5), ("double_well", 5)] {
+        let question = question(key, 4);
+        let amplitude = Displacement::from_f64(0.01).unwrap();
+        let released = Released { amplitude, angular_frequency: Some(1.0) };
+        let table = motion_in_numbers(&question, &released).unwrap();
+        let number = |prose: &Prose| match prose.0.as_slice() {
+            [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
+            other => panic!("{other:?} is no number"),
+        };
+        let rows: Vec<_> = table.rows.iter().skip(1).collect();
+        assert_eq!(rows.len(), 3 + harmonics, "{key}");
+        for row in rows {
+            let (series, exact) = (number(&row[1]), number(&row[2]));
+            assert!((series - exact).abs() < 1e-7 * exact.abs().max(0.01), "{key}: {series} is not {exact}");
+        }
+    }
+}
+
+/// With the cubic sine two harmonics have four solutions; the one sought is gone at 170°.
+#[test]
+fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
+    let verdicts = |key: &str, order: usize, amplitude: f64| {
+        let amplitude = Displacement::from_f64(amplitude).unwrap();
+        let released = Released { amplitude, angular_frequency: None };
+        let step = few_harmonics::step(&question(key, order), Some(&released)).unwrap()?;
+        let tables = step.blocks.into_iter().filter_map(|block| match block {
+            Block::Table(table) => Some(table),
+            _ => None,
+        });
+        let rows = tables.flat_map(|table| table.rows);
+        let last = |row: Vec<Prose>| match row.last()?.0.as_slice() {
+            [Span::Text(verdict)] => Some(verdict.clone()),
+            _ => None,
+        };
+        rows.map(last).collect::<Option<Vec<String>>>()
+    };
+    let words = |words: [&str; 4]| Some(words.map(str::to_owned).to_vec());
+    let far = ["accepted", "no first harmonic", "not a small swing", "nothing oscillates"];
+    assert_eq!(verdicts("pendulum", 5, 1.5), words(far));
+    assert_eq!(verdicts("duffing", 3, 0.8), words(["accepted", "no first harmonic", "complex", "complex"]));
+    let lost = ["nothing oscillates", "nothing oscillates", "complex", "complex"];
+    assert_eq!(verdicts("pendulum", 5, 2.967), words(lost));
+    assert_eq!(verdicts("pendulum", 2, 0.7), None);
+    assert_eq!(verdicts("quadratic", 4, 0.1), None);
+}

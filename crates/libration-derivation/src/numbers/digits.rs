@@ -1,0 +1,59 @@
+//! Sums, integrals and derivatives in real numbers to so many binary digits.
+
+use super::quadrature;
+use crate::evaluate::{Analysis, NoValue};
+use libration::algebra::{BigFloat, Floats, Ring};
+
+/// Bits of every number: 77 decimal digits.
+pub(crate) const PRECISION: usize = 256;
+
+/// The terms after which an infinite sum is given up.
+const MOST_TERMS: usize = 4000;
+
+/// The numbers formulas are compared in.
+pub(crate) const DIGITS: Floats = Floats { precision: PRECISION };
+
+impl Analysis for Floats {
+    fn is_negligible(&self, term: &BigFloat, sum: &BigFloat) -> bool {
+        let bits = isize::try_from(self.precision).unwrap_or(isize::MAX);
+        match (term.exponent(), sum.exponent()) {
+            (None, _) => true,
+            (Some(term), Some(sum)) => sum - term > bits,
+            (Some(_), None) => false,
+        }
+    }
+
+    fn most_terms(&self) -> usize {
+        MOST_TERMS
+    }
+
+    fn integral(
+        &self,
+        from: &BigFloat,
+        to: &BigFloat,
+        integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoValue>,
+    ) -> Result<BigFloat, NoValue> {
+        quadrature::integral(from, to, integrand)
+    }
+
+    /// The central difference, whose error is of the order of the square of its step, 2 to minus a third of the
+    /// digits: two thirds of them are good.
+    fn slope(
+        &self,
+        function: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoValue>,
+    ) -> Result<BigFloat, NoValue> {
+        let one = BigFloat::from_integer(1, self.precision);
+        let step = (0..self.precision / 3).fold(one, |step, _| step.halved());
+        let difference = function(step.clone())? - function(-step.clone())?;
+        Ok((difference / step).halved())
+    }
+
+    fn agm(&self, a: &BigFloat, b: &BigFloat) -> Option<BigFloat> {
+        let zero = self.zero();
+        (*a > zero && *b > zero).then(|| a.agm(b))
+    }
+
+    fn left_out(&self, _order: &BigFloat) -> Result<BigFloat, NoValue> {
+        Err(NoValue::NotInRing("the sum of the terms left out"))
+    }
+}

@@ -1,0 +1,8 @@
+//! The numbers in which formulas are evaluated: digits, and power series with rational coefficients.
+
+mod digits;
+mod power_series;
+mod quadrature;
+
+pub(super) use digits::{DIGITS, PRECISION};
+pub(super) use power_series::Coefficients;

@@ -1,0 +1,35 @@
+//! Amplitudes in degrees, and where a continuous function of the amplitude takes a value.
+
+use libration::quantity::Angle;
+
+/// The amplitude between two others (in radians) at which `f` changes its sign, by bisection to the spacing of
+/// `f64`; `None` when it does not.
+pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Option<f64>) -> Option<f64> {
+    let at = |radians: f64| f(&Angle::from_radians(radians).ok()?);
+    let sign_at_low = at(low)?.signum();
+    if at(high)?.signum().to_bits() == sign_at_low.to_bits() {
+        return None;
+    }
+    let (mut low, mut high) = (low, high);
+    loop {
+        let middle = f64::midpoint(low, high);
+        if middle <= low || middle >= high {
+            return Some(high);
+        }
+        if at(middle)?.signum().to_bits() == sign_at_low.to_bits() {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+/// The amplitude of so many degrees.
+pub(super) fn at_degrees(degrees: f64) -> Option<Angle> {
+    Angle::from_degrees(degrees).ok()
+}
+
+/// As `129.4408075768 degrees`.
+pub(super) fn in_degrees(radians: f64) -> String {
+    format!("{:.10} degrees", radians.to_degrees())
+}

@@ -1,0 +1,67 @@
+//! Sums of cosines of multiples of one phase, as polynomials in c = cos(Ωt), and their projections.
+
+use libration::algebra::{Polynomial, Rational, Variable};
+
+/// The name of cos(Ωt) in the polynomials.
+const COSINE: &str = "c";
+
+/// cos(n·Ωt), the Chebyshev polynomial of cos(Ωt) (DLMF 18.5.1).
+pub(super) fn cosine(n: u32) -> Polynomial {
+    let c = Polynomial::variable(COSINE);
+    let (mut before, mut now) = (c.clone(), Polynomial::constant(Rational::from(1)));
+    for _ in 0..n {
+        let next = c.scaled(&Rational::from(2)) * now.clone() - before;
+        (before, now) = (now, next);
+    }
+    now
+}
+
+/// What c1, c3, c5, c7 stand for in printed formulas.
+pub(super) fn cosines() -> [(&'static str, Polynomial); 4] {
+    [("c1", cosine(1)), ("c3", cosine(3)), ("c5", cosine(5)), ("c7", cosine(7))]
+}
+
+/// The second derivative with respect to Ωt: f″(c)(1 − c²) − f′(c)·c.
+pub(super) fn second_derivative(sum: &Polynomial) -> Polynomial {
+    let c = Polynomial::variable(COSINE);
+    let first = sum.derivative(&Variable::from(COSINE));
+    let second = first.derivative(&Variable::from(COSINE));
+    second.clone() - second * c.pow(2) - first * c
+}
+
+/// The integral over a period of the sum times cos(n·Ωt), over π: the coefficient of cos(n·Ωt), n ≥ 1.
+pub(super) fn projection(sum: &Polynomial, n: u32) -> Polynomial {
+    let c = Variable::from(COSINE);
+    let powers = (n..=sum.degree_in(&c)).step_by(2);
+    powers.fold(Polynomial::zero(), |projected, power| {
+        let weight = weight_of_power(power, (power - n) / 2);
+        projected + sum.coefficient(&c, power).scaled(&weight)
+    })
+}
+
+/// The coefficient of cos(n·x) in cosᵏx: 2^(1−k)·binomial(k, (k − n)/2).
+fn weight_of_power(k: u32, chosen: u32) -> Rational {
+    let ratio =
+        |i: u32| Rational::new(i64::from(k - i), i64::from(i + 1)).unwrap_or_else(|| Rational::from(0));
+    let binomial = (0..chosen).fold(Rational::from(2), |product, i| product * ratio(i));
+    let half = Rational::from(1).divided_by_power_of_two(1);
+    (0..k).fold(binomial, |product, _| product * half.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_cosine_projects_on_itself_alone() {
+        for (n, m) in (1..8).flat_map(|n| (1..8).map(move |m| (n, m))) {
+            let expected = Rational::from(i64::from(n == m));
+            assert_eq!(projection(&cosine(n), m).to_constant(), Some(expected), "{n} on {m}");
+        }
+    }
+
+    #[test]
+    fn the_second_derivative_of_a_cosine_is_minus_its_square_times_it() {
+        assert_eq!(second_derivative(&cosine(5)), cosine(5).scaled(&Rational::from(-25)));
+    }
+}

@@ -1,0 +1,67 @@
+//! Two published derivations checked line by line: every numbered equation, the errors in the running text, and
+//! the quantitative claims with the range in which they hold.
+//!
+//! Each statement is kept as the document prints it, as text. A check computes what should stand there (exactly,
+//! in rationals, where that can be done) and compares: the verdict follows from the comparison.
+//!
+//! The documents are B. Black and V. Vel, *An analysis of the large amplitude simple pendulum using Fourier
+//! series*, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, and J. Côté, *Period of a Pendulum*, whose
+//! displayed equations are numbered here in their order.
+//!
+//! ```
+//! use libration_derivation::paper::{Verdict, rows};
+//! let rows = rows();
+//! let row = rows.iter().find(|row| row.label == "(25)").ok_or("missing")?;
+//! assert_eq!(row.finding.verdict, Verdict::Wrong);
+//! assert_eq!(row.finding.correct, "Delta^2 = 1 - a1^2/8 - a1*a3/8 - a3^2/4");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod finding;
+mod statement;
+
+mod black_vel;
+mod cote;
+
+// How printed formulas are read and compared.
+mod compare;
+mod evaluate;
+mod printed;
+
+// What they are compared with.
+mod amplitudes;
+mod cosines;
+mod errors;
+mod exact_motion;
+mod lindstedt;
+mod orders;
+mod period_series;
+mod quadrature;
+mod sine;
+
+pub use finding::{Finding, Verdict};
+pub use statement::{Document, Row};
+
+use statement::{Statement, in_order};
+
+/// Every statement with its verdict, in the order of the documents.
+#[must_use]
+pub fn rows() -> Vec<Row> {
+    rows_where(|_, _| true)
+}
+
+/// The statements chosen by document and label; only these are checked.
+#[must_use]
+pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
+    let asked = statements().into_iter().filter(|(document, statement)| chosen(*document, statement.label));
+    asked.map(|(document, statement)| statement.row(document)).collect()
+}
+
+fn statements() -> Vec<(Document, Statement)> {
+    let documents = [(Document::BlackVel, black_vel::STATEMENTS), (Document::Cote, cote::STATEMENTS)];
+    let of = |(document, groups)| in_order(groups).into_iter().map(move |statement| (document, *statement));
+    documents.into_iter().flat_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests;

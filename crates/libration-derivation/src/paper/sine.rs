@@ -1,0 +1,41 @@
+//! The sine cut off after a power, against the sine.
+
+use crate::paper::compare::{first_difference, polynomial, series_in};
+use crate::paper::finding::Finding;
+use crate::paper::printed::Printed;
+use libration::algebra::{Polynomial, Rational};
+use libration::expression::Expression;
+
+/// A truncated sine against the sine, exactly; an inertia beside it does not count.
+pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
+    let terms = through + 8;
+    let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;
+    let exact = Printed::read(&["sin(theta)"])?;
+    let exact = series_in("theta", terms, exact.formula(0)?, &[])?;
+    let (power, error) = first_difference(&polynomial, &exact)?;
+    let correct = format!("the term is {}*theta^{power}", exact[power]);
+    let evidence = format!(
+        "agrees with the series of the sine below theta^{power}; its error begins with {error}*theta^{power}"
+    );
+    Some(Finding::verified_if(power > through, correct, evidence))
+}
+
+/// An equation of motion θ″ + ω0²·(…) = 0 whose bracket is the sine to a power.
+pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<Finding> {
+    let terms = through + 8;
+    let equation = printed.residual(0)?;
+    // At rest and with ω0 = 2 the equation is four times the sine.
+    let force = series_in("theta", terms, &equation, &[("theta''", 0), ("omega0", 2)])?;
+    let exact = Printed::read(&["4*sin(theta)"])?;
+    let exact = series_in("theta", terms, exact.formula(0)?, &[])?;
+    let (power, error) = first_difference(&exact, &force)?;
+    let inertia = polynomial(&equation, &[("theta", Polynomial::zero())])?;
+    let right = inertia == Polynomial::variable("theta''") && power > through;
+    let quarter = |coefficient: &Rational| coefficient.divided_by_power_of_two(2);
+    let evidence = format!(
+        "(8) with the sine to theta^{through}, exactly; what is left out begins with {}*theta^{power}",
+        quarter(&error)
+    );
+    let correct = format!("the force over omega0^2 has the term {}*theta^{power}", quarter(&exact[power]));
+    Some(Finding::verified_if(right, correct, evidence))
+}

@@ -1,0 +1,436 @@
+//! Formulas laid out: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
+
+use super::super::formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
+use super::place::{Place, place};
+use libration::algebra::{Function, Rational};
+
+/// What is set side by side, above and below.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Layout {
+    Row(Vec<Self>),
+    /// The letter of a variable.
+    Letter(String),
+    /// An upright word: a function, a unit, a subscript.
+    Word(String),
+    Digits(String),
+    /// A sign with space about it: + = ≈.
+    Sign(char),
+    /// A sign that belongs to what follows it: the minus of −x.
+    Prefix(char),
+    /// Follows directly: °, !!.
+    Suffix(&'static str),
+    Comma,
+    ThinSpace,
+    /// At the beginning of a line that continues the one above.
+    Indent,
+    /// Between a function and its argument.
+    Application,
+    Fraction(Box<Self>, Box<Self>),
+    Root(Box<Self>),
+    /// With this many primes, which count as part of the letter.
+    Primed(Box<Self>, u8),
+    Scripts {
+        base: Box<Self>,
+        below: Option<Box<Self>>,
+        above: Option<Box<Self>>,
+    },
+    /// ∑ or ∫ with its limits.
+    Large {
+        sign: char,
+        from: Box<Self>,
+        to: Box<Self>,
+    },
+    Brackets(Box<Self>),
+    Bars(Box<Self>),
+}
+
+/// Where a formula stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    /// On its own line: fractions are stacked.
+    Display,
+    /// Within a sentence: fractions have a slash.
+    Inline,
+}
+
+/// A statement in lines: what stands left of the first relation, and the lines right of it, each with its sign.
+pub(super) struct Lines {
+    pub(super) left: Layout,
+    pub(super) right: Vec<Layout>,
+}
+
+/// Characters that a line has room for.
+const ROOM: usize = 66;
+
+/// A chain of more than two formulas has a line for each, a sum that is too long several.
+pub(super) fn statement(statement: &Statement) -> Lines {
+    let mut right = Vec::new();
+    for (relation, formula) in &statement.rest {
+        let mut sign = Some(sign_of(*relation));
+        for line in broken(formula) {
+            right.push(Layout::Row(vec![sign.take().unwrap_or(Layout::Indent), line]));
+        }
+    }
+    let first = broken(&statement.first);
+    if first.len() > 1 {
+        return Lines { left: Layout::Row(vec![]), right: first.into_iter().chain(right).collect() };
+    }
+    Lines { left: Layout::Row(first), right }
+}
+
+/// A sum in as many lines as it needs.
+fn broken(formula: &Formula) -> Vec<Layout> {
+    let Layout::Row(parts) = Style::Display.formula(formula) else {
+        return vec![Style::Display.formula(formula)];
+    };
+    if !matches!(formula, Formula::Sum(_)) {
+        return vec![Layout::Row(parts)];
+    }
+    let mut lines = vec![vec![]];
+    let mut used = 0;
+    for part in parts {
+        let width = width(&part);
+        if matches!(part, Layout::Sign(_)) && used > ROOM - 12 {
+            lines.push(vec![]);
+            used = 0;
+        }
+        used += width;
+        if let Some(line) = lines.last_mut() {
+            line.push(part);
+        }
+    }
+    lines.into_iter().map(Layout::Row).collect()
+}
+
+/// About how many characters wide it is.
+fn width(layout: &Layout) -> usize {
+    match layout {
+        Layout::Row(parts) => parts.iter().map(width).sum(),
+        Layout::Letter(_) | Layout::Prefix(_) | Layout::Comma => 1,
+        Layout::Word(text) => text.chars().count(),
+        Layout::Digits(text) => text.len(),
+        Layout::Suffix(text) => text.chars().count(),
+        Layout::Sign(_) | Layout::Indent => 3,
+        Layout::ThinSpace | Layout::Application => 0,
+        Layout::Fraction(over, under) => width(over).max(width(under)),
+        Layout::Root(inner) | Layout::Primed(inner, _) => 1 + width(inner),
+        Layout::Scripts { base, below, above } => {
+            let script = |part: &Option<Box<Layout>>| part.as_ref().map_or(0, |part| width(part));
+            width(base) + script(below).max(script(above)).div_ceil(2)
+        }
+        Layout::Large { from, to, .. } => width(from).max(width(to)).max(2),
+        Layout::Brackets(inner) | Layout::Bars(inner) => 2 + width(inner),
+    }
+}
+
+fn sign_of(relation: Relation) -> Layout {
+    Layout::Sign(match relation {
+        Relation::Equal => '=',
+        Relation::Defined => '≔',
+        Relation::Rounded => '≈',
+        Relation::Less => '<',
+    })
+}
+
+impl Style {
+    pub(super) fn formula(self, formula: &Formula) -> Layout {
+        match formula {
+            Formula::Number(value) => self.number(value),
+            Formula::Decimal(value) => decimal(value),
+            Formula::Pi => Layout::Letter("π".to_owned()),
+            Formula::Name(it) => self.name(it),
+            Formula::Negate(it) => Layout::Row(vec![Layout::Prefix('−'), self.at_least(Place::Product, it)]),
+            Formula::Sum(terms) => self.sum(terms),
+            Formula::Product(factors) => self.product(factors),
+            Formula::Fraction(over, under) => self.fraction(over, under),
+            Formula::Power(base, exponent) => self.power(base, exponent),
+            Formula::Call(function, argument) => self.call(*function, None, argument),
+            Formula::Apply(it, arguments) => self.apply(self.name(it), arguments),
+            Formula::Agm(a, b) => self.apply(Layout::Word("agm".to_owned()), [&**a, &**b]),
+            Formula::Series { index, from, to, term } => self.series(index, from, to.as_deref(), term),
+            Formula::Integral { variable, from, to, integrand } => {
+                self.integral(variable, from, to, integrand)
+            }
+            Formula::Derivative { of, by } => self.derivative(of, by),
+            Formula::DoubleFactorial(it) => {
+                Layout::Row(vec![self.at_least(Place::Atom, it), Layout::Suffix("!!")])
+            }
+            Formula::Order(it) => self.apply(Layout::Letter("O".to_owned()), [&**it]),
+        }
+    }
+
+    /// In brackets if it binds weaker than its place asks for.
+    fn at_least(self, wanted: Place, formula: &Formula) -> Layout {
+        let layout = self.formula(formula);
+        if place(formula) < wanted { Layout::Brackets(Box::new(layout)) } else { layout }
+    }
+
+    fn number(self, value: &Rational) -> Layout {
+        let numerator = value.numerator();
+        let (negative, digits) =
+            numerator.strip_prefix('-').map_or((false, numerator.as_str()), |digits| (true, digits));
+        let whole = Layout::Digits(digits.to_owned());
+        let size = match value.denominator().as_str() {
+            "1" => whole,
+            under => self.quotient(whole, Layout::Digits(under.to_owned())),
+        };
+        if negative { Layout::Row(vec![Layout::Prefix('−'), size]) } else { size }
+    }
+
+    fn quotient(self, over: Layout, under: Layout) -> Layout {
+        match self {
+            Self::Display => Layout::Fraction(Box::new(over), Box::new(under)),
+            Self::Inline => Layout::Row(vec![over, Layout::Suffix("/"), under]),
+        }
+    }
+
+    fn fraction(self, over: &Formula, under: &Formula) -> Layout {
+        match self {
+            Self::Display => self.quotient(self.formula(over), self.formula(under)),
+            Self::Inline => {
+                self.quotient(self.at_least(Place::Product, over), self.at_least(Place::Power, under))
+            }
+        }
+    }
+
+    pub(super) fn name(self, name: &Name) -> Layout {
+        let letter = match name.letter.chars().count() {
+            1 => Layout::Letter(name.letter.clone()),
+            _ => Layout::Word(name.letter.clone()),
+        };
+        let below = name.subscript.as_ref().map(|subscript| match subscript {
+            Subscript::Word(word) => Layout::Word(word.clone()),
+            Subscript::Index(index) => Self::Inline.formula(index),
+        });
+        let letter = if name.primes > 0 { Layout::Primed(Box::new(letter), name.primes) } else { letter };
+        scripts(letter, below, None)
+    }
+
+    fn sum(self, terms: &[Formula]) -> Layout {
+        let mut row = Vec::new();
+        for (n, term) in terms.iter().enumerate() {
+            let (negative, size) = unsigned(term);
+            match (n, negative) {
+                (0, false) => {}
+                (0, true) => row.push(Layout::Prefix('−')),
+                (_, false) => row.push(Layout::Sign('+')),
+                (_, true) => row.push(Layout::Sign('−')),
+            }
+            let last = n + 1 == terms.len();
+            row.push(self.at_least(if last { Place::Large } else { Place::Product }, &size));
+        }
+        Layout::Row(row)
+    }
+
+    fn product(self, factors: &[Formula]) -> Layout {
+        let mut row: Vec<Layout> = Vec::new();
+        for (n, factor) in factors.iter().enumerate() {
+            let next = factors.get(n + 1);
+            let open = next.is_some_and(|next| !matches!(next, Formula::Call(..)));
+            if n > 0 {
+                row.extend(between(&factors[n - 1], factor));
+            }
+            row.push(match factor {
+                Formula::Call(function, argument) if open && *function != Function::Sqrt => {
+                    self.bracketed_call(*function, None, argument)
+                }
+                Formula::Number(value) if n == 0 => self.number(value),
+                _ if next.is_none() => self.at_least(Place::Large, factor),
+                _ => self.at_least(Place::Product, factor),
+            });
+        }
+        Layout::Row(row)
+    }
+
+    fn power(self, base: &Formula, exponent: &Formula) -> Layout {
+        let exponent = Self::Inline.formula(exponent);
+        match base {
+            Formula::Call(function, argument) if is_named(*function) => {
+                self.call(*function, Some(exponent), argument)
+            }
+            Formula::Name(name) => match self.name(name) {
+                Layout::Scripts { base, below, above: None } => {
+                    Layout::Scripts { base, below, above: Some(Box::new(exponent)) }
+                }
+                letter => scripts(letter, None, Some(exponent)),
+            },
+            _ => scripts(self.at_least(Place::Atom, base), None, Some(exponent)),
+        }
+    }
+
+    fn call(self, function: Function, exponent: Option<Layout>, argument: &Formula) -> Layout {
+        match function {
+            Function::Sqrt => Layout::Root(Box::new(self.formula(argument))),
+            Function::Abs => Layout::Bars(Box::new(self.formula(argument))),
+            Function::Exp => {
+                scripts(Layout::Letter("e".to_owned()), None, Some(Self::Inline.formula(argument)))
+            }
+            _ if needs_brackets(self, argument) => self.bracketed_call(function, exponent, argument),
+            _ => Layout::Row(vec![head(function, exponent), Layout::Application, self.formula(argument)]),
+        }
+    }
+
+    fn bracketed_call(self, function: Function, exponent: Option<Layout>, argument: &Formula) -> Layout {
+        match function {
+            Function::Sqrt | Function::Abs | Function::Exp => self.call(function, exponent, argument),
+            _ => Layout::Row(vec![
+                head(function, exponent),
+                Layout::Brackets(Box::new(self.formula(argument))),
+            ]),
+        }
+    }
+
+    fn apply<'a>(self, name: Layout, arguments: impl IntoIterator<Item = &'a Formula>) -> Layout {
+        let mut row = Vec::new();
+        for argument in arguments {
+            if !row.is_empty() {
+                row.push(Layout::Comma);
+            }
+            row.push(self.formula(argument));
+        }
+        Layout::Row(vec![name, Layout::Brackets(Box::new(Layout::Row(row)))])
+    }
+
+    fn series(self, index: &Name, from: &Formula, to: Option<&Formula>, term: &Formula) -> Layout {
+        let first = vec![Self::Inline.name(index), Layout::Sign('='), Self::Inline.formula(from)];
+        let last = to.map_or_else(|| Layout::Letter("∞".to_owned()), |to| Self::Inline.formula(to));
+        let sign = Layout::Large { sign: '∑', from: Box::new(Layout::Row(first)), to: Box::new(last) };
+        Layout::Row(vec![sign, self.at_least(Place::Product, term)])
+    }
+
+    /// The differential stands above the fraction line where the integrand is one over something.
+    fn integral(self, variable: &Name, from: &Formula, to: &Formula, integrand: &Formula) -> Layout {
+        let limit = |formula| Box::new(Self::Inline.formula(formula));
+        let sign = Layout::Large { sign: '∫', from: limit(from), to: limit(to) };
+        let differential = Layout::Row(vec![Layout::Letter("d".to_owned()), self.name(variable)]);
+        match integrand {
+            Formula::Fraction(over, under) if **over == Formula::from(1) && self == Self::Display => {
+                Layout::Row(vec![sign, self.quotient(differential, self.formula(under))])
+            }
+            _ => {
+                let integrand = self.at_least(Place::Product, integrand);
+                Layout::Row(vec![sign, integrand, Layout::ThinSpace, differential])
+            }
+        }
+    }
+
+    fn derivative(self, of: &Formula, by: &Name) -> Layout {
+        let d = || Layout::Letter("d".to_owned());
+        let under = Layout::Row(vec![d(), self.name(by)]);
+        match of {
+            Formula::Name(name) => self.quotient(Layout::Row(vec![d(), self.name(name)]), under),
+            _ => {
+                let operator = self.quotient(d(), under);
+                Layout::Row(vec![operator, Layout::ThinSpace, self.at_least(Place::Power, of)])
+            }
+        }
+    }
+}
+
+/// The sign of a summand and the rest.
+fn unsigned(term: &Formula) -> (bool, Formula) {
+    match term {
+        Formula::Negate(size) => (true, (**size).clone()),
+        Formula::Number(value) if value.is_negative() => (true, Formula::Number(-value.clone())),
+        Formula::Decimal(value) => match value.mantissa.strip_prefix('-') {
+            Some(size) => (true, Formula::Decimal(Decimal { mantissa: size.to_owned(), ..value.clone() })),
+            None => (false, term.clone()),
+        },
+        Formula::Product(factors) => match factors.split_first() {
+            Some((Formula::Number(value), rest)) if value.is_negative() => {
+                let size = [vec![Formula::Number(-value.clone())], rest.to_vec()].concat();
+                (true, Formula::Product(size))
+            }
+            _ => (false, term.clone()),
+        },
+        _ => (false, term.clone()),
+    }
+}
+
+/// What stands between two factors.
+fn between(left: &Formula, right: &Formula) -> Option<Layout> {
+    let begins_with_digit = match right {
+        Formula::Number(_) | Formula::Decimal(_) => true,
+        Formula::Power(base, _) => matches!(**base, Formula::Number(_)),
+        _ => false,
+    };
+    let is_function = |formula: &Formula| match formula {
+        Formula::Call(function, _) => is_named(*function),
+        Formula::Power(base, _) => matches!(**base, Formula::Call(function, _) if is_named(function)),
+        _ => false,
+    };
+    match (left, right) {
+        (Formula::Decimal(_), _) => Some(Layout::Sign('·')),
+        _ if begins_with_digit => Some(Layout::Sign('·')),
+        (Formula::Number(_), Formula::Fraction(..)) => Some(Layout::Sign('·')),
+        _ if is_function(left) || is_function(right) => Some(Layout::ThinSpace),
+        (_, Formula::Series { .. } | Formula::Integral { .. }) => Some(Layout::ThinSpace),
+        _ => None,
+    }
+}
+
+/// Whether the function is written as a word before its argument.
+fn is_named(function: Function) -> bool {
+    !matches!(function, Function::Sqrt | Function::Abs | Function::Exp)
+}
+
+/// Arguments such as 2θ and θ0/2 in a display follow their function without brackets.
+fn needs_brackets(style: Style, argument: &Formula) -> bool {
+    match argument {
+        Formula::Name(_) | Formula::Pi => false,
+        Formula::Fraction(..) => style == Style::Inline,
+        Formula::Product(factors) => !factors
+            .iter()
+            .all(|factor| matches!(factor, Formula::Name(_) | Formula::Pi | Formula::Number(_))),
+        _ => true,
+    }
+}
+
+fn head(function: Function, exponent: Option<Layout>) -> Layout {
+    let word = match function {
+        Function::Asin => "arcsin",
+        Function::Acos => "arccos",
+        Function::Atan => "arctan",
+        function => function.name(),
+    };
+    scripts(Layout::Word(word.to_owned()), None, exponent)
+}
+
+fn scripts(base: Layout, below: Option<Layout>, above: Option<Layout>) -> Layout {
+    if below.is_none() && above.is_none() {
+        return base;
+    }
+    Layout::Scripts { base: Box::new(base), below: below.map(Box::new), above: above.map(Box::new) }
+}
+
+fn decimal(value: &Decimal) -> Layout {
+    let (negative, digits) =
+        value.mantissa.strip_prefix('-').map_or((false, value.mantissa.as_str()), |digits| (true, digits));
+    let mut row = Vec::new();
+    row.extend(negative.then_some(Layout::Prefix('−')));
+    row.push(Layout::Digits(digits.to_owned()));
+    if value.exponent != 0 {
+        let ten = Layout::Digits("10".to_owned());
+        let exponent = Style::Inline.number(&Rational::from(i64::from(value.exponent)));
+        row.extend([Layout::Sign('·'), scripts(ten, None, Some(exponent))]);
+    }
+    row.extend(unit(value.unit));
+    Layout::Row(row)
+}
+
+fn unit(unit: Unit) -> Vec<Layout> {
+    let word = |text: &str| Layout::Word(text.to_owned());
+    let spaced = |layout| vec![Layout::ThinSpace, layout];
+    match unit {
+        Unit::One => vec![],
+        Unit::Degree => vec![Layout::Suffix("°")],
+        Unit::Radian => spaced(word("rad")),
+        Unit::Second => spaced(word("s")),
+        Unit::Metre => spaced(word("m")),
+        Unit::RadianPerSecond => spaced(Layout::Row(vec![word("rad"), Layout::Suffix("/"), word("s")])),
+        Unit::MetrePerSecondSquared => {
+            let squared = scripts(word("s"), None, Some(Layout::Digits("2".to_owned())));
+            spaced(Layout::Row(vec![word("m"), Layout::Suffix("/"), squared]))
+        }
+    }
+}

@@ -1,0 +1,369 @@
+//! Swings at which formulas are compared: three of our own and the reader's.
+
+use std::ops::RangeInclusive;
+
+use super::check::{Against, Check, DerivationError, Equation, Place, failed, side};
+use super::document::Wanted;
+use super::evaluate::{Values, evaluate};
+use super::formula::{Decimal, Formula, Name, Relation, Statement, Unit, number, rounded, sin};
+use super::numbers::{DIGITS, PRECISION};
+use libration::algebra::{BigFloat, Rational, Ring};
+use libration::pendulum::{Amplitude, Pendulum};
+use libration::quantity::Angle;
+
+/// What sides in these digits may differ by, a singular integral's lost half included.
+const CLOSE: f64 = 1e-30;
+/// What sides may differ by of which one is in double precision.
+const CLOSE_IN_DOUBLE: f64 = 2e-14;
+/// Digits of a value that is shown.
+const SHOWN: usize = 11;
+
+/// A pendulum and its amplitude: whose numbers a derivation shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swing {
+    /// The pendulum.
+    pub pendulum: Pendulum,
+    /// Its amplitude.
+    pub amplitude: Amplitude,
+}
+
+/// Several swings, one of which is shown.
+#[derive(Clone, Debug)]
+pub(super) struct Trials {
+    trials: Vec<Trial>,
+    shown: usize,
+    /// Whether the one shown is the reader's, whose numbers each step gives.
+    wanted: Wanted,
+}
+
+/// A swing with the values of its letters.
+#[derive(Clone, Debug)]
+struct Trial {
+    angle: Angle,
+    amplitude: Decimal,
+    /// What describes the pendulum and the swing.
+    given: Vec<(Name, Decimal)>,
+    values: Values<BigFloat>,
+}
+
+impl Trials {
+    /// Three amplitudes of a pendulum of one metre, and the reader's swing if there is one.
+    pub(super) fn new(reader: Option<&Swing>) -> Result<Self, DerivationError> {
+        let mut trials = Vec::new();
+        for degrees in [20.0, 60.0, 120.0] {
+            trials.push(Trial::new(&example(degrees)?)?);
+        }
+        let (mut shown, mut wanted) = (1, Wanted::Formulas);
+        if let Some(swing) = reader {
+            let degrees = swing.amplitude.angle().degrees();
+            if !(0.01..=179.9).contains(&degrees) {
+                return Err(DerivationError::Amplitude { degrees });
+            }
+            (shown, wanted) = (trials.len(), Wanted::Numbers);
+            trials.push(Trial::new(swing)?);
+        }
+        Ok(Self { trials, shown, wanted })
+    }
+
+    /// A name now stands for this, in every swing.
+    pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<Equation, DerivationError> {
+        let statement = Statement::defined(name, value.clone());
+        for trial in &mut self.trials {
+            let value = side(&statement, &value, &DIGITS, &trial.values)?;
+            trial.values.set(name, value);
+        }
+        Ok(Equation::definition(statement))
+    }
+
+    /// A name now stands for this function.
+    pub(super) fn define_function(&mut self, name: &str, parameters: &[&str], body: Formula) -> Equation {
+        let function = Name::new(name);
+        for trial in &mut self.trials {
+            trial.values.define(&function, parameters, body.clone());
+        }
+        let arguments = parameters.iter().map(|parameter| Formula::Name(Name::new(parameter))).collect();
+        Equation::definition(Statement::defined(Formula::Apply(function, arguments), body))
+    }
+
+    /// A name stands for this, without being shown.
+    pub(super) fn with(&self, name: &Name, value: Formula) -> Result<Self, DerivationError> {
+        let mut trials = self.clone();
+        trials.define(name, value)?;
+        Ok(trials)
+    }
+
+    /// Checks a statement in all digits.
+    pub(super) fn compare(&self, statement: Statement) -> Result<Equation, DerivationError> {
+        self.compare_within(CLOSE, Against::OtherSide, statement)
+    }
+
+    /// Checks a statement of which one side is the library's exact solution.
+    pub(super) fn compare_with_library(&self, statement: Statement) -> Result<Equation, DerivationError> {
+        self.compare_within(CLOSE_IN_DOUBLE, Against::Library, statement)
+    }
+
+    fn compare_within(
+        &self,
+        tolerance: f64,
+        against: Against,
+        statement: Statement,
+    ) -> Result<Equation, DerivationError> {
+        let mut difference = 0.0_f64;
+        let mut shown = 0.0;
+        for (n, trial) in self.trials.iter().enumerate() {
+            let comparison = trial.compare(tolerance, &statement)?;
+            difference = difference.max(comparison.difference);
+            if n == self.shown {
+                shown = comparison.value;
+            }
+        }
+        let at = self.trials[self.shown].amplitude.clone();
+        let amplitudes = self.trials.iter().map(|trial| trial.amplitude.clone()).collect();
+        let place = Place::Amplitudes { at, amplitudes };
+        Ok(Comparison { value: shown, difference }.equation(statement, place, against))
+    }
+
+    /// Checks a statement about no amplitude.
+    pub(super) fn compare_once(&self, statement: Statement) -> Result<Equation, DerivationError> {
+        let comparison = self.trials[self.shown].compare(CLOSE, &statement)?;
+        Ok(comparison.equation(statement, Place::Everywhere, Against::OtherSide))
+    }
+
+    /// Checks a statement for several values of an index.
+    pub(super) fn compare_cases(
+        &self,
+        index: &str,
+        cases: RangeInclusive<i64>,
+        statement: Statement,
+    ) -> Result<Equation, DerivationError> {
+        let index = Name::new(index);
+        let (first, last) = (*cases.start(), *cases.end());
+        let mut trial = self.trials[self.shown].clone();
+        let mut worst: Option<Comparison> = None;
+        for case in cases {
+            trial.values.set_index(&index, case);
+            let here = trial.compare(CLOSE, &statement)?;
+            worst = Some(worst.map_or(here, |worst| worst.with(here)));
+        }
+        let comparison = worst.unwrap_or(Comparison { value: 0.0, difference: 0.0 });
+        Ok(comparison.equation(statement, Place::Cases { index, first, last }, Against::OtherSide))
+    }
+
+    /// Only the swings to this amplitude in degrees, for what converges slowly above it.
+    pub(super) fn up_to(&self, degrees: i64) -> Self {
+        let limit = Rational::from(degrees);
+        let low = |trial: &&Trial| trial.amplitude.value().is_some_and(|amplitude| amplitude <= limit);
+        let trials: Vec<Trial> = self.trials.iter().filter(low).cloned().collect();
+        let shown = if self.shown < trials.len() { self.shown } else { 1 };
+        Self { trials, shown, ..*self }
+    }
+
+    /// The numbers of the reader's swing, each a formula with its digits and unit; none if no swing was given.
+    pub(super) fn numbers(
+        &self,
+        wanted: &[(Formula, usize, Unit)],
+    ) -> Result<Vec<Equation>, DerivationError> {
+        let wanted = if self.wanted == Wanted::Numbers { wanted } else { &[] };
+        let shown = &self.trials[self.shown].values;
+        let number = |(formula, digits, unit): &(Formula, usize, Unit)| {
+            let statement = Statement::from(formula.clone());
+            let value = side(&statement, formula, &DIGITS, shown)?.to_f64();
+            let printed = value * if *unit == Unit::Degree { 180.0 / std::f64::consts::PI } else { 1.0 };
+            let statement = statement.and(Relation::Rounded, rounded(printed, *digits, *unit));
+            check_rounding(&statement, shown)?;
+            Ok(Equation::new(statement, Check::RoundedDigits))
+        };
+        wanted.iter().map(number).collect()
+    }
+
+    /// The value of a formula in the swing shown.
+    pub(super) fn value(&self, formula: &Formula) -> Result<BigFloat, DerivationError> {
+        side(&Statement::from(formula.clone()), formula, &DIGITS, &self.trials[self.shown].values)
+    }
+
+    /// The reader's pendulum and amplitude; none if no swing was given.
+    pub(super) fn given(&self) -> Vec<Equation> {
+        let shown = match self.wanted {
+            Wanted::Formulas => &[],
+            Wanted::Numbers => &self.trials[self.shown..=self.shown],
+        };
+        let equation = |(name, value): &(Name, Decimal)| {
+            let statement = Statement::equal(name, Formula::Decimal(value.clone()));
+            Equation::new(statement, Check::Given)
+        };
+        shown.iter().flat_map(|trial| trial.given.iter().map(equation)).collect()
+    }
+
+    /// Whether numbers are given.
+    pub(super) fn wanted(&self) -> Wanted {
+        self.wanted
+    }
+
+    /// Whether a formula agrees with a function of the amplitude in double precision.
+    pub(super) fn agrees_with(
+        &self,
+        statement: &Statement,
+        formula: &Formula,
+        function: impl Fn(&Angle) -> f64,
+    ) -> Result<(), DerivationError> {
+        for trial in &self.trials {
+            let (here, there) = (trial.side(statement, formula)?.value.to_f64(), function(&trial.angle));
+            let difference = (here - there).abs() / there.abs();
+            if difference.is_nan() || difference > CLOSE_IN_DOUBLE {
+                return Err(failed(statement, format!("it is {here}, and the catalogue says {there}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// The amplitude shown.
+    pub(super) fn angle(&self) -> Angle {
+        self.trials[self.shown].angle
+    }
+
+    /// The amplitude shown, in degrees.
+    pub(super) fn amplitude(&self) -> Formula {
+        Formula::Decimal(self.trials[self.shown].amplitude.clone())
+    }
+}
+
+/// Whether a statement's last formula, a decimal, is its first one rounded.
+fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<(), DerivationError> {
+    let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return Ok(()) };
+    let place = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
+    let place = decimal.last_place().map(|last| Formula::from(last) * place).unwrap_or_else(|| number(0));
+    let exact = side(statement, &statement.first, &DIGITS, values)?;
+    let printed = side(statement, &Formula::Decimal(decimal.clone()), &DIGITS, values)?;
+    let place = side(statement, &place, &DIGITS, values)?.to_f64();
+    // The double nearest to the value was rounded, not the value.
+    let slack = 2.0 * f64::EPSILON * exact.to_f64().abs();
+    let difference = (exact - printed).to_f64().abs();
+    if difference <= 0.5 * place + slack {
+        Ok(())
+    } else {
+        Err(failed(statement, format!("the value printed is off by {difference:e}")))
+    }
+}
+
+fn example(degrees: f64) -> Result<Swing, DerivationError> {
+    let pendulum = Pendulum::new(1.0, 9.80665)?;
+    let angle = Angle::from_degrees(degrees).expect("the degrees are finite");
+    Ok(Swing { pendulum, amplitude: Amplitude::new(angle)? })
+}
+
+impl Trial {
+    /// The letters g, ℓ, ω0, θ0, and a moment at which the pendulum rises from the bottom, with θ and θ′ from the
+    /// library's closed solution, and T from its period.
+    fn new(swing: &Swing) -> Result<Self, DerivationError> {
+        let angle = swing.amplitude.angle();
+        let motion = swing.pendulum.released_from(angle)?;
+        let moment = motion.state_at(0.86 * motion.period());
+        let exactly =
+            |value: f64| BigFloat::from_f64(value, PRECISION).expect("states of a pendulum are finite");
+        let mut values = Values::default();
+        let mut omega = exactly(swing.pendulum.angular_frequency());
+        let amplitude = Decimal::short(angle.degrees(), Unit::Degree);
+        let mut given = vec![(Name::new("θ").index(0), amplitude.clone())];
+        if let (Some(length), Some(gravity)) = (swing.pendulum.length(), swing.pendulum.gravity()) {
+            given.push((Name::new("ℓ"), Decimal::short(length, Unit::Metre)));
+            given.push((Name::new("g"), Decimal::short(gravity, Unit::MetrePerSecondSquared)));
+            let (length, gravity) = (exactly(length), exactly(gravity));
+            omega = (gravity.clone() / length.clone()).sqrt();
+            values.set(&Name::new("ℓ"), length);
+            values.set(&Name::new("g"), gravity);
+        }
+        let [high, low] = angle.in_turn_in_two_words();
+        let half_turn = BigFloat::pi(PRECISION);
+        values.set(&Name::new("T").index(0), (half_turn.clone() + half_turn) / omega.clone());
+        values.set(&Name::new("ω").index(0), omega);
+        values.set(&Name::new("θ").index(0), exactly(high) + exactly(low));
+        values.set(&Name::new("T"), exactly(swing.pendulum.period(&swing.amplitude)));
+        values.set(&Name::new("θ"), exactly(moment.angle));
+        values.set(&Name::new("θ").prime(), exactly(moment.velocity));
+        let mut trial = Self { angle, amplitude, given, values };
+        trial.let_time_run();
+        Ok(trial)
+    }
+
+    /// θ changes with θ′, and θ′ with θ″, which is what the equation of motion says.
+    fn let_time_run(&mut self) {
+        let (theta, omega) = (Name::new("θ"), Name::new("ω").index(0));
+        let velocity = theta.clone().prime();
+        let acceleration = velocity.clone().prime();
+        let law = -(Formula::from(&omega).squared() * sin(&theta));
+        if let Ok(value) = evaluate(&law, &DIGITS, &self.values) {
+            self.values.set(&acceleration, value);
+        }
+        self.values.set_rate(&theta, (&velocity).into());
+        self.values.set_rate(&velocity, acceleration.into());
+    }
+
+    /// Compares neighbours in the chain.
+    fn compare(&self, tolerance: f64, statement: &Statement) -> Result<Comparison, DerivationError> {
+        let first = self.side(statement, &statement.first)?;
+        let value = first.value.to_f64();
+        let mut difference = 0.0_f64;
+        let mut left = first;
+        for (relation, right) in &statement.rest {
+            let right = self.side(statement, right)?;
+            difference = difference.max(left.difference(*relation, &right));
+            left = right;
+        }
+        if difference <= tolerance {
+            return Ok(Comparison { value, difference });
+        }
+        let degrees = &self.amplitude.mantissa;
+        Err(failed(
+            statement,
+            format!("at {degrees} degrees its sides differ by {difference:e} of their size"),
+        ))
+    }
+
+    fn side(&self, statement: &Statement, formula: &Formula) -> Result<Side, DerivationError> {
+        let terms = match formula {
+            Formula::Sum(terms) => terms.as_slice(),
+            term => std::slice::from_ref(term),
+        };
+        let mut sum = Side { value: DIGITS.zero(), size: 0.0 };
+        for term in terms {
+            let term = side(statement, term, &DIGITS, &self.values)?;
+            sum = Side { size: sum.size + term.to_f64().abs(), value: sum.value + term };
+        }
+        Ok(sum)
+    }
+}
+
+/// The value of a side, and the sum of the sizes of its summands, against which a difference is small or large.
+struct Side {
+    value: BigFloat,
+    size: f64,
+}
+
+impl Side {
+    fn difference(&self, relation: Relation, other: &Self) -> f64 {
+        if relation == Relation::Less {
+            return if self.value < other.value { 0.0 } else { f64::INFINITY };
+        }
+        let difference = DIGITS.subtract(&self.value, &other.value).to_f64().abs();
+        if difference == 0.0 { 0.0 } else { difference / self.size.max(other.size) }
+    }
+}
+
+/// The value of the first side and how far the others are from it.
+#[derive(Clone, Copy)]
+struct Comparison {
+    value: f64,
+    difference: f64,
+}
+
+impl Comparison {
+    /// This case's value with the larger difference of the two.
+    fn with(self, other: Self) -> Self {
+        Self { difference: self.difference.max(other.difference), ..self }
+    }
+
+    fn equation(self, statement: Statement, place: Place, against: Against) -> Equation {
+        let value = Decimal::rounded(self.value, SHOWN, Unit::One);
+        Equation::new(statement, Check::Digits { place, value, difference: self.difference, against })
+    }
+}

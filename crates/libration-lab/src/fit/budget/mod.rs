@@ -1,0 +1,208 @@
+//! An uncertainty budget for g as a laboratory writes it: what each effect does to g and how uncertain it leaves it.
+//!
+//! g = (4π²L/T0²)·(1 + 2r²/5L² + μλ²/3 + kσ)/(1 + μλ/2 − σ), a ball on a rod in air (see the rows for the letters). What is not
+//! given is not corrected; the budget then says how large it is for a usual pendulum, if that can be said at all.
+//!
+//! Reference: R. A. Nelson and M. G. Olsson, *The pendulum – Rich physics from a simple system*, Am. J. Phys. 54, 112 (1986),
+//! doi:10.1119/1.14703; the mass of air that moves along: G. G. Stokes, Trans. Cambridge Philos. Soc. 9, part II, 8 (1851), with
+//! the viscous layer as in L. D. Landau and E. M. Lifshitz, *Fluid Mechanics*, § 24.
+
+mod apparatus;
+mod combined;
+mod derivative;
+mod effects;
+mod input;
+mod inputs;
+mod rows;
+#[cfg(test)]
+mod tests;
+
+pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};
+pub use combined::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
+pub(super) use derivative::derivative;
+pub use input::BudgetInput;
+
+use libration::quantity::Quantity;
+
+/// Why there is no budget.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BudgetError {
+    /// A quantity that must be above zero.
+    #[error("the {name} is {value:?}: give a finite number above zero")]
+    NotPositive {
+        /// Which one.
+        name: &'static str,
+        /// What was got.
+        value: f64,
+    },
+    /// An uncertainty below zero.
+    #[error("the uncertainty of the {name} is {value:?}: give a finite number of zero or more")]
+    Uncertainty {
+        /// Of which quantity.
+        name: &'static str,
+        /// What was got.
+        value: f64,
+    },
+    /// A bob that reaches to the pivot.
+    #[error(
+        "a bob of radius {radius:?} m does not fit a pendulum of {length:?} m: the length goes to the centre of the bob"
+    )]
+    BobTooLarge {
+        /// In metres.
+        radius: f64,
+        /// In metres.
+        length: f64,
+    },
+    /// A bob that air carries.
+    #[error("the bob is not denser than the air: check its mass and radius, or its density")]
+    BobTooLight,
+    /// An amplitude that is none.
+    #[error("the amplitude {0:?} rad is not below pi")]
+    Amplitude(f64),
+    /// The mass of the rod counts relative to that of the bob.
+    #[error("a mass of the rod without one of the bob tells nothing: give the mass of the bob too")]
+    RodWithoutBob,
+    /// Of an input that the budget does not have.
+    #[error(
+        "the {0} is correlated with another input and was not given: give it too, or leave out the correlation"
+    )]
+    CorrelationWithNothing(&'static str),
+    /// A coefficient that is none, or one of an input with itself.
+    #[error(
+        "a correlation of {coefficient} cannot be: give a number from -1 to 1 between two different inputs"
+    )]
+    Correlation {
+        /// What was got.
+        coefficient: f64,
+    },
+    /// Correlations that contradict each other.
+    #[error("the correlations contradict each other: no inputs can be correlated like this")]
+    Correlations,
+}
+
+/// How an uncertainty was found (Guide to the Expression of Uncertainty in Measurement, 4.2 and 4.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Evaluation {
+    /// A: by the scatter of measurements.
+    Statistics,
+    /// B: by what is known of instruments and theory.
+    Judgement,
+}
+
+impl Evaluation {
+    /// `A` or `B`.
+    #[must_use]
+    pub fn letter(self) -> char {
+        match self {
+            Self::Statistics => 'A',
+            Self::Judgement => 'B',
+        }
+    }
+}
+
+/// What is done about an effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Correction {
+    /// g is larger by this part of itself than without the correction.
+    Applied(f64),
+    /// Nothing is known of it, but for a usual pendulum it would be about this part of g.
+    Usually(f64),
+    /// Neither is known.
+    Unknown,
+    /// An input, which corrects nothing.
+    Input,
+}
+
+/// A row of a budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BudgetRow {
+    /// Of the effect.
+    pub name: &'static str,
+    /// By what g is multiplied, or where its uncertainty comes from.
+    pub formula: &'static str,
+    /// Of g.
+    pub correction: Correction,
+    /// What it contributes to the standard uncertainty of g, in m/s²; none where it is not known.
+    pub uncertainty: Option<f64>,
+    /// How that was found.
+    pub evaluation: Evaluation,
+    /// With what numbers, or what would be needed.
+    pub note: String,
+}
+
+/// g and where its uncertainty comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Budget {
+    /// In the order in which a laboratory writes them.
+    pub rows: Vec<BudgetRow>,
+    /// The length it is found with, in m.
+    pub length: f64,
+    /// With the corrections that are applied, in m/s².
+    pub g: f64,
+    /// The standard uncertainty of g, in m/s², from the inputs that are known; of those that are not it knows nothing.
+    pub uncertainty: f64,
+    /// The same input by input.
+    pub combined: CombinedUncertainty,
+    /// By how much the mean of g would be off because g is not a straight line over the uncertainties of its inputs, in m/s².
+    pub curvature: f64,
+}
+
+impl Budget {
+    /// g with its uncertainty.
+    #[must_use]
+    pub fn gravity(&self) -> Quantity {
+        Quantity { value: self.g, uncertainty: Some(self.uncertainty) }
+    }
+
+    /// Whether g is nearly a straight line over the uncertainties of its inputs: the bend is below a tenth of the uncertainty.
+    /// Where it is not, ± is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        self.curvature.abs() <= 0.1 * self.uncertainty
+    }
+
+    /// What a reader should know of the uncertainty.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let open: Vec<&str> = self.combined.without_uncertainty().map(BudgetInput::name).collect();
+        let missing = (!open.is_empty()).then(|| {
+            format!(
+                "given without an uncertainty: {}; that of gravity is too small by what is missing",
+                open.join(", ")
+            )
+        });
+        let bent = (!self.is_linear()).then(|| {
+            "the uncertainties are so large that gravity does not follow them in proportion: ± is rough"
+                .to_owned()
+        });
+        missing.into_iter().chain(bent).collect()
+    }
+}
+
+/// The budget of this pendulum with this period; inputs are independent but for these correlations.
+///
+/// # Errors
+/// A length, mass, density or period that is not above zero, an uncertainty below zero, a bob that does not fit or floats,
+/// correlations that cannot be.
+///
+/// # Examples
+/// ```
+/// use libration_lab::fit::{Apparatus, MeasuredPeriod, budget};
+/// use libration::quantity::{Dimension, parse};
+///
+/// let length = parse("1.0000(5) m", Dimension::Length)?;
+/// let t0 = parse("2.0065(2) s", Dimension::Time)?;
+/// let bare = budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0), &[])?;
+/// let radius = Some(parse("20.0(1) mm", Dimension::Length)?);
+/// let ball = budget(&Apparatus { bob_radius: radius, ..Apparatus::of_length(length) }, &MeasuredPeriod::of_small_swings(t0), &[])?;
+/// assert!((ball.g / bare.g - 1.00016).abs() < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn budget(
+    apparatus: &Apparatus,
+    period: &MeasuredPeriod,
+    correlations: &[Correlation],
+) -> Result<Budget, BudgetError> {
+    inputs::Inputs::new(apparatus, period)?.budget(correlations)
+}

@@ -1,0 +1,141 @@
+//! Passages of the centre and extremes of one stretch, measured again and again until centre, shape and noise agree.
+
+use super::centre::Centre;
+use super::extreme::{Extreme, extreme};
+use super::passage::{Passage, passage};
+use super::shape::{LARGEST_AMPLITUDE, Shape};
+use super::swings::Stretch;
+use super::window::Window;
+use crate::fit::robust::{median, robust_deviation};
+use crate::measurement::{Seen, Trace};
+use libration::pendulum::period_ratio;
+use std::f64::consts::FRAC_PI_2;
+
+/// Rounds of measuring; each divides what the first guess was wrong by through far more than ten.
+const ROUNDS: usize = 4;
+
+/// What one stretch shows: extreme k lies between the passages k and k + 1.
+#[derive(Clone, Debug)]
+pub(super) struct Landmarks {
+    /// None where too few rows tell it.
+    pub(super) passages: Vec<Option<Passage>>,
+    pub(super) extremes: Vec<Option<Extreme>>,
+    pub(super) centre: Centre,
+    /// The standard deviation of a value (or of a value over its given uncertainty).
+    pub(super) noise: f64,
+}
+
+/// Guesses that a round of measuring improves.
+struct Guess {
+    passages: Vec<f64>,
+    /// Of the extremes between the passages, and one more at either end.
+    extremes: Vec<f64>,
+    centre: Centre,
+    noise: Option<f64>,
+}
+
+/// The landmarks of a stretch.
+pub(super) fn landmarks(trace: &Trace, stretch: &Stretch) -> Option<Landmarks> {
+    let mut guess = first_guess(trace, stretch)?;
+    let mut found = None;
+    for _ in 0..ROUNDS {
+        let measured = guess.measure(trace)?;
+        guess.take(&measured);
+        found = Some(measured);
+    }
+    found
+}
+
+/// Values half way between turning points, by the rows themselves.
+fn first_guess(trace: &Trace, stretch: &Stretch) -> Option<Guess> {
+    let (times, values, centre) = (trace.times(), trace.values(), stretch.centre);
+    let passed = |pair: &[usize]| {
+        let changes = (pair[0]..pair[1]).filter(|&row| (values[row] > centre) != (values[row + 1] > centre));
+        let middle = changes.map(|row| {
+            let part = (centre - values[row]) / (values[row + 1] - values[row]);
+            times[row] + part * (times[row + 1] - times[row])
+        });
+        median(middle.collect())
+    };
+    let passages = stretch.turns.windows(2).map(passed).collect::<Option<Vec<f64>>>()?;
+    let extremes = stretch.turns.iter().map(|&row| values[row] - centre).collect();
+    Some(Guess { passages, extremes, centre: Centre::fixed(centre), noise: None })
+}
+
+impl Guess {
+    fn measure(&self, trace: &Trace) -> Option<Landmarks> {
+        let window = Window::new(trace, &self.centre);
+        let quarter = 0.5 * median(self.passages.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
+        let shape = |size: f64, quarter: f64| match trace.seen() {
+            Seen::Angle => Shape::new(Seen::Angle, size),
+            seen => Shape::new(seen, amplitude_from_quarter(size, quarter)),
+        };
+        let mut residuals = vec![];
+        let passages = (0..self.passages.len()).map(|k| {
+            let size = 0.5 * (self.extremes[k].abs() + self.extremes[k + 1].abs());
+            let quarter = self.quarter_about(k, quarter);
+            let found = passage(&window, &shape(size, quarter), size, self.passages[k], quarter, self.noise);
+            found.map(|(passage, new)| {
+                residuals.extend(new);
+                passage
+            })
+        });
+        let passages: Vec<Option<Passage>> = passages.collect();
+        let extremes = (0..self.passages.len().saturating_sub(1)).map(|k| {
+            let (Some(before), Some(after)) = (passages[k], passages[k + 1]) else { return None };
+            let found = extreme(
+                &window,
+                &shape(self.extremes[k + 1].abs(), 0.5 * (after.time - before.time)),
+                [before.time, after.time],
+                self.noise,
+            );
+            found.map(|(extreme, new)| {
+                residuals.extend(new);
+                extreme
+            })
+        });
+        let extremes: Vec<Option<Extreme>> = extremes.collect();
+        let centre = self.centre.renewed(&extremes);
+        let largest = self.extremes.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let noise = robust_deviation(&residuals)?.max(1e-13 * largest);
+        Some(Landmarks { passages, extremes, centre, noise })
+    }
+
+    /// A quarter of the period about a passage.
+    fn quarter_about(&self, k: usize, usual: f64) -> f64 {
+        let before = k.checked_sub(1).map(|before| self.passages[k] - self.passages[before]);
+        let after = self.passages.get(k + 1).map(|after| after - self.passages[k]);
+        let neighbours: Vec<f64> = [before, after].into_iter().flatten().collect();
+        median(neighbours).map_or(usual, |half| (0.5 * half).clamp(0.5 * usual, 2.0 * usual))
+    }
+
+    fn take(&mut self, measured: &Landmarks) {
+        for (guess, passage) in self.passages.iter_mut().zip(&measured.passages) {
+            *guess = passage.map_or(*guess, |passage| passage.time);
+        }
+        for (guess, extreme) in self.extremes[1..].iter_mut().zip(&measured.extremes) {
+            *guess = extreme.map_or(*guess, |extreme| extreme.value);
+        }
+        // The extremes at the ends have no passage on one side, and are as their neighbours of the same side.
+        let last = self.extremes.len() - 1;
+        if measured.extremes.len() > 1 {
+            self.extremes[0] = self.extremes[2];
+            self.extremes[last] = self.extremes[last - 2];
+        }
+        self.centre = measured.centre.clone();
+        self.noise = Some(measured.noise);
+    }
+}
+
+/// The amplitude that goes with a fastest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where
+/// the exact law tells ω0 from the quarter.
+fn amplitude_from_quarter(velocity: f64, quarter: f64) -> f64 {
+    let (mut below, mut above) = (0.0, LARGEST_AMPLITUDE);
+    while above - below > 1e-6 {
+        let middle = 0.5 * (below + above);
+        let omega0 = FRAC_PI_2 * period_ratio(middle) / quarter;
+        let fits = 2.0 * omega0 * libm::sin(0.5 * middle) < velocity;
+        *(if fits { &mut below } else { &mut above }) = middle;
+    }
+    below
+}

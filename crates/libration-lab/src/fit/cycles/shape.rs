@@ -1,0 +1,136 @@
+//! The shape of a swing without damping, which a measured one has locally: the angle, or the angular velocity, between
+//! two of its zeros.
+//!
+//! Only the shape is taken from the exact law; how long a swing lasts and how high it goes is left to the data.
+
+use crate::measurement::Seen;
+use libration::elliptic::Modulus;
+
+/// Larger amplitudes are given the shape of this one, in radians.
+pub(super) const LARGEST_AMPLITUDE: f64 = 3.13;
+/// Smaller amplitudes are given the shape of this one.
+const SMALLEST_AMPLITUDE: f64 = 1e-3;
+
+/// The shape of swings of one amplitude.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    seen: Seen,
+    modulus: Modulus,
+    amplitude: f64,
+}
+
+impl Shape {
+    /// The shape of this quantity at this amplitude in radians.
+    pub(super) fn new(seen: Seen, amplitude: f64) -> Self {
+        let amplitude = amplitude.clamp(SMALLEST_AMPLITUDE, LARGEST_AMPLITUDE);
+        let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitude)).expect("a sine lies in [0, 1]");
+        Self { seen, modulus, amplitude }
+    }
+
+    /// The value at `part` of a quarter period from the extreme, where it is 1; zero at ±1.
+    pub(super) fn near_extreme(&self, part: f64) -> f64 {
+        let quarter = self.modulus.first();
+        match self.seen {
+            Seen::Angle => {
+                let sine = self.modulus.jacobi(quarter * (1.0 - part.abs())).sn;
+                2.0 * libm::asin(self.modulus.modulus() * sine) / self.amplitude
+            }
+            Seen::AngularVelocity => self.modulus.jacobi(quarter * part).cn,
+        }
+    }
+
+    /// How far from a zero, in quarter periods, the value is this part of the extreme, within (−1, 1).
+    pub(super) fn time_since_zero(&self, value: f64) -> f64 {
+        let (size, quarter) = (value.abs().min(1.0), self.modulus.first());
+        let part = match self.seen {
+            Seen::Angle => {
+                let sine = libm::sin(0.5 * size * self.amplitude) / self.modulus.modulus();
+                self.modulus.incomplete_first(libm::asin(sine.min(1.0))) / quarter
+            }
+            Seen::AngularVelocity => 1.0 - self.modulus.incomplete_first(libm::acos(size)) / quarter,
+        };
+        part.copysign(value)
+    }
+
+    /// The slope of [`Shape::time_since_zero`]: quarter periods per value.
+    pub(super) fn slope_of_time(&self, value: f64) -> f64 {
+        let (k, complementary) = (self.modulus.modulus(), self.modulus.complementary_modulus());
+        let size = value.abs().min(1.0);
+        // θ′/2ω0 = √(k² − sin²(θ/2)), and v′ of cn = sn·dn.
+        let speed = match self.seen {
+            Seen::Angle => {
+                let sine = libm::sin(0.5 * size * self.amplitude);
+                2.0 * ((k - sine) * (k + sine)).max(0.0).sqrt() / self.amplitude
+            }
+            Seen::AngularVelocity => {
+                ((1.0 - size * size) * (complementary * complementary + k * k * size * size)).sqrt()
+            }
+        };
+        1.0 / (speed * self.modulus.first())
+    }
+
+    /// The second derivative at the extreme, per quarter period squared, as a positive number.
+    pub(super) fn curvature(&self) -> f64 {
+        let quarter = self.modulus.first();
+        let force = match self.seen {
+            Seen::Angle => libm::sin(self.amplitude) / self.amplitude,
+            Seen::AngularVelocity => 1.0,
+        };
+        quarter * quarter * force.max(f64::EPSILON)
+    }
+}
+
+/// The amplitude of a swing whose fastest velocity is this, in radians; none when it goes over the top.
+pub(super) fn amplitude_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
+    let sine = 0.5 * velocity / omega0;
+    (sine < 1.0).then(|| 2.0 * libm::asin(sine))
+}
+
+/// The slope of that, in seconds.
+pub(super) fn slope_of_amplitude(amplitude: f64, omega0: f64) -> f64 {
+    1.0 / (omega0 * libm::cos(0.5 * amplitude))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+
+    #[test]
+    fn the_way_back_from_the_shape_is_where_it_came_from() {
+        for seen in [Seen::Angle, Seen::AngularVelocity] {
+            for amplitude in [0.01, 1.0, 2.5, 3.1] {
+                let shape = Shape::new(seen, amplitude);
+                for part in [-0.9, -0.3, 0.0, 0.2, 0.6] {
+                    let value = shape.near_extreme(part);
+                    // Distances from a zero and from the extreme add up to a quarter.
+                    let back = 1.0 - shape.time_since_zero(value);
+                    assert!((back - f64::abs(part)).abs() < 1e-9, "{seen:?} {amplitude} {part}: {back}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_and_curvatures_are_derivatives() {
+        for seen in [Seen::Angle, Seen::AngularVelocity] {
+            let shape = Shape::new(seen, 2.0);
+            let step = 1e-4;
+            let slope =
+                (shape.time_since_zero(0.5 + step) - shape.time_since_zero(0.5 - step)) / (2.0 * step);
+            assert!((slope / shape.slope_of_time(0.5) - 1.0).abs() < 1e-6, "{seen:?}");
+            let curvature = 2.0 * (1.0 - shape.near_extreme(step)) / (step * step);
+            assert!((curvature / shape.curvature() - 1.0).abs() < 1e-5, "{seen:?}");
+        }
+    }
+
+    #[test]
+    fn the_fastest_velocity_tells_the_amplitude() {
+        let omega0 = 3.0;
+        let amplitude = amplitude_of_velocity(2.0 * omega0 * libm::sin(0.7), omega0).unwrap();
+        assert!((amplitude - 1.4).abs() < 1e-14);
+        assert_eq!(amplitude_of_velocity(2.0 * omega0, omega0), None);
+        assert!((slope_of_amplitude(FRAC_PI_2, omega0) - 1.0 / (omega0 * libm::cos(PI / 4.0))).abs() < 1e-15);
+    }
+}

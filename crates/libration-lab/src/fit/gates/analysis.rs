@@ -1,0 +1,162 @@
+//! From passages to periods and T0.
+
+use std::f64::consts::PI;
+
+use super::directions::{Sorted, sorted};
+use super::passages::{Passages, passages};
+use super::swings::Swings;
+use super::trend::at_the_beginning;
+use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source};
+use crate::fit::Law;
+use crate::fit::small_angle_period::count;
+use libration::quantity::Quantity;
+
+/// What the times of a gate say; the states of the gate, blocked or not, where they are known.
+///
+/// # Errors
+/// See [`GatesError`]: too few passages, or none of a pendulum.
+///
+/// # Examples
+/// ```
+/// use libration_lab::fit::gates::{GateOptions, gates};
+/// // A period of 2 s, and a gate off the centre.
+/// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
+/// let found = gates(&times, None, &GateOptions::default())?;
+/// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
+/// # Ok::<(), libration_lab::fit::gates::GatesError>(())
+/// ```
+pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> Result<GatesFit, GatesError> {
+    options.check()?;
+    let found = passages(times, blocked, options.signals)?;
+    let seen = found.passages.len();
+    let sides = sorted(&found.passages).ok_or(GatesError::TooFew { passages: seen })?;
+    let swings = Swings::new(sides.placed.clone());
+    // Of a pendulum nearly every passage begins a whole period; of passages by chance hardly one does.
+    if 2 * sides.placed.len() < seen
+        || (swings.cycles.len() >= 2 && 4 * swings.cycles.len() < sides.placed.len())
+    {
+        return Err(GatesError::Irregular { passages: seen, accepted: swings.cycles.len() });
+    }
+    if swings.cycles.len() < 2 {
+        return Err(GatesError::TooFew { passages: sides.placed.len() });
+    }
+    Ok(swings.fit(&found, &sides, options))
+}
+
+impl GateOptions {
+    fn check(&self) -> Result<(), GatesError> {
+        for (name, quantity, limit, below) in [
+            ("angular width of the bob", self.width, PI, " and below pi"),
+            ("amplitude", self.amplitude, PI, " and below pi"),
+        ] {
+            if let Some(quantity) =
+                quantity.filter(|quantity| !(quantity.value > 0.0 && quantity.value < limit))
+            {
+                return Err(GatesError::NotUsable { name, value: quantity.value, below });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Swings {
+    fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions) -> GatesFit {
+        let periods: Vec<f64> = self.cycles.iter().map(|&cycle| self.period(cycle)).collect();
+        let mean = periods.iter().sum::<f64>() / count(periods.len());
+        let scatter = periods.iter().map(|period| (period - mean) * (period - mean)).sum::<f64>();
+        let spread = (scatter / count(periods.len() - 1) / count(periods.len())).sqrt();
+        let amplitudes = options.width.map(|width| self.amplitudes(width.value));
+        let by_speeds =
+            options.width.zip(amplitudes.as_ref()).and_then(|(width, a)| self.by_speeds(width, a));
+        let (times, both_sides) = self.mean_periods();
+        let first_period = at_the_beginning(&times, &both_sides, self.time(0) - 0.25 * mean);
+        let by_amplitude =
+            first_period.zip(options.amplitude).map(|(period, a)| by_first_amplitude(period, a));
+        let (t0, t0_source) = match (&by_speeds, by_amplitude) {
+            (Some(speeds), _) => (Some(speeds.t0), Some(T0Source::Speeds)),
+            (None, Some(t0)) => (Some(t0), Some(T0Source::FirstAmplitude)),
+            (None, None) => (None, None),
+        };
+        let amplitude_of = |cycle: usize| amplitudes.as_ref().and_then(|a| a.of_cycle(cycle));
+        let cycle = |&cycle: &usize| GateCycle {
+            time: 0.5 * (self.time(cycle) + self.time(cycle + 2)),
+            period: self.period(cycle),
+            side: self.placed[cycle].side,
+            amplitude: amplitude_of(cycle),
+        };
+        let mut fit = GatesFit {
+            passages: found.passages.len(),
+            edges: found.edges,
+            unpaired: found.unpaired,
+            double_triggers: sides.spurious,
+            missed: sides.missed,
+            cycles: self.cycles.iter().map(cycle).collect(),
+            part_between: self.part_between(),
+            timing: self.timing(),
+            mean_period: Quantity { value: mean, uncertainty: Some(spread) },
+            first_period,
+            t0,
+            t0_source,
+            t0_by_width: by_speeds.as_ref().map(|speeds| speeds.t0_by_width),
+            // Neighbouring periods share their passages.
+            t0_degrees_of_freedom: by_speeds
+                .as_ref()
+                .map_or(count(periods.len() / 2).max(2.0) - 1.0, |speeds| speeds.degrees_of_freedom),
+            amplitude: by_speeds
+                .as_ref()
+                .map_or(options.amplitude.map(|a| a.value), |speeds| speeds.amplitude),
+            beta: by_speeds.and_then(|speeds| speeds.beta),
+            warnings: vec![],
+        };
+        fit.warnings = warnings(&fit, options);
+        fit
+    }
+}
+
+/// T0 from the first period and the amplitude it had.
+fn by_first_amplitude(period: Quantity, amplitude: Quantity) -> Quantity {
+    let ratio = Law::exact().ratio_at(amplitude.value);
+    let slope = Law::exact().slope_at(amplitude.value);
+    let relative = libm::hypot(
+        period.uncertainty.unwrap_or(0.0) / period.value,
+        slope * amplitude.uncertainty.unwrap_or(0.0) / ratio,
+    );
+    let value = period.value / ratio;
+    Quantity { value, uncertainty: Some(value * relative) }
+}
+
+fn warnings(fit: &GatesFit, options: &GateOptions) -> Vec<String> {
+    let mut warnings = vec![];
+    let mut say = |count: usize, what: &str| {
+        if count > 0 {
+            warnings.push(format!("{what}: {count}"));
+        }
+    };
+    say(fit.unpaired, "edges of the gate without the other edge, left out");
+    say(fit.double_triggers, "passages that fit no pendulum (double triggers), left out");
+    say(fit.missed, "passages that are missing; periods across them are left out");
+    if options.width.is_some() && fit.t0_source != Some(T0Source::Speeds) {
+        let why = if fit.edges {
+            "lead over the top: check the width of the bob"
+        } else {
+            "are not known: the times are not edges"
+        };
+        warnings.push(format!("the width of the bob is of no use: the speeds at the gate {why}"));
+    }
+    if fit.t0.is_none() {
+        warnings.push(
+            "the period of small swings is not known without an amplitude: give that of the first swing, or the width of \
+             the bob"
+                .to_owned(),
+        );
+    }
+    let last = fit.cycles.last().map(|cycle| cycle.period);
+    let too_short =
+        |t0: Quantity, last: f64| t0.value - 3.0 * t0.uncertainty.unwrap_or(0.0) > last + 6.0 * fit.timing;
+    if fit.t0.zip(last).is_some_and(|(t0, last)| too_short(t0, last)) {
+        warnings.push(
+            "the last period is below T0, which no pendulum has: check the amplitude or the width".to_owned(),
+        );
+    }
+    warnings
+}

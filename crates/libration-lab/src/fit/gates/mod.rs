@@ -1,0 +1,119 @@
+//! Times of a photogate → periods, T0, and with the width of the bob the amplitudes.
+//!
+//! A pendulum passes a gate twice in a period. Unless the gate stands at the very centre the two are not evenly spaced, so
+//! periods go from a passage to the next of the same side, and both sides are used: where the gate stands drops out of
+//! their mean. Double triggers and missed passages are told from the pattern and counted.
+
+mod error;
+
+mod passages;
+
+mod directions;
+
+mod swings;
+
+mod speeds;
+
+mod amplitudes;
+mod trend;
+
+mod analysis;
+
+pub use analysis::gates;
+pub use error::GatesError;
+
+use crate::fit::cycles::Beta;
+use libration::quantity::Quantity;
+
+/// What the times of a gate without states are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GateSignals {
+    /// The bob blocks the gate, and frees it.
+    Edges,
+    /// One time for each passage.
+    Passages,
+}
+
+/// What is known besides the times.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GateOptions {
+    /// What the times are; told from their pattern where not given.
+    pub signals: Option<GateSignals>,
+    /// The angle that the bob goes while it blocks the gate, in radians: its diameter over the distance of the gate from
+    /// the pivot.
+    pub width: Option<Quantity>,
+    /// The amplitude of the release, or of the turning point before the first passage, in radians; of use where the width is not
+    /// known.
+    pub amplitude: Option<Quantity>,
+}
+
+/// A period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GateCycle {
+    /// Of its middle, in seconds.
+    pub time: f64,
+    /// From one passage to the next of the same side, in seconds.
+    pub period: f64,
+    /// The side that it begins and ends with: 0 for that of the first passage, else 1.
+    pub side: usize,
+    /// By the speed at the gate, in radians.
+    pub amplitude: Option<f64>,
+}
+
+/// Where T0 comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum T0Source {
+    /// Every period with its amplitude.
+    Speeds,
+    /// The period at the beginning with the amplitude of the first swing.
+    FirstAmplitude,
+}
+
+/// What the times of a gate say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GatesFit {
+    /// Passages of the bob.
+    pub passages: usize,
+    /// Whether the times are edges, two for each passage.
+    pub edges: bool,
+    /// Edges whose other one is missing.
+    pub unpaired: usize,
+    /// Passages too close to others, or between all others: double triggers.
+    pub double_triggers: usize,
+    /// Passages that should have been seen.
+    pub missed: usize,
+    /// In the order of time.
+    pub cycles: Vec<GateCycle>,
+    /// The part of a period from a passage of the first side to one of the other: 1/2 for a gate at the centre.
+    pub part_between: f64,
+    /// The standard deviation of a time, by the scatter of the periods, in seconds.
+    pub timing: f64,
+    /// The mean of all periods, in seconds; its uncertainty is by the scatter.
+    pub mean_period: Quantity,
+    /// The period at the turning point before the first passage, in seconds.
+    pub first_period: Option<Quantity>,
+    /// The period of small swings, in seconds.
+    pub t0: Option<Quantity>,
+    /// Where it comes from.
+    pub t0_source: Option<T0Source>,
+    /// By how much T0 changes with the angular width of the bob, in s/rad; none where it does not come from the width.
+    pub t0_by_width: Option<f64>,
+    /// Of the uncertainty of T0.
+    pub t0_degrees_of_freedom: f64,
+    /// The amplitude whose T/T0 is that of the periods T0 comes from, in radians.
+    pub amplitude: Option<f64>,
+    /// The test of the exact law, where amplitudes are known.
+    pub beta: Option<Beta>,
+    /// What a reader should know.
+    pub warnings: Vec<String>,
+}
+
+impl GatesFit {
+    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; none
+    /// where T0 does not come from the width.
+    #[must_use]
+    pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
+        let spread = self.t0?.uncertainty.filter(|spread| *spread > 0.0)?;
+        Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
+    }
+}

@@ -1,0 +1,49 @@
+//! The period at the beginning, from periods that fall with the amplitude.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::fit::small_angle_period::count;
+use libration::quantity::Quantity;
+
+/// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.
+const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
+
+/// The period at a time, by a curve through all periods. Its uncertainty contains how much less curved ones would differ,
+/// since how the amplitude falls is not known.
+pub(super) fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Quantity> {
+    let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
+    let best = polynomial(times, periods, time, degree)?;
+    let simpler = (degree > 0).then(|| polynomial(times, periods, time, degree - 1)).flatten();
+    let difference = simpler.map_or(0.0, |simpler| best.0 - simpler.0);
+    Some(Quantity { value: best.0, uncertainty: Some(libm::hypot(best.1, difference)) })
+}
+
+/// The value of the polynomial at a time, and its uncertainty by the scatter.
+fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<(f64, f64)> {
+    let (first, last) = (times.first()?, times.last()?);
+    // The basis is in powers of the time since the wanted one, so that the constant is the answer.
+    let scale = (last - first).max(f64::MIN_POSITIVE);
+    let power = |t: f64, k: usize| (0..k).fold(1.0, |product, _| product * (t - time) / scale);
+    let matrix = DMatrix::from_fn(times.len(), degree + 1, |i, k| power(times[i], k));
+    let right = DVector::from_row_slice(periods);
+    let cholesky = (matrix.transpose() * &matrix).cholesky()?;
+    let solution = cholesky.solve(&(matrix.transpose() * &right));
+    let residuals = right - &matrix * &solution;
+    let dof = count(times.len().saturating_sub(degree + 1).max(1));
+    let variance = residuals.norm_squared() / dof * cholesky.inverse()[(0, 0)];
+    Some((solution[0], variance.sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_falling_period_is_followed_to_its_beginning() {
+        let times: Vec<f64> = (1..=20).map(f64::from).collect();
+        let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.03 * libm::exp(-0.03 * t)).collect();
+        let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+        let uncertainty = found.uncertainty.unwrap();
+        assert!((found.value - 2.03).abs() < uncertainty && uncertainty < 2e-3, "{found:?}");
+    }
+}

@@ -1,0 +1,170 @@
+//! Periods against lengths of which only the differences are certain: g and the offset of the lengths.
+//!
+//! T² = 4π²R(A)²(L + δ)/g is a straight line in L. An offset δ, as when the string was measured and not the distance to the
+//! centre of the bob, moves the line and leaves its slope, and so g, as it is. A bob that is not small bends it: κ/(L + δ) is
+//! added, κ being 2r²/5 for a ball.
+//!
+//! Weights are *effective variances*, as for [periods against amplitudes](super::periods).
+
+mod model;
+mod table;
+
+pub use model::{LengthFit, LengthModel};
+pub use table::{LengthColumns, LengthTable};
+
+use super::FitError;
+use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
+use super::scatter::Scatter;
+use libration::quantity::Quantity;
+
+/// A term counts as needed when chance would make it as large less often than this.
+const NEEDED: f64 = 0.01;
+
+/// What is known besides the table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LengthsOptions {
+    /// Radius of the bob, a ball, in metres: its moment of inertia is then taken into account.
+    pub bob_radius: Option<Quantity>,
+    /// The relative standard uncertainty of the clock, which multiplies all periods.
+    pub clock: Option<f64>,
+}
+
+/// What a table of periods against lengths says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LengthsFit {
+    /// The laws that the rows can determine, simpler ones first.
+    pub fits: Vec<LengthFit>,
+    /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
+    pub known_gyration: Option<f64>,
+    /// The uncertainty of the best g, with what all rows have in common: clock and bob.
+    pub combined: CombinedUncertainty,
+    /// What a reader should know.
+    pub warnings: Vec<String>,
+}
+
+impl LengthsFit {
+    /// The law with an offset, or without one where the rows do not determine it: what the lengths are worth.
+    #[must_use]
+    pub fn best(&self) -> &LengthFit {
+        self.of(LengthModel::Offset).unwrap_or(&self.fits[0])
+    }
+
+    /// The best g with all of its uncertainty, in m/s².
+    #[must_use]
+    pub fn gravity(&self) -> Quantity {
+        Quantity { value: self.best().g.value, uncertainty: Some(self.combined.standard) }
+    }
+
+    /// The fit of a law, where the rows determine it.
+    #[must_use]
+    pub fn of(&self, model: LengthModel) -> Option<&LengthFit> {
+        self.fits.iter().find(|fit| fit.model == model)
+    }
+}
+
+/// g and the offset of the lengths.
+///
+/// # Errors
+/// Fewer than two rows (without uncertainties three), all lengths the same, a radius that is not a positive number, an uncertainty
+/// that is none.
+pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
+    options.check()?;
+    let radius = options.bob_radius.map(|radius| radius.value);
+    let known = radius.map(gyration);
+    let fit = |model| model::fit(table, model, known.unwrap_or(0.0));
+    let free = LengthModel::ALL.into_iter();
+    // A κ that is known is not free.
+    let free = free.filter(|model| known.is_none() || *model != LengthModel::OffsetAndGyration);
+    let fits: Vec<LengthFit> = free.filter_map(fit).collect();
+    let needed = if table.is_weighted() { 2 } else { 3 };
+    if fits.is_empty() || table.len() < needed {
+        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "g" });
+    }
+    if fits.len() == 1 {
+        return Err(FitError::EqualLengths);
+    }
+    let warnings = warnings(&fits, known);
+    // The same that `best` takes.
+    let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
+    let combined = options.combined(table, best)?;
+    Ok(LengthsFit { fits, known_gyration: known, combined, warnings })
+}
+
+/// κ of a ball.
+fn gyration(radius: f64) -> f64 {
+    0.4 * radius * radius
+}
+
+impl LengthsOptions {
+    fn check(&self) -> Result<(), FitError> {
+        let usable = |spread: f64| (0.0..f64::INFINITY).contains(&spread);
+        if let Some(Quantity { value, uncertainty }) = self.bob_radius {
+            let uncertainty = uncertainty.unwrap_or(0.0);
+            if !(value > 0.0 && value.is_finite() && usable(uncertainty)) {
+                return Err(FitError::Length { value, uncertainty });
+            }
+        }
+        self.clock.filter(|clock| !usable(*clock)).map_or(Ok(()), |clock| Err(FitError::Clock(clock)))
+    }
+
+    /// The uncertainty of g by the slope of the line, the bob and the clock.
+    fn combined(&self, table: &LengthTable, best: &LengthFit) -> Result<CombinedUncertainty, FitError> {
+        let g = best.g.value;
+        let slope = Contribution {
+            evaluation: Evaluation::Statistics,
+            degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
+            ..Contribution::judged(
+                BudgetInput::Slope,
+                1.0 / g,
+                best.g.uncertainty.map(|uncertainty| uncertainty / (g * g)),
+                -g * g,
+            )
+        };
+        let radius = self.bob_radius.map(|radius| {
+            let refitted = |radius: f64| {
+                model::fit(table, best.model, gyration(radius)).map_or(f64::NAN, |fit| fit.g.value)
+            };
+            let sensitivity = budget::derivative(radius.value, radius.value, refitted);
+            Contribution::judged(BudgetInput::BobRadius, radius.value, radius.uncertainty, sensitivity)
+        });
+        let clock =
+            self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g));
+        let contributions = [Some(slope), radius, clock].into_iter().flatten().collect();
+        CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
+    }
+}
+
+fn warnings(fits: &[LengthFit], known: Option<f64>) -> Vec<String> {
+    let of = |model: LengthModel| fits.iter().find(|fit| fit.model == model);
+    let mut warnings = vec![];
+    let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
+    if by_chance(of(LengthModel::Offset)) < NEEDED {
+        warnings.push(
+            "the lengths are off by a constant: an offset is needed, and g without it is wrong".to_owned(),
+        );
+    }
+    if by_chance(of(LengthModel::OffsetAndGyration)) < NEEDED {
+        let gyration = of(LengthModel::OffsetAndGyration).and_then(|fit| fit.gyration);
+        let gyration = gyration.map_or(0.0, |found| found.value);
+        warnings.push(match gyration > 0.0 {
+            true => format!(
+                "T^2 against L is not straight: as with a ball of radius {:.1} mm; give the radius of the bob",
+                1e3 * (2.5 * gyration).sqrt()
+            ),
+            false => "T^2 against L is not straight, and bends the other way than a large bob would bend it: look at \
+                      the amplitudes and at how the lengths were measured"
+                .to_owned(),
+        });
+    }
+    warnings.extend(
+        of(LengthModel::Offset)
+            .and_then(LengthFit::scatter)
+            .and_then(|scatter: Scatter| scatter.warning("the offset")),
+    );
+    let offset =
+        of(LengthModel::Offset).and_then(|fit| fit.offset).map_or(0.0, |offset: Quantity| offset.value);
+    if known.is_some_and(|known| offset.abs() > 10.0 * (2.5 * known).sqrt()) {
+        warnings.push("the offset is much larger than the bob: check the unit of the lengths".to_owned());
+    }
+    warnings
+}

@@ -1,0 +1,221 @@
+//! One law of the period against the length, by weighted least squares: y = (T/2πR)² = (L + δ + κ/L)/g.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::table::{LengthTable, Row};
+use crate::fit::akaike;
+use crate::fit::scatter::{self, Scatter};
+use crate::fit::small_angle_period::count;
+use crate::fit::student::probability_beyond;
+use libration::quantity::Quantity;
+
+/// Rounds in which the weights, and the term of the bob, are renewed.
+const ROUNDS: usize = 20;
+
+/// What is left free besides g.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LengthModel {
+    /// T² = 4π²R²L/g.
+    Plain,
+    /// T² = 4π²R²(L + δ)/g: the length was not measured to the centre of the bob.
+    Offset,
+    /// T² = 4π²R²(L + δ + κ/(L + δ))/g: κ is the moment of inertia of the bob about its centre over its mass.
+    OffsetAndGyration,
+}
+
+impl LengthModel {
+    /// All, simpler ones first.
+    pub const ALL: [Self; 3] = [Self::Plain, Self::Offset, Self::OffsetAndGyration];
+
+    /// `plain`, `offset`, `offset+gyration`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Offset => "offset",
+            Self::OffsetAndGyration => "offset+gyration",
+        }
+    }
+
+    /// Free parameters.
+    fn parameters(self) -> usize {
+        match self {
+            Self::Plain => 1,
+            Self::Offset => 2,
+            Self::OffsetAndGyration => 3,
+        }
+    }
+}
+
+/// g and what else a law leaves free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LengthFit {
+    /// The law.
+    pub model: LengthModel,
+    /// In m/s². All uncertainties are [enlarged](Scatter) where the rows scatter more than theirs.
+    pub g: Quantity,
+    /// δ, in metres, to be added to the lengths given.
+    pub offset: Option<Quantity>,
+    /// κ, in m²; 2r²/5 for a ball.
+    pub gyration: Option<Quantity>,
+    /// Of g and δ.
+    pub correlation: Option<f64>,
+    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    pub chi2: Option<f64>,
+    /// Degrees of freedom.
+    pub dof: usize,
+    /// Akaike's criterion, corrected for few data; none where they are too few.
+    pub aicc: Option<f64>,
+    /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test).
+    pub chance: Option<f64>,
+    /// T less what the law says, in seconds, row by row.
+    pub residuals: Vec<f64>,
+    /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
+    pub standard_deviations: Vec<f64>,
+}
+
+impl LengthFit {
+    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn chi2_per_dof(&self) -> Option<f64> {
+        self.chi2.filter(|_| self.dof > 0).map(|chi2| chi2 / count(self.dof))
+    }
+
+    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn scatter(&self) -> Option<Scatter> {
+        Scatter::of(self.chi2, self.dof)
+    }
+
+    /// Of the uncertainties: infinite where they come from stated ones.
+    #[must_use]
+    pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
+        scatter::degrees_of_freedom(self.chi2, self.dof)
+    }
+}
+
+/// A law in the making: coefficients of L (with the known term of the bob), 1 and 1/L.
+struct Solution {
+    coefficients: Vec<f64>,
+    covariance: DMatrix<f64>,
+    variances: Vec<f64>,
+}
+
+/// A law through the table; none where there are too few rows, or the rows leave it open. `known` is κ of the bob where it is
+/// known, and then not free.
+pub(super) fn fit(table: &LengthTable, model: LengthModel, known: f64) -> Option<LengthFit> {
+    let (rows, width) = (&table.rows, model.parameters());
+    if rows.len() < width + usize::from(!table.weighted) {
+        return None;
+    }
+    let mut variances = vec![1.0; rows.len()];
+    let mut offset = 0.0;
+    let mut solution = solve(rows, width, known, offset, &variances)?;
+    for _ in 0..ROUNDS {
+        let slope = solution.coefficients[0];
+        offset = solution.coefficients.get(1).map_or(0.0, |constant| constant / slope);
+        if table.weighted {
+            variances = rows.iter().map(|row| row.variance(slope)).collect();
+        }
+        solution = solve(rows, width, known, offset, &variances)?;
+    }
+    solution.described(table, model, known, offset)
+}
+
+/// The columns of a row: what 1/g, δ/g and κ/g are multiplied by.
+fn columns(row: &Row, width: usize, known: f64, offset: f64) -> Vec<f64> {
+    let whole = row.length + offset;
+    let all = [row.length + known / whole, 1.0, 1.0 / whole];
+    all[..width].to_vec()
+}
+
+fn solve(rows: &[Row], width: usize, known: f64, offset: f64, variances: &[f64]) -> Option<Solution> {
+    let columns: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, width, known, offset)).collect();
+    let scale = |i: usize| 1.0 / variances[i].sqrt();
+    let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j] * scale(i));
+    let right = DVector::from_fn(rows.len(), |i, _| rows[i].square() * scale(i));
+    let cholesky = (matrix.transpose() * &matrix).cholesky()?;
+    let coefficients: Vec<f64> = cholesky.solve(&(matrix.transpose() * right)).iter().copied().collect();
+    let covariance = cholesky.inverse();
+    let usable = coefficients[0] > 0.0 && coefficients.iter().all(|x| x.is_finite());
+    let determined = (0..width).all(|k| covariance[(k, k)].is_finite() && covariance[(k, k)] > 0.0);
+    (usable && determined).then(|| Solution { coefficients, covariance, variances: variances.to_vec() })
+}
+
+impl Solution {
+    fn described(
+        &self,
+        table: &LengthTable,
+        model: LengthModel,
+        known: f64,
+        offset: f64,
+    ) -> Option<LengthFit> {
+        let (rows, width) = (&table.rows, self.coefficients.len());
+        let fitted = |row: &Row| -> f64 {
+            columns(row, width, known, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
+        };
+        let left: Vec<f64> = rows.iter().map(|row| row.square() - fitted(row)).collect();
+        let chi2: f64 = left.iter().zip(&self.variances).map(|(r, v)| r * r / v).sum();
+        let dof = rows.len() - width;
+        let per_dof = (dof > 0).then(|| chi2 / count(dof));
+        let stated = table.weighted.then_some(chi2);
+        let enlargement = scatter::enlargement(stated, dof);
+        // Unit weights: the variance of a row is the scatter about the law.
+        let of_row = if table.weighted { 1.0 } else { per_dof? };
+        let unit = of_row * enlargement * enlargement;
+        // With y = (T/2πR)², dT = 2π²R²/T·dy.
+        let to_seconds = |row: &Row| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
+        let deviations =
+            self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
+        Some(LengthFit {
+            model,
+            g: self.quotient(None, unit),
+            offset: (width > 1).then(|| self.quotient(Some(1), unit)),
+            gyration: (width > 2).then(|| self.quotient(Some(2), unit)),
+            correlation: (width > 1).then(|| self.correlation()),
+            chi2: stated,
+            dof,
+            aicc: aicc(chi2, rows.len(), width, table.weighted),
+            chance: per_dof.filter(|_| width > 1).map(|per_dof| self.chance(per_dof, dof)),
+            residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
+            standard_deviations: deviations.collect(),
+        })
+    }
+
+    /// 1/a, or c/a with the coefficient c of this number, and its uncertainty.
+    fn quotient(&self, of: Option<usize>, unit: f64) -> Quantity {
+        let slope = self.coefficients[0];
+        let value = of.map_or(1.0, |k| self.coefficients[k]) / slope;
+        let own = of.map_or(0.0, |k| self.covariance[(k, k)]);
+        let both = of.map_or(0.0, |k| self.covariance[(0, k)]);
+        let variance = (own - 2.0 * value * both + value * value * self.covariance[(0, 0)]) / (slope * slope);
+        Quantity { value, uncertainty: Some((unit * variance).sqrt()) }
+    }
+
+    /// Of g = 1/a and δ = c/a.
+    fn correlation(&self) -> f64 {
+        let (slope, offset) = (self.coefficients[0], self.coefficients[1] / self.coefficients[0]);
+        let [own, both] = [self.covariance[(0, 0)], self.covariance[(0, 1)]];
+        let of_g = own / (slope * slope * slope * slope);
+        let of_offset =
+            (self.covariance[(1, 1)] - 2.0 * offset * both + offset * offset * own) / (slope * slope);
+        let covariance = -(both - offset * own) / (slope * slope * slope);
+        covariance / (of_g * of_offset).sqrt()
+    }
+
+    /// With the scatter as the measure, so that uncertainties that are all wrong by one factor do not matter.
+    fn chance(&self, per_dof: f64, dof: usize) -> f64 {
+        let last = self.coefficients.len() - 1;
+        let deviation = (per_dof * self.covariance[(last, last)]).sqrt();
+        probability_beyond(self.coefficients[last] / deviation, dof)
+    }
+}
+
+/// With known variances χ² itself, else n ln(χ²/n) with one parameter more.
+fn aicc(chi2: f64, rows: usize, parameters: usize, weighted: bool) -> Option<f64> {
+    let (n, k) = (count(rows), count(parameters) + if weighted { 0.0 } else { 1.0 });
+    let misfit = if weighted { chi2 } else { n * libm::log(chi2 / n) };
+    akaike::cost(n, k).map(|cost| misfit + cost).filter(|aicc| aicc.is_finite())
+}

@@ -1,0 +1,137 @@
+//! Measured periods against lengths, checked once.
+
+use crate::fit::{FitError, Law};
+use libration::quantity::Quantity;
+
+/// Periods against lengths. Lengths are metres, periods seconds, amplitudes radians.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LengthColumns<'a> {
+    /// From the pivot to some mark that is fixed to the bob.
+    pub lengths: &'a [f64],
+    /// Full periods.
+    pub periods: &'a [f64],
+    /// Standard uncertainties of the lengths, zero or more.
+    pub length_uncertainties: Option<&'a [f64]>,
+    /// Standard uncertainties of the periods, above zero.
+    pub period_uncertainties: Option<&'a [f64]>,
+    /// Amplitudes, one for each row or one for all; none for swings small enough.
+    pub amplitudes: &'a [Quantity],
+}
+
+/// A table of periods against lengths that can be fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LengthTable {
+    pub(super) rows: Vec<Row>,
+    pub(super) weighted: bool,
+}
+
+/// One measurement: y = (T/2πR)² is (L + δ)/g.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Row {
+    pub(super) length: f64,
+    pub(super) period: f64,
+    pub(super) length_uncertainty: f64,
+    /// Of the period, with what the amplitude adds; zero when the weights come from the scatter.
+    pub(super) period_uncertainty: f64,
+    /// T/T0 at the amplitude.
+    pub(super) ratio: f64,
+}
+
+impl LengthTable {
+    /// The table of these columns.
+    ///
+    /// # Errors
+    /// Columns of different lengths, a length or a period that is not positive, an uncertainty that is not usable, an amplitude
+    /// of π or more.
+    pub fn new(columns: &LengthColumns<'_>) -> Result<Self, FitError> {
+        let expected = columns.lengths.len();
+        let same = |column: &'static str, found: usize| match found == expected {
+            true => Ok(()),
+            false => Err(FitError::LengthMismatch { column, found, expected }),
+        };
+        same("periods", columns.periods.len())?;
+        same("uncertainties of the lengths", columns.length_uncertainties.map_or(expected, <[f64]>::len))?;
+        same("uncertainties of the periods", columns.period_uncertainties.map_or(expected, <[f64]>::len))?;
+        if columns.amplitudes.len() > 1 {
+            same("amplitudes", columns.amplitudes.len())?;
+        }
+        let weighted = columns.period_uncertainties.is_some();
+        let rows = (0..expected).map(|row| Row::new(columns, row, weighted)).collect::<Result<_, _>>()?;
+        Ok(Self { rows, weighted })
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The periods of small swings at these lengths, T/R, in seconds.
+    pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
+        self.rows.iter().map(|row| row.period / row.ratio)
+    }
+
+    /// Whether the rows count by their uncertainties; else all alike, and their scatter is the uncertainty.
+    #[must_use]
+    pub fn is_weighted(&self) -> bool {
+        self.weighted
+    }
+}
+
+impl Row {
+    fn new(columns: &LengthColumns<'_>, index: usize, weighted: bool) -> Result<Self, FitError> {
+        let row = index + 1;
+        let usable = |x: f64| x > 0.0 && x.is_finite();
+        let (length, period) = (columns.lengths[index], columns.periods[index]);
+        if !usable(length) {
+            return Err(FitError::LengthOfRow { row, length });
+        }
+        if !usable(period) {
+            return Err(FitError::Period { row, period });
+        }
+        let length_uncertainty = columns.length_uncertainties.map_or(0.0, |column| column[index]);
+        if !(0.0..f64::INFINITY).contains(&length_uncertainty) {
+            let hint = "give zero or a positive number of metres";
+            return Err(FitError::Uncertainty { row, of: "length", uncertainty: length_uncertainty, hint });
+        }
+        let own = columns.period_uncertainties.map_or(0.0, |column| column[index]);
+        if weighted && !usable(own) {
+            let hint = "give a positive number of seconds in every row, or none in any";
+            return Err(FitError::Uncertainty { row, of: "period", uncertainty: own, hint });
+        }
+        let amplitude = columns.amplitudes.get(index).or(columns.amplitudes.first());
+        let (ratio, relative) = ratio(amplitude, row)?;
+        let period_uncertainty = if weighted { libm::hypot(own, period * relative) } else { 0.0 };
+        Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio })
+    }
+
+    /// (T/2πR)², in s².
+    pub(super) fn square(&self) -> f64 {
+        let reduced = self.period / (self.ratio * std::f64::consts::TAU);
+        reduced * reduced
+    }
+
+    /// The variance of (T/2πR)² less (L + δ)/g, when 1/g is this.
+    pub(super) fn variance(&self, slope: f64) -> f64 {
+        let of_square = 2.0 * self.square() * self.period_uncertainty / self.period;
+        let of_length = slope * self.length_uncertainty;
+        of_square * of_square + of_length * of_length
+    }
+}
+
+/// T/T0 at an amplitude, and its relative uncertainty.
+fn ratio(amplitude: Option<&Quantity>, row: usize) -> Result<(f64, f64), FitError> {
+    let Some(&Quantity { value, uncertainty }) = amplitude else { return Ok((1.0, 0.0)) };
+    let amplitude = value.abs();
+    if !(0.0..std::f64::consts::PI).contains(&amplitude) {
+        return Err(FitError::Amplitude { row, amplitude });
+    }
+    let ratio = Law::exact().ratio_at(amplitude);
+    Ok((ratio, Law::exact().slope_at(amplitude) * uncertainty.unwrap_or(0.0) / ratio))
+}

@@ -1,0 +1,50 @@
+//! Columns of measurements → parameters with their uncertainties.
+//!
+//! Measured periods T against amplitudes A, under a law T = T0·R(A): weighted least squares with the
+//! *effective variance* of each row, var(T) + (T0·R′(A))²·var(A), which folds the uncertainty of the
+//! amplitude into that of the period. The weights hold while the parameters are solved for and are renewed
+//! until nothing changes, so that the estimate is not drawn towards parameters with a larger variance.
+//!
+//! Without σ of the periods every row counts alike and σ is the scatter about the law; χ² would then be its
+//! number of degrees of freedom by construction and is not given. σ of the amplitudes alone is not used: a
+//! constant period would have no uncertainty at all.
+//!
+//! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
+//! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
+
+mod akaike;
+mod budget;
+mod chi_squared;
+pub mod cycles;
+mod damping_terms;
+mod error;
+mod excess_scale;
+pub mod gates;
+mod gravity;
+mod law;
+mod least_squares;
+mod lengths;
+mod outliers;
+mod period_table;
+mod periods;
+mod robust;
+mod scatter;
+mod small_angle_period;
+mod student;
+pub mod trace;
+
+pub use budget::{
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, COVERAGE, CombinedUncertainty,
+    Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping, budget,
+};
+pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
+pub use error::FitError;
+pub use excess_scale::{ExcessScaleFit, excess_scale};
+pub use gravity::{GRAVITY_ON_EARTH, Gravity, gravity};
+pub use law::Law;
+pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths};
+pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
+pub use period_table::{PeriodTable, Uncertainties, Weighting};
+pub use periods::{Options, PeriodFit, periods};
+pub use scatter::{Scatter, ScatterVerdict};
+pub use small_angle_period::{LawFit, small_angle_period};

@@ -1,0 +1,90 @@
+//! Traces of swings → ω0, damping and their uncertainties, at any amplitude.
+//!
+//! What was seen is y = offset + scale·θ, or + scale·θ′ for angular velocities, of a motion
+//! θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| that begins with an angle and a velocity of its own in each trace. The
+//! equation is integrated together with its derivatives by all of these, and Levenberg's and Marquardt's method
+//! (J. J. Moré, Lect. Notes Math. 630, 105 (1978), doi:10.1007/BFb0067700) makes the sum of squares least. It begins from
+//! the weak form of the equation, which wants no guess, in the first swings, and takes more and more of the trace.
+//!
+//! Uncertainties are those of the scatter, or of the stated ones if these are larger, times what the likeness of residuals
+//! from row to row makes of them: their noise is found with the parameters, and where they are no noise at all a bootstrap
+//! of blocks says whether that is enough.
+
+mod error;
+mod options;
+
+mod swing;
+
+mod weak_form;
+
+mod huber;
+mod layout;
+mod problem;
+mod search;
+
+mod autocorrelation;
+mod bootstrap;
+mod noise;
+mod random;
+mod uncertainty;
+
+mod clock;
+
+mod profile;
+
+mod compare;
+mod fitted;
+mod information;
+
+pub use super::{DampingTerm, DampingTerms, DampingTermsError};
+pub use autocorrelation::Autocorrelation;
+pub use compare::{Averaged, Comparison, Standing, compare};
+pub use error::TraceFitError;
+pub use fitted::{FittedTrace, Parameter, TraceFit};
+pub use options::TraceOptions;
+
+use super::small_angle_period::count;
+use crate::measurement::Trace;
+use search::Search;
+use std::ops::ControlFlow;
+
+/// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
+///
+/// `watch` is called before each evaluation of the motion and may stop the fit.
+///
+/// # Errors
+/// Too few rows, a trace that no pendulum makes, parameters that the data do not determine, an interruption.
+///
+/// # Examples
+/// ```
+/// use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceOptions, fit_traces};
+/// use libration_lab::measurement::{Seen, Trace};
+/// use libration::pendulum::Pendulum;
+/// use std::ops::ControlFlow;
+///
+/// let motion = Pendulum::from_angular_frequency(3.0)?.released_from("100deg".parse()?)?;
+/// let times: Vec<f64> = (0..300).map(|row| 0.02 * f64::from(row)).collect();
+/// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
+/// let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
+/// let linear = DampingTerms::only(DampingTerm::Linear);
+/// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &mut || ControlFlow::Continue(()))?;
+/// assert!((fit.parameters[0].value - 3.0).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fit_traces(
+    traces: &[Trace],
+    damping: DampingTerms,
+    options: &TraceOptions,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<TraceFit, TraceFitError> {
+    let mut search = Search::new(traces, damping, *options, watch)?;
+    let minimum = search.minimum_from_scratch()?;
+    let fit = uncertainty::fit(&mut search, &minimum)?;
+    check_explained(&fit).map(|()| fit)
+}
+
+/// Refuses a fit that leaves the better part of the data unexplained.
+fn check_explained(fit: &TraceFit) -> Result<(), TraceFitError> {
+    let percent = 100.0 * fit.unexplained;
+    if fit.unexplained > search::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }
+}

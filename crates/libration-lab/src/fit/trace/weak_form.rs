@@ -1,0 +1,166 @@
+//! ω0, the offset and the first state from a trace without integrating anything, good enough to begin with.
+//!
+//! The equation of motion times a function φ that vanishes smoothly at the ends of a window, integrated by parts, has no
+//! derivatives of what was measured: ∫φ″θ = −k cos o·∫φ sin θ + k sin o·∫φ cos θ + b·∫φ′θ, with k = ω0² and the offset o.
+//! It is linear in k cos o, k sin o and b, holds at any amplitude, over the top too, and wants no guess.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::fit::least_squares::least_squares;
+use crate::fit::robust::median;
+use crate::fit::small_angle_period::count;
+use crate::measurement::{Seen, Trace};
+
+/// Where a fit begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Beginning {
+    pub(super) omega0: f64,
+    /// Of what is seen: an angle, or an angular velocity.
+    pub(super) offset: f64,
+    /// The first angle from the bottom, and the first velocity.
+    pub(super) state: [f64; 2],
+}
+
+/// What windows of one length tell.
+#[derive(Clone, Copy, Debug)]
+struct Estimate {
+    omega0: f64,
+    offset: f64,
+    /// What the equation leaves in the median window, relative to its terms and to the root of the number of windows.
+    misfit: f64,
+}
+
+/// The beginning, by windows of that length at which the equation holds best; nothing where it holds at none.
+pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
+    let times = trace.times();
+    let (angles, bias) = match trace.seen() {
+        Seen::Angle => (trace.values().to_vec(), None),
+        Seen::AngularVelocity => integrated(times, trace.values()),
+    };
+    let estimate = best_estimate(times, &angles)?;
+    let turns = libm::round((median(angles.clone())? - estimate.offset) / (2.0 * PI));
+    let offset = estimate.offset + 2.0 * PI * turns;
+    let [angle, velocity] = first_state(times, &angles, estimate.omega0)?;
+    Some(Beginning {
+        omega0: estimate.omega0,
+        offset: bias.unwrap_or(offset),
+        state: [angle - offset, velocity],
+    })
+}
+
+/// Below so many windows what the equation leaves does not tell how well it holds.
+const LEAST_WINDOWS: usize = 12;
+
+/// Window lengths from a few samples to the whole trace are tried: in short ones noise prevails, in long ones φ averages
+/// everything away.
+fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
+    let span = times.last()? - times.first()?;
+    let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
+    let mut estimates = vec![];
+    let mut half = 8.0 * interval;
+    while half <= 0.5 * span && half > 0.0 {
+        estimates.extend(estimate(times, angles, half, interval));
+        half *= 1.25;
+    }
+    estimates.into_iter().min_by(|a, b| a.misfit.total_cmp(&b.misfit))
+}
+
+fn estimate(times: &[f64], angles: &[f64], half: f64, interval: f64) -> Option<Estimate> {
+    let mut rows = vec![];
+    let mut centre = times.first()? + half;
+    while centre + half <= *times.last()? {
+        rows.extend(window(times, angles, centre, half, interval));
+        centre += 0.5 * half;
+    }
+    if rows.len() < LEAST_WINDOWS {
+        return None;
+    }
+    let mut weights = vec![1.0; rows.len()];
+    let (mut solution, mut scale) = (DVector::zeros(3), 0.0);
+    // Windows with outliers are turned down by the size of their residuals.
+    for _ in 0..6 {
+        let matrix = DMatrix::from_fn(rows.len(), 3, |i, k| rows[i][k + 1] * weights[i]);
+        let right = DVector::from_fn(rows.len(), |i, _| rows[i][0] * weights[i]);
+        solution = least_squares(&matrix, &right)?;
+        let explained = |row: &[f64; 4]| row[1..].iter().zip(&solution).map(|(x, p)| x * p).sum::<f64>();
+        let residuals: Vec<f64> = rows.iter().map(|row| (row[0] - explained(row)).abs()).collect();
+        scale = median(residuals.clone())?;
+        weights =
+            residuals.iter().map(|r| if *r > 2.0 * scale { (2.0 * scale / r).sqrt() } else { 1.0 }).collect();
+    }
+    let size = (rows.iter().map(|row| row[0] * row[0]).sum::<f64>() / count(rows.len())).sqrt();
+    let misfit = scale / size / count(rows.len() - 3).sqrt();
+    let omega0 = libm::hypot(solution[0], solution[1]).sqrt();
+    let offset = libm::atan2(solution[1], solution[0]);
+    (omega0 > 0.0 && misfit.is_finite()).then_some(Estimate { omega0, offset, misfit })
+}
+
+/// ∫φ″θ, −∫φ sin θ, ∫φ cos θ and ∫φ′θ over a window without gaps, with φ = (1 − u²)³.
+fn window(times: &[f64], angles: &[f64], centre: f64, half: f64, interval: f64) -> Option<[f64; 4]> {
+    let first = times.partition_point(|&time| time < centre - half);
+    let last = times.partition_point(|&time| time <= centre + half);
+    let (times, angles) = (&times[first..last], &angles[first..last]);
+    if times.len() < 6 || times.windows(2).any(|pair| pair[1] - pair[0] > 3.0 * interval) {
+        return None;
+    }
+    // A constant has no part in ∫φ″θ and ∫φ′θ, but in their sums.
+    let mean = angles.iter().sum::<f64>() / count(angles.len());
+    let terms = |(&time, &angle): (&f64, &f64)| {
+        let u = (time - centre) / half;
+        let v = 1.0 - u * u;
+        let second = (24.0 * u * u - 6.0 * v) * v / (half * half);
+        let (sine, cosine) = libm::sincos(angle);
+        let deviation = angle - mean;
+        [second * deviation, -v * v * v * sine, v * v * v * cosine, -6.0 * u * v * v / half * deviation]
+    };
+    let values: Vec<[f64; 4]> = times.iter().zip(angles).map(terms).collect();
+    let mut sums = [0.0; 4];
+    for (pair, time) in values.windows(2).zip(times.windows(2)) {
+        for (sum, (a, b)) in sums.iter_mut().zip(pair[0].iter().zip(pair[1])) {
+            *sum += 0.5 * (a + b) * (time[1] - time[0]);
+        }
+    }
+    Some(sums)
+}
+
+/// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles.
+fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
+    let mean = integral(times, velocities) / (times[times.len() - 1] - times[0]).max(f64::MIN_POSITIVE);
+    let upward: Vec<usize> =
+        (1..times.len()).filter(|&i| velocities[i - 1] < mean && velocities[i] >= mean).collect();
+    let bias = match (upward.first(), upward.last()) {
+        (Some(&first), Some(&last)) if last > first => {
+            integral(&times[first..=last], &velocities[first..=last]) / (times[last] - times[first])
+        }
+        _ => mean,
+    };
+    let mut angle = 0.0;
+    let mut angles = vec![0.0];
+    for i in 1..times.len() {
+        angle += (0.5 * (velocities[i - 1] + velocities[i]) - bias) * (times[i] - times[i - 1]);
+        angles.push(angle);
+    }
+    (angles, Some(bias))
+}
+
+/// By trapezoids.
+fn integral(times: &[f64], values: &[f64]) -> f64 {
+    let pairs = times.windows(2).zip(values.windows(2));
+    pairs.map(|(time, value)| 0.5 * (value[0] + value[1]) * (time[1] - time[0])).sum()
+}
+
+/// The angle and its slope at the first time, from a parabola through what a sixth of a radian of phase has.
+fn first_state(times: &[f64], angles: &[f64], omega0: f64) -> Option<[f64; 2]> {
+    let near = times.partition_point(|&time| (time - times[0]) * omega0 < 0.6).clamp(4, times.len().max(4));
+    let since: Vec<f64> = times.get(..near)?.iter().map(|time| time - times[0]).collect();
+    let columns = [
+        DVector::repeat(near, 1.0),
+        DVector::from_fn(near, |i, _| since[i]),
+        DVector::from_fn(near, |i, _| since[i] * since[i]),
+    ];
+    let solution =
+        least_squares(&DMatrix::from_columns(&columns), &DVector::from_row_slice(angles.get(..near)?))?;
+    Some([solution[0], solution[1]])
+}

@@ -1,0 +1,127 @@
+//! What instruments do to a column of times and values, found before anything is fitted.
+//!
+//! Nothing is repaired in silence: each fault is a list of rows, counted from zero, and a sentence for people.
+//! Rows whose time is not after the one before are to be left out ([`Faults::left_out`]), since a trace needs
+//! increasing times; everything else is only marked.
+
+mod clipping;
+mod clock;
+mod even_times;
+pub(in crate::measurement) mod order;
+mod outliers;
+mod sentences;
+mod significant_digits;
+pub(in crate::measurement) mod statistics;
+#[cfg(test)]
+mod tests;
+
+pub use clipping::Run;
+pub use clock::{Clock, Gap, Grid};
+
+/// The faults of a column of times in seconds and a column of values.
+///
+/// # Examples
+/// ```
+/// use libration_lab::measurement::Faults;
+/// let times = [0.0, 0.1, 0.2, 0.2, 0.5, 0.6, 0.7, 0.8];
+/// let values = [0.50, 0.45, 0.35, 0.35, -0.10, -0.25, -0.35, -0.45];
+/// let faults = Faults::find(&times, &values, None);
+/// assert_eq!((faults.repeated.as_slice(), faults.left_out().as_slice()), ([3].as_slice(), [3].as_slice()));
+/// assert_eq!(faults.clock.as_ref().map(|clock| clock.gaps[0].missing), Some(2));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Faults {
+    /// Rows with the time of the row before.
+    pub repeated: Vec<usize>,
+    /// Rows whose times go backwards, the fewest without which all times increase.
+    pub out_of_order: Vec<usize>,
+    /// Rows at which the times begin anew: several runs in one table. Everything below is of the first run.
+    pub restarts: Vec<usize>,
+    /// How the times follow each other; none of fewer than three rows.
+    pub clock: Option<Clock>,
+    /// What the rounding of the times does to the values: their root mean square error, in their unit.
+    pub rounding_noise: Option<f64>,
+    /// Values that stay the same while the motion goes on: frames shown twice, a sensor that hangs.
+    pub stuck: Vec<Run>,
+    /// Runs of rows at the largest or smallest value, cut off where the sensor ends.
+    pub clipped: Vec<Run>,
+    /// Rows before which the value jumps by a whole turn.
+    pub wraps: Vec<usize>,
+    /// Rows alone, or nearly so, that lie far off the smooth curve through their neighbours.
+    pub outliers: Vec<usize>,
+}
+
+impl Faults {
+    /// The faults of these columns, row for row; `turn` is a whole turn in the unit of the values, if they are
+    /// angles that may jump by it.
+    ///
+    /// Outliers are told by the cubic through two neighbours on either side: the rows at both ends and those
+    /// beside gaps are not judged.
+    #[must_use]
+    pub fn find(times: &[f64], values: &[f64], turn: Option<f64>) -> Self {
+        let restarts = order::restarts(times);
+        let rows = restarts.first().copied().unwrap_or(times.len()).min(values.len());
+        let (times, values) = (&times[..rows], &values[..rows]);
+        let repeated = order::repeated(times);
+        let out_of_order = order::out_of_order(times, &repeated);
+        let mut faults = Self { repeated, out_of_order, restarts, ..Self::default() };
+        faults.look_closer(times, values, turn);
+        faults
+    }
+
+    /// What is told from the rows whose times increase.
+    fn look_closer(&mut self, times: &[f64], values: &[f64], turn: Option<f64>) {
+        let left_out = self.left_out();
+        let kept: Vec<usize> = (0..times.len()).filter(|row| left_out.binary_search(row).is_err()).collect();
+        let place = |found: Vec<usize>| found.into_iter().map(|row| kept[row]).collect::<Vec<_>>();
+        let times_of: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
+        let values_of: Vec<f64> = kept.iter().map(|&row| values[row]).collect();
+        self.wraps = place(wraps(&values_of, turn));
+        let smooth = turn.map_or_else(|| values_of.clone(), |turn| unwrapped(&values_of, turn));
+        self.clock = Clock::of(times, &kept);
+        self.rounding_noise = self.clock.as_ref().and_then(|clock| clock.rounding_noise(&kept, &smooth));
+        let runs = |found: Vec<Run>| {
+            found.into_iter().map(|run| Run { first: kept[run.first], ..run }).collect::<Vec<_>>()
+        };
+        self.stuck = runs(clipping::stuck(&smooth, outliers::noise(&times_of, &smooth)));
+        self.clipped = runs(clipping::clipped(&smooth));
+        self.outliers = place(outliers::outliers(&times_of, &smooth));
+    }
+
+    /// The rows without which the times increase, in order.
+    #[must_use]
+    pub fn left_out(&self) -> Vec<usize> {
+        let mut rows = [self.repeated.as_slice(), &self.out_of_order].concat();
+        rows.sort_unstable();
+        rows
+    }
+
+    /// Whether there is nothing to say.
+    #[must_use]
+    pub fn is_clean(&self) -> bool {
+        self.sentences(&[], "").is_empty()
+    }
+}
+
+/// The rows before which the value jumps by more than half a turn.
+fn wraps(values: &[f64], turn: Option<f64>) -> Vec<usize> {
+    let Some(turn) = turn else { return Vec::new() };
+    let jumps = |row: &usize| (values[*row] - values[row - 1]).abs() > turn / 2.0;
+    (1..values.len()).filter(jumps).collect()
+}
+
+/// The values without jumps of whole turns, beginning with the first value as it is.
+///
+/// Right where the true value changes by less than half a turn from row to row.
+#[must_use]
+pub fn unwrapped(values: &[f64], turn: f64) -> Vec<f64> {
+    let mut turns = 0.0;
+    let mut before: Option<f64> = None;
+    let next = |&value: &f64| {
+        turns -= before.map_or(0.0, |before| ((value - before) / turn).round());
+        before = Some(value);
+        turn.mul_add(turns, value)
+    };
+    values.iter().map(next).collect()
+}

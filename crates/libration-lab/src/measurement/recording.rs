@@ -1,0 +1,177 @@
+//! A file of measurements: what it is, its sheets, and what was told from it.
+
+use super::ambiguity;
+use super::choices::{Choices, Finding, Suggestion};
+use super::container::{self, Format, Page};
+use super::dialect::Dialect;
+use super::sheet::Sheet;
+use super::table::Options;
+use super::{Choice, Column, MeasurementError};
+use libration::quantity::excerpt;
+
+/// A file of measurements, read and not yet interpreted.
+///
+/// # Examples
+/// ```
+/// use libration_lab::measurement::{Choices, Options, Recording};
+///
+/// let file = "Time (s);Angle (deg)\n0,00;30,0\n0,05;29,1\n0,10;26,4\n";
+/// let recording = Recording::read(file.as_bytes(), &Options::default())?;
+/// let traces = recording.traces(&Choices::default())?;
+/// assert_eq!(traces.traces[0].times(), [0.0, 0.05, 0.1]);
+/// # Ok::<(), libration_lab::measurement::MeasurementError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    format: Format,
+    sheets: Vec<Sheet>,
+    /// Tables that hold no columns of numbers, and why.
+    left_out: Vec<(String, MeasurementError)>,
+}
+
+impl Recording {
+    /// The recording in these bytes.
+    ///
+    /// # Errors
+    /// Too many bytes, not a known kind of file, no rows, rows of different lengths, a dialect that the file does not decide.
+    pub fn read(bytes: &[u8], options: &Options) -> Result<Self, MeasurementError> {
+        let (format, pages) = container::pages(bytes, options.size_limit)?;
+        let mut recording = Self { format, sheets: Vec::new(), left_out: Vec::new() };
+        for page in pages {
+            match read_page(&page, options) {
+                Ok(sheet) => recording.sheets.push(sheet),
+                Err(error) => recording.left_out.push((page.name, error)),
+            }
+        }
+        match recording.left_out.first() {
+            Some((_, error)) if recording.sheets.is_empty() => Err(error.clone()),
+            None if recording.sheets.is_empty() => Err(MeasurementError::Empty),
+            _ => Ok(recording),
+        }
+    }
+
+    /// What kind of file it is.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// Its tables; a text file has one.
+    #[must_use]
+    pub fn sheets(&self) -> &[Sheet] {
+        &self.sheets
+    }
+
+    pub(super) fn into_first_sheet(mut self) -> Sheet {
+        self.sheets.swap_remove(0)
+    }
+
+    /// What was told from the file in reading it.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let of_text = matches!(self.format, Format::Text(_) | Format::Zip);
+        let left_out = self.left_out.iter();
+        let left_out = left_out.map(|(name, why)| Finding::fact(format!("`{name}` is left out: {why}")));
+        left_out.chain(self.sheets.iter().flat_map(|sheet| sheet.findings(of_text))).collect()
+    }
+
+    /// What the chosen sheet gives, or the only one that gives anything.
+    pub(super) fn in_one_sheet<T>(
+        &self,
+        choices: &Choices,
+        give: impl Fn(&Sheet) -> Result<T, MeasurementError>,
+    ) -> Result<T, MeasurementError> {
+        match (&choices.sheet, &self.sheets[..]) {
+            (Some(asked), _) => give(self.sheet_named(asked)?),
+            (None, [only]) => give(only),
+            (None, sheets) => {
+                let (mut given, mut reason) = (Vec::new(), None);
+                for sheet in sheets {
+                    match give(sheet) {
+                        Ok(one) => given.push((&sheet.name, one)),
+                        Err(error) => reason = reason.or(Some((&sheet.name, error))),
+                    }
+                }
+                match (given.len(), reason) {
+                    (1, _) => Ok(given.swap_remove(0).1),
+                    (0, Some((name, error))) => {
+                        Err(MeasurementError::OfSheet { name: name.clone(), error: error.into() })
+                    }
+                    _ => Err(several_sheets(given.into_iter().map(|(name, _)| name))),
+                }
+            }
+        }
+    }
+
+    fn sheet_named(&self, asked: &Column) -> Result<&Sheet, MeasurementError> {
+        let (found, text) = match asked {
+            Column::Number(number) => (self.sheets.get(number.wrapping_sub(1)), number.to_string()),
+            Column::Name(name) => {
+                let named = |sheet: &&Sheet| sheet.name.to_lowercase() == name.trim().to_lowercase();
+                (self.sheets.iter().find(named), name.clone())
+            }
+        };
+        let names: Vec<String> = self.sheets.iter().map(|sheet| format!("`{}`", sheet.name)).collect();
+        found.ok_or_else(|| MeasurementError::NoSuch {
+            what: "sheet",
+            asked: text,
+            available: names.join(", "),
+        })
+    }
+}
+
+fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementError {
+    let question = "several sheets have what is asked for".to_owned();
+    MeasurementError::Undecided {
+        question,
+        choices: names.map(|name| Suggestion::new(Choice::Sheet, name)).collect(),
+    }
+}
+
+fn read_page(page: &Page<'_>, options: &Options) -> Result<Sheet, MeasurementError> {
+    if let Some(dialect) = page.dialect {
+        return Sheet::read(&page.name, &page.text, dialect, options);
+    }
+    let dialect = Dialect::sniff(&page.text, options.delimiter, options.decimal);
+    let sheet = Sheet::read(&page.name, &page.text, dialect, options)?;
+    ambiguity::refuse(&page.text, &sheet, options)?;
+    Ok(sheet)
+}
+
+impl Sheet {
+    /// What was told in reading it; of a workbook there is no dialect to tell.
+    fn findings(&self, of_text: bool) -> Vec<Finding> {
+        let Dialect { delimiter, mark } = self.dialect;
+        let of = if self.name.is_empty() { String::new() } else { format!("`{}`: ", self.name) };
+        let mut findings = Vec::new();
+        if of_text {
+            let text = format!("{of}cells are separated by {}", delimiter.name());
+            findings.push(Finding::new(text, Choice::Delimiter));
+            findings.push(Finding::new(format!("{of}numbers have a decimal {mark}"), Choice::Decimal));
+        }
+        let header = match self.header_line {
+            Some(line) => format!("{of}line {line} names the columns"),
+            None => format!("{of}there is no header"),
+        };
+        findings.push(Finding::new(header, Choice::Header));
+        if let Some(first) = self.names_beyond.first() {
+            let (columns, names) = (self.channels.len(), self.channels.len() + self.names_beyond.len());
+            let text = format!(
+                "{of}the header has {names} names and the rows have {columns} cells: `{}` and what follows it have no column",
+                excerpt(first)
+            );
+            findings.push(Finding::new(text, Choice::Header));
+        }
+        if let Some((line, text)) = self.preamble.first() {
+            let (more, verb) = match self.preamble.len() - 1 {
+                0 => (String::new(), "is"),
+                1 => (" and another line".to_owned(), "are"),
+                more => (format!(" and {more} more lines"), "are"),
+            };
+            let text =
+                format!("{of}line {line} (`{}`){more} above the header {verb} left out", excerpt(text));
+            findings.push(Finding::new(text, Choice::Header));
+        }
+        findings
+    }
+}

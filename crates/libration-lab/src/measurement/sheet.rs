@@ -1,0 +1,199 @@
+//! One table of a recording: channels of numbers under their headings.
+
+use super::dialect::{Dialect, Row};
+use super::heading::Heading;
+use super::layout::Layout;
+use super::number::Cell;
+use super::table::Options;
+use super::{Column, MeasurementError};
+use libration::quantity::excerpt;
+
+/// A column: its heading and its cells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// What the header says of it.
+    pub heading: Heading,
+    pub(super) cells: Vec<Cell>,
+    /// Every cell that is neither a number nor missing, with its row.
+    pub(super) words: Vec<(usize, String)>,
+}
+
+impl Channel {
+    /// The numbers, `None` where the cell is empty or no number.
+    pub fn numbers(&self) -> impl Iterator<Item = Option<f64>> {
+        self.cells.iter().map(|cell| match cell {
+            Cell::Number(number) => Some(*number),
+            _ => None,
+        })
+    }
+
+    /// How many cells are numbers.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.numbers().flatten().count()
+    }
+
+    /// How many cells are empty, or say that nothing was measured.
+    #[must_use]
+    pub fn blanks(&self) -> usize {
+        self.cells.len() - self.count() - self.words.len()
+    }
+
+    /// The cells that are neither numbers nor missing, with their rows from zero.
+    #[must_use]
+    pub fn words(&self) -> &[(usize, String)] {
+        &self.words
+    }
+
+    /// The smallest and the largest number.
+    #[must_use]
+    pub fn range(&self) -> Option<(f64, f64)> {
+        self.numbers().flatten().fold(None, |range, number| {
+            let (low, high) = range.unwrap_or((number, number));
+            Some((f64::min(low, number), f64::max(high, number)))
+        })
+    }
+
+    /// Whether it has at least two numbers and each is above the one before.
+    pub(super) fn increases(&self) -> bool {
+        let numbers: Vec<f64> = self.numbers().flatten().collect();
+        self.words.is_empty() && numbers.len() > 1 && numbers.windows(2).all(|pair| pair[0] < pair[1])
+    }
+}
+
+/// A table of a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// Its name in a workbook or an archive; empty for a text file.
+    pub name: String,
+    /// What stands between its cells and within its numbers.
+    pub dialect: Dialect,
+    /// The line that names the columns, where there is one.
+    pub header_line: Option<u64>,
+    /// The lines above the header, which are left out.
+    pub preamble: Vec<(u64, String)>,
+    /// Names in the header that have no column below them.
+    pub names_beyond: Vec<String>,
+    /// The columns.
+    pub channels: Vec<Channel>,
+    /// The line of each row, counted from one.
+    pub lines: Vec<u64>,
+}
+
+impl Sheet {
+    /// The table in this text.
+    pub(super) fn read(
+        name: &str,
+        text: &str,
+        dialect: Dialect,
+        options: &Options,
+    ) -> Result<Self, MeasurementError> {
+        let layout = Layout::of(text, dialect, options.header)?;
+        let channel = |heading| Channel { heading, cells: Vec::new(), words: Vec::new() };
+        let mut sheet = Self {
+            name: name.into(),
+            dialect,
+            header_line: layout.header_line,
+            preamble: layout.preamble,
+            names_beyond: layout.beyond,
+            channels: layout.headings.into_iter().map(channel).collect(),
+            lines: Vec::new(),
+        };
+        for row in dialect.rows(text).skip_while(|row| row.line < layout.first_line) {
+            sheet.push(&row)?;
+        }
+        Ok(sheet)
+    }
+
+    fn push(&mut self, row: &Row) -> Result<(), MeasurementError> {
+        let (width, filled) = (self.channels.len(), row.filled());
+        if filled > width || row.cells.len() < width {
+            let found = if filled > width { filled } else { row.cells.len() };
+            return Err(MeasurementError::Ragged { line: row.line, found, expected: width });
+        }
+        let place = self.lines.len();
+        self.lines.push(row.line);
+        for (channel, text) in self.channels.iter_mut().zip(&row.cells) {
+            if text.contains('\n') {
+                return Err(MeasurementError::UnclosedQuote { line: row.line });
+            }
+            let cell = Cell::parse(text, self.dialect.mark);
+            if cell == Cell::Text {
+                channel.words.push((place, excerpt(text)));
+            }
+            channel.cells.push(cell);
+        }
+        Ok(())
+    }
+
+    /// How many rows there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The place of a column, from zero.
+    ///
+    /// # Errors
+    /// No such column, or a name that several bear.
+    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
+        match column {
+            Column::Number(number) if (1..=self.channels.len()).contains(number) => Ok(number - 1),
+            Column::Number(number) => Err(self.no_such_column(&number.to_string())),
+            Column::Name(name) => self.place_of_name(name),
+        }
+    }
+
+    fn place_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
+        let bears = |place: &usize| self.channels[*place].heading.is_named(name);
+        let mut places = (0..self.channels.len()).filter(bears);
+        match (places.next(), places.next()) {
+            (Some(place), None) => Ok(place),
+            (Some(_), Some(_)) => Err(MeasurementError::AmbiguousColumn(excerpt(name))),
+            _ => Err(self.no_such_column(name)),
+        }
+    }
+
+    fn no_such_column(&self, asked: &str) -> MeasurementError {
+        const SHOWN: usize = 10;
+        let count = self.channels.len();
+        let mut available = format!("columns 1 to {count} and no header");
+        if self.header_line.is_some() {
+            let names = self.channels.iter().take(SHOWN).map(|it| format!("`{}`", excerpt(&it.heading.text)));
+            let names: Vec<String> = names.collect();
+            let more = if count > SHOWN { ", …" } else { "" };
+            available = format!("columns 1 to {count}, named {}{more}", names.join(", "));
+        }
+        MeasurementError::NoSuchColumn { asked: excerpt(asked), available }
+    }
+
+    /// `column 2 ("Angle")`, as messages name it.
+    pub(super) fn describe(&self, place: usize) -> String {
+        let text = &self.channels[place].heading.text;
+        if text.is_empty() {
+            format!("column {}", place + 1)
+        } else {
+            format!("column {} (`{}`)", place + 1, excerpt(text))
+        }
+    }
+
+    /// The number in a cell, or nothing.
+    pub(super) fn number(&self, place: usize, row: usize) -> Result<Option<f64>, MeasurementError> {
+        match self.channels[place].cells[row] {
+            Cell::Number(number) => Ok(Some(number)),
+            Cell::Missing => Ok(None),
+            Cell::Text => Err(self.not_a_number(place, row)),
+        }
+    }
+
+    /// What stands in a cell that is no number.
+    pub(super) fn word(&self, place: usize, row: usize) -> Option<&str> {
+        let words = &self.channels[place].words;
+        words.binary_search_by_key(&row, |(row, _)| *row).ok().map(|at| words[at].1.as_str())
+    }
+
+    fn not_a_number(&self, place: usize, row: usize) -> MeasurementError {
+        let cell = self.word(place, row).unwrap_or_default().to_owned();
+        MeasurementError::NotANumber { line: self.lines[row], column: place + 1, cell }
+    }
+}

@@ -1,0 +1,147 @@
+//! A table of cells, and the numbers of chosen columns.
+
+use super::dialect::{Delimiter, Dialect};
+use super::number::DecimalMark;
+use super::recording::Recording;
+use super::sheet::Sheet;
+use super::{Column, MeasurementError};
+
+/// Whether the first row names the columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Header {
+    /// It does when not one of its cells is a number; lines of other kinds above it are left out.
+    #[default]
+    Detect,
+    /// It does.
+    Present,
+    /// It does not.
+    Absent,
+    /// This line does, counted from one; what is above it is left out.
+    Line(u64),
+}
+
+/// How a file is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// What stands between cells; told from the file when not given.
+    pub delimiter: Option<Delimiter>,
+    /// Decimal point or decimal comma; told from the file when not given.
+    pub decimal: Option<DecimalMark>,
+    /// Whether the first row names the columns.
+    pub header: Header,
+    /// The most bytes that are read.
+    pub size_limit: usize,
+}
+
+impl Options {
+    /// 64 MiB: a million rows of a period table.
+    pub const DEFAULT_SIZE_LIMIT: usize = 64 << 20;
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { delimiter: None, decimal: None, header: Header::Detect, size_limit: Self::DEFAULT_SIZE_LIMIT }
+    }
+}
+
+/// A rectangular table of cells, perhaps with names over its columns.
+///
+/// # Examples
+/// ```
+/// use libration_lab::measurement::{Column, Options, Table};
+///
+/// let table = Table::read(b"angle;period\n0,5;2,01\n1,0;\n1,5;2,31\n", &Options::default())?;
+/// let chosen = table.select(&[Column::Name("Period".into())])?;
+/// assert_eq!((chosen.columns[0].as_slice(), chosen.dropped), ([2.01, 2.31].as_slice(), 1));
+/// # Ok::<(), libration_lab::measurement::MeasurementError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Table {
+    sheet: Sheet,
+    names: Vec<String>,
+}
+
+/// The numbers of the chosen columns, in the rows that have them all.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Selection {
+    /// One vector for each chosen column, all of one length.
+    pub columns: Vec<Vec<f64>>,
+    /// The line each row came from, counted from one.
+    pub lines: Vec<u64>,
+    /// How many rows were left out because a chosen cell is empty or NaN.
+    pub dropped: usize,
+}
+
+impl Table {
+    /// The table in these bytes; of a workbook, its first sheet.
+    ///
+    /// # Errors
+    /// Those of [`Recording::read`].
+    pub fn read(bytes: &[u8], options: &Options) -> Result<Self, MeasurementError> {
+        let recording = Recording::read(bytes, options)?;
+        let sheet = recording.into_first_sheet();
+        let named = sheet.header_line.is_some();
+        let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
+        Ok(Self { sheet, names })
+    }
+
+    pub(super) fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// What stands between the cells.
+    #[must_use]
+    pub fn delimiter(&self) -> Delimiter {
+        let Dialect { delimiter, .. } = self.sheet.dialect;
+        delimiter
+    }
+
+    /// The names of the columns; empty when the table has no header.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// How many columns there are.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.sheet.channels.len()
+    }
+
+    /// The numbers in these columns, row by row; rows that lack one of them are dropped and counted.
+    ///
+    /// # Errors
+    /// No such column, a name that several columns bear, a cell that is text, no complete row.
+    pub fn select(&self, columns: &[Column]) -> Result<Selection, MeasurementError> {
+        let places: Vec<usize> =
+            columns.iter().map(|column| self.sheet.place(column)).collect::<Result<_, _>>()?;
+        let mut selection =
+            Selection { columns: vec![Vec::new(); places.len()], lines: Vec::new(), dropped: 0 };
+        for row in 0..self.sheet.rows() {
+            match self.numbers(row, &places)? {
+                Some(numbers) => selection.push(self.sheet.lines[row], &numbers),
+                None => selection.dropped += 1,
+            }
+        }
+        if selection.lines.is_empty() {
+            return Err(MeasurementError::NothingComplete(self.sheet.rows()));
+        }
+        Ok(selection)
+    }
+
+    /// The numbers of a row, or nothing when one of them is missing.
+    fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
+        let numbers: Vec<Option<f64>> =
+            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+        Ok(numbers.into_iter().collect())
+    }
+}
+
+impl Selection {
+    fn push(&mut self, line: u64, numbers: &[f64]) {
+        self.lines.push(line);
+        for (column, &number) in self.columns.iter_mut().zip(numbers) {
+            column.push(number);
+        }
+    }
+}

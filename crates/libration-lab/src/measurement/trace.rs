@@ -1,0 +1,153 @@
+//! A trace: what an instrument saw of one swing, in the order of time.
+
+/// Why columns are no trace.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TraceError {
+    /// Columns of different lengths, or none.
+    #[error("columns of {0:?} rows are no trace: give as many values as times, and at least one")]
+    Lengths(Vec<usize>),
+    /// A number that is not finite.
+    #[error("{0:?} is not a finite number: leave the row out")]
+    NotFinite(f64),
+    /// A time that is not after the one before.
+    #[error("the time {after:?} s follows {before:?} s: give times that increase")]
+    TimesNotIncreasing {
+        /// In seconds.
+        before: f64,
+        /// In seconds.
+        after: f64,
+    },
+    /// An uncertainty that is not positive.
+    #[error("an uncertainty of {0:?} is not usable: give positive ones, or none at all")]
+    Uncertainty(f64),
+}
+
+/// What the numbers of a trace are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The angle, in radians; where it is zero is not known.
+    Angle,
+    /// The angular velocity, in radians per second, as a gyroscope gives it.
+    AngularVelocity,
+}
+
+/// What an instrument saw of one swing. Units are radians and seconds.
+///
+/// # Examples
+/// ```
+/// use libration_lab::measurement::{Seen, Trace};
+/// let trace = Trace::new("swing", Seen::Angle, vec![0.0, 0.1, 0.2], vec![0.5, 0.4, 0.2], None)?;
+/// assert_eq!(trace.len(), 3);
+/// assert!(Trace::new("back in time", Seen::Angle, vec![0.1, 0.0], vec![0.5, 0.4], None).is_err());
+/// # Ok::<(), libration_lab::measurement::TraceError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    name: String,
+    seen: Seen,
+    times: Vec<f64>,
+    values: Vec<f64>,
+    uncertainties: Option<Vec<f64>>,
+    clock_uncertainty: f64,
+}
+
+impl Trace {
+    /// The trace of these columns; `name` says whose they are, for people.
+    ///
+    /// # Errors
+    /// Columns of different lengths or empty, numbers that are not finite, times that do not increase, uncertainties
+    /// that are not positive.
+    pub fn new(
+        name: &str,
+        seen: Seen,
+        times: Vec<f64>,
+        values: Vec<f64>,
+        uncertainties: Option<Vec<f64>>,
+    ) -> Result<Self, TraceError> {
+        let columns = [Some(&times), Some(&values), uncertainties.as_ref()].into_iter().flatten();
+        let lengths: Vec<usize> = columns.clone().map(Vec::len).collect();
+        if times.is_empty() || lengths.iter().any(|&length| length != times.len()) {
+            return Err(TraceError::Lengths(lengths));
+        }
+        if let Some(&value) = columns.flatten().find(|value| !value.is_finite()) {
+            return Err(TraceError::NotFinite(value));
+        }
+        if let Some(pair) = times.windows(2).find(|pair| pair[1] <= pair[0]) {
+            return Err(TraceError::TimesNotIncreasing { before: pair[0], after: pair[1] });
+        }
+        if let Some(&value) = uncertainties.iter().flatten().find(|&&value| value <= 0.0) {
+            return Err(TraceError::Uncertainty(value));
+        }
+        Ok(Self { name: name.to_owned(), seen, times, values, uncertainties, clock_uncertainty: 0.0 })
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: &str) -> Self {
+        Self { name: name.to_owned(), ..self }
+    }
+
+    /// The same, all times of which may be too long or too short by this part of them: one standard deviation.
+    #[must_use]
+    pub fn with_clock_uncertainty(self, clock_uncertainty: f64) -> Self {
+        Self { clock_uncertainty, ..self }
+    }
+
+    /// By which part all times together may be too long or too short, one standard deviation; zero where that is not known.
+    #[must_use]
+    pub fn clock_uncertainty(&self) -> f64 {
+        self.clock_uncertainty
+    }
+
+    /// Whose it is.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What its numbers are.
+    #[must_use]
+    pub fn seen(&self) -> Seen {
+        self.seen
+    }
+
+    /// The times, in seconds, increasing.
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The angles or angular velocities, in radians and seconds.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The standard uncertainty of each value, where the instrument gave one.
+    #[must_use]
+    pub fn uncertainties(&self) -> Option<&[f64]> {
+        self.uncertainties.as_deref()
+    }
+
+    /// How many rows there are; at least one.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a trace is never empty")]
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// The rows that `keep` says, by their numbers from zero.
+    ///
+    /// # Errors
+    /// No row is left.
+    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Result<Self, TraceError> {
+        let chosen = |column: &[f64]| -> Vec<f64> {
+            (0..column.len()).filter(|&row| keep(row)).map(|row| column[row]).collect()
+        };
+        let uncertainties = self.uncertainties.as_deref().map(chosen);
+        let part =
+            Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)?;
+        Ok(part.with_clock_uncertainty(self.clock_uncertainty))
+    }
+}

@@ -1,0 +1,350 @@
+//! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers and gaps.
+
+use libration::pendulum::Pendulum;
+use libration_lab::fit::cycles::{
+    Cycles, CyclesError, Options, are_radians, beyond_a_turn, cycles, cycles_tell_beta,
+};
+use libration_lab::fit::trace::DampingTerm;
+use libration_lab::measurement::{Seen, Trace};
+
+use crate::random::Random;
+use crate::synthetic_trace::Synthetic;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+fn found_in(trace: &Trace) -> Cycles {
+    cycles(trace, &Options::default()).unwrap()
+}
+
+fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
+    found_in(&synthetic.trace(&mut Random::seeded(seed)))
+}
+
+fn refused(trace: &Trace) -> CyclesError {
+    cycles(trace, &Options::default()).unwrap_err()
+}
+
+/// Without noise what is left is the bias of the local fits, and what damping does to the period in second order.
+#[test]
+fn without_noise_every_cycle_obeys_the_exact_law() {
+    let cases = [
+        Synthetic::USUAL,
+        Synthetic { amplitude: 100.0 * DEGREE, linear: 0.05, ..Synthetic::USUAL },
+        Synthetic { amplitude: 0.1, dry: 0.003, linear: 0.0, ..Synthetic::USUAL },
+        Synthetic { quadratic: 0.05, linear: 0.0, offset: 0.3, ..Synthetic::USUAL },
+        // 25 rows in a period.
+        Synthetic { step: 0.083, rows: 480, ..Synthetic::USUAL },
+        // 12 rows in a period.
+        Synthetic { step: 0.175, rows: 240, ..Synthetic::USUAL },
+        Synthetic { seen: Seen::AngularVelocity, offset: 0.05, ..Synthetic::USUAL },
+        Synthetic { seen: Seen::AngularVelocity, amplitude: 2.2, ..Synthetic::USUAL },
+    ];
+    for case in cases {
+        let found = of(&case, 1);
+        let worst = found.small_angle_periods().map(|t0| (t0 / case.t0() - 1.0).abs()).fold(0.0, f64::max);
+        assert!(worst < 3e-4, "{case:?}: {worst:e}");
+        assert!((found.t0 / case.t0() - 1.0).abs() < 5e-5, "{case:?}: {}", found.t0);
+        assert!((found.offset - case.offset).abs() < 3e-4, "{case:?}: {}", found.offset);
+    }
+}
+
+/// Root mean square of errors over their stated uncertainties, of T0 and of β, over so many traces.
+fn pulls(case: &Synthetic, traces: u64) -> [f64; 2] {
+    let mut squares = [0.0; 2];
+    for seed in 0..traces {
+        let found = of(case, seed);
+        let beta = found.beta.unwrap();
+        let errors = [(found.t0 - case.t0()) / found.t0_uncertainty, (beta.beta - 1.0) / beta.uncertainty];
+        for (square, error) in squares.iter_mut().zip(errors) {
+            *square += error * error;
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+    let traces = traces as f64;
+    squares.map(|square: f64| (square / traces).sqrt())
+}
+
+/// The mean square of 60 pulls is within a third of 1 with 93 % probability; what damping does in second order and noise in
+/// the amplitudes add to that.
+#[test]
+fn errors_are_as_large_as_their_uncertainties() {
+    let cases = [
+        Synthetic { noise: 0.002, linear: 0.01, ..Synthetic::USUAL },
+        Synthetic { noise: 0.005, step: 0.083, rows: 480, ..Synthetic::USUAL },
+        Synthetic { noise: 0.005, step: 0.175, rows: 240, ..Synthetic::USUAL },
+        Synthetic { noise: 0.003, amplitude: 2.4, ..Synthetic::USUAL },
+        Synthetic { noise: 0.01, offset: 0.02, seen: Seen::AngularVelocity, ..Synthetic::USUAL },
+    ];
+    for case in cases {
+        for pull in pulls(&case, 60) {
+            assert!((0.7..1.35).contains(&pull), "{pull} {case:?}");
+        }
+    }
+}
+
+/// An encoder of 4000 counts to the turn, 200 Hz: as a real one of a laboratory.
+#[test]
+fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
+    let quantum = 360.0 * DEGREE / 4000.0;
+    let case =
+        Synthetic { quantum, step: 0.005, rows: 3000, amplitude: 1.9, linear: 0.04, ..Synthetic::USUAL };
+    let found = of(&case, 1);
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+    // Rounding leaves an error of quantum/√12.
+    assert!((found.noise / (quantum / 12.0_f64.sqrt()) - 1.0).abs() < 0.2, "{}", found.noise);
+    let beta = found.beta.unwrap();
+    assert!((beta.beta - 1.0).abs() < 0.005, "{beta:?}");
+}
+
+/// A trace with some of its rows changed or left out.
+fn changed(trace: &Trace, value: impl Fn(usize, f64) -> Option<f64>) -> Trace {
+    let rows =
+        (0..trace.len()).filter_map(|row| Some((trace.times()[row], value(row, trace.values()[row])?)));
+    let (times, values) = rows.unzip();
+    Trace::new("changed", trace.seen(), times, values, None).unwrap()
+}
+
+#[test]
+fn stray_values_and_dropped_frames_hardly_matter() {
+    let case = Synthetic { noise: 0.002, ..Synthetic::USUAL };
+    let trace = case.trace(&mut Random::seeded(5));
+    let clean = found_in(&trace);
+    let spoilt = changed(&trace, |row, value| match row % 97 {
+        13 => Some(value + 0.8),
+        50..53 => None,
+        _ => Some(value),
+    });
+    let spoilt = found_in(&spoilt);
+    assert_eq!(spoilt.cycles.len(), clean.cycles.len());
+    assert!((spoilt.t0 - clean.t0).abs() < 2.0 * clean.t0_uncertainty, "{} {}", spoilt.t0, clean.t0);
+    assert!((spoilt.noise / clean.noise - 1.0).abs() < 0.15, "{} {}", spoilt.noise, clean.noise);
+}
+
+#[test]
+fn a_gap_costs_its_cycles_and_is_said() {
+    let trace = Synthetic { noise: 0.001, ..Synthetic::USUAL }.trace(&mut Random::seeded(2));
+    let whole = found_in(&trace);
+    let gap = found_in(&changed(&trace, |row, value| (!(900..1000).contains(&row)).then_some(value)));
+    assert!(gap.cycles.len() < whole.cycles.len() && gap.cycles.len() > whole.cycles.len() - 8);
+    assert!((gap.t0 - whole.t0).abs() < 4.0 * whole.t0_uncertainty);
+    assert!(!gap.warnings.is_empty() && whole.warnings.is_empty(), "{:?} {:?}", gap.warnings, whole.warnings);
+}
+
+#[test]
+fn a_centre_that_drifts_is_followed() {
+    let case = Synthetic { noise: 0.001, ..Synthetic::USUAL };
+    let trace = case.trace(&mut Random::seeded(3));
+    let tilted = changed(&trace, |row, value| Some(value + 0.05 * trace.times()[row] / 40.0));
+    let found = found_in(&tilted);
+    assert!(found.offset_wander > 0.005, "{}", found.offset_wander);
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+}
+
+#[test]
+fn swings_over_the_top_are_left_out_and_said() {
+    // Three turns or so, and then to and fro.
+    let case = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, ..Synthetic::USUAL };
+    let found = of(&case, 1);
+    assert!(found.cycles.len() > 20, "{}", found.cycles.len());
+    let turns = found.offset / std::f64::consts::TAU;
+    assert!(turns > 0.5 && (turns - libm::round(turns)).abs() < 1e-3, "{turns}");
+    assert!((found.t0 / case.t0() - 1.0).abs() < 1e-3, "{}", found.t0);
+}
+
+#[test]
+fn the_envelope_tells_the_damping() {
+    let base = Synthetic { linear: 0.0, noise: 0.002, ..Synthetic::USUAL };
+    for (term, case) in [
+        (DampingTerm::Dry, Synthetic { dry: 0.05, ..base }),
+        (DampingTerm::Linear, Synthetic { linear: 0.05, ..base }),
+        (DampingTerm::Quadratic, Synthetic { quadratic: 0.08, ..base }),
+    ] {
+        let envelope = of(&case, 4).envelope.unwrap();
+        let preferred = envelope.preferred();
+        assert!(preferred.damping.has(term), "{}", envelope.verdict());
+        // The law with this damping alone, whatever others cannot be told from it.
+        let alone =
+            envelope.fits.iter().find(|fit| fit.damping.count() == 1 && fit.damping.has(term)).unwrap();
+        let truth = [case.dry, case.linear, case.quadratic].into_iter().fold(0.0, f64::max);
+        let coefficient = alone.coefficients[0];
+        assert!((coefficient.value - truth).abs() < 4.0 * coefficient.uncertainty, "{coefficient:?}");
+        assert!(coefficient.uncertainty < 0.05 * truth, "{coefficient:?}");
+        let wrong = envelope.fits.iter().filter(|fit| fit.damping.count() == 1 && !fit.damping.has(term));
+        assert!(wrong.clone().all(|fit| fit.aicc_difference > 10.0), "{:?}", wrong.collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn a_short_trace_cannot_separate_the_laws_of_damping() {
+    let case = Synthetic { noise: 0.01, rows: 700, linear: 0.01, ..Synthetic::USUAL };
+    let envelope = of(&case, 6).envelope.unwrap();
+    assert!(envelope.not_separated().count() >= 2, "{}", envelope.verdict());
+    assert!(envelope.verdict().contains("cannot separate"));
+}
+
+#[test]
+fn what_has_no_cycles_is_refused_kindly() {
+    let short = Synthetic { rows: 80, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert!(matches!(refused(&short), CyclesError::TooShort { .. }), "{}", refused(&short));
+    let coarse = Synthetic { step: 0.4, rows: 60, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert!(matches!(refused(&coarse), CyclesError::TooCoarse { .. }), "{}", refused(&coarse));
+    let turning = Synthetic { amplitude: 0.0, velocity: 13.0, rows: 300, ..Synthetic::USUAL };
+    let turning = turning.trace(&mut Random::seeded(1));
+    assert_eq!(refused(&turning), CyclesError::OnlyRotations);
+    let resting = changed(&short, |_, _| Some(0.25));
+    assert_eq!(refused(&resting), CyclesError::NothingSwings(0.25));
+}
+
+/// The noise of the amplitudes is then all that T/T0 changes by, and a straight line through it would say β = 0.
+#[test]
+fn amplitudes_that_only_scatter_leave_beta_open() {
+    let steady = Synthetic { linear: 0.0, noise: 0.003, ..Synthetic::USUAL };
+    for seed in 0..8 {
+        let refusal = of(&steady, seed).beta.unwrap_err();
+        let CyclesError::NoisyAmplitudes { noise_part } = refusal else { panic!("{refusal}") };
+        assert!((0.3..3.0).contains(&noise_part), "{noise_part}");
+        assert!(refusal.to_string().contains("record until the amplitude has fallen"), "{refusal}");
+    }
+    let falling = of(&Synthetic { linear: 0.02, ..steady }, 1);
+    assert!(falling.beta.is_ok() && cycles_tell_beta(falling.cycles.iter()).is_ok());
+    assert!(cycles_tell_beta(of(&steady, 1).cycles.iter()).is_err());
+}
+
+#[test]
+fn a_tail_at_rest_is_left_out_and_said() {
+    let base = Synthetic { amplitude: 0.6, rows: 4000, ..Synthetic::USUAL };
+    for case in [
+        Synthetic { linear: 0.3, noise: 0.002, ..base },
+        Synthetic { linear: 0.3, noise: 0.002, rows: 20_000, ..base },
+        Synthetic { linear: 0.2, dry: 0.05, noise: 0.002, ..base },
+        Synthetic { linear: 0.3, noise: 0.002, offset: 0.2, seen: Seen::AngularVelocity, ..base },
+    ] {
+        let found = of(&case, 3);
+        assert!(found.cycles.len() >= 8, "{}: {case:?}", found.cycles.len());
+        assert!((found.t0 / case.t0() - 1.0).abs() < 3e-3, "{}: {case:?}", found.t0);
+        // Dry friction ends the last swing all at once, before it is lost.
+        let is_said = found.warnings.iter().any(|text| text.contains("lost in the noise"));
+        assert_eq!(is_said, case.dry <= 0.0, "{:?}", found.warnings);
+    }
+    // With noise as large the swing goes on to the end.
+    let swinging = of(&Synthetic { noise: 0.01, ..Synthetic::USUAL }, 3);
+    assert!(swinging.warnings.is_empty(), "{:?}", swinging.warnings);
+}
+
+#[test]
+fn refusals_count_in_singular_and_plural() {
+    let said = |turning_points| CyclesError::TooShort { turning_points }.to_string();
+    assert!(said(1).contains("shows 1 turning point between"), "{}", said(1));
+    assert!(said(0).contains("shows 0 turning points between"), "{}", said(0));
+    assert!(said(462).contains("but no full cycle that can be measured"), "{}", said(462));
+    let cycles = CyclesError::EqualAmplitudes { cycles: 1 }.to_string();
+    assert!(cycles.starts_with("1 cycle of"), "{cycles}");
+}
+
+/// Swings of a pendulum without damping, or of something with a constant period, as the computer has them.
+fn exact(amplitude: f64, step: f64, seconds: f64, value: impl Fn(f64) -> f64) -> Trace {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand rows")]
+    let rows = (seconds / step) as u32;
+    let times: Vec<f64> = (0..rows).map(|row| step * f64::from(row)).collect();
+    let values = times.iter().map(|&time| amplitude * value(time)).collect();
+    Trace::new("exact", Seen::Angle, times, values, None).unwrap()
+}
+
+#[test]
+fn exact_swings_have_cycles_however_they_are_sampled() {
+    let mut failures = vec![];
+    for degrees in [10.0, 20.0, 40.0, 60.0, 75.0, 80.0, 120.0] {
+        for step in [0.01, 0.02, 0.025, 1.0 / 30.0, 0.04, 0.05, 0.1] {
+            for seconds in [10.0, 20.0, 60.0] {
+                let pendulum = Pendulum::from_angular_frequency(std::f64::consts::TAU / 1.5).unwrap();
+                let motion = pendulum.released_from(format!("{degrees}deg").parse().unwrap()).unwrap();
+                let swing = exact(1.0, step, seconds, |time| motion.state_at(time).angle);
+                let cosine = exact(degrees * DEGREE, step, seconds, |time| {
+                    libm::cos(std::f64::consts::TAU / 1.5 * time)
+                });
+                for (name, trace) in [("swing", swing), ("cosine", cosine)] {
+                    match cycles(&trace, &Options::default()) {
+                        Ok(found) if found.cycles.len() > 4 => {}
+                        other => failures.push(format!(
+                            "{name} {degrees} {step} {seconds}: {:?}",
+                            other.map(|it| it.cycles.len())
+                        )),
+                    }
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A pendulum whose cycles last longer or shorter by chance than the noise of its values tells: a string that slips, or frames
+/// that come when they like.
+#[test]
+fn cycles_scatter_by_their_stated_uncertainties() {
+    let steady = Synthetic { noise: 0.001, ..Synthetic::USUAL };
+    for [jitter, least, most] in [[0.0, 0.8, 1.25], [0.004, 0.8, 1.25], [0.02, 0.8, 1.25]] {
+        let mut random = Random::seeded(41);
+        let trace = steady.trace(&mut random);
+        // Time itself goes slower or faster from half second to half second.
+        let mut clock = 0.0;
+        let mut rate = 1.0;
+        let mut before = trace.times()[0];
+        let times: Vec<f64> = trace
+            .times()
+            .iter()
+            .enumerate()
+            .map(|(row, &time)| {
+                if row % 50 == 0 {
+                    rate = 1.0 + jitter * random.normal();
+                }
+                clock += rate * (time - before);
+                before = time;
+                clock
+            })
+            .collect();
+        let trace = Trace::new("jitter", Seen::Angle, times, trace.values().to_vec(), None).unwrap();
+        let found = found_in(&trace);
+        let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
+        let pulls = kept.iter().map(|cycle| {
+            let pull = (cycle.period / cycle.period_ratio - found.t0)
+                / (cycle.period_uncertainty / cycle.period_ratio);
+            pull * pull
+        });
+        #[expect(clippy::cast_precision_loss, reason = "some dozen")]
+        let pull = (pulls.sum::<f64>() / kept.len() as f64).sqrt();
+        assert!((least..most).contains(&pull), "{jitter}: {pull} {:?}", found.chi2_per_dof);
+    }
+}
+
+#[test]
+fn radians_that_are_called_degrees_are_recognised() {
+    let right = Synthetic { noise: 0.002, amplitude: 0.8, ..Synthetic::USUAL }.trace(&mut Random::seeded(7));
+    let found = found_in(&right);
+    assert!(!are_radians(found.beta.unwrap().beta, found.cycles.iter()));
+    let called = found_in(&changed(&right, |_, value| Some(value * DEGREE)));
+    let beta = called.beta.unwrap().beta;
+    // (180/π)² and what the next terms of the series add at 46°.
+    assert!((3283.0..3800.0).contains(&beta), "{beta}");
+    assert!(are_radians(beta, called.cycles.iter()));
+    // Angles that are too small by another factor are no radians.
+    let other = found_in(&changed(&right, |_, value| Some(value / 40.0)));
+    assert!(!are_radians(other.beta.unwrap().beta, other.cycles.iter()));
+}
+
+#[test]
+fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
+    let over = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, noise: 0.01, ..Synthetic::USUAL };
+    assert_eq!(beyond_a_turn(&over.trace(&mut Random::seeded(1))), None);
+    let swing = Synthetic { noise: 0.01, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    assert_eq!(beyond_a_turn(&swing), None);
+    // Just below and just above 1.1 turns from side to side; the bound heeds the noise of the extremes.
+    let span = |factor: f64| changed(&swing, |_, value| Some(value * factor));
+    let [low, high] = [0.9, 1.3].map(|part| part * 1.1 * std::f64::consts::PI / 1.0472);
+    assert_eq!(beyond_a_turn(&span(low)), None);
+    let beyond = beyond_a_turn(&span(high)).unwrap();
+    assert!(beyond.in_degrees && beyond.to_string().contains("no free pendulum"), "{beyond}");
+    let counts = beyond_a_turn(&span(1000.0)).unwrap();
+    assert!(!counts.in_degrees, "{counts}");
+    let velocities = Synthetic { seen: Seen::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
+    assert_eq!(beyond_a_turn(&velocities.trace(&mut Random::seeded(1))), None);
+}

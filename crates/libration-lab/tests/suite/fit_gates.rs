@@ -1,0 +1,174 @@
+//! Times of a photogate with known truth: edges by the integrator, jittered, some missing, some twice.
+
+use std::ops::ControlFlow;
+
+use libration::quantity::Quantity;
+use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
+use libration_lab::fit::gates::{GateOptions, GateSignals, GatesError, GatesFit, T0Source, gates};
+
+use crate::random::Random;
+use crate::synthetic_trace::normal;
+
+const OMEGA0: f64 = 3.2;
+const T0: f64 = std::f64::consts::TAU / OMEGA0;
+/// Of the bob, as an angle.
+const WIDTH: f64 = 0.026;
+const RELEASE: f64 = 0.9;
+
+fn exactly(value: f64) -> Quantity {
+    Quantity { value, uncertainty: None }
+}
+
+/// When the bob blocks and frees a gate at this angle, and whether it blocks it, for 60 s.
+fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
+    let equation = format!("theta'' = -{:e}*sin(theta) - 0.02*theta'", OMEGA0 * OMEGA0);
+    let event = |edge: f64| Event {
+        formula: format!("theta - ({edge:e})").parse().unwrap(),
+        direction: Direction::Any,
+        terminal: false,
+    };
+    let (low, high) = (gate - 0.5 * WIDTH, gate + 0.5 * WIDTH);
+    let system = System::new(&equation.parse().unwrap()).unwrap();
+    let system = system.with_events(&[event(low), event(high)]).unwrap();
+    let start = Moment { time: 0.0, state: vec![RELEASE, 0.0] };
+    let effort = Effort::to_tolerance(1e-12);
+    let motion = integrate(&system, &start, &[60.0], &effort, |_| ControlFlow::Continue(())).unwrap();
+    let mut random = Random::seeded(7);
+    let mut edge = |time: f64, which: usize, velocity: f64| {
+        // Moving down the upper edge comes first.
+        (time + jitter * normal(&mut random), (which == 1) == (velocity < 0.0))
+    };
+    motion.events.iter().map(|found| edge(found.time, found.event, found.state[1])).collect()
+}
+
+fn split(edges: &[(f64, bool)]) -> (Vec<f64>, Vec<bool>) {
+    edges.iter().copied().unzip()
+}
+
+/// The middles of the passages.
+fn middles(edges: &[(f64, bool)]) -> Vec<f64> {
+    edges.chunks_exact(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0)).collect()
+}
+
+fn with_width() -> GateOptions {
+    GateOptions { width: Some(exactly(WIDTH)), ..GateOptions::default() }
+}
+
+fn agrees(fit: &GatesFit, most: f64) {
+    let t0 = fit.t0.unwrap();
+    let uncertainty = t0.uncertainty.unwrap();
+    assert!((t0.value - T0).abs() < 4.0 * uncertainty + 1e-5, "{t0:?}");
+    assert!(uncertainty < most, "{t0:?}");
+}
+
+#[test]
+fn speeds_at_the_gate_give_t0_and_the_exact_law_wherever_it_stands() {
+    for gate in [0.0, 0.15, -0.2] {
+        let (times, blocked) = split(&edges(gate, 1e-5));
+        let fit = gates(&times, Some(&blocked), &with_width()).unwrap();
+        assert_eq!((fit.unpaired, fit.double_triggers, fit.missed), (0, 0, 0));
+        assert_eq!(fit.t0_source, Some(T0Source::Speeds));
+        agrees(&fit, 1e-3);
+        let beta = fit.beta.unwrap();
+        assert!((beta.beta - 1.0).abs() < 4.0 * beta.uncertainty + 1e-3, "{beta:?}");
+        let first = fit.cycles[0].amplitude.unwrap();
+        assert!((first - RELEASE).abs() < 0.03, "{first}");
+        assert!((fit.part_between - 0.5).abs() > 0.3 * gate.abs(), "{}", fit.part_between);
+    }
+}
+
+#[test]
+fn edges_without_states_are_told_from_their_pattern() {
+    let (times, blocked) = split(&edges(0.1, 1e-5));
+    let with = gates(&times, Some(&blocked), &with_width()).unwrap();
+    let without = gates(&times, None, &with_width()).unwrap();
+    assert!(without.edges);
+    assert_eq!(with.t0, without.t0);
+}
+
+#[test]
+fn the_jitter_of_the_times_is_found() {
+    let jitter = 2e-4;
+    let (times, blocked) = split(&edges(0.0, jitter));
+    let fit = gates(&times, Some(&blocked), &with_width()).unwrap();
+    // The middle of two edges has 1/√2 of it; some fifty differences tell that to a sixth or so.
+    assert!((fit.timing / (jitter / 2.0_f64.sqrt()) - 1.0).abs() < 0.4, "{}", fit.timing);
+}
+
+#[test]
+fn passages_missing_and_twice_are_counted_and_change_nothing() {
+    let clean = middles(&edges(0.2, 1e-5));
+    let options = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
+    let whole = gates(&clean, None, &options).unwrap();
+    let without = clean.iter().enumerate().filter(|(k, _)| ![11, 20, 21].contains(k)).map(|(_, &time)| time);
+    let doubled = [5, 30].map(|k| clean[k] + 0.004);
+    let mut spoilt: Vec<f64> = without.chain(doubled).collect();
+    spoilt.sort_by(f64::total_cmp);
+    let fit = gates(&spoilt, None, &options).unwrap();
+    assert_eq!((fit.double_triggers, fit.missed), (2, 3));
+    assert!((fit.t0.unwrap().value - whole.t0.unwrap().value).abs() < 2e-4);
+    assert!(fit.warnings.iter().any(|warning| warning.contains("double triggers")));
+}
+
+#[test]
+fn the_amplitude_of_the_release_gives_t0() {
+    let options =
+        GateOptions { amplitude: Some(exactly(RELEASE)), signals: Some(GateSignals::Passages), width: None };
+    for gate in [0.0, 0.2] {
+        let fit = gates(&middles(&edges(gate, 1e-5)), None, &options).unwrap();
+        assert_eq!(fit.t0_source, Some(T0Source::FirstAmplitude));
+        agrees(&fit, 2e-3);
+    }
+}
+
+#[test]
+fn without_an_amplitude_t0_is_not_known_and_said() {
+    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &GateOptions::default()).unwrap();
+    assert!(fit.t0.is_none() && fit.warnings.iter().any(|warning| warning.contains("amplitude")));
+    assert!(fit.mean_period.value > T0);
+    // An amplitude that is far too large makes T0 longer than any period, which no pendulum has.
+    let wrong = GateOptions { amplitude: Some(exactly(0.01)), ..GateOptions::default() };
+    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &wrong).unwrap();
+    assert!(fit.warnings.iter().any(|warning| warning.contains("below T0")), "{:?}", fit.warnings);
+}
+
+#[test]
+fn times_of_no_pendulum_are_refused() {
+    let refused = |times: &[f64]| gates(times, None, &GateOptions::default()).unwrap_err();
+    assert!(matches!(refused(&[0.0, 1.0]), GatesError::TooFew { .. }));
+    assert!(matches!(refused(&[0.0, f64::INFINITY]), GatesError::NotFinite(_)));
+    assert!(matches!(refused(&[]), GatesError::TooFew { passages: 0 }));
+    assert!(matches!(refused(&[1.0; 9]), GatesError::TooFew { .. }));
+    let mut random = Random::seeded(1);
+    let mut noise: Vec<f64> = (0..60).map(|_| random.between(0.0, 60.0)).collect();
+    noise.sort_by(f64::total_cmp);
+    let found =
+        gates(&noise, None, &GateOptions { signals: Some(GateSignals::Passages), ..GateOptions::default() });
+    assert!(matches!(found, Err(GatesError::Irregular { .. })), "{found:?}");
+    let wide = GateOptions { width: Some(exactly(4.0)), ..GateOptions::default() };
+    assert!(matches!(gates(&[0.0, 1.0, 2.0], None, &wide), Err(GatesError::NotUsable { .. })));
+}
+
+/// The whole calculation with a bob that is a little wider and narrower.
+#[test]
+fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
+    let (times, blocked) = split(&edges(0.1, 1e-5));
+    let found = |factor: f64| {
+        let width = Some(Quantity { value: WIDTH * factor, uncertainty: Some(0.01 * WIDTH) });
+        gates(&times, Some(&blocked), &GateOptions { width, ..GateOptions::default() }).unwrap()
+    };
+    let fit = found(1.0);
+    let part = 0.005;
+    let wanted =
+        (found(1.0 + part).t0.unwrap().value - found(1.0 - part).t0.unwrap().value) / (2.0 * part * WIDTH);
+    let slope = fit.t0_by_width.unwrap();
+    assert!((slope / wanted - 1.0).abs() < 1e-3, "{slope} {wanted}");
+    // The width is nearly all that makes this T0 uncertain.
+    let correlation = fit.correlation_by_width(0.01 * WIDTH).unwrap();
+    assert!((-1.0..-0.9).contains(&correlation), "{correlation}");
+    assert!(fit.t0_degrees_of_freedom > 1000.0);
+    let exact = gates(&times, Some(&blocked), &with_width()).unwrap();
+    assert!((10.0..100.0).contains(&exact.t0_degrees_of_freedom), "{}", exact.t0_degrees_of_freedom);
+    let bare = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
+    assert_eq!(gates(&times, Some(&blocked), &bare).unwrap().correlation_by_width(1e-3), None);
+}

@@ -1,0 +1,213 @@
+//! Periods against length: lines with known g and offset, and what bends them.
+
+use std::f64::consts::TAU;
+
+use libration::pendulum::period_ratio;
+use libration::quantity::Quantity;
+use libration_lab::fit::{
+    BudgetInput, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths,
+};
+
+use crate::random::Random;
+use crate::synthetic_trace::normal;
+
+const G: f64 = 9.81;
+
+fn ten_lengths() -> Vec<f64> {
+    (1..=10).map(|k| 0.12 * f64::from(k)).collect()
+}
+
+/// T of a ball of this radius whose centre is so much below the end of the length.
+fn period(length: f64, offset: f64, radius: f64) -> f64 {
+    let whole = length + offset;
+    TAU * ((whole + 0.4 * radius * radius / whole) / G).sqrt()
+}
+
+fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable {
+    let columns = LengthColumns { lengths, periods, period_uncertainties: sigma, ..LengthColumns::default() };
+    LengthTable::new(&columns).unwrap()
+}
+
+fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
+    let sigma = vec![1e-3; periods.len()];
+    let bob_radius = radius.map(|value| Quantity { value, uncertainty: None });
+    let options = LengthsOptions { bob_radius, clock: None };
+    lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
+}
+
+#[test]
+fn a_line_gives_its_g_and_its_offset_back() {
+    let given = ten_lengths();
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, -0.0086, 0.0)).collect();
+    let fit = fitted(&given, &periods, None);
+    let best = fit.best();
+    assert!((best.g.value / G - 1.0).abs() < 1e-12 && (best.offset.unwrap().value + 0.0086).abs() < 1e-12);
+    // Without an offset g is wrong, and that is said.
+    assert!((fit.of(LengthModel::Plain).unwrap().g.value / G - 1.0).abs() > 3e-3);
+    assert!(fit.warnings.iter().any(|warning| warning.contains("offset is needed")), "{:?}", fit.warnings);
+}
+
+#[test]
+fn a_large_bob_bends_the_line_and_is_told_by_it() {
+    let (given, radius) = (ten_lengths(), 0.06);
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.02, radius)).collect();
+    let known = fitted(&given, &periods, Some(radius));
+    assert!((known.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", known.best());
+    assert!((known.best().offset.unwrap().value - 0.02).abs() < 1e-9);
+    let free = fitted(&given, &periods, None);
+    let bent = free.of(LengthModel::OffsetAndGyration).unwrap();
+    assert!((bent.gyration.unwrap().value / (0.4 * radius * radius) - 1.0).abs() < 1e-6, "{bent:?}");
+    assert!((bent.g.value / G - 1.0).abs() < 1e-7);
+    assert!(free.warnings.iter().any(|warning| warning.contains("radius 60.0 mm")), "{:?}", free.warnings);
+}
+
+#[test]
+fn large_swings_are_brought_back_to_small_ones() {
+    let given = ten_lengths();
+    let amplitude = 0.5;
+    let periods: Vec<f64> =
+        given.iter().map(|&length| period(length, 0.0, 0.0) * period_ratio(amplitude)).collect();
+    let columns = LengthColumns {
+        lengths: &given,
+        periods: &periods,
+        amplitudes: &[Quantity { value: amplitude, uncertainty: None }],
+        ..LengthColumns::default()
+    };
+    let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
+    assert!((fit.best().g.value / G - 1.0).abs() < 1e-12);
+}
+
+/// In 400 tables with noise in both columns the truth is within one uncertainty in 68 % and within two in 95 %, with binomial
+/// standard deviations of 2.3 % and 1.1 %.
+#[test]
+fn uncertainties_hold_the_truth_as_often_as_they_say() {
+    let mut random = Random::seeded(11);
+    let (of_length, of_period) = (0.002, 0.004);
+    let mut within = [[0_u32; 2]; 2];
+    for _ in 0..400 {
+        let truth: Vec<f64> = (0..15).map(|_| random.between(0.2, 1.5)).collect();
+        let periods: Vec<f64> =
+            truth.iter().map(|&length| period(length, 0.01, 0.0) + of_period * normal(&mut random)).collect();
+        let given: Vec<f64> = truth.iter().map(|&length| length + of_length * normal(&mut random)).collect();
+        let columns = LengthColumns {
+            lengths: &given,
+            periods: &periods,
+            length_uncertainties: Some(&[of_length; 15]),
+            period_uncertainties: Some(&[of_period; 15]),
+            amplitudes: &[],
+        };
+        let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
+        let best = fit.best();
+        let offset = best.offset.unwrap();
+        let errors = [
+            (best.g.value - G) / best.g.uncertainty.unwrap(),
+            (offset.value - 0.01) / offset.uncertainty.unwrap(),
+        ];
+        for (counts, error) in within.iter_mut().zip(errors) {
+            counts[0] += u32::from(error.abs() < 1.0);
+            counts[1] += u32::from(error.abs() < 2.0);
+        }
+    }
+    for [one, two] in within {
+        assert!((245..=300).contains(&one) && (366..=392).contains(&two), "{within:?}");
+    }
+}
+
+#[test]
+fn an_offset_that_is_not_there_is_not_called_needed() {
+    let mut random = Random::seeded(3);
+    let given = ten_lengths();
+    let mut needed = 0;
+    for _ in 0..200 {
+        let noisy = |length: &f64| period(*length, 0.0, 0.0) + 0.003 * normal(&mut random);
+        let periods: Vec<f64> = given.iter().map(noisy).collect();
+        let fit = lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
+        needed += u32::from(fit.of(LengthModel::Offset).unwrap().chance.unwrap() < 0.05);
+    }
+    // 5 % of 200 are 10, with a standard deviation of 3.
+    assert!((2..=20).contains(&needed), "{needed}");
+}
+
+#[test]
+fn tables_that_tell_nothing_are_refused() {
+    let refuse = |given: &[f64], periods: &[f64]| {
+        let columns = LengthColumns { lengths: given, periods, ..LengthColumns::default() };
+        LengthTable::new(&columns).and_then(|table| lengths(&table, &LengthsOptions::default())).unwrap_err()
+    };
+    assert_eq!(refuse(&[1.0, 1.0, 1.0], &[2.0, 2.01, 2.02]), FitError::EqualLengths);
+    assert!(matches!(refuse(&[1.0], &[2.0]), FitError::TooFewRows { .. }));
+    assert!(matches!(refuse(&[1.0, -1.0], &[2.0, 2.0]), FitError::LengthOfRow { row: 2, .. }));
+    assert!(matches!(refuse(&[1.0, 2.0], &[2.0, 0.0]), FitError::Period { row: 2, .. }));
+    assert!(matches!(refuse(&[1.0, 2.0], &[2.0]), FitError::LengthMismatch { .. }));
+}
+
+/// χ² of ten degrees of freedom is as large as wanted.
+fn scattered(per_dof: f64) -> LengthsFit {
+    let given: Vec<f64> = (1..=12).map(|k| 0.1 * f64::from(k)).collect();
+    // Orthogonal to a constant and a line, in y = (T/2π)².
+    let pattern = [1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 1.0, 1.0, -1.0];
+    let size = 1e-4;
+    let periods: Vec<f64> = given
+        .iter()
+        .zip(pattern)
+        .map(|(&length, sign)| TAU * ((length + 0.01) / G + size * sign).sqrt())
+        .collect();
+    // The uncertainties that make every residual of size one in y the same number of them.
+    let sigma = (8.0 / (10.0 * per_dof)).sqrt() * size;
+    let of_periods: Vec<f64> = periods.iter().map(|period| TAU * TAU * sigma / (2.0 * period)).collect();
+    lengths(&table(&given, &periods, Some(&of_periods)), &LengthsOptions::default()).unwrap()
+}
+
+#[test]
+fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
+    let (stated, more) = (scattered(1.0), scattered(19.9));
+    assert!((more.best().chi2_per_dof().unwrap() - 19.9).abs() < 1e-6, "{:?}", more.best());
+    let spread = |fit: &LengthsFit| {
+        let best = fit.best();
+        [best.g, best.offset.unwrap()].map(|found| found.uncertainty.unwrap())
+    };
+    // Stated uncertainties that are √19.9 times smaller leave the scatter, and so the answer, as it is.
+    for (ours, wanted) in spread(&more).into_iter().zip(spread(&stated)) {
+        assert!((ours / wanted - 1.0).abs() < 1e-6, "{ours} {wanted}");
+    }
+    assert!(more.warnings.iter().any(|text| text.contains("4.46 times")), "{:?}", more.warnings);
+    assert!((more.best().uncertainty_degrees_of_freedom() - 10.0).abs() < 1e-12);
+    assert!(stated.warnings.iter().all(|text| !text.contains("scatter")), "{:?}", stated.warnings);
+}
+
+/// Of ten degrees of freedom chance leaves χ² below 2.558 in one table of a hundred.
+#[test]
+fn rows_that_scatter_less_than_stated_are_told_and_nothing_is_made_smaller() {
+    let (little, enough) = (scattered(0.25), scattered(0.26));
+    let told = |fit: &LengthsFit| fit.warnings.iter().any(|text| text.contains("belong to the offset"));
+    assert!(told(&little) && !told(&enough));
+    let g = |fit: &LengthsFit| fit.gravity().uncertainty.unwrap();
+    assert!((g(&scattered(0.25)) / g(&scattered(1.0)) - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn clock_and_bob_are_part_of_the_uncertainty() {
+    let given = ten_lengths();
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.02, 0.06)).collect();
+    let sigma = vec![1e-3; periods.len()];
+    let columns = table(&given, &periods, Some(&sigma));
+    let g = |options: &LengthsOptions| lengths(&columns, options).unwrap();
+    let of_radius = |value: f64| LengthsOptions {
+        bob_radius: Some(Quantity { value, uncertainty: Some(0.01) }),
+        clock: Some(0.002),
+    };
+    let found = g(&of_radius(0.06));
+    let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
+    assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-12);
+    let whole = (g(&of_radius(0.061)).best().g.value - g(&of_radius(0.059)).best().g.value) / 0.002;
+    assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{found:?}");
+    let line = found.best().g.uncertainty.unwrap();
+    assert!((of(BudgetInput::Slope).change() / -line - 1.0).abs() < 1e-12);
+    let squares = [line, 0.004 * found.best().g.value, 0.01 * whole].map(|part| part * part);
+    let together = squares.iter().sum::<f64>().sqrt();
+    assert!((found.gravity().uncertainty.unwrap() / together - 1.0).abs() < 1e-4);
+    for clock in [-0.1, f64::NAN, f64::INFINITY] {
+        let refused = lengths(&columns, &LengthsOptions { bob_radius: None, clock: Some(clock) });
+        assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
+    }
+}

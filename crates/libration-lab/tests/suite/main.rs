@@ -1,0 +1,18 @@
+//! The evidence for the laboratory: recordings of every kind, damaged ones, and fits of swings whose truth is known.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
+#![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
+
+#[path = "../../../libration/tests/suite/random.rs"]
+mod random;
+mod synthetic_trace;
+
+mod fit;
+mod fit_budget;
+mod fit_cycles;
+mod fit_gates;
+mod fit_lengths;
+mod malformed;
+mod measurement;
+mod recording;
+mod rounded_times;
+mod trace_fits;

@@ -1,0 +1,599 @@
+//! Files as instruments write them: what is told from them, and what is chosen instead.
+
+use libration_lab::measurement::{
+    Choices, Column, Format, MeasurementError, Options, Recording, Seen, Stamps, Table, Traces, Unit,
+};
+use std::f64::consts::{PI, TAU};
+
+fn recording(file: &[u8]) -> Recording {
+    Recording::read(file, &Options::default()).unwrap()
+}
+
+fn traces(file: &str, choices: &Choices) -> Result<Traces, MeasurementError> {
+    recording(file.as_bytes()).traces(choices)
+}
+
+fn told(traces: &Traces) -> String {
+    traces.findings.iter().map(|finding| finding.to_string() + "\n").collect()
+}
+
+fn named(name: &str) -> Option<Column> {
+    Some(Column::Name(name.into()))
+}
+
+fn radians(degrees: f64) -> f64 {
+    degrees * (PI / 180.0)
+}
+
+/// A swing from 1 rad, sampled 60 times a second.
+fn swing(row: usize) -> (f64, f64) {
+    let time = f64::from(u16::try_from(row).unwrap()) / 60.0;
+    (time, libm::cos(3.0 * time))
+}
+
+/// Names and units as PASCO Capstone writes them in a country with decimal commas, with runs named by people.
+#[test]
+fn runs_side_by_side_are_read_with_their_names() {
+    let file = "\u{feff}\"Time (s) Anna 0.02\";\"Light Intensity (% of scale max) Anna 0.02\";\"Angle (rad) Anna 0.02\";\
+                \"Time (s) Run #2\";\"Light Intensity (% of scale max) Run #2\";\"Angle (rad) Run #2\"\r\n\
+                0,000;0,02945;0,10000;0,000;0,03149;0,20000\r\n\
+                0,050;0,02969;-7,85399E-4;0,050;0,03152;0,10000\r\n\
+                ;;;0,100;0,03136;0,05000\r\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values(), [0.1, -7.85399e-4]);
+    assert_eq!(found.traces[1].times(), [0.0, 0.05, 0.1]);
+    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["Anna 0.02", "Run #2"]);
+    assert_eq!(found.lines, [vec![2, 3], vec![2, 3, 4]]);
+    assert!(!told(&found).contains("incomplete"), "a shorter run just ends: {}", told(&found));
+    let second = traces(file, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
+    assert_eq!(second.traces, found.traces[1..]);
+    let missing = traces(file, &Choices { run: Some("3".into()), ..Choices::default() }).unwrap_err();
+    assert_eq!(missing.to_string(), "there is no run `3`: the file has `Anna 0.02`, `Run #2`");
+}
+
+/// Tracker writes the name of the track above the header, and several tracks under their names.
+#[test]
+fn tracks_stand_under_their_names() {
+    let mut one = "mass_A\r\nt\tx\ty\tθ\r\n".to_owned();
+    let mut two = "#multi:\n\tbob\t\tstand\t\nt\tx\ty\tx\ty\n".to_owned();
+    for row in 0..120 {
+        let (time, angle) = swing(row);
+        let (x, y) = (0.8 * libm::sin(angle), 1.3 - 0.8 * libm::cos(angle));
+        one += &format!("{time:.6E}\t{x:.9E}\t{y:.9E}\t\r\n");
+        two += &format!("{time}\t{x}\t{y}\t0.5\t{}\n", 0.1 + 1e-9 * time);
+    }
+    let chosen = Choices { x: named("x"), y: named("y"), ..Choices::default() };
+    let found = traces(&one, &chosen).unwrap();
+    assert!(
+        found.traces[0]
+            .values()
+            .iter()
+            .zip((0..).map(swing))
+            .all(|(&angle, (_, truth))| (angle - truth).abs() < 1e-7)
+    );
+    assert!(
+        told(&found).contains("the pivot is at (0.00000") && told(&found).contains("y grows upwards"),
+        "{}",
+        told(&found)
+    );
+    let refused = traces(&two, &Choices::default()).unwrap_err();
+    assert!(matches!(refused, MeasurementError::PivotUnknown(_)), "the stand does not swing: {refused}");
+    let bob = traces(&two, &Choices { run: Some("bob".into()), ..Choices::default() }).unwrap();
+    assert_eq!((bob.traces[0].name(), bob.traces[0].len()), ("bob", 120));
+}
+
+#[test]
+fn positions_in_a_picture_grow_downwards_and_a_short_arc_needs_its_pivot() {
+    let picture = |amplitude: f64| {
+        let row = |row: usize| {
+            let (time, shape) = swing(row);
+            // A twentieth of a pixel of unevenness, as from rounding.
+            let ripple = 0.05 * libm::sin(17.0 * time);
+            let (sine, cosine) = (libm::sin(amplitude * shape), libm::cos(amplitude * shape));
+            format!("{time},{},{}\n", 640.0 + (400.0 + ripple) * sine, 50.0 + (400.0 + ripple) * cosine)
+        };
+        format!("time (s),x (px),y (px)\n{}", (0..200).map(row).collect::<String>())
+    };
+    let found = traces(&picture(2.5), &Choices::default()).unwrap();
+    assert!(told(&found).contains("y grows downwards"), "{}", told(&found));
+    let largest = found.traces[0]
+        .values()
+        .iter()
+        .zip((0..).map(swing))
+        .map(|(&angle, (_, shape))| (angle - 2.5 * shape).abs());
+    assert!(largest.fold(0.0, f64::max) < 1e-4);
+    let refused = traces(&picture(0.02), &Choices::default()).unwrap_err();
+    assert!(refused.to_string().contains("pivot=X,Y"), "{refused}");
+    let chosen = Choices { pivot: Some((640.0, 50.0)), ..Choices::default() };
+    let found = traces(&picture(0.02), &chosen).unwrap();
+    assert!((found.traces[0].values()[0] - 0.02).abs() < 1e-6);
+}
+
+#[test]
+fn counts_become_turns_and_jumps_are_taken_out() {
+    let mut file = "packet,time_us, angle\n".to_owned();
+    for row in 0..200 {
+        let (time, shape) = swing(row);
+        let counts = (4000.0 + 1500.0 * shape).round() % 4000.0;
+        file += &format!("7, {}, {counts}\n", 492_306_565.0 + (1e6 * time).round());
+    }
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "nothing says the unit of column 3 (`angle`): say unit=rad or deg or counts-per-turn=4000"
+    );
+    let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
+    let values = found.traces[0].values();
+    assert!(
+        values
+            .iter()
+            .zip((0..).map(swing))
+            .all(|(&angle, (_, shape))| (angle - 1500.0 / 4000.0 * TAU * shape).abs() < 1e-3)
+    );
+    assert_eq!((found.traces[0].name(), found.traces[0].times()[0]), ("packet 7", 492.306565));
+    assert!(told(&found).contains("jumps by a turn taken out"), "{}", told(&found));
+}
+
+#[test]
+fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
+    let mut file = "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope y (rad/s)\",\"Gyroscope z (rad/s)\",\"Absolute (rad/s)\"\n".to_owned();
+    for row in 0..100 {
+        let (time, shape) = swing(row);
+        file += &format!(
+            "{time:.9E},{:.9E},{shape:.9E},{:.9E},{:.9E}\n",
+            0.01 * shape,
+            -0.02 * shape,
+            shape.abs()
+        );
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!((found.traces[0].seen(), found.traces[0].values()[0]), (Seen::AngularVelocity, 1.0));
+    assert!(told(&found).contains("nearly all of the motion"), "{}", told(&found));
+    let other = Choices { angular_velocity: named("Gyroscope z"), ..Choices::default() };
+    assert_eq!(traces(&file, &other).unwrap().traces[0].values()[0], -0.02);
+}
+
+#[test]
+fn uncertainties_go_with_their_values_each_in_its_unit() {
+    let file = "t (min),θ (deg),sigma_theta (rad)\n0,30,0.01\n0.001,20,0.02\n0.002,10,\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[0.01, 0.02][..]));
+    assert_eq!(found.traces[0].values(), [radians(30.0), radians(20.0)]);
+    assert_eq!(found.traces[0].times(), [0.0, 0.06]);
+    assert!(told(&found).contains("1 incomplete row left out"), "{}", told(&found));
+}
+
+#[test]
+fn every_guess_can_be_overridden() {
+    let file = "t (s),clock (ms),θ (deg),φ\n0,0,30,0.1\n1,50,20,0.2\n2,100,10,0.3\n";
+    let chosen = Choices {
+        time: Some(Column::Number(2)),
+        angle: named("φ"),
+        unit: Some(Unit::Radian),
+        ..Choices::default()
+    };
+    let found = traces(file, &chosen).unwrap();
+    assert_eq!(
+        (found.traces[0].times(), found.traces[0].values()),
+        (&[0.0, 0.05, 0.1][..], &[0.1, 0.2, 0.3][..])
+    );
+    let chosen = Choices { time_unit: Some(Unit::Minute), angle: named("θ"), ..chosen };
+    let found = traces(file, &Choices { unit: None, ..chosen.clone() }).unwrap();
+    assert_eq!((found.traces[0].times()[1], found.traces[0].values()[0]), (3000.0, radians(30.0)));
+    let wrong = traces(file, &Choices { unit: Some(Unit::Metre), ..chosen }).unwrap_err();
+    assert_eq!(wrong.to_string(), "m is no unit of an angle: give one such as rad, deg");
+}
+
+#[test]
+fn a_file_without_a_header_says_what_must_be_said() {
+    let file = "0.03 -1.148 0.1\n0.06 -1.159 0.2\n0.10 -1.204 0.1\n";
+    let refused = traces(file, &Choices::default()).unwrap_err().to_string();
+    assert!(
+        refused.ends_with("column 2, column 3: say angle=2 or 3 and unit=rad or deg, or x=2 and y=3"),
+        "{refused}"
+    );
+    let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
+    let found = traces(file, &chosen).unwrap();
+    assert_eq!(found.traces[0].values(), [-1.148, -1.159, -1.204]);
+    assert!(
+        told(&found).contains("only it increases throughout") && told(&found).contains("no unit is written")
+    );
+}
+
+#[test]
+fn a_photogate_gives_its_times_and_states() {
+    let vernier = "Latest: Time (s),Latest: GateState,Latest: Pulse Time (s)\n0.5125,1,\n0.5375,0,0.025\n1.5150,1,\n1.5401,0,0.0251\n";
+    let gates = recording(vernier.as_bytes()).gate_times(&Choices::default()).unwrap();
+    assert_eq!(gates.times, [0.5125, 0.5375, 1.515, 1.5401]);
+    assert_eq!(gates.blocked, Some(vec![true, false, true, false]));
+    let words = "t/ms\tgate\n512\tBlocked\n537\tUnblocked\n\tBlocked\n";
+    let gates = recording(words.as_bytes()).gate_times(&Choices::default()).unwrap();
+    assert_eq!(
+        (gates.times, gates.blocked, gates.incomplete),
+        (vec![0.512, 0.537], Some(vec![true, false]), 1)
+    );
+    let alone = recording(b"0.512\n1.034\n1.556\n").gate_times(&Choices::default()).unwrap();
+    assert_eq!((alone.times, alone.blocked), (vec![0.512, 1.034, 1.556], None));
+    let odd = recording(b"t (s),gate\n1,2\n").gate_times(&Choices::default()).unwrap_err();
+    assert_eq!(odd.to_string(), "line 2: 2 is no state of a photogate: give 1 or blocked, 0 or unblocked");
+}
+
+#[test]
+fn an_old_workbook_is_read_by_its_sheets() {
+    let book = recording(include_bytes!("../data/workbook.xls"));
+    assert_eq!(book.format(), Format::Xls);
+    let found = book.traces(&Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values()[..3], [0.5, 0.4375, 0.375]);
+    assert_eq!((found.traces[0].len(), found.lines[0][0]), (12, 2));
+    assert!(book.findings()[0].text.contains("`Metadata Device` is left out"));
+    let table = Table::read(include_bytes!("../data/workbook.xls"), &Options::default()).unwrap();
+    assert_eq!(table.select(&["Time (s)".parse().unwrap()]).unwrap().columns[0][1], 0.125);
+}
+
+/// 30 frames a second for 55 s as a table on a screen shows them: 0.0333, 0.0667, …, 10.0, 10.0, 10.1.
+#[test]
+fn times_with_three_significant_digits_are_the_even_times_they_come_from() {
+    let table = |missing: Option<u32>, rate: f64| {
+        let row = |row: u32| {
+            let time = f64::from(row) / rate;
+            let shown = format!("{time:.2e}").parse::<f64>().unwrap();
+            format!("{shown},{:.5}\n", 0.7 * libm::cos(4.2 * time))
+        };
+        let rows = (0..1650).filter(|&row| Some(row) != missing).map(row);
+        format!("t (s),theta (rad)\n{}", rows.collect::<String>())
+    };
+    for rate in [30.0, 29.97] {
+        let found = traces(&table(None, rate), &Choices::default()).unwrap();
+        let trace = &found.traces[0];
+        assert_eq!(trace.len(), 1650);
+        assert!(
+            told(&found).contains("with 3 significant digits (times-as-written says otherwise)"),
+            "{}",
+            told(&found)
+        );
+        assert!(
+            !told(&found).contains("not by rounding") && !told(&found).contains("left out"),
+            "{}",
+            told(&found)
+        );
+        let span = trace.times()[1649] - trace.times()[0];
+        let error = (span * rate / 1649.0 - 1.0).abs();
+        assert!(
+            error < 2.0 * trace.clock_uncertainty() && trace.clock_uncertainty() < 1.5e-4,
+            "{rate}: {error:e}"
+        );
+    }
+    let written = Choices { stamps: Some(Stamps::AsWritten), ..Choices::default() };
+    assert!(traces(&table(None, 30.0), &written).unwrap().traces[0].len() < 800);
+    let gap = traces(&table(Some(1200), 30.0), &Choices::default()).unwrap_err();
+    assert!(matches!(gap, MeasurementError::CoarseTimes { digits: 3, .. }), "{gap}");
+    // Where the digits still tell the frames apart, so do they tell the one that is missing.
+    let early = traces(&table(Some(20), 30.0), &Choices::default()).unwrap();
+    assert_eq!(early.traces[0].len(), 1649);
+    assert!(told(&early).contains("1 gap of 1 row in all (after line 21)"), "{}", told(&early));
+}
+
+/// A 200 Hz record with times to a hundredth of a second: every time stands twice.
+#[test]
+fn rows_that_share_times_are_kept_with_even_ones() {
+    let row = |row: u32| {
+        let time = f64::from(row) / 200.0;
+        format!("{:.2},{:.4}\n", (100.0 * time).floor() / 100.0, 0.5 * libm::cos(4.0 * time))
+    };
+    let file = format!("t (s),theta (rad)\n{}", (0..800).map(row).collect::<String>());
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].len(), 800);
+    let steps = found.traces[0].times().windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(steps.into_iter().all(|step| (step - 0.005).abs() < 1e-5));
+    assert!(told(&found).contains("so coarse that rows share them"), "{}", told(&found));
+    let uneven = file.replace("0.03,", "0.031,");
+    let asked = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    assert!(matches!(traces(&uneven, &asked), Err(MeasurementError::NotEven { .. })));
+}
+
+/// A swing of 400 rows at 100 Hz, its times changed.
+fn timed(change: impl Fn(usize, f64) -> f64) -> String {
+    let row = |row: usize| {
+        let time = 0.01 * f64::from(u16::try_from(row).unwrap());
+        format!("{:.2},{:.6}\n", change(row, time), libm::cos(4.0 * time))
+    };
+    format!("Time (s),Angle (rad)\n{}", (0..400).map(row).collect::<String>())
+}
+
+#[test]
+fn one_time_out_of_order_costs_one_row_and_a_clock_set_back_cuts_the_run() {
+    let stray = timed(|row, time| if row == 200 { 0.005 } else { time });
+    let found = traces(&stray, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].len(), 399);
+    assert!(
+        told(&found).contains("line 202: the time is out of order and belongs nowhere: left out"),
+        "{}",
+        told(&found)
+    );
+    let set_back = timed(|row, time| if row < 150 { time } else { time - 0.5 });
+    let found = traces(&set_back, &Choices::default()).unwrap();
+    assert_eq!(found.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
+    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["run 1", "run 2"]);
+    assert!(told(&found).contains("line 152: the time goes back and begins anew: cut there into 2 runs"));
+    let second = traces(&set_back, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
+    assert_eq!(second.traces, found.traces[1..]);
+    for run in ["3", "Anna"] {
+        let missing = traces(&set_back, &Choices { run: Some(run.into()), ..Choices::default() });
+        assert!(matches!(missing, Err(MeasurementError::NoSuch { .. })));
+    }
+    let none = traces(&timed(|_, time| time), &Choices { run: Some("1".into()), ..Choices::default() });
+    assert_eq!(none.unwrap_err().to_string(), "there is no run `1`: the file has one run only");
+}
+
+#[test]
+fn what_is_not_asked_for_is_not_judged() {
+    // Nonsense before one second and after three.
+    let file =
+        timed(
+            |row, time| {
+                if (100..=300).contains(&row) { time } else { 0.2 + 0.3 * f64::from(u8::from(row % 2 == 0)) }
+            },
+        );
+    assert!(matches!(traces(&file, &Choices::default()), Err(MeasurementError::TimeGoesBack { .. })));
+    let part = Choices { from: Some(1.0), to: Some(3.0), ..Choices::default() };
+    let found = traces(&file, &part).unwrap();
+    let times = found.traces[0].times();
+    assert_eq!((times.len(), times[0], times[200]), (201, 1.0, 3.0));
+    assert!(!told(&found).contains("out of order"), "{}", told(&found));
+    let nothing = traces(&file, &Choices { from: Some(7.0), ..Choices::default() }).unwrap_err();
+    assert!(matches!(nothing, MeasurementError::NothingBetween { last, .. } if last == 3.0), "{nothing}");
+}
+
+#[test]
+fn a_tilted_gyroscope_is_read_about_the_axis_that_it_turns_about() {
+    let mut file = "Time (s),Gyroscope x (deg/s),Gyroscope y (deg/s),Gyroscope z (deg/s)\n".to_owned();
+    for row in 0..400 {
+        let (time, rate) = (0.01 * f64::from(row), 90.0 * libm::sin(0.04 * f64::from(row)));
+        file += &format!("{time:.2},{:.6},{:.6},{:.6}\n", -0.36 * rate, 0.48 * rate, 0.8 * rate);
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].seen(), Seen::AngularVelocity);
+    for (row, value) in (0..).zip(found.traces[0].values()) {
+        assert!((value - radians(90.0 * libm::sin(0.04 * f64::from(row)))).abs() < 1e-7);
+    }
+    assert!(told(&found).contains("(-0.360, 0.480, 0.800)"), "{}", told(&found));
+}
+
+#[test]
+fn an_acceleration_is_no_angle_whatever_is_said() {
+    let file = "Time (s),Acceleration x (m/s^2)\n0,9.5\n0.1,9.9\n0.2,9.5\n";
+    for choices in [
+        Choices::default(),
+        Choices { unit: Some(Unit::Radian), ..Choices::default() },
+        Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() },
+        Choices { angular_velocity: Some(Column::Number(2)), ..Choices::default() },
+    ] {
+        let refused = traces(file, &choices).unwrap_err();
+        assert!(matches!(refused, MeasurementError::Accelerations { .. }), "{refused}");
+    }
+    let with_gyroscope =
+        file.replace("(m/s^2)\n", "(m/s^2),Gyroscope z (rad/s)\n").replace("9.5\n", "9.5,1\n");
+    let found = traces(&with_gyroscope.replace("9.9\n", "9.9,2\n"), &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].values(), [1.0, 2.0, 1.0]);
+}
+
+#[test]
+fn the_column_behind_the_angles_holds_their_uncertainties() {
+    let file = "t (s),±,θ (deg),± (deg)\n0,0.001,30,0.5\n0.1,0.001,20,0.5\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let without_unit = "t (s),θ (deg),±,height\n0,30,0.5,1\n0.1,20,0.5,1\n";
+    let found = traces(without_unit, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let empty = "t (s),θ (deg),±\n0,30,\n0.1,20,\n";
+    assert_eq!(traces(empty, &Choices::default()).unwrap().traces[0].uncertainties(), None);
+}
+
+#[test]
+fn nanoseconds_and_turns_are_units_of_headings() {
+    let file = "timestamp (ns),angle (turns)\n0,0.25\n20000000,0.125\n40000000,0\n";
+    let found = traces(file, &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].times(), [0.0, 0.02, 0.04]);
+    assert_eq!(found.traces[0].values(), [0.25 * TAU, 0.125 * TAU, 0.0]);
+}
+
+#[test]
+fn degrees_under_a_header_of_radians_are_doubted_at_once() {
+    let swing = |header: &str, degrees: f64| {
+        let row =
+            |n: u8| format!("{:.2},{:.3}\n", 0.05 * f64::from(n), degrees * libm::cos(0.4 * f64::from(n)));
+        format!("t (s),{header}\n{}", (0..120).map(row).collect::<String>())
+    };
+    let doubtful = |header: &str, degrees: f64| {
+        told(&traces(&swing(header, degrees), &Choices::default()).unwrap())
+            .contains("these are degrees (unit says otherwise)")
+    };
+    assert!(doubtful("θ (rad)", 47.3));
+    assert!(!doubtful("θ (deg)", 47.3) && !doubtful("θ (rad)", 2.9));
+}
+
+#[test]
+fn times_that_rounding_has_kept_apart_stay_as_they_are_written() {
+    let written = |row: u32| (1e3 * f64::from(row) / 60.0).round() / 1e3;
+    let row = |row: u32| format!("{:.3},{:.4}\n", written(row), 0.5 * libm::cos(0.07 * f64::from(row)));
+    let file = format!("t (s),theta (rad)\n{}", (0..300).map(row).collect::<String>());
+    let found = traces(&file, &Choices::default()).unwrap();
+    assert!(
+        found.traces[0]
+            .times()
+            .iter()
+            .zip((0..).map(written))
+            .all(|(time, truth)| (time - truth).abs() < 1e-15)
+    );
+    assert!(found.traces[0].clock_uncertainty().abs() < 1e-300);
+    let even = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    let found = traces(&file, &even).unwrap();
+    assert!(found.traces[0].times().windows(2).all(|pair| (pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6));
+}
+
+/// The strongest axis has 99.5 % of the mean square, and alone would make all rates 0.25 % too small.
+#[test]
+fn a_gyroscope_tilted_by_four_degrees_loses_nothing() {
+    let mut file = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)\n".to_owned();
+    for row in 0..300 {
+        let rate = libm::sin(0.04 * f64::from(row));
+        file += &format!(
+            "{:.2},0,{:.8},{:.8}\n",
+            0.01 * f64::from(row),
+            rate * 0.995_f64.sqrt(),
+            rate * 0.005_f64.sqrt()
+        );
+    }
+    let found = traces(&file, &Choices::default()).unwrap();
+    let values = found.traces[0].values();
+    assert!(
+        values.iter().zip(0..).all(|(value, row)| (value - libm::sin(0.04 * f64::from(row))).abs() < 1e-7)
+    );
+}
+
+/// A pendulum that goes round passes no side twice.
+#[test]
+fn a_rotation_without_a_unit_is_not_taken_for_degrees() {
+    let file = format!(
+        "t (s),angle\n{}",
+        timed(|_, time| time)
+            .lines()
+            .skip(1)
+            .zip(0..)
+            .map(|(line, row)| {
+                format!("{},{:.3}\n", line.split(',').next().unwrap_or_default(), 0.1 * f64::from(row))
+            })
+            .collect::<String>()
+    );
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert!(refused.to_string().contains("say unit=rad or deg"), "{refused}");
+}
+
+/// Twenty thousand rows know the radius to a few hundredths, but an arc no higher than twice its scatter may be bent by anything.
+#[test]
+fn an_arc_lost_in_its_scatter_has_no_pivot_however_many_rows_there_are() {
+    let row = |row: u32| {
+        let angle = 0.2 * libm::sin(0.01 * f64::from(row));
+        let radius = 1.0 + if row.is_multiple_of(2) { 0.01 } else { -0.01 };
+        format!(
+            "{:.2},{:.6},{:.6}\n",
+            0.01 * f64::from(row),
+            radius * libm::sin(angle),
+            -radius * libm::cos(angle)
+        )
+    };
+    let file = format!("t (s),x (m),y (m)\n{}", (0..20_000).map(row).collect::<String>());
+    let refused = traces(&file, &Choices::default()).unwrap_err();
+    assert!(matches!(refused, MeasurementError::PivotUnknown(_)), "{refused}");
+}
+
+#[test]
+fn edges_without_a_unit_are_seconds_by_the_time_between_passages() {
+    let edges: String =
+        (1..20).map(|n| format!("{:.2}\n{:.2}\n", 0.76 * f64::from(n), 0.76 * f64::from(n) + 0.02)).collect();
+    assert_eq!(recording(edges.as_bytes()).gate_times(&Choices::default()).unwrap().times.len(), 38);
+}
+
+#[test]
+fn a_clock_of_a_gate_goes_back_in_one_row_of_ten_at_most() {
+    let back = |rows: &[u32]| {
+        let time = |n: u32| if rows.contains(&n) { f64::from(n) - 1.5 } else { f64::from(n) };
+        let file: String = (1..=20).map(|n| format!("{}\n", time(n))).collect();
+        recording(file.as_bytes()).gate_times(&Choices::default())
+    };
+    assert_eq!(back(&[5, 10]).unwrap().times.len(), 20);
+    assert!(matches!(back(&[5, 10, 15]), Err(MeasurementError::NotGateTimes { goes_back: 3, rows: 20 })));
+}
+
+#[test]
+fn one_numbered_symbol_names_no_run() {
+    let found = traces("t_{1},theta_{1} (rad)\n0,0.5\n0.1,0.4\n", &Choices::default()).unwrap();
+    assert_eq!(found.traces[0].name(), "");
+}
+
+#[test]
+fn samples_of_a_swing_are_no_times_of_a_gate() {
+    let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
+    let swing = timed(|_, time| time);
+    let refused = gates(&swing, &Choices::default()).unwrap_err();
+    assert!(refused.to_string().ends_with("if these are: say time=1"), "{refused}");
+    let unnamed = gates(&swing.replace("Angle (rad)", "channel A"), &Choices::default());
+    assert!(matches!(unnamed, Err(MeasurementError::Undecided { .. })));
+    let said = Choices { time: Some(Column::Number(1)), ..Choices::default() };
+    assert_eq!(gates(&swing, &said).unwrap().times.len(), 400);
+    let speeds = "Time (s),Speed (m/s)\n0.1,1.0\n0.9,0.9\n2.1,1.0\n2.9,0.9\n4.1,1.0\n4.9,0.9\n";
+    assert_eq!(gates(speeds, &Choices::default()).unwrap().times.len(), 6);
+    let part = Choices { from: Some(0.5), to: Some(4.5), ..Choices::default() };
+    assert_eq!(gates(speeds, &part).unwrap().times, [0.9, 2.1, 2.9, 4.1]);
+}
+
+#[test]
+fn passages_without_a_unit_are_seconds_only_where_a_pendulum_has_such_periods() {
+    let passages =
+        |unit: f64| (1..20).map(|n| format!("{}\n", unit * 0.76 * f64::from(n))).collect::<String>();
+    let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
+    assert_eq!(gates(&passages(1.0), &Choices::default()).unwrap().times[0], 0.76);
+    for unit in [1e3, 1e6, 1.0 / 60.0] {
+        let refused = gates(&passages(unit), &Choices::default()).unwrap_err();
+        assert!(refused.to_string().contains("time-unit=s, ms, us or min"), "{refused}");
+    }
+    let said = Choices { time_unit: Some(Unit::Millisecond), ..Choices::default() };
+    assert_eq!(gates(&passages(1e3), &said).unwrap().times[0], 0.76);
+}
+
+#[test]
+fn no_bytes_make_the_reader_panic() {
+    const PIECES: [&[u8]; 24] = [
+        b"1",
+        b"2,5",
+        b"-3.5e2",
+        b",",
+        b";",
+        b"\t",
+        b" ",
+        b"\n",
+        b"\r\n",
+        b"\r",
+        b"\"",
+        b"#",
+        b"x",
+        b"t",
+        b"angle",
+        b"(s)",
+        b"[deg]",
+        b"/rad",
+        b"Run #1",
+        b"packet",
+        b"nan",
+        b"\xc3\xa9",
+        b"\xff",
+        b"\0",
+    ];
+    let mut seed = 1_u64;
+    let mut next = |below: usize| {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        usize::try_from(seed >> 33).unwrap() % below
+    };
+    let choices = [
+        Choices::default(),
+        Choices { unit: Some(Unit::Degree), time: Some(Column::Number(1)), ..Choices::default() },
+        Choices { x: Some(Column::Number(1)), y: Some(Column::Number(2)), ..Choices::default() },
+    ];
+    let mut read = 0;
+    for _ in 0..20_000 {
+        let bytes: Vec<u8> = (0..16).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
+        let Ok(recording) = Recording::read(&bytes, &Options::default()) else { continue };
+        let found = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
+        read += found + usize::from(recording.gate_times(&choices[0]).is_ok());
+    }
+    assert!(read > 100, "only {read} were read at all");
+    let book = include_bytes!("../data/workbook.xls");
+    for _ in 0..2_000 {
+        let mut bytes = book.to_vec();
+        for _ in 0..4 {
+            let at = next(bytes.len());
+            bytes[at] = u8::try_from(next(256)).unwrap();
+        }
+        let _ = Recording::read(&bytes, &Options::default()).map(|recording| recording.traces(&choices[0]));
+    }
+}

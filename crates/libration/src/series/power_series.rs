@@ -1,0 +1,289 @@
+//! The ring of power series in one variable, kept to a number of terms, over any ring of coefficients.
+
+use super::recurrences::{Both, weighted_integral, weighted_integral_of_quotient, weighted_power};
+use super::truncated::{product, reciprocal};
+use crate::algebra::{Function, Rational, Rationals, Ring};
+
+/// Truncated power series as numbers: the slice of their first coefficients, the constant term first. Operations give as many
+/// coefficients as their operands determine; a quotient in which powers of the variable cancel has fewer.
+///
+/// ```
+/// use libration::algebra::{Function, Ring};
+/// use libration::series::PowerSeries;
+///
+/// // tan x = x + x³/3 + 2x⁵/15 + …
+/// let series = PowerSeries::rational(6);
+/// let x = series.variable().ok_or("no variable")?;
+/// let tangent = series.value(Function::Tan, &x).ok_or("no series")?;
+/// assert_eq!(tangent[5].to_string(), "2/15");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PowerSeries<R> {
+    /// The ring of the coefficients.
+    pub coefficients: R,
+    /// How many coefficients are kept.
+    pub terms: usize,
+}
+
+impl PowerSeries<Rationals> {
+    /// Series with rational coefficients.
+    #[must_use]
+    pub const fn rational(terms: usize) -> Self {
+        Self { coefficients: Rationals, terms }
+    }
+}
+
+impl<R: Ring> PowerSeries<R> {
+    /// The variable itself; `None` where the ring has no one.
+    #[must_use]
+    pub fn variable(&self) -> Option<Vec<R::Element>> {
+        let coefficient = |n: usize| self.coefficients.rational(&Rational::from(i64::from(n == 1)));
+        (0..self.terms).map(coefficient).collect()
+    }
+
+    /// A constant with as many coefficients as another series.
+    fn constant(&self, value: R::Element, like: &[R::Element]) -> Vec<R::Element> {
+        let rest = like.iter().skip(1).map(|_| self.coefficients.zero());
+        std::iter::once(value).chain(rest).take(like.len()).collect()
+    }
+
+    /// n·aₙ.
+    fn weighted(&self, a: &[R::Element]) -> Vec<R::Element> {
+        let weight = |(n, a)| Some(self.coefficients.times_integer(a, i64::try_from(n).ok()?));
+        a.iter().enumerate().map_while(weight).collect()
+    }
+
+    /// The series that begins with a value and whose n·cₙ follow from c₀ … cₙ₋₁ and the weighted c₀ … (n − 1)cₙ₋₁.
+    fn solve(
+        &self,
+        first: R::Element,
+        length: usize,
+        next: impl Fn(usize, Both<'_, R::Element>) -> Option<R::Element>,
+    ) -> Option<Vec<R::Element>> {
+        let ring = &self.coefficients;
+        let (mut plain, mut weighted) = (vec![first], vec![ring.zero()]);
+        for n in 1..length {
+            let coefficient = next(n, Both { plain: &plain, weighted: &weighted })?;
+            plain.push(ring.over_integer(&coefficient, u64::try_from(n).ok()?)?);
+            weighted.push(coefficient);
+        }
+        Some(plain)
+    }
+
+    /// The solution of s′ = a′·c and c′ = sign·a′·s that begins with the values of a pair of functions.
+    fn pair(
+        &self,
+        a: &[R::Element],
+        [sine, cosine]: [Function; 2],
+        sign: i64,
+    ) -> Option<[Vec<R::Element>; 2]> {
+        let ring = &self.coefficients;
+        let weighted = self.weighted(a);
+        let mut sines = vec![ring.value(sine, a.first()?)?];
+        let mut cosines = vec![ring.value(cosine, a.first()?)?];
+        for n in 1..a.len() {
+            let integral = |other: &[R::Element]| {
+                let sum = weighted_integral(ring, &weighted[1..=n], other);
+                ring.over_integer(&sum, u64::try_from(n).ok()?)
+            };
+            let (s, c) = (integral(&cosines)?, integral(&sines)?);
+            sines.push(s);
+            cosines.push(ring.times_integer(&c, sign));
+        }
+        Some([sines, cosines])
+    }
+
+    /// The c with c′ = a′/r.
+    fn integral_of_quotient(
+        &self,
+        first: R::Element,
+        a: &[R::Element],
+        r: &[R::Element],
+    ) -> Option<Vec<R::Element>> {
+        let weighted = self.weighted(a);
+        self.solve(first, a.len().min(r.len()), |n, c| {
+            weighted_integral_of_quotient(&self.coefficients, &weighted[n], &c.weighted[1..], &r[..n])
+        })
+    }
+
+    /// 1 + sign·a².
+    fn one_and_square(&self, sign: i64, a: &[R::Element]) -> Option<Vec<R::Element>> {
+        let one = self.constant(self.coefficients.rational(&Rational::from(1))?, a);
+        let square = product(&self.coefficients, a, a, a.len());
+        Some(self.add(&one, &self.times_integer(&square, sign)))
+    }
+}
+
+impl<R: Ring> Ring for PowerSeries<R> {
+    type Element = Vec<R::Element>;
+
+    fn zero(&self) -> Self::Element {
+        vec![self.coefficients.zero(); self.terms]
+    }
+
+    fn is_zero(&self, a: &Self::Element) -> bool {
+        a.iter().all(|coefficient| self.coefficients.is_zero(coefficient))
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Self::Element> {
+        let mut constant = self.zero();
+        *constant.first_mut()? = self.coefficients.rational(value)?;
+        Some(constant)
+    }
+
+    fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        a.iter().zip(b).map(|(a, b)| self.coefficients.add(a, b)).collect()
+    }
+
+    fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        a.iter().zip(b).map(|(a, b)| self.coefficients.subtract(a, b)).collect()
+    }
+
+    fn negate(&self, a: &Self::Element) -> Self::Element {
+        a.iter().map(|a| self.coefficients.negate(a)).collect()
+    }
+
+    fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        product(&self.coefficients, a, b, a.len().min(b.len()))
+    }
+
+    fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element {
+        a.iter().map(|a| self.coefficients.times_integer(a, factor)).collect()
+    }
+
+    /// Both are first divided by the power of the variable that the divisor begins with, which costs that many
+    /// coefficients.
+    fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
+        let ring = &self.coefficients;
+        let shift = divisor.iter().position(|coefficient| !ring.is_zero(coefficient))?;
+        if a.iter().take(shift).any(|coefficient| !ring.is_zero(coefficient)) {
+            return None;
+        }
+        let inverse = reciprocal(ring, &divisor[shift..])?;
+        Some(self.multiply(&a.get(shift..)?.to_vec(), &inverse))
+    }
+
+    fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {
+        a.iter().map(|a| self.coefficients.over_integer(a, divisor)).collect()
+    }
+
+    /// Where the function is analytic and its value at the constant term is in the ring of coefficients.
+    fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
+        let ring = &self.coefficients;
+        let first = at.first()?;
+        let circular = || self.pair(at, [Function::Sin, Function::Cos], -1);
+        let hyperbolic = || self.pair(at, [Function::Sinh, Function::Cosh], 1);
+        let quotient = |[sine, cosine]: [Self::Element; 2]| self.divide(&sine, &cosine);
+        match function {
+            Function::Sqrt => self.power(at, &Rational::new(1, 2)?),
+            Function::Sin => circular().map(|[sine, _]| sine),
+            Function::Cos => circular().map(|[_, cosine]| cosine),
+            Function::Tan => quotient(circular()?),
+            Function::Sinh => hyperbolic().map(|[sine, _]| sine),
+            Function::Cosh => hyperbolic().map(|[_, cosine]| cosine),
+            Function::Tanh => quotient(hyperbolic()?),
+            Function::Exp => {
+                let weighted = self.weighted(at);
+                let next =
+                    |n: usize, c: Both<'_, _>| Some(weighted_integral(ring, &weighted[1..=n], c.plain));
+                self.solve(ring.value(function, first)?, at.len(), next)
+            }
+            Function::Ln => self.integral_of_quotient(ring.value(function, first)?, at, at),
+            Function::Atan => {
+                self.integral_of_quotient(ring.value(function, first)?, at, &self.one_and_square(1, at)?)
+            }
+            Function::Asin | Function::Acos => {
+                let root = self.value(Function::Sqrt, &self.one_and_square(-1, at)?)?;
+                let root = if function == Function::Asin { root } else { self.negate(&root) };
+                self.integral_of_quotient(ring.value(function, first)?, at, &root)
+            }
+            Function::Abs | Function::Sign if ring.is_zero(first) => None,
+            Function::Abs => {
+                let sign = self.constant(ring.value(Function::Sign, first)?, at);
+                Some(self.multiply(&sign, at))
+            }
+            Function::Sign => Some(self.constant(ring.value(function, first)?, at)),
+        }
+    }
+
+    /// aᵖ, whose constant term must be in the ring of coefficients and not zero.
+    fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element> {
+        let ring = &self.coefficients;
+        let first = a.first()?;
+        let value = ring.power(first, exponent)?;
+        let exponent = ring.rational(exponent)?;
+        let weighted = self.weighted(a);
+        self.solve(value, a.len(), |n, c| {
+            let a = Both { plain: &a[..=n], weighted: &weighted[..=n] };
+            ring.divide(&weighted_power(ring, &exponent, a, c), first)
+        })
+    }
+
+    fn pi(&self) -> Option<Self::Element> {
+        let mut constant = self.zero();
+        *constant.first_mut()? = self.coefficients.pi()?;
+        Some(constant)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::Doubles;
+
+    fn texts(series: &[Rational]) -> Vec<String> {
+        series.iter().map(ToString::to_string).collect()
+    }
+
+    /// Abramowitz and Stegun, 4.3.67, 4.3.68, 4.4.40, 4.4.42, 4.5.64, 4.1.24 and 3.6.9.
+    #[test]
+    fn functions_have_their_series() {
+        let series = PowerSeries::rational(6);
+        let x = series.variable().unwrap();
+        let one_and_x = series.add(&series.rational(&1.into()).unwrap(), &x);
+        for (function, at, expected) in [
+            (Function::Sin, &x, ["0", "1", "0", "-1/6", "0", "1/120"]),
+            (Function::Cos, &x, ["1", "0", "-1/2", "0", "1/24", "0"]),
+            (Function::Tan, &x, ["0", "1", "0", "1/3", "0", "2/15"]),
+            (Function::Asin, &x, ["0", "1", "0", "1/6", "0", "3/40"]),
+            (Function::Atan, &x, ["0", "1", "0", "-1/3", "0", "1/5"]),
+            (Function::Tanh, &x, ["0", "1", "0", "-1/3", "0", "2/15"]),
+            (Function::Exp, &x, ["1", "1", "1/2", "1/6", "1/24", "1/120"]),
+            (Function::Ln, &one_and_x, ["0", "1", "-1/2", "1/3", "-1/4", "1/5"]),
+            (Function::Sqrt, &one_and_x, ["1", "1/2", "-1/8", "1/16", "-5/128", "7/256"]),
+            (Function::Abs, &series.negate(&one_and_x), ["1", "1", "0", "0", "0", "0"]),
+        ] {
+            assert_eq!(texts(&series.value(function, at).unwrap()), expected, "{function:?}");
+        }
+        for function in [Function::Sqrt, Function::Ln, Function::Abs, Function::Sign, Function::Acos] {
+            assert_eq!(series.value(function, &x), None, "{function:?}");
+        }
+    }
+
+    #[test]
+    fn a_function_and_its_inverse_meet_elsewhere_too() {
+        let series = PowerSeries { coefficients: Doubles, terms: 8 };
+        let at = vec![0.3, 1.0, -0.5, 0.25, 0.0, 2.0, 1.0, -1.0];
+        for (function, inverse) in [
+            (Function::Sin, Function::Asin),
+            (Function::Cos, Function::Acos),
+            (Function::Tan, Function::Atan),
+            (Function::Exp, Function::Ln),
+        ] {
+            let back = series.value(inverse, &series.value(function, &at).unwrap()).unwrap();
+            for (a, b) in back.iter().zip(&at) {
+                assert!((a - b).abs() < 1e-11, "{function:?}: {back:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn powers_that_cancel_cost_coefficients() {
+        let series = PowerSeries::rational(6);
+        let x = series.variable().unwrap();
+        let sine = series.value(Function::Sin, &x).unwrap();
+        assert_eq!(texts(&series.divide(&sine, &x).unwrap()), ["1", "0", "-1/6", "0", "1/120"]);
+        assert_eq!(series.divide(&series.rational(&1.into()).unwrap(), &x), None);
+    }
+}
