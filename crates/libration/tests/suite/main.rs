@@ -25,6 +25,7 @@ mod fit_budget;
 mod fit_cycles;
 mod fit_gates;
 mod fit_lengths;
+mod fitted_pivot;
 mod fourier;
 mod ledger;
 mod malformed;
