@@ -260,7 +260,12 @@ fn tables_that_cannot_be_fitted_are_refused_by_row() {
         (&[0.1, 0.2], &[1.0, 0.0], Uncertainties::default(), "row 2: the period 0.0 s"),
         (&[0.1, 0.2], &[f64::INFINITY, 1.0], Uncertainties::default(), "row 1: the period inf s"),
         (&[0.1], &[1.0, 1.0], Uncertainties::default(), "the periods have 2 rows"),
-        (&[0.1, 0.2], &[1.0, 1.0], some(&[0.1, 0.1], &[0.1, 0.0]), "row 2: the uncertainty 0.0 of the period"),
+        (
+            &[0.1, 0.2],
+            &[1.0, 1.0],
+            some(&[0.1, 0.1], &[0.1, 0.0]),
+            "row 2: the uncertainty 0.0 of the period",
+        ),
         (
             &[0.1, 0.2],
             &[1.0, 1.0],
