@@ -324,6 +324,8 @@ fn questions_that_are_not_understood_say_what_would_do() {
 /// the errors are even ones of up to so many degrees.
 struct Released {
     omega0: f64,
+    /// Dry friction, in rad/s².
+    dry: f64,
     drag: f64,
     degrees: f64,
     seconds: u32,
@@ -331,7 +333,7 @@ struct Released {
 }
 
 impl Released {
-    const USUAL: Self = Self { omega0: 4.4, drag: 0.03, degrees: 60.0, seconds: 20, error: 0.3 };
+    const USUAL: Self = Self { omega0: 4.4, dry: 0.0, drag: 0.03, degrees: 60.0, seconds: 20, error: 0.3 };
 
     fn write(&self, name: &str) -> String {
         let (mut angle, mut velocity) = (self.degrees.to_radians(), 0.0);
@@ -345,7 +347,8 @@ impl Released {
             }
             let time = 0.25e-3;
             angle += 0.5 * time * velocity;
-            velocity -= time * (self.omega0 * self.omega0 * f64::sin(angle) + self.drag * velocity);
+            let friction = self.drag * velocity + if velocity < 0.0 { -self.dry } else { self.dry };
+            velocity -= time * (self.omega0 * self.omega0 * f64::sin(angle) + friction);
             angle += 0.5 * time * velocity;
         }
         let path = directory(name).join("swing.csv");
@@ -452,7 +455,11 @@ fn kinds(question: &str) -> Vec<String> {
 /// Each doubt with data that raise it; the swing as usual raises none of them.
 #[test]
 fn doubts_are_raised_by_the_data_that_deserve_them() {
-    let usual = kinds(&format!("fit trace {} --model linear", Released::USUAL.write("fit-trace-no-doubt")));
+    let usual_swing = Released::USUAL.write("fit-trace-no-doubt");
+    let usual = kinds(&format!("fit trace {usual_swing} --model linear"));
+    let narrow =
+        Released { degrees: 3.0, seconds: 5, error: 0.03, ..Released::USUAL }.write("fit-trace-narrow");
+    let slippery = Released { dry: 0.1, drag: -0.01, ..Released::USUAL }.write("fit-trace-slippery");
     let growing = Released { drag: -0.02, degrees: 40.0, ..Released::USUAL }.write("fit-trace-growing");
     let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy");
     let cosine = swing_by("fit-trace-cosine", |time, _| 80.0 * f64::cos(std::f64::consts::TAU / 1.5 * time));
@@ -466,11 +473,52 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
         ("poor_fit", &noisy, "linear"),
         ("residuals_not_noise", &cosine, "undamped"),
         ("outliers", &stray, "linear"),
+        // 0.507 m is what swings so.
+        ("gravity_contradicted", &usual_swing, "linear --length 0.6m±0.001m"),
+        // At 3° no error tells an angle that is read too small from a small one.
+        ("not_converged", &narrow, "linear --free-scale"),
+        ("better_model_not_believed", &slippery, "auto"),
+        ("stated_uncertainties", &stated("fit-trace-too-sure", 0.05), "linear"),
+        ("stated_uncertainties", &stated("fit-trace-too-unsure", 0.6), "linear"),
     ] {
         let found = kinds(&format!("fit trace {swing} --model {model}"));
         assert!(found.iter().any(|one| one == kind), "{kind}: {found:?}");
         assert!(!usual.iter().any(|one| one == kind), "{kind}: {usual:?}");
     }
+    // Even errors of ±0.3° are 0.17° as a standard deviation.
+    for (kind, question) in [
+        ("stated_uncertainties", format!("fit trace {} --model linear", stated("fit-trace-sure", 0.17))),
+        ("gravity_contradicted", format!("fit trace {usual_swing} --model linear --length 0.507m±0.001m")),
+        ("not_converged", format!("fit trace {narrow} --model linear")),
+        ("better_model_not_believed", format!("fit trace {usual_swing}")),
+    ] {
+        let found = kinds(&question);
+        assert!(!found.iter().any(|one| one == kind), "{kind}: {found:?}");
+    }
+}
+
+/// The swing as usual with a column that says how uncertain each angle is, in degrees.
+fn stated(name: &str, uncertainty: f64) -> String {
+    let path = Released::USUAL.write(name);
+    let table = fs::read_to_string(&path).unwrap();
+    let rows: String = table.lines().skip(1).map(|line| format!("{line},{uncertainty}\n")).collect();
+    fs::write(&path, format!("t (s),theta (deg),sigma (deg)\n{rows}")).unwrap();
+    path
+}
+
+/// Dry friction with the linear damping is tied with the latter alone, whose coefficient it moves by many of its uncertainties.
+#[test]
+fn a_larger_model_that_moves_a_coefficient_is_a_rival() {
+    let swing = Released { seconds: 10, ..Released::USUAL }.write("fit-trace-moved");
+    let answer = json(&format!("fit trace {swing}"));
+    assert_eq!(answer["model"], "linear", "{}", answer["comparison"]);
+    let models = answer["comparison"].as_array().unwrap();
+    let larger = models.iter().find(|model| model["model"] == "dry+linear").unwrap();
+    assert_eq!(larger["standing"], "tied", "{larger}");
+    let moved = number(&larger["coefficients"][1]["value"]) - number(&parameter(&answer, "linear")["value"]);
+    assert!(moved.abs() > 3.0 * number(&parameter(&answer, "linear")["uncertainty"]), "{moved}");
+    let warnings = answer["warnings"].to_string();
+    assert!(warnings.contains("cannot separate the model linear from dry+linear"), "{warnings}");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! A trace: what an instrument saw of one swing, in the order of time.
 
+use super::FittedPivot;
+
 /// Why columns are no trace.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -50,6 +52,7 @@ pub struct Trace {
     values: Vec<f64>,
     uncertainties: Option<Vec<f64>>,
     clock_uncertainty: f64,
+    fitted_pivot: Option<FittedPivot>,
 }
 
 impl Trace {
@@ -79,7 +82,8 @@ impl Trace {
         if let Some(&value) = uncertainties.iter().flatten().find(|&&value| value <= 0.0) {
             return Err(TraceError::Uncertainty(value));
         }
-        Ok(Self { name: name.to_owned(), seen, times, values, uncertainties, clock_uncertainty: 0.0 })
+        let name = name.to_owned();
+        Ok(Self { name, seen, times, values, uncertainties, clock_uncertainty: 0.0, fitted_pivot: None })
     }
 
     /// The same under another name.
@@ -98,6 +102,30 @@ impl Trace {
     #[must_use]
     pub fn clock_uncertainty(&self) -> f64 {
         self.clock_uncertainty
+    }
+
+    /// The same, whose angles are those about a pivot that was fitted.
+    ///
+    /// # Errors
+    /// More or fewer derivatives than rows.
+    pub fn with_fitted_pivot(self, pivot: FittedPivot) -> Result<Self, TraceError> {
+        let lengths = [self.len(), pivot.derivatives.len()];
+        if lengths[0] != lengths[1] {
+            return Err(TraceError::Lengths(lengths.to_vec()));
+        }
+        Ok(Self { fitted_pivot: Some(pivot), ..self })
+    }
+
+    /// The pivot, where it was fitted to positions.
+    #[must_use]
+    pub fn fitted_pivot(&self) -> Option<&FittedPivot> {
+        self.fitted_pivot.as_ref()
+    }
+
+    /// What would be seen if every value were larger by its part of this column, about a pivot that is not in doubt.
+    pub(crate) fn shifted(&self, by: &[f64]) -> Self {
+        let values = self.values.iter().zip(by).map(|(value, by)| value + by).collect();
+        Self { values, fitted_pivot: None, ..self.clone() }
     }
 
     /// Whose it is.
@@ -147,7 +175,12 @@ impl Trace {
         };
         let uncertainties = self.uncertainties.as_deref().map(chosen);
         let part =
-            Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)?;
-        Ok(part.with_clock_uncertainty(self.clock_uncertainty))
+            Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)?
+                .with_clock_uncertainty(self.clock_uncertainty);
+        let rows: Vec<usize> = (0..self.len()).filter(|&row| keep(row)).collect();
+        match &self.fitted_pivot {
+            Some(pivot) => part.with_fitted_pivot(pivot.of_rows(&rows)),
+            None => Ok(part),
+        }
     }
 }

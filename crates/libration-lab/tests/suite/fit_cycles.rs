@@ -2,7 +2,7 @@
 
 use libration::pendulum::Pendulum;
 use libration_lab::fit::cycles::{
-    Cycles, CyclesError, Options, are_radians, beyond_a_turn, cycles, cycles_tell_beta,
+    Cycle, Cycles, CyclesError, Options, are_radians, beyond_a_turn, cycles, cycles_tell_beta,
 };
 use libration_lab::fit::trace::DampingTerm;
 use libration_lab::measurement::{Seen, Trace};
@@ -313,6 +313,61 @@ fn cycles_scatter_by_their_stated_uncertainties() {
         #[expect(clippy::cast_precision_loss, reason = "some dozen")]
         let pull = (pulls.sum::<f64>() / kept.len() as f64).sqrt();
         assert!((least..most).contains(&pull), "{jitter}: {pull} {:?}", found.chi2_per_dof);
+    }
+}
+
+/// χ² per degree of freedom of the cycles about the exact law, by their own bars.
+fn chi2_by_the_bars(found: &Cycles) -> f64 {
+    let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
+    let pull = |cycle: &Cycle| (cycle.period - found.t0 * cycle.period_ratio) / cycle.period_uncertainty;
+    let squares: f64 = kept.iter().map(|cycle| pull(cycle) * pull(cycle)).sum();
+    #[expect(clippy::cast_precision_loss, reason = "some dozen")]
+    let dof = kept.len() as f64 - 1.0;
+    squares / dof
+}
+
+/// The same with noise added in which each value keeps so much of the one before; one standard deviation of 0.003 rad.
+fn with_memory(trace: &Trace, memory: f64, random: &mut Random) -> Trace {
+    let fresh = 0.003 * (1.0 - memory * memory).sqrt();
+    let mut error = 0.003 * random.normal();
+    let mut errors = vec![];
+    for _ in 0..trace.len() {
+        error = memory * error + fresh * random.normal();
+        errors.push(error);
+    }
+    changed(trace, |row, value| Some(value + errors[row]))
+}
+
+/// Some 38 cycles that share passages: χ² per degree of freedom of one trace scatters by 0.25 or so, of which the bars heed
+/// what is above 1.
+#[test]
+fn bars_of_cycles_heed_noise_that_remembers() {
+    let exact = Synthetic { linear: 0.01, ..Synthetic::USUAL }.trace(&mut Random::seeded(0));
+    for memory in [0.0, 0.5, 0.8, 0.95] {
+        let (mut mean, mut t0) = (0.0, 0.0);
+        for seed in 0..10 {
+            let found = found_in(&with_memory(&exact, memory, &mut Random::seeded(seed)));
+            let chi2 = chi2_by_the_bars(&found);
+            assert!((0.4..2.0).contains(&chi2), "{memory} {seed}: {chi2}");
+            let pull = (found.t0 - Synthetic::USUAL.t0()) / found.t0_uncertainty;
+            (mean, t0) = (mean + 0.1 * chi2, t0 + 0.1 * pull * pull);
+        }
+        assert!((0.75..1.25).contains(&mean), "{memory}: {mean}");
+        // The mean square of ten pulls is above 2.5 in one of two hundred.
+        assert!(t0 < 2.5, "{memory}: {t0}");
+    }
+}
+
+/// Angles on a scale that is wrong, for a long time: no cycle is far from the law, but all depart from it together, to which
+/// the noise of passages is so opposed that its size is found tenfold.
+#[test]
+fn bars_of_cycles_are_not_those_of_a_slow_departure_from_the_law() {
+    for (seed, scale) in [(1, 0.9), (2, 0.95), (3, 1.08)] {
+        let case = Synthetic { rows: 8000, linear: 0.015, noise: 0.002, ..Synthetic::USUAL };
+        let trace = changed(&case.trace(&mut Random::seeded(seed)), |_, value| Some(scale * value));
+        let found = found_in(&trace);
+        let chi2 = chi2_by_the_bars(&found);
+        assert!((0.8..1.3).contains(&chi2), "{scale}: {chi2}, by the noise {:?}", found.chi2_per_dof);
     }
 }
 

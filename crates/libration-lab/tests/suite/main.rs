@@ -11,6 +11,7 @@ mod fit_budget;
 mod fit_cycles;
 mod fit_gates;
 mod fit_lengths;
+mod fitted_pivot;
 mod malformed;
 mod measurement;
 mod recording;

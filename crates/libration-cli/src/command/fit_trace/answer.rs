@@ -99,11 +99,10 @@ impl<'a> Answer<'a> {
         small_angle_period(&self.fit, self.comparison.as_ref())
     }
 
-    /// The models that the data leave and that are not the preferred one with something added.
+    /// The models that the data leave and that contradict the preferred one.
     pub(super) fn rivals(&self) -> Vec<String> {
-        let preferred = self.fit.damping;
-        let rivals = self.comparison.iter().flat_map(Comparison::rivals);
-        rivals.filter(|rival| !preferred.is_part_of(*rival)).map(|rival| rival.to_string()).collect()
+        let rivals = self.comparison.iter().flat_map(Comparison::contradicting);
+        rivals.map(|rival| rival.to_string()).collect()
     }
 
     /// By which part the amplitude falls in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.

@@ -127,22 +127,37 @@ fn of_rivals(answer: &Answer<'_>) -> Option<String> {
     let preferred = answer.fit.damping;
     (!rivals.is_empty()).then(|| {
         format!(
-            "these data cannot separate {preferred} damping from {} for certain: T₀ is averaged over them, and the coefficients \
-             differ from one to the other by more than their uncertainties may say",
+            "these data cannot separate the model {preferred} from {} for certain: T₀ is averaged over them, and the \
+             coefficients differ from one to the other by more than their uncertainties may say",
             list(&rivals)
         )
     })
 }
 
 fn of_residuals(fit: &TraceFit) -> Option<String> {
+    /// What repeats with the swing, or changes its sign from row to row, is alike over no more than one row.
+    const ALIKE: f64 = 1.5;
     let inflation = fit.parameters[0].uncertainty / fit.parameters[0].formal_uncertainty;
+    let how = match fit.autocorrelation.time {
+        time if time < ALIKE => "they follow a pattern".to_owned(),
+        time => format!("they are alike over about {} rows", rounded(time, 2)),
+    };
+    let heeded = match inflation {
+        inflation if inflation < ALIKE => String::new(),
+        inflation => format!(
+            "For ω₀ that makes {} times the uncertainty it had if the rows were independent, which is heeded; ",
+            rounded(inflation, 2)
+        ),
+    };
+    let more = if heeded.is_empty() {
+        "A systematic error may be larger than the uncertainties"
+    } else {
+        "a systematic error may be larger still"
+    };
     (!fit.autocorrelation.is_noise()).then(|| {
         format!(
-            "the residuals are not noise: they are alike over about {} rows, so the pendulum does something the model does \
-             not, or the instrument does. For ω₀ that makes {} times the uncertainty it had if the rows were independent, which is \
-             heeded; a systematic error may be larger still",
-            rounded(fit.autocorrelation.time, 2),
-            rounded(inflation, 2)
+            "the residuals are not noise: {how}, so the pendulum does something the model does not, or the instrument does. \
+             {heeded}{more}"
         )
     })
 }

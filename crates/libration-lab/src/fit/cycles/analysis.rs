@@ -9,6 +9,7 @@ use super::generalised::Scatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::passage::Passage;
 use super::period_law::{self, Row, Side};
+use super::pivot;
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
@@ -25,6 +26,16 @@ const FAINTEST: f64 = 4.0;
 /// # Errors
 /// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
 pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
+    let mut found = about_a_known_pivot(trace, options)?;
+    for error in trace.fitted_pivot().iter().flat_map(|pivot| pivot.errors()) {
+        let moved = about_a_known_pivot(&trace.shifted(&error), options)?;
+        pivot::add(&mut found, &moved);
+    }
+    Ok(found)
+}
+
+/// The same as if the values were those of the pendulum's angle.
+fn about_a_known_pivot(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
     let swings = swings(trace)?;
     let stretches: Vec<Landmarks> =
         swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch)).collect();

@@ -4,6 +4,11 @@
 //! fluctuations of the half swings, where the cycles scatter more than the noise can explain. Their ratio is that of
 //! the greatest restricted likelihood.
 //!
+//! What single periods scatter is not the size of the whitened residuals: errors of passages that cycles share cancel in
+//! the sum of many, so that the noise alone hardly lets the periods go up or down together, and a slow departure from the
+//! law makes χ² as large as a hundred where no cycle is twice its noise away. The bar of a single period is the square root of
+//! its own entry of the covariance, at the scale of the residuals as they are.
+//!
 //! Reference: H. D. Patterson and R. Thompson, *Recovery of inter-block information when block sizes are unequal*,
 //! Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 
@@ -25,11 +30,11 @@ pub(super) struct Generalised {
     pub(super) covariance: [[f64; 2]; 2],
     /// χ² by the noise alone.
     pub(super) chi2_per_dof: Option<f64>,
-    /// How much the periods scatter.
+    /// How much single periods scatter.
     pub(super) scatter: Scatter,
 }
 
-/// How much periods scatter: a variance is that of the noise times the one, plus the other.
+/// How much single periods scatter: a variance is that of the noise times the one, plus the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fit) struct Scatter {
     pub(in crate::fit) noise: f64,
@@ -46,6 +51,8 @@ struct Equations<'a> {
     columns: &'a [Vec<f64>],
     noise: Bands,
     fluctuation: Bands,
+    /// The mean variance of a row by the noise, in which fluctuations are counted.
+    typical: f64,
 }
 
 /// Coefficients of one or two columns, when the period changes by `slope`·R′ with the amplitude.
@@ -53,24 +60,23 @@ pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Gene
     let noise = bands(rows, |one, other| one.noise_with(other, slope));
     let typical = noise.iter().map(|entries| entries[2]).sum::<f64>() / count(rows.len());
     let fluctuation = bands(rows, |one, other| typical * one.half_swings_with(other));
-    let equations = Equations { rows, columns, noise, fluctuation };
+    let equations = Equations { rows, columns, noise, fluctuation, typical };
     let dof = rows.len().saturating_sub(columns.len());
     let by_noise = equations.solve(0.0)?;
     let chi2_per_dof = (dof > 0).then(|| by_noise.chi2 / count(dof));
     let enlarged = chi2_per_dof.unwrap_or(1.0).max(1.0);
     if dof < FEWEST_TO_TELL || enlarged <= 1.0 {
-        return Some(by_noise.with(Scatter { noise: enlarged, fluctuation: 0.0 }, chi2_per_dof));
+        return Some(equations.described(by_noise, enlarged, chi2_per_dof));
     }
     let ratios = RATIOS.map(|eighths| libm::exp10(f64::from(eighths) / 8.0));
     let solutions = ratios.filter_map(|ratio| equations.solve(ratio));
     let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
     match best.filter(|best| best.likelihood > by_noise.likelihood + EVIDENCE) {
         Some(best) => {
-            let noise = best.chi2 / count(dof);
-            let fluctuation = noise * best.ratio * typical;
-            Some(best.with(Scatter { noise, fluctuation }, chi2_per_dof))
+            let scale = best.chi2 / count(dof);
+            Some(equations.described(best, scale, chi2_per_dof))
         }
-        None => Some(by_noise.with(Scatter { noise: enlarged, fluctuation: 0.0 }, chi2_per_dof)),
+        None => Some(equations.described(by_noise, enlarged, chi2_per_dof)),
     }
 }
 
@@ -85,14 +91,36 @@ struct Solution {
     likelihood: f64,
 }
 
-impl Solution {
-    fn with(self, scatter: Scatter, chi2_per_dof: Option<f64>) -> Generalised {
-        let covariance = self.inverse.map(|line| line.map(|entry| entry * scatter.noise));
-        Generalised { coefficients: self.coefficients, covariance, chi2_per_dof, scatter }
-    }
-}
-
 impl Equations<'_> {
+    /// A solution with the covariance that the scale of the whitened residuals gives.
+    fn described(&self, solution: Solution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
+        let covariance = solution.inverse.map(|line| line.map(|entry| entry * scale));
+        let scatter = self.scatter(&solution);
+        Generalised { coefficients: solution.coefficients, covariance, chi2_per_dof, scatter }
+    }
+
+    /// The noise and the fluctuations in their proportion, at the scale that makes the squares of the residuals as large as
+    /// they are expected to be, which is Vₖₖ − xₖᵀ(XᵀV⁻¹X)⁻¹xₖ; on the mean never less than the noise.
+    fn scatter(&self, solution: &Solution) -> Scatter {
+        let fluctuation = solution.ratio * self.typical;
+        let (mut found, mut expected, mut noise_part) = (0.0, 0.0, 0.0);
+        for (row, noise) in self.noise.iter().map(|entries| entries[2]).enumerate() {
+            let column = |k: usize| self.columns.get(k).map_or(0.0, |column| column[row]);
+            let fitted: f64 = (0..).zip(&solution.coefficients).map(|(k, c)| c * column(k)).sum();
+            let residual = self.rows[row].period - fitted;
+            let [[a, b], [_, c]] = solution.inverse;
+            let by_fit =
+                a * column(0) * column(0) + 2.0 * b * column(0) * column(1) + c * column(1) * column(1);
+            let variance = noise + fluctuation;
+            found += residual * residual / variance;
+            expected += 1.0 - by_fit / variance;
+            noise_part += noise / variance;
+        }
+        let least = noise_part / count(self.rows.len());
+        let scale = if expected > 0.0 { least.max(found / expected) } else { least };
+        Scatter { noise: scale, fluctuation: scale * fluctuation }
+    }
+
     fn solve(&self, ratio: f64) -> Option<Solution> {
         let factor = Factor::of(&self.noise, &self.fluctuation, ratio)?;
         let columns: Vec<Vec<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();

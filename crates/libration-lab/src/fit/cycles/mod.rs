@@ -32,6 +32,8 @@ pub(super) mod period_law;
 mod decay_rates;
 mod envelope;
 
+mod pivot;
+
 mod analysis;
 
 mod unit;
@@ -104,7 +106,8 @@ pub struct Cycles {
     pub noise: f64,
     /// The period of small swings under the exact law, in seconds.
     pub t0: f64,
-    /// Of T0, in seconds; by the scatter of the cycles where that is larger than the noise explains.
+    /// Of T0, in seconds; by the scatter of the cycles where that is larger than the noise explains, and by the pivot where it
+    /// was fitted.
     pub t0_uncertainty: f64,
     /// How much larger the scatter about the exact law is than the noise explains: χ² per degree of freedom.
     pub chi2_per_dof: Option<f64>,

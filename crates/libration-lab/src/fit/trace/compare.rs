@@ -58,6 +58,8 @@ impl Comparison {
     pub const UNSUPPORTED: f64 = 10.0;
     /// Of models whose criterion is within this of the least the simplest is preferred.
     pub const SUBSTANTIAL: f64 = 2.0;
+    /// So many of its uncertainties a coefficient does not move by chance: one in 370 times.
+    pub const MOVED: f64 = 3.0;
     /// A coefficient is believed to be negative where the criterion differs by more.
     pub const DECISIVE: f64 = 20.0;
 
@@ -87,6 +89,23 @@ impl Comparison {
     pub fn rivals(&self) -> Vec<DampingTerms> {
         let left = |place: &usize| matches!(self.standing(*place), Standing::Tied | Standing::Possible);
         (0..self.fits.len()).filter(left).map(|place| self.fits[place].damping).collect()
+    }
+
+    /// Those of the rivals that contradict the preferred model: they lack a kind of damping that it has, or with what they add to
+    /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states.
+    #[must_use]
+    pub fn contradicting(&self) -> Vec<DampingTerms> {
+        let preferred = self.best();
+        let moves = |rival: &TraceFit| {
+            preferred.damping.iter().any(|term| {
+                let [own, other] = [preferred, rival].map(|fit| fit.parameter(term.name()));
+                own.zip(other).is_none_or(|(own, other)| {
+                    (other.value - own.value).abs() > Self::MOVED * own.uncertainty
+                })
+            })
+        };
+        let named = |terms: DampingTerms| self.fits.iter().find(|fit| fit.damping == terms);
+        self.rivals().into_iter().filter(|&rival| named(rival).is_some_and(moves)).collect()
     }
 
     /// The models that explain the data better than the preferred one and are not believed, with by how much.
@@ -317,6 +336,19 @@ mod tests {
             assert_eq!((comparison.preferred, comparison.standing(0)), (1, expected), "{excess}");
             assert_eq!(comparison.rivals().len(), usize::from(expected != Standing::Excluded));
         }
+    }
+
+    /// Uncertainties are 0.001: the linear coefficient is 0.02 in the larger model.
+    #[test]
+    fn a_larger_model_contradicts_where_it_moves_a_coefficient() {
+        for (linear, contradicts) in [(0.0229, false), (0.0231, true), (0.0169, true)] {
+            let comparison = two(1.5, linear, 0.03);
+            assert_eq!((comparison.preferred, comparison.rivals().len()), (0, 1));
+            assert_eq!(comparison.contradicting().len(), usize::from(contradicts), "{linear}");
+        }
+        // A smaller one lacks what the preferred one has, as long as it is not excluded.
+        assert_eq!(two(4.1, 0.02, 0.03).contradicting().len(), 1);
+        assert_eq!(two(10.1, 0.1, 0.03).contradicting().len(), 0);
     }
 
     #[test]

@@ -15,7 +15,8 @@ pub struct Parameter {
     pub trace: Option<usize>,
     /// The value.
     pub value: f64,
-    /// Its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it.
+    /// Its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it, with what
+    /// the clock and a fitted pivot leave open.
     pub uncertainty: f64,
     /// The standard uncertainty if the residuals were independent.
     pub formal_uncertainty: f64,

@@ -8,7 +8,7 @@
 //!
 //! Uncertainties are those of the scatter, or of the stated ones if these are larger, times what the likeness of residuals
 //! from row to row makes of them: their noise is found with the parameters, and where they are no noise at all a bootstrap
-//! of blocks says whether that is enough.
+//! of blocks says whether that is enough. What is wrong in all rows together, as by a clock or a pivot that was fitted, is added.
 
 mod error;
 mod options;
@@ -29,6 +29,8 @@ mod random;
 mod uncertainty;
 
 mod clock;
+mod pivot;
+mod systematic;
 
 mod profile;
 

@@ -14,10 +14,15 @@ const TRIES: usize = 6;
 
 /// The intervals if the model were linear.
 pub(super) fn linear_intervals(parameter: &Parameter) -> [[f64; 2]; 2] {
-    LEVELS.map(|level| {
-        let half = students(level, parameter.degrees_of_freedom) * parameter.uncertainty;
+    quantiles(parameter.degrees_of_freedom).map(|quantile| {
+        let half = quantile * parameter.uncertainty;
         [parameter.value - half, parameter.value + half]
     })
+}
+
+/// Standard uncertainties that the two intervals reach from the value.
+pub(super) fn quantiles(degrees_of_freedom: f64) -> [f64; 2] {
+    LEVELS.map(|level| students(level, degrees_of_freedom))
 }
 
 /// Puts the intervals of all shared parameters in.

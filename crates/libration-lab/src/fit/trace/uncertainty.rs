@@ -6,7 +6,7 @@ use super::layout::Layout;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
-use super::{bootstrap, clock, count, huber, noise, profile};
+use super::{bootstrap, clock, count, huber, noise, pivot, profile, systematic};
 use crate::measurement::Trace;
 
 /// The fit with its uncertainties.
@@ -16,6 +16,7 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
     let mut parameters: Vec<Parameter> = free.iter().map(described).collect();
     let response = response(&minimum.jacobian, &parameters)?;
     let covariance = &response * response.transpose();
+    let mut shared = pivot::covariance(traces, minimum, &response);
     let all = search.unweighted(minimum);
     let degrees_of_freedom = all.len().saturating_sub(free.len()).max(1);
     let chi2 = all.iter().map(|residual| residual * residual).sum::<f64>() / count(degrees_of_freedom);
@@ -44,10 +45,13 @@ pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit
         search.weights.clone_from(&minimum.weights);
         profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
     }
-    clock::add(traces, &mut parameters[0]);
+    let by_clock = clock::deviation(traces, parameters[0].value);
+    shared[(0, 0)] += by_clock * by_clock;
+    let mut correlations = correlations(&covariance);
+    systematic::add(&mut parameters, &mut correlations, &shared);
     Ok(TraceFit {
         damping: search.layout.terms(),
-        correlations: correlations(&covariance),
+        correlations,
         traces: fitted(search, &all),
         degrees_of_freedom,
         independent_rows,

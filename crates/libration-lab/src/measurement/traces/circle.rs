@@ -20,6 +20,8 @@ pub(super) struct Circle {
     pub(super) scatter: f64,
     /// One standard deviation of the radius, if the distances are independent.
     pub(super) radius_uncertainty: f64,
+    /// Of the centre, likewise.
+    pub(super) covariance: [[f64; 2]; 2],
 }
 
 impl Circle {
@@ -44,6 +46,7 @@ impl Circle {
             radius: size * radius.abs(),
             scatter: size * (2.0 * report.objective_function / count(points.len())).sqrt(),
             radius_uncertainty: size * covariance[(2, 2)].sqrt(),
+            covariance: [0, 1].map(|i| [0, 1].map(|j| size * size * covariance[(i, j)])),
         };
         [circle.x, circle.y, circle.radius, circle.radius_uncertainty]
             .iter()
@@ -56,7 +59,8 @@ impl Circle {
         let distances: Vec<f64> = points.iter().map(|point| libm::hypot(point.0 - x, point.1 - y)).collect();
         let radius = distances.iter().sum::<f64>() / count(points.len());
         let square = distances.iter().map(|distance| (distance - radius) * (distance - radius)).sum::<f64>();
-        Self { x, y, radius, scatter: (square / count(points.len())).sqrt(), radius_uncertainty: 0.0 }
+        let scatter = (square / count(points.len())).sqrt();
+        Self { x, y, radius, scatter, radius_uncertainty: 0.0, covariance: [[0.0; 2]; 2] }
     }
 
     /// Whether larger y is further down: the bob is fastest at the bottom.
@@ -72,6 +76,13 @@ impl Circle {
     pub(super) fn angle_at(&self, (x, y): (f64, f64), y_is_down: bool) -> f64 {
         let below = if y_is_down { y - self.y } else { self.y - y };
         libm::atan2(x - self.x, below)
+    }
+
+    /// What that angle changes by with the centre.
+    pub(super) fn derivatives_at(&self, (x, y): (f64, f64), y_is_down: bool) -> [f64; 2] {
+        let (dx, dy) = (x - self.x, y - self.y);
+        let square = (dx * dx + dy * dy).max(f64::MIN_POSITIVE);
+        if y_is_down { [-dy / square, dx / square] } else { [dy / square, -dx / square] }
     }
 }
 
@@ -178,6 +189,26 @@ mod tests {
             assert!((circle.scatter / 0.00707 - 1.0).abs() < 0.1, "{circle:?}");
             assert!(circle.radius_uncertainty > before);
             before = circle.radius_uncertainty;
+        }
+    }
+
+    #[test]
+    fn derivatives_by_the_centre_are_the_limit_of_differences() {
+        let circle = Circle::fit(&arc(1.0, 0.0)).unwrap();
+        for y_is_down in [false, true] {
+            for point in [(10.3, 3.1), (8.5, 4.0), (11.9, 5.5)] {
+                let step = 1e-5;
+                let moved = |x: f64, y: f64| {
+                    Circle { x: circle.x + x, y: circle.y + y, ..circle }.angle_at(point, y_is_down)
+                };
+                let differences =
+                    [moved(step, 0.0) - moved(-step, 0.0), moved(0.0, step) - moved(0.0, -step)];
+                for (difference, derivative) in
+                    differences.into_iter().zip(circle.derivatives_at(point, y_is_down))
+                {
+                    assert!((difference / (2.0 * step) - derivative).abs() < 1e-8, "{point:?} {y_is_down}");
+                }
+            }
         }
     }
 

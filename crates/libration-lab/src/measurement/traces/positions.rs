@@ -1,8 +1,8 @@
 //! Positions of the bob → angles about its pivot.
 
-use super::super::MeasurementError;
 use super::super::choices::{Choice, Finding};
 use super::super::sheet::Sheet;
+use super::super::{FittedPivot, MeasurementError};
 use super::circle::Circle;
 
 /// The largest relative uncertainty of the radius, and so of the angles, at which a fitted pivot is used.
@@ -20,14 +20,15 @@ pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), Measure
     Err(MeasurementError::PositionUnits { x: named(unit(x)), y: named(unit(y)) })
 }
 
-/// The angles from the downward vertical, about the pivot that is given or else the centre of a fitted circle.
+/// The angles from the downward vertical, about the pivot that is given or else the centre of a fitted circle, and what they
+/// owe to this one.
 pub(super) fn angles(
     xs: &[f64],
     ys: &[f64],
     pivot: Option<(f64, f64)>,
     name: &str,
     tell: &mut impl FnMut(Finding),
-) -> Result<Vec<f64>, MeasurementError> {
+) -> Result<(Vec<f64>, Option<FittedPivot>), MeasurementError> {
     let points: Vec<(f64, f64)> = xs.iter().copied().zip(ys.iter().copied()).collect();
     let circle = match pivot {
         Some(pivot) => Circle::about(pivot, &points),
@@ -36,14 +37,25 @@ pub(super) fn angles(
     let y_is_down = circle.y_is_down(&points);
     let run = if name.is_empty() { String::new() } else { format!("{name}: ") };
     let Circle { x, y, radius, scatter, .. } = circle;
-    let how = if pivot.is_some() { "as said" } else { "the centre of the fitted circle" };
+    let how = match pivot {
+        Some(_) => "as said".to_owned(),
+        None => {
+            let [u, v] = [0, 1].map(|k| circle.covariance[k][k].sqrt());
+            format!("the centre of the fitted circle, uncertain by ({u:.1e}, {v:.1e})")
+        }
+    };
     let text = format!(
         "{run}the pivot is at ({x:.6}, {y:.6}), {how}; radius {radius:.6}, scatter about the circle {scatter:.2e}"
     );
     tell(Finding::new(text, Choice::Pivot));
     let way = if y_is_down { "down" } else { "up" };
     tell(Finding::fact(format!("{run}y grows {way}wards, since the bob is fastest at the bottom")));
-    Ok(points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect())
+    let fitted_pivot = pivot.is_none().then(|| FittedPivot {
+        place: [x, y],
+        covariance: circle.covariance,
+        derivatives: points.iter().map(|&point| circle.derivatives_at(point, y_is_down)).collect(),
+    });
+    Ok((points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect(), fitted_pivot))
 }
 
 fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {

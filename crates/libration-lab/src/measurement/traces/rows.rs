@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
-use super::super::{Faults, MeasurementError, Seen, Trace, Unit};
+use super::super::{Faults, FittedPivot, MeasurementError, Seen, Trace, Unit};
 use super::columns::{Columns, Value};
 use super::sequence::Sequence;
 use super::{positions, runs, stamps, turns, units};
@@ -24,6 +24,8 @@ pub(super) struct Rows {
     /// What the columns make, once they are scaled.
     values: Vec<f64>,
     uncertainties: Vec<f64>,
+    /// About which the values are angles, where it was fitted.
+    pivot: Option<FittedPivot>,
     incomplete: usize,
 }
 
@@ -167,6 +169,7 @@ impl Rows {
             columns: self.columns.iter().map(of).collect(),
             values: of(&self.values),
             uncertainties: of(&self.uncertainties),
+            pivot: self.pivot.as_ref().map(|pivot| pivot.of_rows(rows)),
             incomplete: self.incomplete,
         }
     }
@@ -246,10 +249,15 @@ impl Rows {
         let repeated = faults.left_out();
         let kept: Vec<usize> =
             (0..self.rows.len()).filter(|row| repeated.binary_search(row).is_err()).collect();
-        let Self { name, rows, times, values, uncertainties, .. } = self.chosen(self.name.clone(), &kept);
+        let Self { name, rows, times, values, uncertainties, pivot, .. } =
+            self.chosen(self.name.clone(), &kept);
         let uncertainties = has_uncertainties.then_some(uncertainties);
         let trace =
             Trace::new(&name, seen, times, values, uncertainties)?.with_clock_uncertainty(clock_uncertainty);
+        let trace = match pivot {
+            Some(pivot) => trace.with_fitted_pivot(pivot)?,
+            None => trace,
+        };
         Ok((trace, rows.iter().map(|&row| sheet.lines[row]).collect()))
     }
 
@@ -273,7 +281,7 @@ impl Rows {
             }
             Value::Positions { x, y } => {
                 positions::same_unit(sheet, x, y)?;
-                self.values =
+                (self.values, self.pivot) =
                     positions::angles(&self.columns[0], &self.columns[1], choices.pivot, &self.name, tell)?;
                 return Ok(Seen::Angle);
             }

@@ -1,0 +1,61 @@
+//! What angles owe to a pivot that was found from positions: where it is wrong, all of them are wrong together.
+
+/// The centre of the circle through the positions of a bob, and how the angles about it depend on where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedPivot {
+    /// Where, in the unit of the positions.
+    pub place: [f64; 2],
+    /// Of the place, in the square of that unit.
+    pub covariance: [[f64; 2]; 2],
+    /// What each angle changes by with the place, in radians per unit.
+    pub derivatives: Vec<[f64; 2]>,
+}
+
+impl FittedPivot {
+    /// By how much the angles change in two independent errors of the place, each of one standard deviation.
+    #[must_use]
+    pub fn errors(&self) -> [Vec<f64>; 2] {
+        // The lower triangle whose product with its transpose is the covariance.
+        let [[xx, xy], [_, yy]] = self.covariance;
+        let first = xx.max(0.0).sqrt();
+        let both = if first > 0.0 { xy / first } else { 0.0 };
+        let second = (yy - both * both).max(0.0).sqrt();
+        let along = |step: [f64; 2]| {
+            self.derivatives.iter().map(|by| by[0] * step[0] + by[1] * step[1]).collect::<Vec<f64>>()
+        };
+        [along([first, both]), along([0.0, second])]
+    }
+
+    /// Whether both are the same centre of one circle.
+    #[must_use]
+    pub fn is_that_of(&self, other: &Self) -> bool {
+        let bits = |pivot: &Self| {
+            let [[xx, xy], [_, yy]] = pivot.covariance;
+            [pivot.place[0], pivot.place[1], xx, xy, yy].map(f64::to_bits)
+        };
+        bits(self) == bits(other)
+    }
+
+    /// With these rows only.
+    pub(in crate::measurement) fn of_rows(&self, rows: &[usize]) -> Self {
+        Self { derivatives: rows.iter().map(|&row| self.derivatives[row]).collect(), ..*self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_add_up_to_the_covariance_of_the_angles() {
+        let covariance = [[4.0, -1.5], [-1.5, 2.0]];
+        let derivatives = vec![[1.0, 0.0], [0.0, 1.0], [0.3, -0.7]];
+        let pivot = FittedPivot { place: [0.0; 2], covariance, derivatives };
+        let [one, other] = pivot.errors();
+        let variance = |row: usize| one[row] * one[row] + other[row] * other[row];
+        assert!((variance(0) - 4.0).abs() < 1e-14 && (variance(1) - 2.0).abs() < 1e-14);
+        // 0.09·4 + 2·0.21·1.5 + 0.49·2.
+        assert!((variance(2) - 1.97).abs() < 1e-14, "{}", variance(2));
+        assert!((one[0] * one[1] + other[0] * other[1] + 1.5).abs() < 1e-14);
+    }
+}
