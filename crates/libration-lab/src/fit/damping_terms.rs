@@ -122,3 +122,20 @@ impl FromStr for DampingTerms {
         Ok(terms)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_is_part_of_those_that_have_its_terms_and_others() {
+        for a in DampingTerms::all() {
+            for b in DampingTerms::all() {
+                let part = DampingTerm::ALL.iter().all(|&term| !a.has(term) || b.has(term));
+                assert_eq!(a.is_part_of(b), part, "{a} {b}");
+            }
+        }
+        assert!(DampingTerms::UNDAMPED.is_part_of(DampingTerms::only(DampingTerm::Dry)));
+        assert!(!DampingTerms::only(DampingTerm::Dry).is_part_of(DampingTerms::only(DampingTerm::Quadratic)));
+    }
+}

@@ -121,6 +121,8 @@ fn periods_that_follow_a_law_are_explained_by_it_alone() {
 #[test]
 fn the_slope_of_the_exact_law_is_its_closed_form() {
     let exact = Law::exact();
+    // T/T0 at 90° and at rest: K(1/√2)·2/π, DLMF 19.6.
+    assert!(close(exact.ratio_at(PI / 2.0), 1.180340599016096, 1e-15) && exact.ratio_at(0.0) == 1.0);
     for k in 1..=314 {
         let amplitude = f64::from(k) * 0.01;
         // The central difference errs by (1e-4·distance)²·R‴/6R′ ≤ 1e-8, and below 0.05 by its fixed step.

@@ -211,3 +211,10 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
         assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
     }
 }
+
+#[test]
+fn a_table_is_weighted_where_its_periods_have_uncertainties() {
+    let (given, periods) = ([0.5, 1.0], [period(0.5, 0.0, 0.0), period(1.0, 0.0, 0.0)]);
+    assert!(table(&given, &periods, Some(&[1e-3, 1e-3])).is_weighted());
+    assert!(!table(&given, &periods, None).is_weighted());
+}

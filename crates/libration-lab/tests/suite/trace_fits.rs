@@ -333,6 +333,24 @@ fn little_data_do_not_tell_one_damping_from_another() {
     assert!(comparison.rivals().len() >= 2, "{:?}", comparison.rivals());
 }
 
+#[test]
+fn damping_that_pushes_is_told_from_friction_that_falls_with_the_speed() {
+    // (dry, linear), what is negative, whether energy is taken at all speeds up to the greatest, 2·3·sin(0.525) = 3.0 rad/s.
+    for ([dry, linear], negative, takes) in [
+        ([0.1, 0.02], &[][..], true),
+        ([0.1, -0.02], &[DampingTerm::Linear], true),
+        ([0.05, -0.03], &[DampingTerm::Linear], false),
+        ([0.0, -0.03], &[DampingTerm::Linear], false),
+    ] {
+        let truth = Truth { damping: [dry, linear, 0.0], noise: 1e-4, ..Truth::plain() };
+        let terms = "dry+linear".parse().unwrap();
+        let fit = fit(&[truth.trace(&mut Random::seeded(3))], terms, TraceOptions::default());
+        assert_eq!(fit.negative_terms(), negative, "{dry} {linear}");
+        assert_eq!(fit.damps_by_each_term(), negative.is_empty(), "{dry} {linear}");
+        assert_eq!(fit.takes_energy(), takes, "{dry} {linear}");
+    }
+}
+
 /// Noise of which each value remembers the one before.
 fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> Trace {
     let mut error = 0.0;
