@@ -8,7 +8,6 @@ mod random;
 mod ulp;
 
 mod accuracy;
-mod architecture;
 mod boundaries;
 mod chaos;
 mod checkpoints;

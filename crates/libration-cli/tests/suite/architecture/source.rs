@@ -1,0 +1,129 @@
+//! The files of a crate as modules, and which uses which.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::paths::{Path as UsePath, inline_paths, use_items};
+
+/// A module, by its names from the root of the crate.
+pub(crate) type Module = Vec<String>;
+
+#[derive(Debug)]
+pub(crate) struct Source {
+    files: BTreeMap<Module, File>,
+}
+
+#[derive(Debug)]
+struct File {
+    /// Where the names come from that stand in a `use`.
+    imported: BTreeMap<String, UsePath>,
+    /// What is used, but for names that are only handed on.
+    used: Vec<UsePath>,
+}
+
+/// The folder of a crate.
+pub(crate) fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
+}
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    let files = files.into_iter().filter(|path| path.extension().is_some_and(|it| it == "rs"));
+    files.chain(folders.iter().flat_map(|folder| rust_files(folder))).collect()
+}
+
+/// The code without comments and unit tests.
+fn code(text: &str) -> String {
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
+}
+
+impl Source {
+    pub(crate) fn of(name: &str) -> Self {
+        let root = folder(name).join("src");
+        let mut texts = BTreeMap::new();
+        for path in rust_files(&root) {
+            let mut module: Module = path
+                .strip_prefix(&root)
+                .unwrap()
+                .with_extension("")
+                .iter()
+                .map(|part| part.to_str().unwrap().to_owned())
+                .collect();
+            if module.last().is_some_and(|last| last == "tests") {
+                continue;
+            }
+            module.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
+            texts.insert(module, code(&fs::read_to_string(&path).unwrap()));
+        }
+        let modules: BTreeSet<Module> = texts.keys().cloned().collect();
+        let files = texts.iter().map(|(module, text)| (module.clone(), File::read(module, text, &modules)));
+        Self { files: files.collect() }
+    }
+
+    /// The modules at the root of the crate.
+    pub(crate) fn top_modules(&self) -> impl Iterator<Item = &str> {
+        self.files.keys().filter_map(|module| match &module[..] {
+            [only] => Some(only.as_str()),
+            _ => None,
+        })
+    }
+
+
+    /// Which file uses an item that stands in which other file.
+    pub(crate) fn edges(&self) -> BTreeSet<(Module, Module)> {
+        let uses =
+            self.files.iter().flat_map(|(module, file)| file.used.iter().map(move |path| (module, path)));
+        let found = uses.filter_map(|(module, path)| Some((module.clone(), self.resolve(module, path, 0)?)));
+        found.filter(|(from, to)| from != to).collect()
+    }
+
+    /// The file in which the item stands that a module knows by a path; names that are handed on are followed.
+    fn resolve(&self, from: &Module, path: &UsePath, depth: usize) -> Option<Module> {
+        const DEEPEST: usize = 20;
+        let (mut place, mut rest) = match path.first()?.as_str() {
+            "crate" => (vec![], &path[1..]),
+            "self" => (from.clone(), &path[1..]),
+            "super" => (from.clone(), &path[..]),
+            first => {
+                let child: Module = from.iter().cloned().chain([first.to_owned()]).collect();
+                self.files.contains_key(&child).then(|| (from.clone(), &path[..]))?
+            }
+        };
+        while let Some(("super", after)) = rest.split_first().map(|(first, after)| (first.as_str(), after)) {
+            place.pop()?;
+            rest = after;
+        }
+        while let Some((first, after)) = rest.split_first() {
+            let below: Module = place.iter().cloned().chain([first.clone()]).collect();
+            if !self.files.contains_key(&below) {
+                break;
+            }
+            (place, rest) = (below, after);
+        }
+        let origin = rest.first().and_then(|name| self.files.get(&place)?.imported.get(name));
+        let further = origin.filter(|origin| depth < DEEPEST && *origin != path);
+        let handed_on = further.and_then(|origin| self.resolve(&place, origin, depth + 1));
+        Some(handed_on.unwrap_or(place))
+    }
+}
+
+impl File {
+    fn read(module: &Module, text: &str, modules: &BTreeSet<Module>) -> Self {
+        let items = use_items(text);
+        let imported = items.iter().map(|item| (item.name.clone(), item.path.clone())).collect();
+        let is_child = |path: &UsePath| {
+            let child: Module = module.iter().cloned().chain(path.first().cloned()).collect();
+            modules.contains(&child)
+        };
+        // What a module hands on of its own folder is not used by it.
+        let taken =
+            items.into_iter().filter(|item| !item.handed_on || !is_child(&item.path)).map(|item| item.path);
+        let inline = inline_paths(text)
+            .into_iter()
+            .filter(|path| ["crate", "super", "self"].contains(&path[0].as_str()) || is_child(path));
+        Self { imported, used: taken.chain(inline).collect() }
+    }
+}
