@@ -1,6 +1,7 @@
 //! Double-precision numbers as a ring, for searches and motions in time.
 
-use super::{Function, Lanes, Rational, Ring};
+use super::lanewise;
+use super::{Function, Rational, Ring};
 
 /// The `f64`s; NaN where there is no value.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +83,7 @@ impl Ring for Doubles {
 
     /// That of one lane.
     fn convolution(&self, a: &[f64], b: &[f64]) -> f64 {
-        let [sum] = Lanes::<1>.convolution(a.as_chunks().0, b.as_chunks().0);
+        let [sum] = lanewise::convolution::<1>(a.as_chunks().0, b.as_chunks().0);
         sum
     }
 }

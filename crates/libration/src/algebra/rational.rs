@@ -8,8 +8,6 @@ use dashu::base::{BitTest, Sign};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 
-use super::{Rationals, Ring};
-
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
 ///
 /// # Examples
@@ -126,7 +124,7 @@ impl Rational {
 
     /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
     pub(crate) fn coarsened(&self) -> Self {
-        let below = Rationals.multiply(self, &Self(RBig::from_parts(1023.into(), 1024_u32.into())));
+        let below = Self(&self.0 * RBig::from_parts(1023.into(), 1024_u32.into()));
         Self::simplest_between(&below, self)
     }
 

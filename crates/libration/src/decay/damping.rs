@@ -19,7 +19,7 @@ pub struct Damping {
 
 impl Damping {
     /// More different powers than this are refused.
-    pub const MOST_TERMS: usize = 16;
+    pub const MOST_TERMS: usize = super::error::MOST_TERMS;
 
     /// The sum of these terms; terms of one power become one.
     ///

@@ -3,6 +3,9 @@
 use crate::pendulum::PendulumError;
 use crate::taylor::IntegrationError;
 
+/// More terms of a damping are refused.
+pub(super) const MOST_TERMS: usize = 16;
+
 /// Why a damping or a damped motion cannot be.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -21,7 +24,7 @@ pub enum DecayError {
         exponent: f64,
     },
     /// More powers than anybody needs.
-    #[error("damping with {0} different powers of the velocity: give at most {most}", most = super::Damping::MOST_TERMS)]
+    #[error("damping with {0} different powers of the velocity: give at most {most}", most = MOST_TERMS)]
     TooManyTerms(usize),
     /// Coefficients that are all zero.
     #[error("there is no damping: give a coefficient above zero")]

@@ -18,6 +18,7 @@ mod envelope;
 
 mod turning;
 
+mod ending;
 mod half_swing;
 mod swings;
 
@@ -27,9 +28,10 @@ use cycle::Cycle;
 
 pub use cycle::{cycle_integral, small_cycle_integral};
 pub use damping::{Damping, DampingTerm};
+pub use ending::Ending;
 pub use envelope::{Envelope, Law};
 pub use error::DecayError;
-pub use swings::{Ending, Swings, TurningPoint};
+pub use swings::{Swings, TurningPoint};
 
 /// A damped pendulum that is released from rest.
 ///

@@ -1,5 +1,6 @@
 //! From turning point to turning point by integration.
 
+use super::ending::Ending;
 use super::half_swing::{HalfSwing, Turn};
 use super::{Decay, DecayError};
 use crate::double_double::DoubleDouble;
@@ -13,19 +14,6 @@ pub struct TurningPoint {
     pub time: f64,
     /// How far from the bottom. The first, third, fifth, … turning point is on the side of the release.
     pub amplitude: Amplitude,
-}
-
-/// Why no turning point follows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Ending {
-    /// Dry friction holds the pendulum where it turned.
-    Sticks,
-    /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after
-    /// its last turn, or within 20 000 steps.
-    Creeps,
-    /// The amplitude is below 1e-100 rad.
-    Vanishes,
 }
 
 /// The turning points of a damped pendulum, in the order of time; see [`Decay::swings`]. After an error there are no more.

@@ -17,13 +17,13 @@ mod spectrum;
 mod shapes;
 
 mod lindstedt;
+mod no_shift;
 mod resonance;
 mod shift;
 
 mod modes;
 
 pub use error::{NoModes, SearchEnd};
-pub use mode::{Behaviour, Mode, Shift};
+pub use mode::{Behaviour, Mode, Resonance, Shift};
 pub use modes::NormalModes;
-pub use resonance::Resonance;
-pub use shift::NoShift;
+pub use no_shift::NoShift;

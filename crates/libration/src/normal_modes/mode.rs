@@ -1,7 +1,6 @@
 //! One normal mode.
 
-use super::resonance::Resonance;
-use super::shift::NoShift;
+use super::no_shift::NoShift;
 use crate::algebra::{Complex, Surd};
 
 /// A motion in which all coordinates change in time as e^{st}.
@@ -61,4 +60,19 @@ impl Mode {
         let one = Complex::from(1.0);
         self.shape.iter().position(|part| *part == one).unwrap_or(0)
     }
+}
+
+/// Another mode with which this one can exchange energy at small amplitudes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resonance {
+    /// The number of the other mode.
+    pub other: usize,
+    /// The faster of the two has so many times the frequency of the slower: 1, 2 or 3.
+    pub multiple: u32,
+    /// Whether the other one is the faster.
+    pub other_is_faster: bool,
+    /// The faster frequency over the multiple of the slower one, less one.
+    pub detuning: f64,
+    /// Whether the detuning is zero: proved, or but for rounding errors.
+    pub exact: bool,
 }

@@ -1,22 +1,7 @@
 //! Frequencies that are small multiples of each other.
 
-use super::mode::{Behaviour, Mode};
+use super::mode::{Behaviour, Mode, Resonance};
 use crate::algebra::{Rational, Surd};
-
-/// Another mode with which this one can exchange energy at small amplitudes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Resonance {
-    /// The number of the other mode.
-    pub other: usize,
-    /// The faster of the two has so many times the frequency of the slower: 1, 2 or 3.
-    pub multiple: u32,
-    /// Whether the other one is the faster.
-    pub other_is_faster: bool,
-    /// The faster frequency over the multiple of the slower one, less one.
-    pub detuning: f64,
-    /// Whether the detuning is zero: proved, or but for rounding errors.
-    pub exact: bool,
-}
 
 /// Detunings that are looked at.
 const NEAR: f64 = 0.05;

@@ -1,8 +1,8 @@
 //! One round from a state, and how its end depends on its start.
 
 use super::error::NoOrbit;
+use super::near::Near;
 use super::path::Path;
-use super::shooting::Near;
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
 use crate::taylor::{Effort, IntegrationError, Moment, System, with_tangents};

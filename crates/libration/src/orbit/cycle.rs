@@ -2,10 +2,11 @@
 
 use super::closing::Rounds;
 use super::error::{Lost, NoOrbit};
+use super::near::Near;
 use super::path::sign_change;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
-use super::shooting::{Near, Unknowns, closed};
+use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
 use std::ops::ControlFlow;

@@ -2,9 +2,10 @@
 
 use super::closing::Rounds;
 use super::error::NoOrbit;
+use super::near::Near;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
-use super::shooting::{Near, Unknowns, closed};
+use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
 
 impl Orbit {

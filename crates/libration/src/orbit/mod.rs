@@ -9,6 +9,7 @@ mod error;
 mod path;
 
 mod harmonics;
+mod near;
 mod periodic;
 
 mod floquet;
@@ -27,6 +28,6 @@ mod driven;
 pub use error::{Lost, NoOrbit};
 pub use floquet::{Floquet, Stability};
 pub use harmonics::{Harmonic, Harmonics};
+pub use near::Near;
 pub use periodic::Orbit;
 pub(crate) use place::Place;
-pub use shooting::Near;

@@ -3,19 +3,11 @@
 use super::closing::{Round, Rounds};
 use super::error::{Lost, NoOrbit};
 use super::floquet::Floquet;
+use super::near::Near;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
 use crate::expression::Equation;
 use crate::linear::least_squares;
-
-/// A guess of an orbit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Near {
-    /// A state on it: coordinates, then velocities.
-    pub state: Vec<f64>,
-    /// Its period.
-    pub period: f64,
-}
 
 impl Orbit {
     /// The periodic orbit near a guess, on which some numbers of the state at the start keep the values of the guess: one of

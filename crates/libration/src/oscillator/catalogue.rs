@@ -1,6 +1,7 @@
 //! The named oscillators: what each is, and where it comes from. Attributions from memory say so.
 
-use super::named::{NamedOscillator, Parameter};
+use super::named::{NamedOscillator, Parameter, UnknownOscillator};
+use crate::quantity::{excerpt, nearest};
 
 const NONE: &[Parameter] = &[];
 const MU: &[Parameter] = &[Parameter {
@@ -261,3 +262,24 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         source: "attributed to Lord Rayleigh, Phil. Mag. 15, 229 (1883)",
     },
 ];
+
+/// Every oscillator of the catalogue.
+#[must_use]
+pub fn catalogue() -> &'static [NamedOscillator] {
+    &CATALOGUE
+}
+
+impl NamedOscillator {
+    /// The oscillator of this key.
+    ///
+    /// # Errors
+    /// No oscillator has this key; the error lists the nearest keys and all of them.
+    pub fn by_key(key: &str) -> Result<&'static Self, UnknownOscillator> {
+        let found = CATALOGUE.iter().find(|named| named.keys().any(|known| known == key));
+        found.ok_or_else(|| UnknownOscillator {
+            key: excerpt(key),
+            near: nearest(&excerpt(key), CATALOGUE.iter().flat_map(Self::keys)),
+            known: CATALOGUE.iter().map(|named| named.key).collect(),
+        })
+    }
+}

@@ -12,10 +12,11 @@ mod roots;
 mod error;
 mod model;
 
+pub use catalogue::catalogue;
 pub use constant::{Approximation, Constant};
 pub use error::{Found, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
-pub use named::{NamedOscillator, Parameter, UnknownOscillator, catalogue};
+pub use named::{NamedOscillator, Parameter, UnknownOscillator};
 pub use neighbourhood::{Roughness, Tendency};
 
 #[cfg(test)]

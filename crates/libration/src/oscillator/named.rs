@@ -1,9 +1,7 @@
 //! The oscillators that can be asked for by name.
 
-use super::catalogue::CATALOGUE;
 use super::{Oscillator, OscillatorError};
 use crate::expression::{Equation, EquationError, Expression};
-use crate::quantity::{excerpt, nearest};
 
 /// An oscillator of the literature, as data.
 ///
@@ -64,27 +62,8 @@ pub struct UnknownOscillator {
     pub known: Vec<&'static str>,
 }
 
-/// Every oscillator of the catalogue.
-#[must_use]
-pub fn catalogue() -> &'static [NamedOscillator] {
-    &CATALOGUE
-}
-
 impl NamedOscillator {
-    /// The oscillator of this key.
-    ///
-    /// # Errors
-    /// No oscillator has this key; the error lists the nearest keys and all of them.
-    pub fn by_key(key: &str) -> Result<&'static Self, UnknownOscillator> {
-        let found = CATALOGUE.iter().find(|named| named.keys().any(|known| known == key));
-        found.ok_or_else(|| UnknownOscillator {
-            key: excerpt(key),
-            near: nearest(&excerpt(key), CATALOGUE.iter().flat_map(Self::keys)),
-            known: CATALOGUE.iter().map(|named| named.key).collect(),
-        })
-    }
-
-    fn keys(&self) -> impl Iterator<Item = &'static str> {
+    pub(super) fn keys(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(self.key).chain(self.also.iter().copied())
     }
 

@@ -1,8 +1,8 @@
 //! Libration: tan(θ/2) = k sd u and θ′ = 2ω0k cn u, with u = ω0t + u0 and k = sin(θ0/2).
 
 use super::Amplitude;
-use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
+use super::start::Start;
 use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{

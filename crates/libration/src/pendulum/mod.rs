@@ -23,6 +23,7 @@ mod initial;
 mod inverse;
 
 mod motion;
+mod start;
 mod state;
 
 mod orbit;
@@ -45,15 +46,14 @@ pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
 pub use fourier::{Harmonic, Harmonics};
 pub use libration::Libration;
 pub use motion::{Motion, Regime, Rest};
-pub use period::{
-    period_excess, period_excesses, period_ratio, period_ratio_near_top, period_ratios,
-    period_ratios_near_top,
-};
+pub use period::{period_excess, period_ratio, period_ratio_near_top};
+pub use period_stages::{period_excesses, period_ratios, period_ratios_near_top};
 pub use prepared::PreparedMotion;
 pub use rotation::Rotation;
 pub use separatrix::Separatrix;
 pub use state::State;
-pub use varying::{state, states};
+pub use varying::state;
+pub use varying_stages::states;
 
 use crate::double_double::DoubleDouble;
 

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::amplitude::half_angle;
 use super::initial::{Separation, separation};
+use super::start::Start;
 use super::state::State;
 use super::{Amplitude, LengthMismatch, Libration, Pendulum, PendulumError, Rotation, Separatrix, finite};
 use crate::double_double::DoubleDouble;
@@ -180,17 +181,6 @@ impl Pendulum {
     }
 }
 
-/// An initial state, made dimensionless.
-pub(super) struct Start {
-    pub(super) angle: Angle,
-    /// sin(θ/2).
-    pub(super) sine: DoubleDouble,
-    /// cos(θ/2).
-    pub(super) cosine: DoubleDouble,
-    /// θ′/2ω0.
-    pub(super) velocity: DoubleDouble,
-}
-
 impl Start {
     fn motion(&self, angular_frequency: DoubleDouble, separation: &Separation) -> Motion {
         match separation.energy {
@@ -200,13 +190,6 @@ impl Start {
                 Motion::Rotation(Rotation::through(angular_frequency, self, separation.root))
             }
         }
-    }
-
-    /// The angle at the bottom of the turn in which the motion starts.
-    pub(super) fn base(&self) -> DoubleDouble {
-        #[expect(clippy::cast_precision_loss, reason = "an angle has at most 2⁵³ radians")]
-        let turns = self.angle.turns() as f64;
-        DoubleDouble::PI.scaled(2.0) * turns
     }
 }
 

@@ -6,8 +6,6 @@
 //! 0 ≤ s ≤ π/2, their singularities lying at u = π². Leading terms are carried in two words, so that the sum
 //! is rounded once.
 
-use super::LengthMismatch;
-use super::period_stages::Each;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
@@ -180,7 +178,7 @@ pub(super) fn within_pi(amplitude: f64) -> bool {
 
 /// A function of the amplitude: T/T0 or the excess, as the rounding says.
 #[derive(Clone, Copy)]
-struct OfAmplitude<R>(R);
+pub(super) struct OfAmplitude<R>(pub(super) R);
 
 /// How the two forms of the period are rounded to one answer.
 trait Rounding: Copy {
@@ -190,7 +188,7 @@ trait Rounding: Copy {
 
 /// T/T0.
 #[derive(Clone, Copy)]
-struct Ratio;
+pub(super) struct Ratio;
 
 impl Rounding for Ratio {
     #[inline(always)]
@@ -202,7 +200,7 @@ impl Rounding for Ratio {
 
 /// T/T0 − 1.
 #[derive(Clone, Copy)]
-struct Excess;
+pub(super) struct Excess;
 
 impl Rounding for Excess {
     #[inline(always)]
@@ -226,7 +224,7 @@ impl<R: Rounding> PeriodFunction for OfAmplitude<R> {
 
 /// T/T0 of the amplitude π − δ.
 #[derive(Clone, Copy)]
-struct RatioNearTop;
+pub(super) struct RatioNearTop;
 
 impl PeriodFunction for RatioNearTop {
     #[inline(always)]
@@ -292,36 +290,6 @@ pub fn period_excess(amplitude: f64) -> f64 {
 #[must_use]
 pub fn period_ratio_near_top(complement: f64) -> f64 {
     dispatch(One(RatioNearTop, complement))
-}
-
-/// [`period_ratio`] of each amplitude, bit for bit.
-///
-/// # Errors
-/// The slices have different lengths.
-pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(amplitudes, ratios)?;
-    dispatch(Each(OfAmplitude(Ratio), amplitudes, ratios));
-    Ok(())
-}
-
-/// [`period_excess`] of each amplitude, bit for bit.
-///
-/// # Errors
-/// The slices have different lengths.
-pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(amplitudes, excesses)?;
-    dispatch(Each(OfAmplitude(Excess), amplitudes, excesses));
-    Ok(())
-}
-
-/// [`period_ratio_near_top`] of each complement, bit for bit.
-///
-/// # Errors
-/// The slices have different lengths.
-pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(complements, ratios)?;
-    dispatch(Each(RatioNearTop, complements, ratios));
-    Ok(())
 }
 
 /// T/T0 from the amplitude and its complement in two words each.

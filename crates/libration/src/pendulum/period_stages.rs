@@ -4,9 +4,13 @@
 //! loops, each of which the compiler vectorises and the processor overlaps; the operations, and so the bits,
 //! are those of one amplitude.
 
+use super::LengthMismatch;
 use super::block::{BLOCK, Words};
-use super::period::{EXCESS, LOG_NOME, One, PeriodFunction, excess_with, log_inverse_nome_with, ratio_above};
-use crate::dispatch::Kernel;
+use super::period::{
+    EXCESS, Excess, LOG_NOME, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
+    log_inverse_nome_with, ratio_above,
+};
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
 use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
 
@@ -27,6 +31,36 @@ impl<P: PeriodFunction> Kernel for Each<'_, P> {
             *y = One(self.0, *x).run();
         }
     }
+}
+
+/// [`period_ratio`](super::period_ratio) of each amplitude, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(amplitudes, ratios)?;
+    dispatch(Each(OfAmplitude(Ratio), amplitudes, ratios));
+    Ok(())
+}
+
+/// [`period_excess`](super::period_excess) of each amplitude, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(amplitudes, excesses)?;
+    dispatch(Each(OfAmplitude(Excess), amplitudes, excesses));
+    Ok(())
+}
+
+/// [`period_ratio_near_top`](super::period_ratio_near_top) of each complement, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(complements, ratios)?;
+    dispatch(Each(RatioNearTop, complements, ratios));
+    Ok(())
 }
 
 /// What one stage leaves for the next, word by word for the vector units.

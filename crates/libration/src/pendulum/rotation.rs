@@ -1,7 +1,7 @@
 //! Rotation: θ = ±2 am(u, κ) and θ′ = ±2ω0√e dn(u, κ), with u = √e ω0t + u0 and κ² = 1/e.
 
-use super::motion::Start;
 use super::orbit::{Orbit, Quotients};
+use super::start::Start;
 use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped, whole_turns};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{

@@ -1,6 +1,6 @@
 //! The separatrix: tan(θ/2) = sinh x and θ′ = 2ω0 sech x, with x = ω0t + x0.
 
-use super::motion::Start;
+use super::start::Start;
 use super::state::{DoubledArctangent, State, unwrapped};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{sinh_cosh, two_word};

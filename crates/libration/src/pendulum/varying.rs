@@ -4,13 +4,11 @@
 //! Amplitudes up to π/2 take the circular expansion of the nome, those above the hyperbolic one of the
 //! complementary nome; a batch sorts its elements by side, so that each loop does one kind of work.
 
-use super::LengthMismatch;
 use super::period::{
     FRAC_1_PI, Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
     within_pi,
 };
 use super::state::{DoubledArctangent, State, magnitude, pick};
-use super::varying_stages::Each;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, Side, ThetaSeries, ThetaValues, scaled_by};
@@ -27,24 +25,6 @@ const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.83933
 #[must_use]
 pub fn state(amplitude: f64, angular_frequency: f64, time: f64) -> State {
     dispatch(One { amplitude, angular_frequency, time })
-}
-
-/// The angle and velocity of [`state`] for each pair of amplitude and time, bit for bit.
-///
-/// # Errors
-/// The slices have different lengths.
-pub fn states(
-    amplitudes: &[f64],
-    angular_frequency: f64,
-    times: &[f64],
-    angles: &mut [f64],
-    velocities: &mut [f64],
-) -> Result<(), LengthMismatch> {
-    for slice in [times, angles, velocities] {
-        LengthMismatch::check(amplitudes, slice)?;
-    }
-    dispatch(Each { amplitudes, angular_frequency, times, angles, velocities });
-    Ok(())
 }
 
 /// What the two expansions do differently. The factors are those of `Libration`, left as quotients.

@@ -1,14 +1,33 @@
 //! States of many amplitudes and times, sorted by side and stage by stage, as `period_stages` does it.
 
+use super::LengthMismatch;
 use super::block::{BLOCK, Words};
 use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
 use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
 use super::varying::{Factors, ReleaseSide, gauss, phase, tangent, velocity};
-use crate::dispatch::Kernel;
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 use crate::elementary::ReducedArctangent;
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, ThetaSeries, ThetaValues};
+
+/// The angle and velocity of [`state`](super::state) for each pair of amplitude and time, bit for bit.
+///
+/// # Errors
+/// The slices have different lengths.
+pub fn states(
+    amplitudes: &[f64],
+    angular_frequency: f64,
+    times: &[f64],
+    angles: &mut [f64],
+    velocities: &mut [f64],
+) -> Result<(), LengthMismatch> {
+    for slice in [times, angles, velocities] {
+        LengthMismatch::check(amplitudes, slice)?;
+    }
+    dispatch(Each { amplitudes, angular_frequency, times, angles, velocities });
+    Ok(())
+}
 
 pub(super) struct Each<'a> {
     pub(super) amplitudes: &'a [f64],

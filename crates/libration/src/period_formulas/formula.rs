@@ -1,15 +1,12 @@
 //! A formula with what is known about it, and the catalogue in which it is found by its key.
 
 use std::fmt;
-use std::sync::LazyLock;
 
-use super::catalogue::{CLOSED, Entry};
 use super::error::Exact;
-use super::family::Family;
 use super::law::Law;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::Rational;
-use crate::quantity::{Angle, nearest};
+use crate::quantity::Angle;
 
 /// An approximation to T/T0, the period over that of small swings, with what is known about it.
 ///
@@ -91,55 +88,7 @@ pub struct UnknownFormula {
     pub near: Vec<String>,
 }
 
-static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
-    let listed = [(Family::PowerSeries, 3), (Family::FourierPerturbation, 3), (Family::SineSquared, 4)];
-    let series = listed.into_iter().flat_map(|(family, most)| (1..=most).map(move |n| family.formula(n)));
-    let (first, others) = CLOSED.split_at(1);
-    first
-        .iter()
-        .map(PeriodFormula::from_entry)
-        .chain(series)
-        .chain(others.iter().map(PeriodFormula::from_entry))
-        .collect()
-});
-
-/// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] has more.
-#[must_use]
-pub fn catalogue() -> &'static [PeriodFormula] {
-    &CATALOGUE
-}
-
 impl PeriodFormula {
-    /// The formula of this key, or the one that is the same under another (`agm_a2` is `carvalhaes_suppes`,
-    /// `power_series_1` is `bernoulli`). The series `power_series_N`, `black_vel_N` and `sin2_series_N` have any
-    /// number N of corrections up to [`MOST_TERMS`](super::MOST_TERMS).
-    ///
-    /// # Errors
-    /// No formula has this key; the error lists the nearest keys.
-    pub fn by_key(key: &str) -> Result<Self, UnknownFormula> {
-        let listed = catalogue().iter().find(|formula| formula.keys().any(|known| known == key));
-        let found = listed.cloned().or_else(|| Family::from_key(key));
-        found.ok_or_else(|| UnknownFormula { key: key.to_owned(), near: nearest_keys(key) })
-    }
-
-    fn from_entry(entry: &Entry) -> Self {
-        let (functions, roots, operations) = entry.effort;
-        Self {
-            key: entry.key.to_owned(),
-            also: entry.also.iter().map(|&key| key.to_owned()).collect(),
-            name: entry.name.to_owned(),
-            authors: entry.authors.to_owned(),
-            year: entry.year,
-            source: entry.source.to_owned(),
-            attribution: entry.attribution,
-            latex: entry.latex.to_owned(),
-            domain: entry.domain.to_owned(),
-            complexity: Complexity { functions, roots, operations },
-            leading_error: entry.leading_error.and_then(LeadingError::from_text),
-            law: entry.law.clone(),
-        }
-    }
-
     /// The formula's T/T0 as an `f64`, to a few ulp; NaN where the formula or the period is not defined.
     #[must_use]
     pub fn period_ratio(&self, amplitude: &Angle) -> f64 {
@@ -205,7 +154,7 @@ impl PeriodFormula {
         &self.also
     }
 
-    fn keys(&self) -> impl Iterator<Item = &String> {
+    pub(super) fn keys(&self) -> impl Iterator<Item = &String> {
         std::iter::once(&self.key).chain(&self.also)
     }
 
@@ -265,7 +214,7 @@ impl PeriodFormula {
 }
 
 impl LeadingError {
-    fn from_text((coefficient, power): (&str, u32)) -> Option<Self> {
+    pub(super) fn from_text((coefficient, power): (&str, u32)) -> Option<Self> {
         coefficient.parse().ok().map(|coefficient| Self { coefficient, power })
     }
 }
@@ -279,8 +228,4 @@ pub fn fractional_errors(formulas: &[PeriodFormula], amplitude: &Angle) -> Vec<f
     };
     let mut exact = Exact::new(amplitude);
     formulas.iter().map(|formula| formula.error_beside(amplitude, &mut exact)).collect()
-}
-
-fn nearest_keys(asked: &str) -> Vec<String> {
-    nearest(asked, catalogue().iter().flat_map(PeriodFormula::keys).map(String::as_str))
 }

@@ -3,8 +3,8 @@
 //! About either of these phases x = Σ cⱼ(μ)·σʲ, and the root σ(μ) of dx/dσ next to it has no constant term, so that
 //! each of its coefficients follows from those before it.
 
+use super::half_turns::{BothTurns, half_turns};
 use super::lindstedt::Family;
-use super::series_set::{BothTurns, half_turns};
 use crate::algebra::{Harmonic, Rational, Ring};
 use crate::series::truncated::product;
 

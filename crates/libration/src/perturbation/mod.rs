@@ -16,6 +16,7 @@ mod expansion;
 mod extremes;
 mod first_integral;
 mod gauge;
+mod half_turns;
 mod limit_cycle;
 mod lindstedt;
 mod model;

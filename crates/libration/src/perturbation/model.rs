@@ -2,9 +2,10 @@
 
 use super::conservative;
 use super::gauge::Gauge;
+use super::half_turns::half_turns;
 use super::limit_cycle::{Excitation, highest_harmonic, limit_cycle};
 use super::lindstedt::{Centre, Family, family};
-use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, half_turns, substituted};
+use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, substituted};
 use super::watch::Watch;
 use crate::algebra::{Number, PhaseRing, Rational, Ring};
 use crate::expression::{Jet, Tape};

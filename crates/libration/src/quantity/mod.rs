@@ -11,6 +11,7 @@ mod angle_name;
 mod angle_text;
 mod bare_radians;
 mod decimal;
+mod dimension;
 mod displacement;
 mod error;
 mod excerpt;
@@ -20,18 +21,20 @@ mod physical;
 mod pi_combination;
 mod progression;
 mod range;
+mod range_error;
 mod unit;
 
 pub use angle::Angle;
 pub use angle_name::is_angle_name;
 pub use bare_radians::BareRadians;
+pub use dimension::Dimension;
 pub use displacement::Displacement;
 pub use error::QuantityError;
 pub use excerpt::excerpt;
 pub(crate) use nearest::nearest;
 pub use physical::{Quantity, parse};
-pub use range::{AngleRange, NumberRange, RangeError, angles, exact_angles, exact_numbers, numbers};
-pub use unit::Dimension;
+pub use range::{AngleRange, NumberRange, angles, exact_angles, exact_numbers, numbers};
+pub use range_error::RangeError;
 
 #[cfg(test)]
 mod tests;

@@ -3,12 +3,9 @@
 use dashu::base::{Abs, Signed};
 use dashu::rational::RBig;
 
-use super::RangeError;
 use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
-
-/// More elements than anybody can look at, and few enough to be held in memory.
-pub(super) const MOST_ELEMENTS: u64 = 10_000_000;
+use super::range_error::{MOST_ELEMENTS, RangeError};
 
 /// An arithmetic progression, exactly.
 #[derive(Clone, Debug)]

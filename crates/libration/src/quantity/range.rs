@@ -7,34 +7,9 @@ use super::angle_text::exact_angle;
 use super::decimal::Decimal;
 use super::excerpt::excerpt;
 use super::physical::ExactQuantity;
-use super::progression::{MOST_ELEMENTS, Progression};
-use super::{Angle, Dimension, Displacement, QuantityError};
-
-/// Why a text is no range.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RangeError {
-    /// Not three parts.
-    #[error("cannot read `{0}` as a range: write START:STOP:STEP, as in {1}")]
-    NotThreeParts(String, &'static str),
-    /// Bare numbers beside degrees.
-    #[error(
-        "the range `{0}` mixes degrees and bare numbers: write the unit of each part, as in 1deg:179deg:1deg"
-    )]
-    MixedUnits(String),
-    /// A step of zero.
-    #[error("the step of the range `{0}` is zero: give one that leads from start to stop")]
-    ZeroStep(String),
-    /// A step that leads away from the stop.
-    #[error("the step of the range `{0}` leads away from its stop: change its sign")]
-    WrongSign(String),
-    /// More elements than are allowed.
-    #[error("the range `{0}` has more than {MOST_ELEMENTS} elements: give a larger step")]
-    TooMany(String),
-    /// One of the parts, or an element of a list, is wrong.
-    #[error(transparent)]
-    Part(#[from] QuantityError),
-}
+use super::progression::Progression;
+use super::range_error::RangeError;
+use super::{Angle, Dimension, Displacement};
 
 /// Equally spaced angles, from text such as `1deg:179deg:1deg`.
 ///

@@ -1,8 +1,6 @@
 //! What is known of a system that has a name.
 
-use super::{UnknownSystem, catalogue};
 use crate::expression::{Expression, Function};
-use crate::quantity::{excerpt, nearest};
 
 /// A system of the literature, as data.
 ///
@@ -71,19 +69,6 @@ pub struct Parameter {
 }
 
 impl NamedSystem {
-    /// The system of this key.
-    ///
-    /// # Errors
-    /// No system has this key; the error lists the nearest keys and all of them.
-    pub fn by_key(key: &str) -> Result<&'static Self, UnknownSystem> {
-        let found = catalogue().find(|named| named.keys().any(|known| known == key));
-        found.ok_or_else(|| UnknownSystem {
-            key: excerpt(key),
-            near: nearest(&excerpt(key), catalogue().flat_map(Self::keys)),
-            known: catalogue().map(|named| named.key).collect(),
-        })
-    }
-
     /// The values of its parameters for a pendulum of this length under this gravity: ω0 is the root of their quotient, and all
     /// rods are as long. Where one is not given it is a metre, or 9.80665 m/s².
     ///

@@ -71,7 +71,6 @@ impl Source {
         })
     }
 
-
     /// Which file uses an item that stands in which other file.
     pub(crate) fn edges(&self) -> BTreeSet<(Module, Module)> {
         let uses =

@@ -5,6 +5,8 @@ mod driven;
 mod free;
 
 use super::named::{NamedCoordinate, NamedSystem, Parameter};
+use crate::quantity::{excerpt, nearest};
+use crate::systems::UnknownSystem;
 
 /// Every named system.
 pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> {
@@ -33,3 +35,18 @@ const fn angle(name: &'static str) -> NamedCoordinate {
 
 /// The energy of one pendulum over its moment of inertia, zero at rest at the bottom.
 const SWING_ENERGY: &str = "theta'^2/2 + 2*omega0^2*sin(theta/2)^2";
+
+impl NamedSystem {
+    /// The system of this key.
+    ///
+    /// # Errors
+    /// No system has this key; the error lists the nearest keys and all of them.
+    pub fn by_key(key: &str) -> Result<&'static Self, UnknownSystem> {
+        let found = catalogue().find(|named| named.keys().any(|known| known == key));
+        found.ok_or_else(|| UnknownSystem {
+            key: excerpt(key),
+            near: nearest(&excerpt(key), catalogue().flat_map(Self::keys)),
+            known: catalogue().map(|named| named.key).collect(),
+        })
+    }
+}

@@ -1,0 +1,14 @@
+//! How the swings of a damped pendulum end.
+
+/// Why no turning point follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Ending {
+    /// Dry friction holds the pendulum where it turned.
+    Sticks,
+    /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after
+    /// its last turn, or within 20 000 steps.
+    Creeps,
+    /// The amplitude is below 1e-100 rad.
+    Vanishes,
+}

@@ -1,0 +1,47 @@
+//! Why the change of a frequency with the amplitude is not given.
+
+use super::lindstedt::Obstacle;
+
+/// Why the change of the frequency is not given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoShift {
+    /// A mode that does not oscillate.
+    #[error("it does not oscillate with a constant amplitude")]
+    NotOscillating,
+    /// Modes of the same frequency.
+    #[error(
+        "several modes have this frequency (1:1): which mixtures of them are periodic at a larger amplitude the linear equations \
+         do not tell"
+    )]
+    Degenerate,
+    /// A resonance at which energy goes to and fro at every amplitude.
+    #[error(
+        "another mode has {0} times this frequency (resonance {0}:1), and the motion drives it: energy goes to and fro \
+         at any amplitude, and no series in a² describes it"
+    )]
+    Resonance(usize),
+    /// A steady force with nothing against it.
+    #[error("the oscillation makes a steady force on a mode without a restoring force")]
+    Drift,
+    /// Damping or excitation that grows with the amplitude.
+    #[error("the amplitude {} by the nonlinear terms: there is no periodic motion", if *grows { "grows" } else { "shrinks" })]
+    NotPeriodic {
+        /// Whether it grows.
+        grows: bool,
+    },
+    /// Forces without a third derivative.
+    #[error("the accelerations are not smooth enough at the equilibrium")]
+    NotSmooth,
+}
+
+impl From<Obstacle> for NoShift {
+    fn from(obstacle: Obstacle) -> Self {
+        match obstacle {
+            Obstacle::NoSeries => Self::NotSmooth,
+            Obstacle::Resonance(0) => Self::Drift,
+            Obstacle::Resonance(1) => Self::Degenerate,
+            Obstacle::Resonance(k) => Self::Resonance(k),
+        }
+    }
+}

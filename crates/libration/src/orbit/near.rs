@@ -1,0 +1,10 @@
+//! Where Newton's method begins.
+
+/// A guess of an orbit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// A state on it: coordinates, then velocities.
+    pub state: Vec<f64>,
+    /// Its period.
+    pub period: f64,
+}

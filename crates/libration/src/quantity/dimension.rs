@@ -1,0 +1,57 @@
+//! What a quantity measures.
+
+use std::fmt;
+
+/// What a quantity measures, and with it the SI unit its value is kept in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dimension {
+    /// In metres.
+    Length,
+    /// In seconds.
+    Time,
+    /// In metres per second squared.
+    Acceleration,
+    /// In radians per second.
+    AngularVelocity,
+    /// In metres per second.
+    Velocity,
+    /// In kilograms.
+    Mass,
+    /// In kilograms per cubic metre.
+    Density,
+    /// In one per second.
+    Rate,
+}
+
+impl Dimension {
+    /// Some ways to write a quantity of this dimension.
+    #[must_use]
+    pub fn examples(self) -> &'static str {
+        match self {
+            Self::Length => "1m, 120 cm, 35 in, 1.200(3) m or 1.200 ± 0.003 m (a bare number is in metres)",
+            Self::Time => "2s, 500ms, 2.007(2) s or 2.007 ± 0.002 s (a bare number is in seconds)",
+            Self::Acceleration => "9.81m/s^2, 981 cm/s^2 or 9.81 ± 0.02 m/s^2 (a bare number is in m/s^2)",
+            Self::AngularVelocity => "0.3rad/s, 30deg/s or 33 rpm (a bare number is in rad/s)",
+            Self::Velocity => "0.3m/s, 20 cm/s or 5 km/h (a bare number is in m/s)",
+            Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
+            Self::Density => "7850kg/m^3, 7.85 g/cm^3 or 1.20(2) kg/m^3 (a bare number is in kg/m^3)",
+            Self::Rate => "0.03/s, 0.030(1)/s or 0.030 ± 0.001 1/s (a bare number is in 1/s)",
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Length => "a length",
+            Self::Time => "a time",
+            Self::Acceleration => "an acceleration",
+            Self::AngularVelocity => "an angular velocity",
+            Self::Velocity => "a velocity",
+            Self::Mass => "a mass",
+            Self::Density => "a density",
+            Self::Rate => "a rate",
+        })
+    }
+}
