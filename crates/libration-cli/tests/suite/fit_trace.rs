@@ -545,6 +545,16 @@ fn advice_is_given_where_it_would_help() {
         assert!(given.contains(expected), "{expected}: {given}");
         assert!(!usual.contains(expected), "{expected}: {usual}");
     }
+    // The zero of a motion that is not that of the pendulum says nothing of a plumb line.
+    let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy-tilted");
+    let table = fs::read_to_string(&noisy).unwrap();
+    let tilted = table.lines().skip(1).map(|line| {
+        let (time, angle) = line.split_once(',').unwrap();
+        format!("{time},{:.5}\n", angle.parse::<f64>().unwrap() + 5.0)
+    });
+    fs::write(&noisy, format!("t (s),theta (deg)\n{}", tilted.collect::<String>())).unwrap();
+    let given = advice(&noisy);
+    assert!(!given.contains("plumb line"), "{given}");
 }
 
 #[test]

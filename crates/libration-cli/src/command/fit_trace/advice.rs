@@ -1,7 +1,7 @@
 //! What would make a measurement better, said to those who make it.
 
 use super::answer::{Answer, Pendulum};
-use super::warnings::doubtful_beta;
+use super::warnings::{doubtful_beta, is_poor};
 use crate::output::number::rounded;
 use libration_lab::measurement::{Faults, Seen, Trace};
 
@@ -71,11 +71,14 @@ fn about_scale(answer: &Answer<'_>) -> Option<String> {
 fn about_damping(answer: &Answer<'_>) -> Option<String> {
     let rivals = answer.rivals();
     let (largest, smallest) = answer.amplitudes().filter(|_| !rivals.is_empty())?;
+    let [largest, smallest] = [largest, smallest].map(|amplitude| rounded(amplitude.to_degrees(), 3));
+    let fall = match largest == smallest {
+        true => format!("Only an amplitude of {largest}° was measured"),
+        false => format!("The amplitude went from {largest}° to {smallest}°"),
+    };
     Some(format!(
-        "The amplitude went from {}° to {}°. The kinds of damping differ in how the decay slows down: record for longer, until \
-         the amplitude is a quarter of what it was at first.",
-        rounded(largest.to_degrees(), 3),
-        rounded(smallest.to_degrees(), 3)
+        "{fall}. The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of \
+         what it was at first."
     ))
 }
 
@@ -143,7 +146,7 @@ fn about_tilt(answer: &Answer<'_>) -> Option<String> {
         .map(|offset| offset.value)
         .filter(|_| seen == Seen::Angle)
         .max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-    (worst.abs() > WORTH_A_WORD).then(|| {
+    (worst.abs() > WORTH_A_WORD && !is_poor(&answer.fit)).then(|| {
         format!(
             "The pendulum hangs at {}° on the scale of the instrument. That was fitted and does no harm; a plumb line in the \
              picture would set it right.",

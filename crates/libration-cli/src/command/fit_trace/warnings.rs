@@ -67,9 +67,14 @@ fn of_radians(answer: &Answer<'_>) -> Option<String> {
     ))
 }
 
+/// Whether what the motion leaves is so large that its numbers mean little.
+pub(super) fn is_poor(fit: &TraceFit) -> bool {
+    fit.unexplained.sqrt() > 0.1
+}
+
 fn of_poor_fit(fit: &TraceFit) -> Option<String> {
     let part = fit.unexplained.sqrt();
-    (part > 0.1).then(|| {
+    is_poor(fit).then(|| {
         format!(
             "the residuals are {} % of the swing itself: the model does not describe what was seen, and its numbers mean \
              little. Leave out what is no free swing with --from and --to, or check columns and units",

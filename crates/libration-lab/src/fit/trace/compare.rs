@@ -5,7 +5,9 @@ use std::ops::ControlFlow;
 use super::information::information;
 use super::problem::Minimum;
 use super::search::{Search, better};
-use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, huber, uncertainty};
+use super::{
+    DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, count, huber, uncertainty,
+};
 use crate::measurement::Trace;
 
 /// The same traces under several models.
@@ -13,12 +15,12 @@ use crate::measurement::Trace;
 pub struct Comparison {
     /// One for each model that could be fitted, simpler ones first.
     pub fits: Vec<TraceFit>,
-    /// Akaike's criterion of each, less the least; infinite where the independent rows are too few to judge the model.
+    /// Akaike's criterion of each, less the least.
     pub excess_information: Vec<f64>,
     /// The place of the model that the data prefer: the simplest of those whose evidence is within [`Self::SUBSTANTIAL`] of the
     /// best.
     pub preferred: usize,
-    /// How many rows were counted as independent, by the residuals of the largest model.
+    /// How many rows were counted as independent, by the residuals of the largest model; never fewer than it takes to judge that.
     pub independent_rows: f64,
 }
 
@@ -170,7 +172,7 @@ impl Comparison {
     }
 
     fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
-        let independent_rows = fits.last()?.independent_rows;
+        let independent_rows = rows_that_count(fits.last()?);
         let scales = fits.iter().map(|fit| huber::scale(&fit.standard_residuals));
         let scale = scales.reduce(f64::min).filter(|&scale| robust && scale > 0.0);
         let information: Vec<f64> =
@@ -183,6 +185,14 @@ impl Comparison {
         let counts: Vec<usize> = fits.iter().map(|fit| fit.damping.count()).collect();
         Some(Self { preferred: simplest(&counts, &evidence), fits, excess_information, independent_rows })
     }
+}
+
+/// The independent rows of the largest model. Where they are fewer than its parameters, the criterion would be infinite for the
+/// large models, or for all of them, and the simplest one preferred however badly it describes the data. With the fewest that
+/// make it finite a parameter more costs some ten times as much as with many rows: only a far better fit is worth it.
+fn rows_that_count(largest: &TraceFit) -> f64 {
+    // The variance of the residuals is a parameter too, and n − k − 1 must be above zero.
+    largest.independent_rows.max(count(largest.parameters.len() + 1) + 2.0)
 }
 
 fn evidence(fit: &TraceFit, excess: f64) -> f64 {
@@ -388,14 +398,24 @@ mod tests {
         );
     }
 
+    /// Five rows count as seven, the fewest that judge the larger model: 8 + 40/2 and 10 + 60/1 is what the parameters cost,
+    /// 42 of which a residual e^−3 as large just pays: 7·2·3.
     #[test]
-    fn too_few_independent_rows_judge_no_model() {
-        let mut fits = vec![fit("linear", 3.0, &[0.1], 1.0), fit("dry+linear", 3.0, &[0.1, 0.1], 0.5)];
-        fits[1].independent_rows = 5.5;
-        let comparison = Comparison::new(fits, false).unwrap();
-        assert_eq!(comparison.preferred, 0);
-        assert!(comparison.excess_information[1].is_infinite());
-        assert_eq!(comparison.standing(1), Standing::Excluded);
+    fn few_independent_rows_believe_in_far_better_fits_only() {
+        let preferred = |residual: f64| {
+            let mut fits =
+                vec![fit("linear", 3.0, &[0.1], 1.0), fit("dry+linear", 3.0, &[0.1, 0.1], residual)];
+            fits[1].independent_rows = 5.0;
+            let comparison = Comparison::new(fits, false).unwrap();
+            assert!((comparison.independent_rows - 7.0).abs() < 1e-12, "{}", comparison.independent_rows);
+            assert!(comparison.excess_information.iter().all(|excess| excess.is_finite()));
+            comparison.preferred
+        };
+        assert_eq!(preferred(0.5), 0);
+        // The simpler one of those within two.
+        assert_eq!(preferred(libm::exp(-3.1)), 0);
+        assert_eq!(preferred(libm::exp(-3.2)), 1);
+        assert_eq!(preferred(0.01), 1);
     }
 
     /// One outlier spoils the squares of the better model, and not Huber's loss.
