@@ -1,11 +1,9 @@
 //! Sums, integrals and derivatives in real numbers to so many binary digits.
 
+use super::precision::PRECISION;
 use super::quadrature;
 use crate::evaluate::{Analysis, NoValue};
 use libration::algebra::{BigFloat, Floats, Ring};
-
-/// Bits of every number: 77 decimal digits.
-pub(crate) const PRECISION: usize = 256;
 
 /// The terms after which an infinite sum is given up.
 const MOST_TERMS: usize = 4000;

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::digits::PRECISION;
+use super::precision::PRECISION;
 use crate::evaluate::NoValue;
 use libration::algebra::BigFloat;
 

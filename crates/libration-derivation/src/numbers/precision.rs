@@ -1,0 +1,4 @@
+//! How many digits numbers have.
+
+/// Bits of every number: 77 decimal digits.
+pub(crate) const PRECISION: usize = 256;
