@@ -9,3 +9,4 @@
 
 pub mod fit;
 pub mod measurement;
+mod statistics;

@@ -2,8 +2,9 @@
 
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
-use super::small_angle_period::{count, per_dof};
+use super::small_angle_period::per_dof;
 use super::{FitError, PeriodTable, Weighting};
+use crate::statistics::count;
 
 const MOST_ROUNDS: usize = 100;
 

@@ -12,9 +12,7 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
-mod akaike;
 mod budget;
-mod chi_squared;
 pub mod cycles;
 mod damping_terms;
 mod error;
@@ -22,15 +20,12 @@ mod excess_scale;
 pub mod gates;
 mod gravity;
 mod law;
-mod least_squares;
 mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
-mod robust;
 mod scatter;
 mod small_angle_period;
-mod student;
 pub mod trace;
 
 pub use budget::{

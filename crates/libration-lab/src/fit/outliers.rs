@@ -1,8 +1,8 @@
 //! Rows that do not belong to the others, told without being drawn by them.
 
 use super::law::Law;
-use super::robust::{deviation_by_median, median};
 use super::{FitError, PeriodTable, Weighting};
+use crate::statistics::{deviation_by_median, median};
 
 /// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
 /// one in 1700 has such a row.

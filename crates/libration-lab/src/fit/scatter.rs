@@ -7,8 +7,8 @@
 //! Reference: R. T. Birge, *The calculation of errors by the method of least squares*, Phys. Rev. 40, 207 (1932),
 //! doi:10.1103/PhysRev.40.207; the Particle Data Group does the same, *Review of Particle Physics*, introduction, 5.2.2.
 
-use super::chi_squared::probability_beyond;
-use super::small_angle_period::count;
+use crate::statistics::chi_squared::probability_beyond;
+use crate::statistics::count;
 
 /// A scatter is told to be another than the stated one when chance makes it so large, or so small, less often than this: one
 /// table in a hundred whose uncertainties are right.

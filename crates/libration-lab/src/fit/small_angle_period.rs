@@ -3,6 +3,7 @@
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
+use crate::statistics::count;
 
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
 const MOST_ROUNDS: usize = 100;
@@ -114,10 +115,4 @@ pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
 
 pub(super) fn per_dof(chi2: Option<f64>, dof: usize) -> Option<f64> {
     chi2.filter(|_| dof > 0).map(|chi2| chi2 / count(dof))
-}
-
-/// A number of rows as a number.
-#[expect(clippy::cast_precision_loss, reason = "no table in memory has 2^53 rows")]
-pub(super) fn count(rows: usize) -> f64 {
-    rows as f64
 }

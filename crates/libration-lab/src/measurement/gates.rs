@@ -1,11 +1,11 @@
 //! Times at which a photogate was blocked or freed.
 
 use super::choices::{Choice, Choices, Finding, Suggestion};
-use super::faults::statistics::median;
 use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
 use super::{MeasurementError, Quantity};
+use crate::statistics::lower_median;
 
 /// The times of a photogate.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,7 +102,7 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
 /// amplitude stays: it takes another column beside them to ask.
 fn has_even_steps(times: &[f64]) -> bool {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let Some(usual) = median(steps.clone()).filter(|_| steps.len() > 2) else { return false };
+    let Some(usual) = lower_median(steps.clone()).filter(|_| steps.len() > 2) else { return false };
     steps.iter().filter(|&step| (step - usual).abs() > 0.01 * usual.abs()).count() * 10 < steps.len()
 }
 

@@ -5,7 +5,23 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::source::Source;
 
 /// Those that are still there: each has one idea in several files, or an idea in the wrong one.
-pub(crate) const REMAINING: &[&str] = &[];
+pub(crate) const REMAINING: &[&str] = &[
+    "libration-cli: : arguments command document figure",
+    "libration-cli: command/fit_trace: advice answer sheet warnings",
+    "libration-cli: command/simulate: report run sheet watch",
+    "libration-cli: document: html legend",
+    "libration-cli: figure: chart frame legend",
+    "libration-derivation: : check document print",
+    "libration-derivation: paper/black_vel: accuracy regimes",
+    "libration-lab: fit/cycles: centre extreme window",
+    "libration-lab: fit/cycles: generalised period_law",
+    "libration-lab: fit/trace: noise uncertainty",
+    "libration-lab: measurement/faults: clock even_times",
+    "libration-lab: measurement/traces: columns gyroscope",
+    "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
+    "libration: quantity: angle pi_combination",
+    "libration: taylor: block boundary branches error expander fleet flight integrate program record step_length",
+];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;
 

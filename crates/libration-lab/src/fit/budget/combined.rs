@@ -8,7 +8,7 @@
 use nalgebra::DMatrix;
 
 use super::{BudgetError, BudgetInput, Evaluation};
-use crate::fit::student::quantile;
+use crate::statistics::student::quantile;
 
 /// The probability that the true value is within the expanded uncertainty.
 pub const COVERAGE: f64 = 0.95;

@@ -13,8 +13,8 @@ use super::pivot;
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
-use crate::fit::robust::median;
 use crate::measurement::{Seen, Trace};
+use crate::statistics::median;
 
 /// With fewer rows in a period nothing can be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;

@@ -1,7 +1,7 @@
 //! About what the values swing: a fixed value, or one that is followed where it wanders.
 
 use super::extreme::Extreme;
-use crate::fit::robust::{median, robust_deviation};
+use crate::statistics::{median, robust_deviation};
 
 /// Fewer middles of swings than this do not tell a wandering centre from noise.
 const FEWEST_TO_FOLLOW: usize = 5;

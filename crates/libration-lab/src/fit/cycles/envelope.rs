@@ -11,9 +11,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::decay_rates::DecayRates;
 use super::{CyclesError, HalfSwing};
-use crate::fit::akaike;
-use crate::fit::robust::{median, robust_deviation};
 use crate::fit::trace::{DampingTerm, DampingTerms};
+use crate::statistics::akaike;
+use crate::statistics::{median, robust_deviation};
 
 /// Laws whose `AICc` differ by less than this are not separated by the data.
 pub const SEPARATED: f64 = 4.0;

@@ -13,6 +13,7 @@
 //! Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 
 use super::period_law::Row;
+use crate::statistics::count;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
@@ -191,11 +192,6 @@ impl Factor {
 fn bands(rows: &[Row], covariance: impl Fn(&Row, &Row) -> f64) -> Bands {
     let entry = |n: usize, back: usize| n.checked_sub(back).map_or(0.0, |m| covariance(&rows[m], &rows[n]));
     (0..rows.len()).map(|n| [entry(n, 2), entry(n, 1), entry(n, 0)]).collect()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
-fn count(rows: usize) -> f64 {
-    rows as f64
 }
 
 #[cfg(test)]

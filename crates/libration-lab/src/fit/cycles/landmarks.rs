@@ -6,8 +6,8 @@ use super::passage::{Passage, passage};
 use super::shape::{LARGEST_AMPLITUDE, Shape};
 use super::swings::Stretch;
 use super::window::Window;
-use crate::fit::robust::{median, robust_deviation};
 use crate::measurement::{Seen, Trace};
+use crate::statistics::{median, robust_deviation};
 use libration::pendulum::period_ratio;
 use std::f64::consts::FRAC_PI_2;
 

@@ -4,7 +4,7 @@
 use super::generalised::{Generalised, Scatter, fit};
 use super::{Cycle, CyclesError};
 use crate::fit::Law;
-use crate::fit::robust::{median, robust_deviation};
+use crate::statistics::{median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
 const ROUNDS: usize = 5;

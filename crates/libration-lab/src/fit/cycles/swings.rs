@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::CyclesError;
-use crate::fit::robust::{median, robust_deviation};
 use crate::measurement::{Seen, Trace};
+use crate::statistics::{median, robust_deviation};
 
 /// A turn counts when the value has gone back by this part of the last swing.
 const RETURN: f64 = 0.3;

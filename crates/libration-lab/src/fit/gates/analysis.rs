@@ -8,7 +8,7 @@ use super::swings::Swings;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source};
 use crate::fit::Law;
-use crate::fit::small_angle_period::count;
+use crate::statistics::count;
 use libration::quantity::Quantity;
 
 /// What the times of a gate say; the states of the gate, blocked or not, where they are known.

@@ -2,7 +2,7 @@
 //! stands. What fits neither is a double trigger; where one is missing two periods pass.
 
 use super::passages::Passage;
-use crate::fit::robust::median;
+use crate::statistics::median;
 
 /// A passage is accepted within this part of a period.
 const TOLERANCE: f64 = 0.1;

@@ -1,8 +1,8 @@
 //! Times at which a gate becomes blocked and free → passages of the bob.
 
 use super::{GateSignals, GatesError};
-use crate::fit::robust::median;
-use crate::fit::small_angle_period::count;
+use crate::statistics::count;
+use crate::statistics::median;
 
 /// Intervals between edges that alternate between short and long ones, the short ones below this part of the long ones, are
 /// those of a bob that blocks and frees the gate; a gate off the centre makes a smaller difference.

@@ -1,7 +1,7 @@
 //! Passages in order, the cycles among them, and what they tell without an amplitude.
 
 use super::directions::Placed;
-use crate::fit::robust::{median, robust_deviation};
+use crate::statistics::{median, robust_deviation};
 
 /// Passages in order, and the cycles among them: three passages of alternating sides without a gap, by the first one.
 pub(super) struct Swings {

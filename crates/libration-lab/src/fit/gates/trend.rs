@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::small_angle_period::count;
+use crate::statistics::count;
 use libration::quantity::Quantity;
 
 /// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.

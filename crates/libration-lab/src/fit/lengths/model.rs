@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
-use crate::fit::akaike;
 use crate::fit::scatter::{self, Scatter};
-use crate::fit::small_angle_period::count;
-use crate::fit::student::probability_beyond;
+use crate::statistics::akaike;
+use crate::statistics::count;
+use crate::statistics::student::probability_beyond;
 use libration::quantity::Quantity;
 
 /// Rounds in which the weights, and the term of the bob, are renewed.

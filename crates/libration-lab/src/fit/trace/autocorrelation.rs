@@ -1,6 +1,6 @@
 //! Whether residuals are noise.
 
-use super::count;
+use crate::statistics::count;
 
 /// How alike residuals are that follow each other.
 #[derive(Clone, Debug, PartialEq)]

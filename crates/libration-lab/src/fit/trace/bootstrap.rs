@@ -6,8 +6,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::count;
 use super::random::Random;
+use crate::statistics::count;
 
 const REPLICAS: usize = 500;
 

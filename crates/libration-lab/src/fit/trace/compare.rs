@@ -1,13 +1,12 @@
 //! Which kinds of damping the data tell apart.
 
+use crate::statistics::count;
 use std::ops::ControlFlow;
 
 use super::information::information;
 use super::problem::Minimum;
 use super::search::{Search, better};
-use super::{
-    DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, count, huber, uncertainty,
-};
+use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, huber, uncertainty};
 use crate::measurement::Trace;
 
 /// The same traces under several models.
@@ -315,7 +314,7 @@ mod tests {
 
     /// The size of residuals of 100 rows by which linear damping is worse than linear and quadratic one by `excess`.
     fn residual(excess: f64) -> f64 {
-        let cost = |k: f64| crate::fit::akaike::cost(100.0, k).unwrap();
+        let cost = |k: f64| crate::statistics::akaike::cost(100.0, k).unwrap();
         libm::exp((excess + cost(5.0) - cost(4.0)) / 200.0)
     }
 

@@ -1,5 +1,6 @@
 //! What a fit of traces has found.
 
+use crate::statistics::count;
 use std::f64::consts::PI;
 
 use super::{Autocorrelation, DampingTerm, DampingTerms};
@@ -43,7 +44,7 @@ impl FittedTrace {
     #[must_use]
     pub fn rms(&self) -> f64 {
         let squares: f64 = self.residuals.iter().map(|residual| residual * residual).sum();
-        (squares / super::count(self.residuals.len())).sqrt()
+        (squares / count(self.residuals.len())).sqrt()
     }
 }
 
@@ -100,7 +101,7 @@ impl TraceFit {
         const SPEEDS: usize = 9;
         let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
         (0..SPEEDS).all(|n| {
-            let (force, uncertainty) = self.damping_at(fastest * super::count(n) / super::count(SPEEDS - 1));
+            let (force, uncertainty) = self.damping_at(fastest * count(n) / count(SPEEDS - 1));
             force >= -2.0 * uncertainty
         })
     }

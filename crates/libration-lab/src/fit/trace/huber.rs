@@ -1,6 +1,7 @@
 //! Huber's weights, which turn outliers down.
 
-use crate::fit::robust::deviation_by_median;
+use crate::statistics::count;
+use crate::statistics::deviation_by_median;
 
 /// Huber's bound in standard deviations, at which 5 % of the precision is lost if there are no outliers.
 const BOUND: f64 = 1.345;
@@ -36,8 +37,8 @@ pub(super) fn is_outlier(residual: f64, scale: f64) -> bool {
 /// are not (*Robust Statistics*, as below, section 7.6).
 pub(super) fn bounded(residuals: &[f64]) -> Vec<f64> {
     let bound = BOUND * scale(residuals);
-    let part = super::count(residuals.iter().filter(|residual| residual.abs() <= bound).count());
-    let part = part / super::count(residuals.len());
+    let part = count(residuals.iter().filter(|residual| residual.abs() <= bound).count());
+    let part = part / count(residuals.len());
     residuals.iter().map(|residual| residual.clamp(-bound, bound) / part).collect()
 }
 
@@ -46,11 +47,11 @@ pub(super) fn bounded(residuals: &[f64]) -> Vec<f64> {
 /// doi:10.1002/0471725250, section 7.6).
 pub(super) fn variance(residuals: &[f64], parameters: usize) -> f64 {
     let scale = scale(residuals);
-    let (rows, parameters) = (super::count(residuals.len()), super::count(parameters));
+    let (rows, parameters) = (count(residuals.len()), count(parameters));
     let bounded = |residual: &f64| residual.clamp(-BOUND * scale, BOUND * scale);
     let squares: f64 = residuals.iter().map(|residual| bounded(residual) * bounded(residual)).sum();
     let inside = residuals.iter().filter(|residual| residual.abs() <= BOUND * scale).count();
-    let part = super::count(inside) / rows;
+    let part = count(inside) / rows;
     let correction = 1.0 + parameters / rows * (1.0 - part) / part;
     correction * correction * squares / (rows - parameters) / (part * part)
 }

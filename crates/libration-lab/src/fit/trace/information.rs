@@ -1,7 +1,8 @@
 //! How well a model explains data, for what it costs.
 
-use super::{TraceFit, count, huber};
-use crate::fit::akaike;
+use super::{TraceFit, huber};
+use crate::statistics::akaike;
+use crate::statistics::count;
 
 /// Akaike's criterion with its correction for few data, up to a constant; infinite where the data are too few to judge. As many
 /// rows count as are independent, the same number for all models that are compared.

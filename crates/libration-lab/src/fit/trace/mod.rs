@@ -45,7 +45,6 @@ pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;
 
-use super::small_angle_period::count;
 use crate::measurement::Trace;
 use search::Search;
 use std::ops::ControlFlow;

@@ -9,10 +9,10 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::count;
 use super::uncertainty::Linearised;
-use crate::fit::robust::median;
 use crate::measurement::Trace;
+use crate::statistics::count;
+use crate::statistics::median;
 
 /// What the noise does to one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! The way to the minimum.
 
+use crate::statistics::count;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
@@ -8,8 +9,8 @@ use super::problem::{Minimum, NoMinimum, Problem};
 use super::swing::Swing;
 use super::{DampingTerms, TraceFitError, TraceOptions, huber, weak_form};
 use crate::fit::cycles;
-use crate::fit::robust::median;
 use crate::measurement::Trace;
+use crate::statistics::median;
 
 /// Traces and a model, and the weights of the rows.
 pub(super) struct Search<'a> {
@@ -132,7 +133,7 @@ impl<'a> Search<'a> {
     fn scatter(&self, rows: &[usize], weights: &[Vec<f64>]) -> f64 {
         let of_trace = |((trace, weights), &rows): ((&Trace, &Vec<f64>), &usize)| {
             let values = &trace.values()[..rows];
-            let mean = values.iter().sum::<f64>() / super::count(rows);
+            let mean = values.iter().sum::<f64>() / count(rows);
             let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
             deviations.map(|deviation| deviation * deviation).sum::<f64>()
         };

@@ -1,12 +1,13 @@
 //! From the minimum to parameters with uncertainties.
 
+use crate::statistics::count;
 use nalgebra::{DMatrix, DVector};
 
 use super::layout::Layout;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
-use super::{bootstrap, clock, count, huber, noise, pivot, profile, systematic};
+use super::{bootstrap, clock, huber, noise, pivot, profile, systematic};
 use crate::measurement::Trace;
 
 /// The fit with its uncertainties.

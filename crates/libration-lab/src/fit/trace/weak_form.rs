@@ -8,10 +8,10 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::least_squares::least_squares;
-use crate::fit::robust::median;
-use crate::fit::small_angle_period::count;
 use crate::measurement::{Seen, Trace};
+use crate::statistics::count;
+use crate::statistics::least_squares;
+use crate::statistics::median;
 
 /// Where a fit begins.
 #[derive(Clone, Copy, Debug, PartialEq)]

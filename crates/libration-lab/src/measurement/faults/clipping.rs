@@ -1,6 +1,7 @@
 //! Values that stay the same where the motion does not: stuck on the way, or cut off at the ends of the scale.
 
-use super::statistics::{number, smallest_step};
+use super::steps::smallest_step;
+use crate::statistics::count;
 
 /// Rows with one value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +28,8 @@ pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Run> {
     let is_stuck = |run: &Run| {
         let Some((before, after)) = neighbours(values, run) else { return false };
         let goes_on = (before < run.value) == (run.value < after);
-        let each = (after - before).abs() / number(run.rows + 1);
-        run.rows > 1 && goes_on && each * number(run.rows - 1) > chance
+        let each = (after - before).abs() / count(run.rows + 1);
+        run.rows > 1 && goes_on && each * count(run.rows - 1) > chance
     };
     runs(values).into_iter().filter(is_stuck).collect()
 }

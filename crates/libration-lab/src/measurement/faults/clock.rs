@@ -2,7 +2,7 @@
 
 use super::even_times::EvenTimes;
 use super::significant_digits::SignificantDigits;
-use super::statistics::{mean, median, number, root_mean_square};
+use crate::statistics::{count, lower_median, mean, root_mean_square};
 
 /// How the times of a table follow each other. Units are seconds.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +58,7 @@ impl Grid {
     /// The even times, one for each row.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
-        self.numbers.iter().map(|&place| self.interval.mul_add(number(place), self.first)).collect()
+        self.numbers.iter().map(|&place| self.interval.mul_add(count(place), self.first)).collect()
     }
 }
 
@@ -118,7 +118,7 @@ impl Clock {
         let grid = self.grid.as_ref()?;
         let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
         let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(places);
-        let speeds = steps.map(|(step, places)| step / (grid.interval * number(places.max(1))));
+        let speeds = steps.map(|(step, places)| step / (grid.interval * count(places.max(1))));
         let noise = grid.off * root_mean_square(speeds);
         noise.is_finite().then_some(noise)
     }
@@ -130,7 +130,7 @@ fn intervals(times: &[f64]) -> impl Iterator<Item = f64> {
 
 /// The mean of the intervals near their median: rounded times have two or three different ones.
 fn usual_interval(times: &[f64]) -> Option<f64> {
-    let median = median(intervals(times).collect()).filter(|_| times.len() > 2)?;
+    let median = lower_median(intervals(times).collect()).filter(|_| times.len() > 2)?;
     let near = |length: &f64| (0.4 * median..GAP * median).contains(length);
     Some(mean(intervals(times).filter(near))).filter(|length| length.is_finite())
 }
@@ -152,7 +152,7 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     let rows: Vec<usize> = (0..times.len()).collect();
     let is_fine = |row: &usize| half_steps[*row] < 0.1 * (times[*row] - times[*row - 1]);
     let fine: Vec<f64> = (1..times.len()).filter(is_fine).map(|row| times[row] - times[row - 1]).collect();
-    let seen = median(fine).unwrap_or(interval);
+    let seen = lower_median(fine).unwrap_or(interval);
     let mut place = 0;
     let with_gaps: Vec<usize> = rows
         .iter()
@@ -174,7 +174,7 @@ fn missing(grid: &Grid) -> Vec<Gap> {
     let steps = grid.numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).enumerate();
     let gap = |(after, steps): (usize, usize)| Gap {
         after,
-        duration: grid.interval * number(steps),
+        duration: grid.interval * count(steps),
         missing: steps - 1,
     };
     steps.filter(|(_, steps)| *steps > 1).map(gap).collect()
@@ -200,9 +200,9 @@ fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: 
 fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
     let (mut products, mut squares) = (0.0, 0.0);
     for stretch in times.chunk_by(|a, b| b - a < GAP * interval) {
-        let middle = number(stretch.len() - 1) / 2.0;
+        let middle = count(stretch.len() - 1) / 2.0;
         for (row, time) in stretch.iter().enumerate() {
-            let from_middle = number(row) - middle;
+            let from_middle = count(row) - middle;
             products += from_middle * (time - stretch[0]);
             squares += from_middle * from_middle;
         }
@@ -213,9 +213,9 @@ fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
 /// The least-squares grid, if the times are on it up to their rounding, and not exactly.
 fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid> {
     let resolution = resolution?;
-    let (x, t) = (mean(places.iter().map(|&place| number(place))), mean(times.iter().copied()));
+    let (x, t) = (mean(places.iter().map(|&place| count(place))), mean(times.iter().copied()));
     let moments = places.iter().zip(times).map(|(&place, time)| {
-        let from_mean = number(place) - x;
+        let from_mean = count(place) - x;
         (from_mean * (time - t), from_mean * from_mean)
     });
     let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));

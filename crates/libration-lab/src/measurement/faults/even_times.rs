@@ -6,7 +6,7 @@
 //! rate is commensurate with the steps it is wide, and least squares would be sure of more than the times say.
 
 use super::Grid;
-use super::statistics::{number, root_mean_square};
+use crate::statistics::{count, root_mean_square};
 
 /// Times that went through another rounding before are off by a little more than half a step.
 const TWICE_ROUNDED: f64 = 0.01;
@@ -24,7 +24,7 @@ impl EvenTimes {
     /// The even times within these half steps of the times at these places, if there are any.
     pub(super) fn through(times: &[f64], places: &[usize], half_steps: &[f64]) -> Option<Self> {
         let (first, last) = (*times.first()?, *times.last()?);
-        let span = number(*places.last()?);
+        let span = count(*places.last()?);
         let chord = (last - first) / span;
         let widest = half_steps.iter().copied().fold(0.0, f64::max);
         if !(chord > 0.0 && chord.is_finite() && widest > 0.0) {
@@ -33,7 +33,7 @@ impl EvenTimes {
         // The line is within the widest half step of both ends: in units of it, about the chord, on places from 0 to 1.
         let mut polygon = vec![(-2.0, -4.0), (2.0, -4.0), (2.0, 4.0), (-2.0, 4.0)];
         for ((time, &place), half) in times.iter().zip(places).zip(half_steps) {
-            let place = number(place);
+            let place = count(place);
             let (along, off) = (place / span, (time - chord.mul_add(place, first)) / widest);
             let half = (1.0 + TWICE_ROUNDED) * half / widest;
             polygon = below(&polygon, |(a, b)| along.mul_add(b, a) - off - half);
@@ -52,7 +52,7 @@ impl EvenTimes {
     pub(super) fn grid(self, times: &[f64], places: &[usize]) -> Grid {
         let Self { first, interval, interval_uncertainty } = self;
         let errors =
-            || places.iter().zip(times).map(|(&place, time)| interval.mul_add(number(place), first) - time);
+            || places.iter().zip(times).map(|(&place, time)| interval.mul_add(count(place), first) - time);
         let off = root_mean_square(errors());
         let most_off = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
         Grid { first, interval, interval_uncertainty, off, most_off, numbers: places.to_vec() }

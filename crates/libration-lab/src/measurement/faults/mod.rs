@@ -11,7 +11,7 @@ pub(in crate::measurement) mod order;
 mod outliers;
 mod sentences;
 mod significant_digits;
-pub(in crate::measurement) mod statistics;
+mod steps;
 #[cfg(test)]
 mod tests;
 

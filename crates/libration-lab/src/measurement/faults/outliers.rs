@@ -1,6 +1,7 @@
 //! Isolated values far off the cubic through their neighbours.
 
-use super::statistics::{NORMAL_PER_MEDIAN_DEVIATION, median, number, smallest_step};
+use super::steps::smallest_step;
+use crate::statistics::{NORMAL_PER_MEDIAN_DEVIATION, count, lower_median};
 use std::ops::Range;
 
 /// Beyond this many robust standard deviations a value is an outlier: of normal errors one in 5e8.
@@ -37,7 +38,7 @@ pub(super) fn noise(times: &[f64], values: &[f64]) -> f64 {
 
 /// The standard deviation of normal deviations with the median of these.
 fn robust(deviations: Vec<f64>) -> f64 {
-    NORMAL_PER_MEDIAN_DEVIATION * median(deviations).unwrap_or(0.0)
+    NORMAL_PER_MEDIAN_DEVIATION * lower_median(deviations).unwrap_or(0.0)
 }
 
 struct Curve<'a> {
@@ -50,7 +51,7 @@ struct Curve<'a> {
 
 impl<'a> Curve<'a> {
     fn new(times: &'a [f64], values: &'a [f64]) -> Self {
-        let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+        let interval = lower_median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
         Self { times, values, is_marked: vec![false; values.len()], interval: interval.unwrap_or(0.0) }
     }
 
@@ -60,7 +61,7 @@ impl<'a> Curve<'a> {
         let mut right = (row + 1..self.values.len()).filter(|&row| !self.is_marked[row]);
         let (near_left, far_left) = (left.next()?, left.next()?);
         let (near_right, far_right) = (right.next()?, right.next()?);
-        let usual = self.interval * number(far_right - far_left);
+        let usual = self.interval * count(far_right - far_left);
         let is_near = self.times[far_right] - self.times[far_left] <= WIDEST * usual;
         is_near.then_some([far_left, near_left, near_right, far_right])
     }

@@ -6,6 +6,7 @@
 //! # References
 //! I. Kåsa, IEEE Trans. Instrum. Meas. 25, 8–14 (1976), for the algebraic circle.
 
+use crate::statistics::count;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix3, OMatrix, OVector, U3, Vector3};
@@ -150,11 +151,6 @@ impl LeastSquaresProblem<f64, Dyn, U3> for Distances<'_> {
         }
         Some(jacobian)
     }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a number of points is far below 2^53")]
-fn count(number: usize) -> f64 {
-    number as f64
 }
 
 #[cfg(test)]

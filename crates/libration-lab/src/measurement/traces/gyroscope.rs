@@ -1,8 +1,8 @@
 //! Three axes of a gyroscope → the rate about the one axis that the pendulum turns about, however the device is fixed to it.
 
-use super::super::faults::statistics::number;
 use super::super::sheet::Sheet;
 use super::columns::Value;
+use crate::statistics::count;
 use nalgebra::{Matrix3, Vector3};
 
 /// The axis with 99.9 % of the mean square: the others then change the rate by less than 5e-4 of it, where makers state
@@ -39,7 +39,7 @@ fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
         return None;
     }
     let sum = rows.iter().fold(Vector3::zeros(), |sum, row| sum + Vector3::from(*row));
-    let mean = sum / number(rows.len());
+    let mean = sum / count(rows.len());
     let scatter = rows.iter().fold(Matrix3::zeros(), |scatter, row| {
         let from_mean = Vector3::from(*row) - mean;
         scatter + from_mean * from_mean.transpose()

@@ -1,7 +1,8 @@
 //! Rows that are not in the order of time: put where their time belongs, left out, or the run cut where its clock was set back.
 
 use super::super::choices::Finding;
-use super::super::faults::{order, statistics::median};
+use super::super::faults::order;
+use crate::statistics::lower_median;
 
 /// A clock that goes back more often than once in so many rows is none.
 const ROWS_PER_STEP_BACK: usize = 20;
@@ -48,7 +49,7 @@ impl Sequence {
             order::out_of_order(piece, &order::repeated(piece)).iter().map(|row| start + row).collect();
         let mut rows: Vec<usize> = (start..end).filter(|row| stray.binary_search(row).is_err()).collect();
         let steps: Vec<f64> = rows.windows(2).map(|pair| times[pair[1]] - times[pair[0]]).collect();
-        let room = ROOM * median(steps).unwrap_or(0.0);
+        let room = ROOM * lower_median(steps).unwrap_or(0.0);
         for row in stray {
             let place = rows.partition_point(|&other| times[other] < times[row]);
             let is_far =

@@ -1,6 +1,6 @@
 //! How likely chance is to give a sum of squares as large as this.
 
-use super::small_angle_period::count;
+use super::count;
 
 /// The probability that χ² is at least this large; whole degrees of freedom, one or more.
 ///
@@ -8,7 +8,7 @@ use super::small_angle_period::count;
 ///
 /// # Accuracy
 /// 1e-12 absolute up to a thousand degrees of freedom.
-pub(super) fn probability_beyond(chi2: f64, dof: usize) -> f64 {
+pub(crate) fn probability_beyond(chi2: f64, dof: usize) -> f64 {
     if chi2 <= 0.0 {
         return 1.0;
     }

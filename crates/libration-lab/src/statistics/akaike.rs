@@ -6,7 +6,7 @@
 /// # References
 /// N. Sugiura, Commun. Stat. Theory Methods 7, 13 (1978), doi:10.1080/03610927808827599; K. P. Burnham and D. R. Anderson,
 /// *Model Selection and Multimodel Inference*, 2nd ed., Springer 2002, doi:10.1007/b97636, section 2.4.
-pub(super) fn cost(data: f64, parameters: f64) -> Option<f64> {
+pub(crate) fn cost(data: f64, parameters: f64) -> Option<f64> {
     let spare = data - parameters - 1.0;
     (spare > 0.0).then(|| 2.0 * parameters + 2.0 * parameters * (parameters + 1.0) / spare)
 }

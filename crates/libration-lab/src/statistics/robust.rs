@@ -1,10 +1,10 @@
 //! The middle and the spread of numbers among which some may be wrong.
 
 /// The median absolute deviation of a normal distribution is its standard deviation over this.
-const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
+pub(crate) const NORMAL_PER_MEDIAN_DEVIATION: f64 = 1.482602218505602;
 
 /// The middle value; none of none.
-pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {
@@ -14,20 +14,26 @@ pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
     }
 }
 
+/// The middle value, of an even number of values the lower of the two; nothing of none.
+pub(crate) fn lower_median(mut values: Vec<f64>) -> Option<f64> {
+    let middle = values.len().checked_sub(1)? / 2;
+    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
 /// The standard deviation of residuals by the middle one of their sizes; none of none.
-pub(super) fn deviation_by_median(residuals: &[f64]) -> Option<f64> {
+pub(crate) fn deviation_by_median(residuals: &[f64]) -> Option<f64> {
     let sizes = residuals.iter().map(|x| x.abs()).collect();
     median(sizes).map(|size| NORMAL_PER_MEDIAN_DEVIATION * size)
 }
 
 /// The standard deviation of residuals without their outliers; none of none.
-pub(super) fn robust_deviation(residuals: &[f64]) -> Option<f64> {
+pub(crate) fn robust_deviation(residuals: &[f64]) -> Option<f64> {
     let first = deviation_by_median(residuals)?;
     let kept = |cut: f64| residuals.iter().filter(move |x| x.abs() <= cut);
     // With more than half of the residuals exactly zero all of them tell the size.
     let cut = if first > 0.0 { 4.0 * first } else { f64::INFINITY };
     let sum: f64 = kept(cut).map(|x| x * x).sum();
-    Some((sum / super::small_angle_period::count(kept(cut).count())).sqrt())
+    Some((sum / super::count(kept(cut).count())).sqrt())
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The vector that makes the sum of squares of M·x − b least; `None` where the columns depend on each other to rounding
 /// errors.
-pub(super) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     if matrix.nrows() < matrix.ncols() {
         return None;
     }

@@ -8,15 +8,15 @@ use std::f64::consts::FRAC_2_PI;
 ///
 /// # Accuracy
 /// 1e-14 absolute.
-pub(super) fn probability_beyond(t: f64, dof: usize) -> f64 {
-    let angle = libm::atan(t.abs() / super::small_angle_period::count(dof).sqrt());
+pub(crate) fn probability_beyond(t: f64, dof: usize) -> f64 {
+    let angle = libm::atan(t.abs() / super::count(dof).sqrt());
     let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
     let odd = dof % 2 == 1;
     let mut term = if odd { cosine } else { 1.0 };
     let mut sum = 0.0;
     for k in (if odd { 2 } else { 1 }..dof).step_by(2) {
         sum += term;
-        let k = super::small_angle_period::count(k);
+        let k = super::count(k);
         term *= cosine * cosine * k / (k + 1.0);
     }
     let inside = if odd { FRAC_2_PI * (angle + sine * sum) } else { sine * sum };
@@ -31,7 +31,7 @@ const MANY: f64 = 1e4;
 ///
 /// # Accuracy
 /// 1e-8 relative for probabilities from 1e-3 to one half.
-pub(super) fn quantile(probability: f64, dof: f64) -> f64 {
+pub(crate) fn quantile(probability: f64, dof: f64) -> f64 {
     let whole = dof.floor().max(1.0);
     if whole < MANY {
         return root(|t| probability_beyond(t, to_count(whole)) > probability);

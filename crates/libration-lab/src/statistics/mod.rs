@@ -1,0 +1,17 @@
+//! What fits and the reading of files know of samples: means, medians, least squares, distributions, criteria.
+
+mod count;
+mod least_squares;
+mod mean;
+mod robust;
+
+pub(crate) mod akaike;
+pub(crate) mod chi_squared;
+pub(crate) mod student;
+
+pub(crate) use count::count;
+pub(crate) use least_squares::least_squares;
+pub(crate) use mean::{mean, root_mean_square};
+pub(crate) use robust::{
+    NORMAL_PER_MEDIAN_DEVIATION, deviation_by_median, lower_median, median, robust_deviation,
+};
