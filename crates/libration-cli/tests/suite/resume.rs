@@ -139,6 +139,10 @@ fn a_file_that_does_not_say_how_it_goes_on_is_refused() {
     let question = "simulate pendulum --times 0:5:0.5";
     let attempt = || libration(&format!("{question} --resume {}", file.display()));
     text(&format!("{question} --initial theta=1 --output {}", file.display()));
+    let state = fs::read_to_string(state_of(&file)).unwrap();
+    // Not read to its end, whatever its size.
+    fs::write(state_of(&file), state + &" ".repeat(1 << 20)).unwrap();
+    assert!(message(&attempt()).contains("does not say how a motion goes on"), "{}", message(&attempt()));
     fs::write(state_of(&file), "{}").unwrap();
     assert!(message(&attempt()).contains("does not say how a motion goes on"), "{}", message(&attempt()));
     fs::remove_file(state_of(&file)).unwrap();

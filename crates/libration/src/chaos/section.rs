@@ -231,7 +231,7 @@ fn crossings(
             _ if found.len() >= points.skipped + points.kept => break None,
             None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET => {}
-            Some(Cause::StepLimit) | None => break Some(Ending::NoCrossing),
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(Ending::NoCrossing),
             Some(cause) => break Some(Ending::Stopped(cause)),
         }
     };

@@ -58,7 +58,7 @@ pub(super) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec
 }
 
 /// The places that the first so many formulas are made of.
-fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
+pub(super) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     let mut reached = vec![false; tape.operations().len()];
     for &result in &tape.results()[..formulas] {
         reached[result] = true;

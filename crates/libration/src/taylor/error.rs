@@ -72,6 +72,9 @@ pub enum Cause {
     /// Steps that become shorter than the times can tell, as before a singularity.
     #[error("the steps become too short, as they do before a singularity,")]
     StepUnderflow,
+    /// A state that no `f64` holds soon, as of a motion that runs away for ever.
+    #[error("the motion runs away, beyond the range of numbers,")]
+    OutOfRange,
     /// As many steps as are allowed.
     #[error("as many steps are taken as are allowed")]
     StepLimit,

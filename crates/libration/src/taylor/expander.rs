@@ -2,8 +2,9 @@
 
 use super::System;
 use super::block::{Block, Row};
-use super::boundary::{Boundary, boundaries};
+use super::boundary::{Boundary, Forbidden, boundaries};
 use super::program::{Program, over_integer};
+use super::steep::{Steep, steep_places};
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch};
 
@@ -25,6 +26,8 @@ pub(super) struct Expander<'a> {
     pub(super) program: Program,
     /// Where the accelerations end, and what stands in |…|.
     pub(super) boundaries: Vec<Boundary<Row>>,
+    /// Of what the accelerations are steep functions.
+    pub(super) steep: Vec<Steep<Row>>,
     pub(super) order: usize,
 }
 
@@ -43,7 +46,12 @@ impl<'a> Expander<'a> {
         let first_sign = degrees.len() - system.moduli();
         let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
         let on_block = |it: Boundary<usize>| Boundary { of: program.places[it.of], forbidden: it.forbidden };
-        Self { system, boundaries: boundaries.map(on_block).collect(), program, order }
+        let boundaries: Vec<Boundary<Row>> = boundaries.map(on_block).collect();
+        let divisors = boundaries.iter().filter(|boundary| boundary.forbidden == Forbidden::Zero);
+        let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
+        let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
+        let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
+        Self { system, boundaries, steep, program, order }
     }
 
     /// The memory that the series need.
@@ -78,21 +86,21 @@ impl<'a> Expander<'a> {
         self.program.results[self.system.coordinates() + self.system.moduli() + event]
     }
 
-    /// The accelerations in a state.
-    pub(super) fn accelerations<const N: usize>(
-        &self,
+    /// The accelerations in a state, the same in all lanes but for what surrounds them.
+    pub(super) fn accelerations<'s, const N: usize>(
+        &'s self,
+        scratch: &'s mut Block<N>,
         time: f64,
         state: &[f64],
         surroundings: &Surroundings<N>,
-    ) -> Vec<[f64; N]> {
-        let mut block = self.block::<N>();
+    ) -> impl Iterator<Item = [f64; N]> + 's {
         for (number, value) in state.iter().enumerate() {
-            let row = block.row(number);
-            block[row][0] = [*value; N];
+            let row = scratch.row(number);
+            scratch[row][0] = [*value; N];
         }
-        block.start = [time; N];
-        self.begin(&mut block, surroundings);
-        (0..self.system.coordinates()).map(|i| block[self.acceleration(i)][0]).collect()
+        scratch.start = [time; N];
+        self.begin(scratch, surroundings);
+        (0..self.system.coordinates()).map(|i| scratch[self.acceleration(i)][0])
     }
 
     /// The zeroth coefficients.

@@ -6,6 +6,7 @@ use super::checkpoint::{Checkpoint, ModulusCheckpoint};
 use super::expander::{Expander, Surroundings};
 use super::sign_change::scaled;
 use super::step_length::{log2_time_scale, step_lengths};
+use super::trial::larger_or_nan;
 use super::{Cause, Effort, Moment, Step, System};
 use crate::dispatch::{Kernel, dispatch};
 use crate::elementary::rough::exp2;
@@ -13,25 +14,27 @@ use crate::elementary::rough::exp2;
 /// N motions under way: where they are, and the steps that lead on.
 #[derive(Debug)]
 pub(super) struct Flight<'a, const N: usize> {
-    expander: Expander<'a>,
+    pub(super) expander: Expander<'a>,
     branches: Branches<N>,
-    surroundings: Surroundings<N>,
-    block: Block<N>,
-    next: Vec<Ends<N>>,
+    pub(super) surroundings: Surroundings<N>,
+    pub(super) block: Block<N>,
+    /// Room for the accelerations in other states.
+    pub(super) scratch: Block<N>,
+    pub(super) next: Vec<Ends<N>>,
     /// Where the motions are going.
     goal: [f64; N],
     /// The units of time for the next steps.
-    unit: [f64; N],
+    pub(super) unit: [f64; N],
     /// Motions whose scale of time is not known yet.
     fresh: [bool; N],
     /// Motions with a step that would have ended elsewhere on the way to another goal.
     goal_bound: [bool; N],
-    effort: Effort,
+    pub(super) effort: Effort,
     log2_part_of_radius: f64,
 }
 
 /// Steps that are no longer than this part of the time are lost in its roundings.
-const SHORTEST: f64 = 8.0 * f64::EPSILON;
+pub(super) const SHORTEST: f64 = 8.0 * f64::EPSILON;
 
 /// One number of the state at the ends of the steps, in two words.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +55,7 @@ impl<'a, const N: usize> Flight<'a, N> {
                 sticks: vec![[false; N]; system.moduli()],
             },
             block: expander.block(),
+            scratch: expander.block(),
             expander,
             next: vec![Ends { high: [0.0; N], low: [0.0; N] }; numbers],
             goal: [0.0; N],
@@ -120,7 +124,7 @@ impl<'a, const N: usize> Flight<'a, N> {
         for lane in 0..N {
             let end = match endless[lane] {
                 true if self.sticks(lane) => Ok(self.goal[lane]),
-                true => self.end_of_polynomials(lane),
+                true => self.end_of_finite_states(lane).and_then(|end| self.confirmed_end(lane, end)),
                 false => self.end_towards_goal(lane, lengths[lane]),
             };
             self.goal_bound[lane] |= endless[lane] || end == Ok(self.goal[lane]);
@@ -129,13 +133,23 @@ impl<'a, const N: usize> Flight<'a, N> {
             self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
             outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
         }
+        self.confirm(&mut outcomes);
         if self.expander.system.moduli() > 0 {
             self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
+            dispatch(Arrival { flight: self });
         }
-        dispatch(Arrival { flight: self });
         let finite =
             |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
-        std::array::from_fn(|lane| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) })
+        let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
+        std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
+    }
+
+    /// Why there is no step, as the state tells it. Next to a singularity at a finite time steps end long before.
+    fn cause_where_it_is(&self, lane: usize, cause: Cause) -> Cause {
+        /// Coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
+        const FAR: f64 = 1e190;
+        let is_far = self.block.state(lane).any(|number| number.abs() > FAR);
+        if is_far { Cause::OutOfRange } else { cause }
     }
 
     /// Goes to the ends of the steps.
@@ -191,7 +205,7 @@ impl<'a, const N: usize> Flight<'a, N> {
         self.branches.settle(expander, block, &mut self.surroundings, &backward)
     }
 
-    fn sticks(&self, lane: usize) -> bool {
+    pub(super) fn sticks(&self, lane: usize) -> bool {
         self.surroundings.sticks.iter().any(|sticks| sticks[lane])
     }
 
@@ -248,7 +262,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     /// Whether the accelerations behind a time are those of the series as well, as where a singularity is removable.
     ///
     /// Up to a quarter of a step beyond its end series of the most terms, 33, err by 1.25³³·33·2⁻⁹ = 100 tolerances.
-    fn goes_on_behind(&self, lane: usize, time: f64, length: f64) -> bool {
+    fn goes_on_behind(&mut self, lane: usize, time: f64, length: f64) -> bool {
         const PARTS: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
         const TOLERANCES: f64 = 100.0;
         let bound = TOLERANCES * self.effort.relative.max(f64::EPSILON);
@@ -257,19 +271,20 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// What the velocities would err by in a time, as a part of their size, if accelerations were those of the series; not less
     /// than the part of themselves that the accelerations err by, which a short time does not excuse.
-    fn misfit(&self, lane: usize, time: f64, length: f64) -> f64 {
+    fn misfit(&mut self, lane: usize, time: f64, length: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
-        let exact = self.expander.accelerations(time, &state, &self.surroundings);
-        let coordinates = exact.len();
-        let parts = exact.iter().enumerate().map(|(i, exact)| {
+        let Self { expander, scratch, surroundings, .. } = self;
+        let coordinates = expander.system.coordinates();
+        let exact = expander.accelerations(scratch, time, &state, surroundings);
+        let parts = exact.enumerate().map(|(i, exact)| {
             let own = step.slope_at(coordinates + i, time);
             let speed = step.coefficient(coordinates + i, 0).abs().max((own * length).abs());
             let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
             let error = (exact[lane] - own).abs();
             if error == 0.0 { 0.0 } else { error * rate }
         });
-        larger_or_nan(parts)
+        parts.fold(0.0, larger_or_nan)
     }
 
     /// Whether the last coefficients are finite, into which the ones before enter.
@@ -278,37 +293,16 @@ impl<'a, const N: usize> Flight<'a, N> {
         (0..self.block.numbers()).all(last)
     }
 
-    /// The farthest end up to which series that seem to be polynomials obey the equation of motion.
-    fn end_of_polynomials(&self, lane: usize) -> Result<f64, Cause> {
+    /// The farthest end in which series that seem to be polynomials do not overflow.
+    fn end_of_finite_states(&self, lane: usize) -> Result<f64, Cause> {
         const HALVINGS: usize = 1100;
         let start = self.block.start[lane];
         let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));
         let mut ends = ends.take(HALVINGS).take_while(|&end| (end - start).abs() > 0.0);
-        let bound = self.effort.relative.sqrt();
-        ends.find(|&end| self.defect(lane, end) <= bound).ok_or(Cause::StepUnderflow)
+        let is_finite =
+            |end: f64| self.block.step(lane).state_at(end).iter().all(|number| number.is_finite());
+        ends.find(|&end| is_finite(end)).ok_or(Cause::StepUnderflow)
     }
-
-    /// How far the accelerations at a time are from those of the step's polynomials, as a part of the latter's size.
-    fn defect(&self, lane: usize, time: f64) -> f64 {
-        let step = self.block.step(lane);
-        let state = step.state_at(time);
-        if state.iter().any(|number| !number.is_finite()) {
-            return f64::INFINITY;
-        }
-        let exact = self.expander.accelerations(time, &state, &self.surroundings);
-        let coordinates = exact.len();
-        let parts = exact.iter().enumerate().map(|(i, exact)| {
-            let own = step.slope_at(coordinates + i, time);
-            let size = exact[lane].abs().max(own.abs());
-            if size == 0.0 { 0.0 } else { (exact[lane] - own).abs() / size }
-        });
-        larger_or_nan(parts)
-    }
-}
-
-/// The largest of some numbers; what is not finite is larger than all.
-fn larger_or_nan(parts: impl Iterator<Item = f64>) -> f64 {
-    parts.fold(0.0, |largest: f64, part| if part <= largest || largest.is_nan() { largest } else { part })
 }
 
 /// How long the steps may be.
@@ -331,8 +325,8 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
 }
 
 /// The states at the ends of the steps.
-struct Arrival<'f, 'a, const N: usize> {
-    flight: &'f mut Flight<'a, N>,
+pub(super) struct Arrival<'f, 'a, const N: usize> {
+    pub(super) flight: &'f mut Flight<'a, N>,
 }
 
 impl<const N: usize> Kernel for Arrival<'_, '_, N> {
@@ -349,7 +343,7 @@ impl<const N: usize> Kernel for Arrival<'_, '_, N> {
 
 /// The unit of time for series with steps of this length: a power of two, larger by so much that terms that are small in
 /// a step do not underflow.
-fn unit_for(length: f64) -> f64 {
+pub(super) fn unit_for(length: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGER: f64 = 64.0;
     let power = f64::from_bits(length.min(1e300).to_bits() & EXPONENT);

@@ -25,7 +25,9 @@ mod step_length;
 mod branches;
 mod contacts;
 mod flight;
+mod steep;
 mod sticking;
+mod trial;
 
 mod fleet;
 mod record;

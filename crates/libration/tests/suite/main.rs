@@ -3,6 +3,7 @@
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
 mod golden;
+mod hidden_forces;
 mod promises;
 mod random;
 mod ulp;

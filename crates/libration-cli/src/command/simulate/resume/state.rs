@@ -1,6 +1,7 @@
 //! What an answer must say to be gone on from: in a JSON answer a field, beside a CSV file a file `NAME.csv.state`.
 
 use super::{Mark, Question, ResumeError};
+use crate::arguments;
 use crate::failure::Failure;
 use crate::output::{file, json};
 use serde_json::{Value, json};
@@ -30,9 +31,15 @@ impl State {
 
     /// Reads the file that stands beside one of samples.
     pub(super) fn read(path: &Path) -> Result<Self, ResumeError> {
-        let text = fs::read_to_string(path).map_err(|_| ResumeError::NoState(path.to_owned()))?;
-        let value: Value = serde_json::from_str(&text).unwrap_or(Value::Null);
-        Self::from_json(&value).ok_or_else(|| ResumeError::NotAState(path.to_owned()))
+        /// A state has a hundred bytes for each of its numbers.
+        const LARGEST: usize = 1 << 20;
+        if !path.exists() {
+            return Err(ResumeError::NoState(path.to_owned()));
+        }
+        let bytes = arguments::read_at_most(path, LARGEST).ok();
+        let value: Option<Value> = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+        let state = value.as_ref().and_then(Self::from_json);
+        state.ok_or_else(|| ResumeError::NotAState(path.to_owned()))
     }
 
     pub(crate) fn write(&self, path: &Path) -> Result<(), Failure> {

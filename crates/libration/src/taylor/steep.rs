@@ -1,0 +1,157 @@
+//! What can hide in a step: forces that an f64 does not see from where it begins, and that are felt only on its way.
+//!
+//! Of e^(−x²) far out not one coefficient is left, and neither at the end of a step that goes through to the other side. So a
+//! step ends where such a formula is largest or smallest: there the equations of motion show what it does.
+
+use super::block::{Block, Row};
+use super::boundary::reached;
+use super::sign_change::{scaled, sign_changes};
+use crate::algebra::Function;
+use crate::expression::{Operation, Tape};
+
+/// How a value on the tape enters what can change by powers of ten.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Enters {
+    Exponent,
+    /// cosh, sinh and tanh: they are smallest, or turn fastest, at zero.
+    Hyperbolic,
+    /// Through a power, the exponent of which may be large.
+    Divisor,
+    /// A factor, so many times.
+    Power(f64),
+}
+
+/// A value on the tape, by its place, of which something is a steep function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Steep<P> {
+    pub(super) of: P,
+    enters: Enters,
+}
+
+impl<P> Steep<P> {
+    pub(super) fn divisor(of: P) -> Self {
+        Self { of, enters: Enters::Divisor }
+    }
+
+    /// The same by another place.
+    pub(super) fn moved<Q>(&self, of: Q) -> Steep<Q> {
+        Steep { of, enters: self.enters }
+    }
+}
+
+/// The arguments of such functions that the first so many formulas on a tape are made of, and of powers beyond the third part of an
+/// order: from zero series of this order show little of them, or nothing.
+pub(super) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
+    let high =
+        |&(_, exponent): &(usize, f64)| 3.0 * exponent > f64::from(u32::try_from(order).unwrap_or(u32::MAX));
+    let powers = powers(tape, formulas).into_iter().filter(high);
+    let mut found: Vec<_> =
+        powers.map(|(of, exponent)| Steep { of, enters: Enters::Power(exponent) }).collect();
+    for place in reached(tape, formulas) {
+        let steep = match tape.operations()[place] {
+            Operation::Exp(of) => Steep { of, enters: Enters::Exponent },
+            Operation::Paired { function: Function::Cosh | Function::Sinh, of, .. }
+            | Operation::Tangent { function: Function::Tanh, of } => Steep { of, enters: Enters::Hyperbolic },
+            _ => continue,
+        };
+        if !tape.is_constant(steep.of) && !found.contains(&steep) {
+            found.push(steep);
+        }
+    }
+    found
+}
+
+/// The factors that are multiplied by themselves, with the largest number of them.
+fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
+    let mut of: Vec<(usize, f64)> = (0..tape.operations().len()).map(|place| (place, 1.0)).collect();
+    for (place, operation) in tape.operations().iter().enumerate() {
+        match *operation {
+            Operation::Multiply(a, b) if of[a].0 == of[b].0 => of[place] = (of[a].0, of[a].1 + of[b].1),
+            Operation::Power(a, ref exponent) => of[place] = (of[a].0, of[a].1 * exponent.to_f64()),
+            _ => {}
+        }
+    }
+    let mut largest: Vec<(usize, f64)> = vec![];
+    for place in reached(tape, formulas).into_iter().filter(|&place| !tape.is_constant(place)) {
+        let (base, exponent) = of[place];
+        match largest.iter_mut().find(|(other, _)| *other == base) {
+            Some((_, most)) => *most = most.max(exponent),
+            None => largest.push((base, exponent)),
+        }
+    }
+    largest
+}
+
+/// A change of so many powers of e is followed by the series: the terms of eᶻ fall behind the order z, and the least order is 6.
+const FOLLOWED: f64 = 6.0;
+
+impl Enters {
+    /// Of a divisor so little that its tenth power, or its hundredth, is not lost either.
+    fn followed(self) -> f64 {
+        match self {
+            Self::Exponent | Self::Hyperbolic | Self::Power(_) => FOLLOWED,
+            Self::Divisor => 1.0,
+        }
+    }
+}
+
+/// A divisor that comes within this part of its size to zero may touch it, which a boundary looks after.
+const BLUR: f64 = 1e-12;
+
+impl Steep<Row> {
+    /// Whether it changes by more than the series follow in a step of this length, in units of the block.
+    pub(super) fn is_unseen<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
+        let series = &block[self.of];
+        let change = series[1..].iter().rev().fold(0.0, |sum, c| (sum + c[lane].abs()) * length.abs());
+        let is_below = |bound: f64| matches!(change.partial_cmp(&bound), Some(std::cmp::Ordering::Less));
+        match self.enters {
+            Enters::Exponent | Enters::Hyperbolic => !is_below(FOLLOWED),
+            Enters::Power(exponent) => !is_below(series[0][lane].abs() * libm::expm1(FOLLOWED / exponent)),
+            Enters::Divisor => {
+                !is_below(series[0][lane].abs() * -libm::expm1(-self.enters.followed()))
+                    && self.first_turn(block, lane, length).is_some()
+            }
+        }
+    }
+
+    /// The part of a step of this length after which what it enters has first come to its largest or smallest, if that is far
+    /// from what it is at the start.
+    pub(super) fn first_turn<const N: usize>(
+        &self,
+        block: &Block<N>,
+        lane: usize,
+        length: f64,
+    ) -> Option<f64> {
+        let series = scaled(block[self.of].iter().map(|c| c[lane]), length);
+        if series.iter().any(|c| !c.is_finite()) {
+            return None;
+        }
+        let slopes: Vec<f64> = series[1..].iter().zip((1..).map(f64::from)).map(|(c, n)| n * c).collect();
+        let mut turns = sign_changes(&slopes);
+        match self.enters {
+            Enters::Exponent | Enters::Power(_) => {}
+            Enters::Hyperbolic => turns.extend(sign_changes(&series)),
+            // Where a divisor vanishes is a boundary.
+            Enters::Divisor if sign_changes(&series).is_empty() => {}
+            Enters::Divisor => return None,
+        }
+        let value = |part: f64| series.iter().rev().fold(0.0, |sum, c| sum * part + c);
+        let blur = BLUR * series.iter().map(|c| c.abs()).sum::<f64>();
+        let touches = |value: f64| self.enters == Enters::Divisor && value.abs() <= blur;
+        let is_far = |part: &f64| {
+            let value = value(*part);
+            self.change(series[0], value) > self.enters.followed() && !touches(value)
+        };
+        turns.into_iter().filter(is_far).reduce(f64::min)
+    }
+
+    /// By how many powers of e what it enters changes between two of its values.
+    fn change(&self, from: f64, to: f64) -> f64 {
+        match self.enters {
+            Enters::Exponent => (to - from).abs(),
+            Enters::Hyperbolic => (to.abs() - from.abs()).abs(),
+            Enters::Divisor => libm::log((to / from).abs()).abs(),
+            Enters::Power(exponent) => exponent * libm::log((to / from).abs()),
+        }
+    }
+}

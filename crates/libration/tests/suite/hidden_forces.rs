@@ -1,0 +1,134 @@
+//! Forces that are too small for an `f64` where a step begins, and are felt on its way: walls, dents, pulses.
+//!
+//! Each motion is held to its energy, which the integration does not know.
+
+use libration::orbit::Orbit;
+use libration::taylor::{Effort, Launch, Moment, Solution, System, integrate, integrate_many};
+use std::ops::ControlFlow;
+
+fn solve(equation: &str, state: [f64; 2], times: &[f64], tolerance: f64) -> Solution {
+    let system = System::new(&equation.parse().unwrap()).unwrap();
+    let start = Moment { time: 0.0, state: state.to_vec() };
+    integrate(&system, &start, times, &Effort::to_tolerance(tolerance), |_| ControlFlow::Continue(()))
+        .unwrap()
+}
+
+fn even_times(end: f64) -> Vec<f64> {
+    (1..=100).map(|part| end * f64::from(part) / 100.0).collect()
+}
+
+const TOLERANCES: [f64; 3] = [1e-9, 1e-12, 1e-15];
+
+/// The energy after 1e5 tolerances in all, of the whole.
+fn keeps_its_energy(equation: &str, potential: impl Fn(f64) -> f64, start: f64, time: f64, scale: f64) {
+    for tolerance in TOLERANCES {
+        let samples = solve(equation, [start, 0.0], &even_times(time), tolerance).samples;
+        for Moment { time, state } in samples {
+            let energy = 0.5 * state[1] * state[1] + potential(state[0]);
+            let change = (energy - potential(start)).abs() / scale;
+            let allowed = 1e5 * tolerance.max(1e-16);
+            assert!(change < allowed, "{equation} from {start} to {tolerance:e} at {time}: {change:e}");
+        }
+    }
+}
+
+/// Periods of x″ = 1 − eˣ, 2∫dx/√(2(E − eˣ + x)), by mpmath.
+const WALL_PERIODS: [(f64, f64); 4] = [
+    (1.0, 6.663_856_021_591_779),
+    (5.0, 34.619_594_268_112_04),
+    (10.0, 419.789_015_477_567_99),
+    (20.0, 62_300.253_405_332_77),
+];
+
+#[test]
+fn an_exponential_wall_throws_back_whatever_comes_from_however_far() {
+    let potential = |x: f64| libm::exp(x) - x;
+    for (start, period) in WALL_PERIODS {
+        keeps_its_energy("x'' = 1 - exp(x)", potential, start, 2.3 * period, potential(start));
+        let once = solve("x'' = 1 - exp(x)", [start, 0.0], &[period], 1e-15).end.state;
+        // Of the period the end of the rise sees eˣ, so that roundings of the time count.
+        let allowed = 1e-9 * libm::exp(start) * period;
+        assert!((once[0] - start).abs() < allowed && once[1].abs() < allowed, "{start}: {once:?}");
+    }
+}
+
+#[test]
+fn the_orbit_of_an_exponential_wall_has_the_same_period() {
+    let orbit = Orbit::released(&"x'' = 1 - exp(x)".parse().unwrap(), 5.0).unwrap();
+    let error = (orbit.period() - WALL_PERIODS[1].1).abs();
+    assert!(error <= orbit.period_uncertainty() && error < 1e-9, "{error:e}");
+}
+
+#[test]
+fn two_exponential_walls_hold_a_motion_between_them() {
+    let potential = |x: f64| 2.0 * libm::cosh(x);
+    for (start, time) in [(2.0, 50.0), (10.0, 5.0), (20.0, 0.05), (40.0, 1e-5)] {
+        keeps_its_energy("x'' = -exp(x) + exp(-x)", potential, start, time, potential(start));
+    }
+}
+
+#[test]
+fn a_wall_behind_a_spring_is_not_passed_through() {
+    let potential = |x: f64| 0.005 * x * x + libm::exp(x) - x;
+    for start in [-15.0, -150.0, -1500.0] {
+        keeps_its_energy("x'' = -0.01*x - exp(x) + 1", potential, start, 100.0, potential(start));
+    }
+}
+
+#[test]
+fn high_powers_are_walls_too() {
+    for start in [0.001, 1.0, 1.5] {
+        let potential = |x: f64| libm::pow(x, 22.0) / 22.0;
+        keeps_its_energy("x'' = -x^21", potential, start, 20.0, potential(start));
+        let potential = |x: f64| 0.5 * x * x + libm::pow(x, 102.0) / 102.0;
+        keeps_its_energy("x'' = -x - x^101", potential, start.min(1.1), 20.0, potential(start.min(1.1)));
+    }
+}
+
+#[test]
+fn a_dent_in_a_wide_well_is_not_stepped_over() {
+    let potential = |x: f64| 5e-5 * x * x - 5.0 * libm::exp(-x * x);
+    for start in [15.0, 150.0, -1500.0] {
+        keeps_its_energy(
+            "x'' = -1e-4*x - 10*x*exp(-x^2)",
+            potential,
+            start,
+            400.0,
+            potential(start).max(5.0),
+        );
+    }
+    let potential = |x: f64| 0.5 * x * x - libm::pow(1.0 + x * x, -50.0);
+    keeps_its_energy("x'' = -x - 100*x*(1 + x^2)^(-51)", potential, 10.0, 20.0, 50.0);
+    let potential = |x: f64| 0.5 * x * x - libm::pow(libm::cosh(20.0 * x), -2.0);
+    keeps_its_energy("x'' = -x - 40*tanh(20*x)/cosh(20*x)^2", potential, 5.0, 20.0, 12.5);
+}
+
+#[test]
+fn a_pulse_in_the_time_gives_its_momentum() {
+    // 1000√(π/k).
+    for (sharpness, momentum) in [("1e2", 177.245_385_090_551_6), ("1e6", 1.772_453_850_905_516)] {
+        let equation = format!("x'' = 1000*exp(-{sharpness}*(t - 20)^2)");
+        for tolerance in TOLERANCES {
+            let end = solve(&equation, [1.0, 0.0], &[50.0], tolerance).end.state[1];
+            let error = (end / momentum - 1.0).abs();
+            // The time at 20 is rounded to 2e-15, where the exponent sees it 1e6·2e-15·1e-3 times.
+            assert!(error < 1e4 * tolerance.max(1e-15), "{equation} to {tolerance:e}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn motions_against_walls_are_the_same_in_lanes() {
+    let system = System::new(&"x'' = 1 - exp(x)".parse().unwrap()).unwrap();
+    let times = even_times(60.0);
+    let start = |start: f64| Moment { time: 0.0, state: vec![start, 0.0] };
+    let starts = [0.1, 5.0, 1.0, 6.0, 10.0, 3.0, 20.0, 4.0, 5.5, 2.0];
+    let launches: Vec<Launch<'_>> =
+        starts.iter().map(|&from| Launch { start: start(from), parameters: vec![], times: &times }).collect();
+    let effort = Effort::to_tolerance(1e-12);
+    let many = integrate_many(&system, &launches, &effort, |_, _| ControlFlow::Continue(()));
+    for (launch, many) in launches.iter().zip(many) {
+        let one = launch.integrate(&system, &effort, |_| ControlFlow::Continue(())).unwrap();
+        assert_eq!(many.unwrap(), one);
+    }
+}
