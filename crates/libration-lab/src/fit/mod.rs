@@ -35,7 +35,7 @@ pub use budget::{
 pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
-pub use gravity::{GRAVITY_ON_EARTH, Gravity, gravity};
+pub use gravity::GRAVITY_ON_EARTH;
 pub use law::Law;
 pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};

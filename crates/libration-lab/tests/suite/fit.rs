@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use libration::pendulum::Amplitude;
-use libration::quantity::{Angle, Dimension, parse};
+use libration::quantity::Angle;
 use libration_lab::fit::{
     FitError, Law, Options, PeriodTable, Scatter, ScatterVerdict, Uncertainties, Weighting, excess_scale,
-    gravity, outliers, periods, small_angle_period,
+    outliers, periods, small_angle_period,
 };
 use libration_lab::measurement::{Column, Options as ReadOptions, Table};
 
@@ -232,16 +232,6 @@ fn outliers_are_told_and_left_out_only_on_request() {
     let cleaned = periods(&table, &[], &Options { reject_outliers: Some(5.0) }).unwrap();
     assert_eq!(cleaned.exact, small_angle_period(&synthetic().without(&[7, 30]), &Law::exact()).unwrap());
     assert_eq!(cleaned.exact.residuals.len(), 38);
-}
-
-#[test]
-fn gravity_carries_both_uncertainties() {
-    let fit = small_angle_period(&synthetic(), &Law::exact()).unwrap();
-    let g = gravity(&fit, parse("0.9940(5) m", Dimension::Length).unwrap()).unwrap();
-    assert!(close(g.value, 4.0 * PI * PI * 0.994 / (fit.t0 * fit.t0), 1e-15));
-    let parts = [0.0005 / 0.994, 2.0 * fit.t0_uncertainty / fit.t0];
-    assert!(close(g.uncertainty / g.value, f64::sqrt(parts[0] * parts[0] + parts[1] * parts[1]), 1e-14));
-    assert!(gravity(&fit, parse("-1 m", Dimension::Length).unwrap()).is_err());
 }
 
 #[test]

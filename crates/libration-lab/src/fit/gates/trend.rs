@@ -46,4 +46,25 @@ mod tests {
         let uncertainty = found.uncertainty.unwrap();
         assert!((found.value - 2.03).abs() < uncertainty && uncertainty < 2e-3, "{found:?}");
     }
+
+    /// The standard error of the intercept of a line, s²(1/n + t̄²/Σ(t − t̄)²) with n − 2 degrees of freedom, as in any text on
+    /// regression, and by how much the mean differs.
+    #[test]
+    fn the_uncertainty_of_a_line_is_that_of_its_intercept() {
+        let times: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 5.0];
+        let periods = [2.011, 2.009, 2.0065, 2.0048, 2.0021];
+        let (mean_time, mean) = (3.0, periods.iter().sum::<f64>() / 5.0);
+        let slope = times.iter().zip(&periods).map(|(t, p)| (t - mean_time) * (p - mean)).sum::<f64>() / 10.0;
+        let intercept = mean - slope * mean_time;
+        let squares: f64 = times
+            .iter()
+            .zip(&periods)
+            .map(|(t, p)| (p - intercept - slope * t) * (p - intercept - slope * t))
+            .sum();
+        let standard_error = (squares / 3.0 * (1.0 / 5.0 + mean_time * mean_time / 10.0)).sqrt();
+        let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+        assert!((found.value - intercept).abs() < 1e-12, "{found:?}");
+        let expected = libm::hypot(standard_error, intercept - mean);
+        assert!((found.uncertainty.unwrap() / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
+    }
 }
