@@ -3,7 +3,7 @@
 use std::ops::{Index, IndexMut};
 
 use super::Step;
-use super::flight::Ends;
+use super::ends::Ends;
 use super::step::{elapsed, grown};
 use crate::double_double::DoubleDouble;
 

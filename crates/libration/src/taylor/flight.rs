@@ -3,6 +3,7 @@
 use super::block::{Block, Row};
 use super::branches::Branches;
 use super::checkpoint::{Checkpoint, ModulusCheckpoint};
+use super::ends::Ends;
 use super::expander::{Expander, Surroundings};
 use super::sign_change::scaled;
 use super::step_length::{log2_time_scale, step_lengths};
@@ -35,13 +36,6 @@ pub(super) struct Flight<'a, const N: usize> {
 
 /// Steps that are no longer than this part of the time are lost in its roundings.
 pub(super) const SHORTEST: f64 = 8.0 * f64::EPSILON;
-
-/// One number of the state at the ends of the steps, in two words.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ends<const N: usize> {
-    pub(super) high: [f64; N],
-    pub(super) low: [f64; N],
-}
 
 impl<'a, const N: usize> Flight<'a, N> {
     pub(super) fn new(system: &'a System, effort: Effort) -> Self {

@@ -3,40 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::fleet::Fleet;
-use super::{Effort, IntegrationError, Occurrence, Step, System};
-
-/// A time and the state at it: coordinates, then velocities.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
-    /// When.
-    pub time: f64,
-    /// The numbers that [`System::state_names`] names.
-    pub state: Vec<f64>,
-}
-
-/// What an integration has computed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solution {
-    /// The states at the times asked for, as far as it came.
-    pub samples: Vec<Moment>,
-    /// The events on the way, in the order in which they happened.
-    pub events: Vec<Occurrence>,
-    /// The last state: at the end of the last step, or at an event that ended the integration.
-    pub end: Moment,
-    /// How many steps it took.
-    pub steps: usize,
-}
-
-/// One of many motions: where it begins, the values of the open parameters, and the times at which it is asked for.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Launch<'a> {
-    /// The beginning.
-    pub start: Moment,
-    /// The values of [`System::parameters`].
-    pub parameters: Vec<f64>,
-    /// All after the start or all before it, one behind the other.
-    pub times: &'a [f64],
-}
+use super::launch::Launch;
+use super::solution::{Moment, Solution};
+use super::{Effort, IntegrationError, Step, System};
 
 /// Integrates a system from a state to the states at some times, which are all after the start or all before it, one
 /// behind the other. `watch` sees each step and may stop the integration.
@@ -91,31 +60,6 @@ impl Launch<'_> {
         let mut fleet = Fleet::<1>::new(system, effort);
         let outcomes = fleet.travel(std::slice::from_ref(self), |_, arrived| watch(&arrived.step));
         outcomes.into_iter().next().expect("one motion has one outcome")
-    }
-
-    pub(super) fn check(&self, system: &System) -> Result<(), IntegrationError> {
-        let Self { start, parameters, times } = self;
-        let (got, wanted) = (start.state.len(), 2 * system.coordinates());
-        if got != wanted {
-            return Err(IntegrationError::StateLength { got, wanted });
-        }
-        let (got, wanted) = (parameters.len(), system.parameters().len());
-        if got != wanted {
-            return Err(IntegrationError::ParameterCount { got, wanted });
-        }
-        let given = start.state.iter().chain(parameters).chain([&start.time]);
-        if let Some(&value) = given.into_iter().find(|value| !value.is_finite()) {
-            return Err(IntegrationError::StartNotFinite(value));
-        }
-        if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
-            return Err(IntegrationError::TimeNotFinite(time));
-        }
-        let backward = times.last().is_some_and(|&last| last < start.time);
-        let mut pairs = [start.time].into_iter().chain(times.iter().copied()).zip(times.iter().copied());
-        match pairs.find(|(a, b)| if backward { b > a } else { b < a }) {
-            Some((before, after)) => Err(IntegrationError::TimesNotInOrder { before, after }),
-            None => Ok(()),
-        }
     }
 }
 

@@ -12,7 +12,10 @@ mod moduli;
 mod sign_change;
 
 mod block;
+mod ends;
+mod launch;
 mod program;
+mod solution;
 
 mod boundary;
 mod checkpoint;
@@ -41,9 +44,11 @@ mod tests;
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
-pub use integrate::{Launch, Moment, Solution, integrate, integrate_many};
+pub use integrate::{integrate, integrate_many};
 pub use kept::KeptStep;
+pub use launch::Launch;
 pub use leg::{Departure, Leg, follow};
+pub use solution::{Moment, Solution};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;

@@ -13,14 +13,9 @@ pub(crate) const REMAINING: &[&str] = &[
     "libration-cli: figure: chart frame legend",
     "libration-derivation: : check document print",
     "libration-derivation: paper/black_vel: accuracy regimes",
-    "libration-lab: fit/cycles: centre extreme window",
-    "libration-lab: fit/cycles: generalised period_law",
-    "libration-lab: fit/trace: noise uncertainty",
-    "libration-lab: measurement/faults: clock even_times",
-    "libration-lab: measurement/traces: columns gyroscope",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
     "libration: quantity: angle pi_combination",
-    "libration: taylor: block boundary branches error expander fleet flight integrate program record step_length",
+    "libration: taylor: flight trial",
 ];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;

@@ -4,14 +4,15 @@ use std::f64::consts::{PI, TAU};
 
 use super::centre::Centre;
 use super::envelope::envelope;
-use super::extreme::Extreme;
 use super::generalised::Scatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::passage::Passage;
-use super::period_law::{self, Row, Side};
+use super::period_law;
 use super::pivot;
+use super::row::{Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
+use super::turning_point::Extreme;
 use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;

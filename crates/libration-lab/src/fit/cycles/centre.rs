@@ -1,6 +1,6 @@
 //! About what the values swing: a fixed value, or one that is followed where it wanders.
 
-use super::extreme::Extreme;
+use super::turning_point::Extreme;
 use crate::statistics::{median, robust_deviation};
 
 /// Fewer middles of swings than this do not tell a wandering centre from noise.

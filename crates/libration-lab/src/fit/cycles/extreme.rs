@@ -2,6 +2,7 @@
 
 use super::local_fit::Points;
 use super::shape::Shape;
+use super::turning_point::Extreme;
 use super::window::Window;
 
 /// The part of the quarter periods before and after the extreme that is used.
@@ -9,17 +10,6 @@ const REACH: f64 = 0.75;
 /// From so many points on the swing may be askew, and from so many longer or shorter than the passages say.
 const POINTS_FOR_SKEWNESS: usize = 4;
 const POINTS_FOR_LENGTH: usize = 6;
-
-/// A turning point of the value.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Extreme {
-    /// In seconds.
-    pub(super) time: f64,
-    /// From the centre, with its sign.
-    pub(super) value: f64,
-    /// From the noise.
-    pub(super) uncertainty: f64,
-}
 
 /// The extreme between the passages at these two times, with the residuals in units of the noise.
 pub(super) fn extreme(

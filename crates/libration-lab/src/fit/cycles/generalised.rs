@@ -12,7 +12,7 @@
 //! Reference: H. D. Patterson and R. Thompson, *Recovery of inter-block information when block sizes are unequal*,
 //! Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 
-use super::period_law::Row;
+use super::row::Row;
 use crate::statistics::count;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.

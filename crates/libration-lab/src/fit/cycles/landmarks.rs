@@ -1,10 +1,11 @@
 //! Passages of the centre and extremes of one stretch, measured again and again until centre, shape and noise agree.
 
 use super::centre::Centre;
-use super::extreme::{Extreme, extreme};
+use super::extreme::extreme;
 use super::passage::{Passage, passage};
 use super::shape::{LARGEST_AMPLITUDE, Shape};
 use super::swings::Stretch;
+use super::turning_point::Extreme;
 use super::window::Window;
 use crate::measurement::{Seen, Trace};
 use crate::statistics::{median, robust_deviation};

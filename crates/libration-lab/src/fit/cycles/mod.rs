@@ -16,6 +16,7 @@ mod shape;
 mod local_fit;
 
 mod swings;
+mod turning_point;
 
 mod centre;
 mod window;
@@ -28,6 +29,7 @@ mod landmarks;
 
 mod generalised;
 pub(super) mod period_law;
+pub(super) mod row;
 
 mod decay_rates;
 mod envelope;

@@ -2,6 +2,7 @@
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
 use super::generalised::{Generalised, Scatter, fit};
+use super::row::{Row, Side};
 use super::{Cycle, CyclesError};
 use crate::fit::Law;
 use crate::statistics::{median, robust_deviation};
@@ -10,30 +11,6 @@ use crate::statistics::{median, robust_deviation};
 const ROUNDS: usize = 5;
 /// With more of the variance of T/T0 than this from the noise of the amplitudes, β is biased by as much.
 const MOST_NOISE: f64 = 0.05;
-
-/// A cycle with what its errors come from.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::fit) struct Row {
-    /// Of its middle.
-    pub(super) time: f64,
-    pub(super) period: f64,
-    /// Numbers and variances of the passages it begins and ends with.
-    pub(super) passages: [(usize, f64); 2],
-    /// Its two extremes.
-    pub(super) sides: [Side; 2],
-    /// The mean of T/T0 for the two half swings.
-    pub(in crate::fit) ratio: f64,
-}
-
-/// An extreme.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::fit) struct Side {
-    pub(super) number: usize,
-    pub(super) amplitude: f64,
-    pub(super) variance: f64,
-    /// What the ratio of the cycle changes by with this amplitude.
-    slope: f64,
-}
 
 /// T0 under the exact law.
 #[derive(Clone, Copy, Debug, PartialEq)]

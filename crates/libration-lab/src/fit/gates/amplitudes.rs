@@ -5,13 +5,13 @@ use std::f64::consts::TAU;
 use super::speeds::amplitude;
 use super::swings::Swings;
 use crate::fit::Law;
+use crate::fit::cycles::row::{Row, Side};
 use crate::fit::cycles::{Beta, period_law};
 use crate::statistics::count;
 use crate::statistics::median;
 use libration::elliptic::Modulus;
 use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
-use period_law::{Row, Side};
 
 /// What periods with their amplitudes tell.
 pub(super) struct BySpeeds {

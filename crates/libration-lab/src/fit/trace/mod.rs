@@ -24,6 +24,7 @@ mod search;
 
 mod autocorrelation;
 mod bootstrap;
+mod linearised;
 mod noise;
 mod random;
 mod uncertainty;

@@ -9,10 +9,9 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::uncertainty::Linearised;
+use super::linearised::Linearised;
 use crate::measurement::Trace;
-use crate::statistics::count;
-use crate::statistics::median;
+use crate::statistics::{count, median};
 
 /// What the noise does to one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]

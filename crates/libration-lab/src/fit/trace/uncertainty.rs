@@ -4,6 +4,7 @@ use crate::statistics::count;
 use nalgebra::{DMatrix, DVector};
 
 use super::layout::Layout;
+use super::linearised::Linearised;
 use super::problem::Minimum;
 use super::search::Search;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
@@ -93,14 +94,6 @@ fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
         .collect();
     let mean = logarithms.iter().sum::<f64>() / count(logarithms.len().max(1));
     count(rows) / libm::exp(mean.max(0.0))
-}
-
-/// A problem of least squares at its minimum, in which parameters answer linearly to residuals.
-pub(super) struct Linearised {
-    pub(super) jacobian: DMatrix<f64>,
-    pub(super) residuals: DVector<f64>,
-    /// A row for each parameter.
-    pub(super) response: DMatrix<f64>,
 }
 
 /// The problem that a robust one is in the limit of many rows: outliers are bounded there, and their rows have full weight, so

@@ -1,6 +1,7 @@
 //! How the times follow each other: the usual interval, the grid they are on, gaps, and what rounding did.
 
 use super::even_times::EvenTimes;
+use super::grid::Grid;
 use super::significant_digits::SignificantDigits;
 use crate::statistics::{count, lower_median, mean, root_mean_square};
 
@@ -35,31 +36,6 @@ pub struct Gap {
     pub duration: f64,
     /// About how many rows are missing.
     pub missing: usize,
-}
-
-/// Even times: `first + interval·numbers[row]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Grid {
-    /// In seconds.
-    pub first: f64,
-    /// In seconds.
-    pub interval: f64,
-    /// Its standard uncertainty: what the rounding leaves open.
-    pub interval_uncertainty: f64,
-    /// The root mean square difference of the times as written from these, in seconds.
-    pub off: f64,
-    /// The largest difference, in seconds.
-    pub most_off: f64,
-    /// The place of each row on the grid, rows out of order included where their time falls.
-    pub numbers: Vec<usize>,
-}
-
-impl Grid {
-    /// The even times, one for each row.
-    #[must_use]
-    pub fn times(&self) -> Vec<f64> {
-        self.numbers.iter().map(|&place| self.interval.mul_add(count(place), self.first)).collect()
-    }
 }
 
 /// An interval beyond this many usual ones is a gap where the clock is even.

@@ -7,6 +7,7 @@
 mod clipping;
 mod clock;
 mod even_times;
+mod grid;
 pub(in crate::measurement) mod order;
 mod outliers;
 mod sentences;
@@ -16,7 +17,8 @@ mod steps;
 mod tests;
 
 pub use clipping::Run;
-pub use clock::{Clock, Gap, Grid};
+pub use clock::{Clock, Gap};
+pub use grid::Grid;
 
 /// The faults of a column of times in seconds and a column of values.
 ///

@@ -6,6 +6,7 @@ use super::super::sheet::Sheet;
 use super::super::{Column, MeasurementError, Quantity, Seen};
 use super::gyroscope;
 use super::runs::Group;
+use super::value::Value;
 
 /// The columns of one run.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,29 +18,6 @@ pub(super) struct Columns {
     pub(super) uncertainty: Option<usize>,
     /// The column that numbers runs row by row.
     pub(super) numbering: Option<usize>,
-}
-
-/// What was seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Value {
-    Column(usize, Seen),
-    Positions {
-        x: usize,
-        y: usize,
-    },
-    /// Three axes of a gyroscope, and the direction about which it turns.
-    Axes([usize; 3], [f64; 3]),
-}
-
-impl Value {
-    /// The columns it needs.
-    pub(super) fn places(self) -> Vec<usize> {
-        match self {
-            Self::Column(place, _) => vec![place],
-            Self::Positions { x, y } => vec![x, y],
-            Self::Axes(places, _) => places.to_vec(),
-        }
-    }
 }
 
 impl Columns {

@@ -1,7 +1,7 @@
 //! Three axes of a gyroscope → the rate about the one axis that the pendulum turns about, however the device is fixed to it.
 
 use super::super::sheet::Sheet;
-use super::columns::Value;
+use super::value::Value;
 use crate::statistics::count;
 use nalgebra::{Matrix3, Vector3};
 

@@ -10,6 +10,7 @@ mod sequence;
 mod stamps;
 mod turns;
 mod units;
+mod value;
 
 use super::choices::{Choice, Choices, Finding};
 use super::recording::Recording;

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
 use super::super::{Faults, FittedPivot, MeasurementError, Seen, Trace, Unit};
-use super::columns::{Columns, Value};
+use super::columns::Columns;
 use super::sequence::Sequence;
+use super::value::Value;
 use super::{positions, runs, stamps, turns, units};
 
 /// A column with more numbers than this numbers no runs.

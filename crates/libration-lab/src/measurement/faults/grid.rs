@@ -1,0 +1,28 @@
+//! Even times.
+
+use crate::statistics::count;
+
+/// Even times: `first + interval·numbers[row]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// In seconds.
+    pub first: f64,
+    /// In seconds.
+    pub interval: f64,
+    /// Its standard uncertainty: what the rounding leaves open.
+    pub interval_uncertainty: f64,
+    /// The root mean square difference of the times as written from these, in seconds.
+    pub off: f64,
+    /// The largest difference, in seconds.
+    pub most_off: f64,
+    /// The place of each row on the grid, rows out of order included where their time falls.
+    pub numbers: Vec<usize>,
+}
+
+impl Grid {
+    /// The even times, one for each row.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        self.numbers.iter().map(|&place| self.interval.mul_add(count(place), self.first)).collect()
+    }
+}

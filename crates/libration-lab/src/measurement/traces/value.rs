@@ -1,0 +1,26 @@
+//! What was seen, and in which columns it stands.
+
+use super::super::Seen;
+
+/// What was seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Value {
+    Column(usize, Seen),
+    Positions {
+        x: usize,
+        y: usize,
+    },
+    /// Three axes of a gyroscope, and the direction about which it turns.
+    Axes([usize; 3], [f64; 3]),
+}
+
+impl Value {
+    /// The columns it needs.
+    pub(super) fn places(self) -> Vec<usize> {
+        match self {
+            Self::Column(place, _) => vec![place],
+            Self::Positions { x, y } => vec![x, y],
+            Self::Axes(places, _) => places.to_vec(),
+        }
+    }
+}

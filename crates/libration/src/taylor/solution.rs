@@ -1,0 +1,25 @@
+//! What an integration has computed.
+
+use super::Occurrence;
+
+/// A time and the state at it: coordinates, then velocities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// When.
+    pub time: f64,
+    /// The numbers that [`System::state_names`] names.
+    pub state: Vec<f64>,
+}
+
+/// What an integration has computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// The states at the times asked for, as far as it came.
+    pub samples: Vec<Moment>,
+    /// The events on the way, in the order in which they happened.
+    pub events: Vec<Occurrence>,
+    /// The last state: at the end of the last step, or at an event that ended the integration.
+    pub end: Moment,
+    /// How many steps it took.
+    pub steps: usize,
+}
