@@ -226,6 +226,13 @@ mod tests {
     }
 
     #[test]
+    fn each_row_is_the_middle_one_of_itself_and_its_neighbours() {
+        assert_eq!(without_spikes(&[0.0, 1.0, 9.0, 3.0, 4.0, 4.5]), [0.0, 1.0, 3.0, 4.0, 4.0, 4.5]);
+        assert_eq!(without_spikes(&[0.0, 1.0, -9.0, 3.0, 4.0]), [0.0, 0.0, 1.0, 3.0, 4.0]);
+        assert_eq!(without_spikes(&[5.0, 1.0, 7.0]), [5.0, 5.0, 7.0]);
+    }
+
+    #[test]
     fn turns_alternate_and_spikes_make_none() {
         let mut values: Vec<f64> = wave(200, |t| 0.7 + libm::cos(3.0 * t)).values().to_vec();
         values[50] = 9.0;

@@ -189,6 +189,23 @@ mod tests {
     }
 
     #[test]
+    fn the_derivatives_of_the_distances_are_the_limit_of_differences() {
+        let points = [(12.5, 5.5), (9.0, 2.5), (10.0, 8.0)];
+        let at = |circle: Vector3<f64>| Distances { points: &points, circle };
+        let (circle, step) = (Vector3::new(10.0, 5.0, 2.0), 1e-5);
+        let jacobian = at(circle).jacobian().unwrap();
+        for parameter in 0..3 {
+            let mut change = Vector3::zeros();
+            change[parameter] = step;
+            let difference =
+                at(circle + change).residuals().unwrap() - at(circle - change).residuals().unwrap();
+            for row in 0..points.len() {
+                assert!((jacobian[(row, parameter)] - difference[row] / (2.0 * step)).abs() < 1e-8);
+            }
+        }
+    }
+
+    #[test]
     fn derivatives_by_the_centre_are_the_limit_of_differences() {
         let circle = Circle::fit(&arc(1.0, 0.0)).unwrap();
         for y_is_down in [false, true] {
