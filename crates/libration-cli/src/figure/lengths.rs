@@ -20,9 +20,9 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let x = Axis::linear("length L / m", from, to);
     let squares = around(data.iter().map(|point| point.y).chain([0.0]));
     let above = Panel {
-        x: Axis { label: String::new(), ..x.clone() },
+        x: x.unlabelled(),
         y: Axis::linear("T₀² / s²", squares.0.max(0.0), squares.1),
-        series: vec![markers("measured", data), line(fit, radius, from, to)],
+        series: vec![line(fit, radius, from, to), markers("measured", data)],
         share: 0.62,
     };
     let arms = residuals.iter().flat_map(|point| {
@@ -34,7 +34,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let below = Panel {
         x,
         y: Axis::linear("residual / s", low, high),
-        series: vec![markers("", residuals), zero],
+        series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
     Picture::new("Period against length", vec![above, below])

@@ -1,6 +1,6 @@
 //! Poincaré sections and bifurcation diagrams: many dots.
 
-use super::chart::{Axis, Look, Panel, Picture, Series};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::range::around;
 use super::style;
 use crate::command::bifurcation::{Diagram, Sweep};
@@ -29,7 +29,7 @@ pub(crate) fn section(answer: &Answer<'_>, [across, up]: &[Shown; 2]) -> Picture
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Poincaré section: {}", name(answer.model));
     let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
-    Picture { width: 1000.0, height: 800.0, ..picture }
+    Picture { aspect: 0.8, ..picture }
 }
 
 /// The diagram: one number of the state against the parameter, one colour a sweep.
@@ -43,7 +43,7 @@ pub(crate) fn bifurcation(diagram: &Diagram<'_>, up: &Shown) -> Picture {
         let label = if diagram.sweeps.len() > 1 { sweep.name } else { "" };
         // The sweep that is drawn first shows behind the other.
         let look = style::dots(number, all);
-        let wider = if number + 1 < diagram.sweeps.len() { 2.0 } else { 1.0 };
+        let wider = if number + 1 < diagram.sweeps.len() { 1.7 } else { 1.0 };
         Series::line(label, Look { width: wider * look.width, ..look }, points)
     };
     let series: Vec<Series> = diagram.sweeps.iter().enumerate().map(of_sweep).collect();
@@ -73,7 +73,7 @@ impl Shown {
         let (low, high) = around(values);
         let turns = self.is_angle && high - low > PI;
         match turns {
-            true => Axis::linear(&self.label, -PI, PI).with_tick_step(1.0),
+            true => Axis::linear(&self.label, -PI, PI).in_units(Units::HalfTurns(PI)),
             false => Axis::linear(&self.label, low, high),
         }
     }

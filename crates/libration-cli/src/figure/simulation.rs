@@ -1,6 +1,6 @@
 //! The coordinates of a system in time.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
 use super::range::around;
 use super::style;
@@ -103,6 +103,7 @@ impl Trace {
         let names: Vec<String> = shown.iter().map(|(_, (coordinate, _))| symbol(&coordinate.name)).collect();
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         let y = Axis::linear(&label(&names.join(", "), unit), low, high);
+        let y = if unit == "rad" { y.in_units(Units::Degrees) } else { y };
         Panel { x: time.clone(), y, series, share: 1.0 }
     }
 }

@@ -14,7 +14,7 @@ fn each_picture_labels_its_axes() {
     let cases = [
         ("errors --formulas bernoulli,black_vel_1", ["amplitude θ₀ / degrees", "|fractional error of T|"]),
         ("motion --amplitudes 30deg,150deg", ["time t / T₀", "angle θ / θ₀"]),
-        ("phase", ["angle θ / π", "velocity θ′ / ω₀"]),
+        ("phase", ["angle θ / rad", "velocity θ′ / ω₀"]),
         ("spectrum", ["harmonic n", "coefficient |aₙ| / rad"]),
         ("series pendulum", ["amplitude θ₀ / degrees", "radius of convergence, 180°"]),
         ("series duffing --amplitudes 0.5,1.1", ["last power of A kept", "A = 1.1"]),

@@ -43,6 +43,8 @@ pub(crate) struct Decay {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     pendulum: PendulumOptions,
     /// The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity
     #[arg(long, value_name = "VELOCITY", value_parser = arguments::angular_velocity, conflicts_with_all = ["length", "gravity"])]
@@ -65,7 +67,7 @@ impl Decay {
         interrupt::listen()?;
         let report = Report::new(&decay, self.extent)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report))?],
+            Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report), &self.sizes)?],
             None => vec![],
         };
         let given = self.omega0.is_none().then_some(self.pendulum);

@@ -36,6 +36,8 @@ pub(crate) struct Motion {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
     form: FormOptions,
@@ -50,7 +52,7 @@ impl Motion {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::motion::compared(&motion, &comparison, times.ends());
-                vec![figure::file::write(path, &picture)?]
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

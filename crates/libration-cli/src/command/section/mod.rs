@@ -45,6 +45,8 @@ pub(crate) struct PoincareQuestion {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -77,7 +79,8 @@ impl PoincareQuestion {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::section::section(&answer, &self.axes(&model)?))?]
+                let picture = figure::section::section(&answer, &self.axes(&model)?);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

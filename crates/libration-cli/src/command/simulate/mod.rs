@@ -69,6 +69,8 @@ pub(crate) struct Simulate {
     /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
     /// Write the answer to a file, whole or not at all, or into a stream; the endings .json and .csv choose the form, - is the
     /// standard output
     #[arg(long, value_name = "FILE")]
@@ -102,7 +104,7 @@ impl Simulate {
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
-        let figure = self.figure.as_deref();
+        let figure = self.figure.as_deref().map(|path| (path, &self.sizes));
         let (ending, written) = match &self.output {
             None => {
                 let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
@@ -137,7 +139,7 @@ impl Simulate {
 fn write_file(
     motion: Motion<'_>,
     form: Form,
-    figure: Option<&Path>,
+    figure: Option<(&Path, &figure::Sizes)>,
     path: &Path,
 ) -> Result<(Ending, Vec<String>), Failure> {
     let mut file = NewFile::create(path)?;

@@ -50,7 +50,7 @@ impl Motion<'_> {
     pub(super) fn write(
         &self,
         form: Form,
-        figure: Option<&Path>,
+        figure: Option<(&Path, &figure::Sizes)>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
     ) -> Result<Outcome, Failure> {
@@ -67,7 +67,9 @@ impl Motion<'_> {
         let state = watch.state().clone();
         watch.end(&Summary { steps, drift, ending: ending.clone(), state: state.clone() })?;
         let drawn = match (figure, watch.trace) {
-            (Some(path), Some(trace)) => vec![figure::file::write(path, &trace.picture(self.model))?],
+            (Some((path, sizes)), Some(trace)) => {
+                vec![figure::file::write(path, &trace.picture(self.model), sizes)?]
+            }
             _ => vec![],
         };
         Ok(Outcome { ending, state, drawn })

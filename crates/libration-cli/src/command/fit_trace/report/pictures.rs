@@ -25,10 +25,10 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let count = answer.measured.traces.len();
     let pictures: Vec<Picture> =
         (0..count).map(|trace| draw::whole(&swing(answer, trace), "Swing and fit")).collect();
-    let height =
-        pictures.iter().map(|picture| if count > 1 { 0.7 * picture.height } else { picture.height }).sum();
+    let aspect =
+        pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    Picture { height, ..Picture::new("Swing and fitted motion", panels) }
+    Picture { aspect, ..Picture::new("Swing and fitted motion", panels) }
 }
 
 /// The name of a trace, for file names and titles; empty for a trace alone.
