@@ -6,7 +6,11 @@ use std::fmt::Write;
 
 /// A file of its own, with its size.
 pub fn file(scene: &Scene) -> String {
-    let size = format!(" width=\"{}\" height=\"{}\"", rounded(scene.width), rounded(scene.height));
+    let size = format!(
+        " xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\"",
+        rounded(scene.width),
+        rounded(scene.height)
+    );
     format!("{}\n", element(scene, &size))
 }
 
@@ -18,7 +22,7 @@ pub fn inline(scene: &Scene) -> String {
 fn element(scene: &Scene, size: &str) -> String {
     let (width, height) = (rounded(scene.width), rounded(scene.height));
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\"{size} viewBox=\"0 0 {width} {height}\" role=\"img\" \
+        "<svg{size} viewBox=\"0 0 {width} {height}\" role=\"img\" \
          font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>{}</title>\n<desc>{}</desc>\n<style>{}</style>\n\
          <rect class=\"paper\" width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n",
         escaped(&scene.title),

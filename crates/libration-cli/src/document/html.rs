@@ -40,6 +40,8 @@ thead th{border-bottom:2px solid #888;white-space:normal}
 @media print{body{font-size:10.5pt;max-width:none;padding:0}figure,tr,li,.aside{break-inside:avoid}h2{break-after:avoid}\
 .wide{overflow:visible}table{font-size:9pt}th,td{padding:.15rem .4rem}.short,.number{white-space:normal}\
 .wide svg{min-width:0;max-height:20cm}.copy{display:none}}
+@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{color:#ededed;background:#121417}\
+figcaption,caption{color:#bbb}.aside{background:#2a2114}th,td,h2{border-color:#444}.many td::before{color:#aaa}}
 ";
 
 /// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.

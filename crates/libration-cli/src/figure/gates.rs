@@ -1,6 +1,7 @@
 //! Periods by a photogate against time, and against the amplitude where speeds tell it.
 
 use super::chart::{Axis, Look, Panel, Picture, Point, Series, Units};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use libration_lab::fit::Law;
@@ -17,7 +18,11 @@ pub(crate) fn periods(fit: &GatesFit) -> Picture {
         panels.push(against_amplitude(&amplitudes, t0.value, fit.timing));
     }
     let share = if panels.len() > 1 { 0.5 } else { 1.0 };
-    Picture::new("Periods by a photogate", panels.into_iter().map(|panel| Panel { share, ..panel }).collect())
+    let picture = Picture::new(
+        "Periods by a photogate",
+        panels.into_iter().map(|panel| Panel { share, ..panel }).collect(),
+    );
+    picture.with_parameters(fit.t0.map(|t0| found("T₀", t0, "s")))
 }
 
 fn against_time(fit: &GatesFit) -> Panel {

@@ -1,6 +1,7 @@
 //! Measured periods against length: T² with the line that is fitted, and the residuals.
 
 use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use crate::command::fit_lengths::Measured;
@@ -37,7 +38,9 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
         series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
-    Picture::new("Period against length", vec![above, below])
+    let offset = fit.offset.map(|offset| found("δ", offset, "m"));
+    let picture = Picture::new("Period against length", vec![above, below]);
+    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(offset))
 }
 
 /// T² of small swings, from where it is zero.

@@ -1,10 +1,12 @@
 //! How the estimate of a Lyapunov exponent settles with the time measured.
 
 use super::chart::{Axis, Panel, Picture, Series};
+use super::parameters::{self, of_model, of_start};
 use super::range::around;
 use super::section::name;
 use super::style;
 use crate::command::lyapunov::Answer;
+use libration::quantity::Quantity;
 
 /// What is left free before the first time and after the last, as a ratio.
 const ROOM: f64 = 1.1;
@@ -20,5 +22,9 @@ pub(crate) fn convergence(answer: &Answer<'_>) -> Picture {
     let zero = Series::line("", style::reference(), [(x.from, 0.0), (x.to, 0.0)]);
     let line = Series::line("", style::curve(0), points.iter().copied());
     let title = format!("Largest Lyapunov exponent: {}, {}", name(answer.model), answer.found.verdict);
-    Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }])
+    let found = &answer.found;
+    let exponent = Quantity { value: found.exponent, uncertainty: Some(found.uncertainty) };
+    let made_with = [of_model(answer.model), of_start(answer.model, &answer.initial)].concat();
+    let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
+    picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", exponent, "1/s")]))
 }

@@ -21,6 +21,7 @@ pub(crate) mod names;
 
 mod cusps;
 mod font;
+pub(crate) mod parameters;
 mod png;
 mod size;
 

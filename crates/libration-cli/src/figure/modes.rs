@@ -2,6 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
+use super::parameters::of_model;
 use super::style;
 use crate::output::number::short;
 use libration::normal_modes::{Behaviour, Mode, NormalModes};
@@ -21,7 +22,8 @@ pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
     let names = modes.variables.iter().map(|name| symbol(name)).collect();
     let x = Axis::linear("coordinate", 0.5, count + 0.5).in_units(Units::Names(names));
     let y = Axis::linear("part in the mode", -1.1, 1.1);
-    Picture::new(&format!("Normal modes of the {}", model.title()), vec![Panel { x, y, series, share: 1.0 }])
+    let title = format!("Normal modes of the {}", model.title());
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(model))
 }
 
 fn label(number: usize, mode: &Mode) -> String {

@@ -1,9 +1,11 @@
 //! Measured periods against amplitude, with the exact law, the constant period and the residuals.
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use crate::command::fit_periods::Measurement;
+use libration::quantity::Quantity;
 use libration_lab::fit::{Law, PeriodFit};
 
 const SAMPLES: u32 = 400;
@@ -31,7 +33,9 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
         series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
-    Picture::new("Period against amplitude", vec![above, below])
+    let t0 = Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) };
+    let picture = Picture::new("Period against amplitude", vec![above, below]);
+    picture.with_parameters([found("T₀", t0, "s")])
 }
 
 /// The two laws, drawn behind the measurements.

@@ -1,6 +1,8 @@
 //! Poincaré sections and bifurcation diagrams: many dots.
 
 use super::chart::{Axis, Look, Panel, Picture, Series, Units};
+use super::names::symbol;
+use super::parameters::{of_model, of_start};
 use super::range::around;
 use super::style;
 use crate::command::bifurcation::{Diagram, Sweep};
@@ -29,7 +31,11 @@ pub(crate) fn section(answer: &Answer<'_>, [across, up]: &[Shown; 2]) -> Picture
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Poincaré section: {}", name(answer.model));
     let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
-    Picture { aspect: 0.8, ..picture }
+    let start = match &answer.starts[..] {
+        [start] => of_start(answer.model, start),
+        _ => vec![],
+    };
+    Picture { aspect: 0.8, ..picture.with_parameters([of_model(answer.model), start].concat()) }
 }
 
 /// The diagram: one number of the state against the parameter, one colour a sweep.
@@ -47,11 +53,12 @@ pub(crate) fn bifurcation(diagram: &Diagram<'_>, up: &Shown) -> Picture {
         Series::line(label, Look { width: wider * look.width, ..look }, points)
     };
     let series: Vec<Series> = diagram.sweeps.iter().enumerate().map(of_sweep).collect();
-    let (from, to) = diagram.ends();
-    let x = Axis::linear(&diagram.parameter.name, from, if to > from { to } else { from + 1.0 });
+    let (from, to) =
+        around(diagram.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| column.value));
+    let x = Axis::linear(&symbol(&diagram.parameter.name), from, to);
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Bifurcation diagram: {}", name(diagram.model));
-    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }])
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(diagram.model))
 }
 
 /// What a system is called in a title: equations that were typed are themselves, if they are short.

@@ -2,6 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
+use super::parameters::{of_model, of_start};
 use super::range::around;
 use super::style;
 use libration::systems::Model;
@@ -67,7 +68,7 @@ impl Trace {
     }
 
     /// A panel for each unit, with the coordinates that have it.
-    pub(crate) fn picture(&self, model: &Model) -> Picture {
+    pub(crate) fn picture(&self, model: &Model, start: &[f64]) -> Picture {
         let mut units: Vec<&str> = vec![];
         for coordinate in model.coordinates() {
             if !units.contains(&coordinate.unit.as_str()) {
@@ -80,7 +81,8 @@ impl Trace {
         for panel in &mut panels[..last] {
             panel.x.label.clear();
         }
-        Picture::new(&format!("Motion of the {}", model.title()), panels)
+        let made_with = [of_model(model), of_start(model, start)].concat();
+        Picture::new(&format!("Motion of the {}", model.title()), panels).with_parameters(made_with)
     }
 
     fn panel(&self, model: &Model, unit: &str, time: &Axis) -> Panel {

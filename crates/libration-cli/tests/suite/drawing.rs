@@ -153,6 +153,11 @@ impl Drawing {
         drawing
     }
 
+    /// The texts of a class, line by line.
+    pub(crate) fn of_class(&self, class: &str) -> Vec<&str> {
+        self.texts.iter().filter(|text| text.class == class).map(|text| text.content.as_str()).collect()
+    }
+
     /// The curves of a panel in this colour, in the coordinates of the data, piece by piece.
     pub(crate) fn curves(&self, panel: usize, colour: &str) -> Vec<Vec<Place>> {
         let shapes = self.of_colour(panel, colour).filter(|shape| shape.class == "curve");

@@ -69,6 +69,12 @@ impl Backbone {
             };
             let setting = figure::backbone::Setting { title, order: self.order, is_angle: answer.is_angle() };
             let picture = figure::backbone::backbone(&answer.curve, &answer.points, &setting);
+            let values = answer
+                .asked
+                .values
+                .iter()
+                .map(|(name, value)| format!("{} = {value}", figure::names::symbol(name)));
+            let picture = picture.with_parameters(values);
             drawn.push(figure::file::write(path, &picture, &self.sizes)?);
         }
         match self.form.form() {

@@ -6,6 +6,7 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions};
 use crate::failure::Failure;
+use crate::figure::parameters;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt};
 use libration::pendulum::Pendulum;
@@ -54,6 +55,15 @@ pub(crate) struct Decay {
 }
 
 impl Decay {
+    fn made_with(&self, decay: &libration::decay::Decay) -> Vec<String> {
+        let pendulum = match self.omega0 {
+            Some(omega0) => vec![parameters::said("ω₀", omega0, "rad/s")],
+            None => parameters::of_pendulum(self.pendulum).to_vec(),
+        };
+        let start = parameters::amplitude(self.amplitude.radians());
+        [vec![start], pendulum, parameters::of_damping(decay.damping())].concat()
+    }
+
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let pendulum = match self.omega0 {
             Some(omega0) => {
@@ -67,7 +77,10 @@ impl Decay {
         interrupt::listen()?;
         let report = Report::new(&decay, self.extent)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report), &self.sizes)?],
+            Some(path) => {
+                let picture = figure::decay::of(&decay, &report).with_parameters(self.made_with(&decay));
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
             None => vec![],
         };
         let given = self.omega0.is_none().then_some(self.pendulum);

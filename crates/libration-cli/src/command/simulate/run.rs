@@ -68,7 +68,7 @@ impl Motion<'_> {
         watch.end(&Summary { steps, drift, ending: ending.clone(), state: state.clone() })?;
         let drawn = match (figure, watch.trace) {
             (Some((path, sizes)), Some(trace)) => {
-                vec![figure::file::write(path, &trace.picture(self.model), sizes)?]
+                vec![figure::file::write(path, &trace.picture(self.model, &self.initial.state), sizes)?]
             }
             _ => vec![],
         };
