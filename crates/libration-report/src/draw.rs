@@ -103,7 +103,7 @@ fn tick_labels(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Shap
 /// The names of the axes, in the middle of these as far as the canvas holds them there.
 fn names(cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
     let mut shapes = vec![];
-    let below = cell.top + cell.height + if cell.has_x_labels { TICK_BASE + 0.3 } else { 0.35 };
+    let below = cell.top + cell.height + if cell.has_x_labels { TICK_BASE + 0.25 } else { 0.35 };
     for (line, name) in (0_u32..).zip(&cell.x_name) {
         let half = 0.5 * width(name, 1.0);
         let middle = (0.5 * (frame.left + frame.right)).min(frame.width - PADDING - half).max(PADDING + half);

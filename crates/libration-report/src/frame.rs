@@ -14,8 +14,8 @@ const UNDER_WORDS: f64 = 0.25;
 /// Above the axes: half of the label of a tick at the top.
 const TOP: f64 = 0.6;
 /// From the axes to the base line of the labels below, and the height of these labels.
-pub(crate) const TICK_BASE: f64 = 1.2;
-const TICK_LABELS: f64 = 1.5;
+pub(crate) const TICK_BASE: f64 = 1.35;
+const TICK_LABELS: f64 = 1.6;
 /// Below axes whose ticks the next panel names.
 const BOTTOM: f64 = 0.35;
 /// Between the labels of ticks and the axis beside them.

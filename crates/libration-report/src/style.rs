@@ -66,7 +66,12 @@ pub fn measurements(count: usize) -> Look {
 
 /// The look of one of several sets of measurements.
 pub fn measurements_of(number: usize, count: usize) -> Look {
-    Look { width: if count > 60 { 2.3 } else { 3.6 }, ..markers(number) }
+    let width = match count {
+        0..=25 => 3.6,
+        26..=60 => 2.8,
+        _ => 2.2,
+    };
+    Look { width, ..markers(number) }
 }
 
 /// The look of what happens at single times of a motion, beside curves of the first colours.

@@ -137,5 +137,6 @@ fn single(value: f64) -> f32 {
     reason = "sides are above 0 and below 10000"
 )]
 fn whole(value: f64) -> u32 {
-    value.ceil().max(1.0) as u32
+    // What rounding leaves is no pixel.
+    (value - 1e-6).ceil().max(1.0) as u32
 }

@@ -75,6 +75,18 @@ impl Shown {
         if self.is_angle { folded(value) } else { value }
     }
 
+    /// What it is called, without its unit.
+    pub(super) fn name(&self) -> &str {
+        self.label.split(" / ").next().unwrap_or_default()
+    }
+
+    /// The values as they are, with ticks at parts of π for angles.
+    pub(super) fn unfolded_axis(&self, values: impl Iterator<Item = f64>) -> Axis {
+        let (low, high) = around(values);
+        let axis = Axis::linear(&self.label, low, high);
+        if self.is_angle { axis.in_units(Units::HalfTurns(PI)) } else { axis }
+    }
+
     /// The whole turn for an angle that goes almost around, otherwise what the values need.
     fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
         let (low, high) = around(values);

@@ -4,6 +4,7 @@ use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
 use super::parameters::{of_model, of_start};
 use super::range::around;
+use super::section::Shown;
 use super::style;
 use libration::systems::Model;
 use libration::taylor::{Moment, Step};
@@ -19,7 +20,7 @@ pub(crate) struct Trace {
     end: f64,
     next: u32,
     times: Vec<f64>,
-    /// One list for each coordinate.
+    /// One list for each number of the state, the coordinates first.
     values: Vec<Vec<f64>>,
     /// Events on the curve of each coordinate.
     marks: Vec<Vec<(f64, f64)>>,
@@ -28,8 +29,8 @@ pub(crate) struct Trace {
 impl Trace {
     /// A trace from 0 to this time.
     pub(crate) fn new(model: &Model, end: f64) -> Self {
-        let none = vec![vec![]; model.coordinates().len()];
-        Self { end, next: 0, times: vec![], values: none.clone(), marks: vec![vec![]; none.len()] }
+        let values = vec![vec![]; model.state_names().len()];
+        Self { end, next: 0, times: vec![], values, marks: vec![vec![]; model.coordinates().len()] }
     }
 
     fn time(&self, place: u32) -> f64 {
@@ -83,6 +84,23 @@ impl Trace {
         }
         let made_with = [of_model(model), of_start(model, start)].concat();
         Picture::new(&format!("Motion of the {}", model.title()), panels).with_parameters(made_with)
+    }
+
+    /// One number of the state against another.
+    pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[Shown; 2]) -> Picture {
+        let values = |shown: &Shown| self.values[shown.place].iter().copied();
+        let path = Series::line("", style::curve(0), values(across).zip(values(up)));
+        let begin = start.get(across.place).copied().zip(start.get(up.place).copied());
+        let begin = Series::line("start", style::turning_points(1), begin);
+        let title = format!("Motion of the {}: {} against {}", model.title(), up.name(), across.name());
+        let panel = Panel {
+            x: across.unfolded_axis(values(across)),
+            y: up.unfolded_axis(values(up)),
+            series: vec![path, begin],
+            share: 1.0,
+        };
+        let made_with = [of_model(model), of_start(model, start)].concat();
+        Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]).with_parameters(made_with) }
     }
 
     fn panel(&self, model: &Model, unit: &str, time: &Axis) -> Panel {

@@ -2,7 +2,9 @@
 
 mod write;
 
-use crate::arguments::{SectionOptions, SeveralInitialOptions, SystemOptions, named, section_failure, shown};
+use crate::arguments::{
+    SectionOptions, SeveralInitialOptions, SystemOptions, pair_of_state, section_failure, shown,
+};
 use crate::failure::Failure;
 use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
@@ -98,10 +100,7 @@ impl PoincareQuestion {
         let Some(names) = &self.axes else {
             return Ok([first, coordinates.len() + first].map(|place| shown(model, place)));
         };
-        match names.split(',').collect::<Vec<_>>()[..] {
-            [across, up] => Ok([named(model, "--axes", across)?, named(model, "--axes", up)?]),
-            _ => Err(Failure::usage("--axes", "give two names, as theta,theta'")),
-        }
+        pair_of_state(model, "--axes", names)
     }
 
     /// One section for each start, side by side.
