@@ -148,6 +148,14 @@ pub(crate) fn named(model: &Model, argument: &str, name: &str) -> Result<Shown, 
     Ok(shown(model, place))
 }
 
+/// Two numbers of the state by their names.
+pub(crate) fn pair_of_state(model: &Model, argument: &str, names: &str) -> Result<[Shown; 2], Failure> {
+    match names.split(',').collect::<Vec<_>>()[..] {
+        [across, up] => Ok([named(model, argument, across)?, named(model, argument, up)?]),
+        _ => Err(Failure::usage(argument, "give two names, as theta,theta'")),
+    }
+}
+
 /// The failure that says what is wrong with which argument.
 pub(crate) fn section_failure(error: SectionError) -> Failure {
     match error {

@@ -100,7 +100,7 @@ struct FitQuestion {
 #[derive(Debug, clap::Subcommand)]
 enum Fit {
     Periods(Box<fit_periods::FitPeriods>),
-    Lengths(fit_lengths::FitLengths),
+    Lengths(Box<fit_lengths::FitLengths>),
     Gates(Box<fit_gates::FitGates>),
     Trace(Box<fit_trace::FitTrace>),
 }

@@ -2,8 +2,8 @@
 
 use super::{Document, Figure, html, markdown};
 use crate::failure::Failure;
-use crate::figure::draw;
 use crate::output::file::NewFile;
+use libration_report::svg;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -23,7 +23,7 @@ pub(crate) fn write(path: &Path, document: &Document) -> Result<(), Failure> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         for figure in document.figures() {
             let beside = path.with_file_name(file_name(&stem, figure));
-            files.push((beside, draw::to_svg(&figure.picture)));
+            files.push((beside, svg::file(&figure.scene())));
         }
         files.push((path.to_owned(), markdown::page(document, |figure| file_name(&stem, figure))));
     } else {

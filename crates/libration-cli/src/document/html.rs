@@ -1,9 +1,8 @@
 //! A document as one HTML file that needs nothing else: its pictures are inside.
 
-use super::{Block, Document, Figure, Section, Table, latex, legend};
-use crate::figure::chart::Picture;
-use crate::figure::draw;
+use super::{Block, Document, Figure, Section, Table, latex};
 use crate::output::table::Column;
+use libration_report::svg;
 
 /// Readable on a telephone and on paper. Tables fit where they stand: their cells are broken, and on the screen of a telephone
 /// each row of a wide table becomes a list.
@@ -19,8 +18,6 @@ figure{margin:1.4rem 0}
 figure svg{display:block;width:100%;height:auto}
 .wide svg{min-width:26rem}
 figcaption{font-size:.9rem;color:#444;max-width:44rem}
-.legend{list-style:none;margin:.3rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.1rem 1.2rem}
-.legend svg{display:inline-block;width:48px;height:16px;vertical-align:-2px}
 .aside{border-left:.3rem solid #b35c00;background:#fff6e8;padding:.3rem 1rem;margin:1rem 0}
 .aside h3{font-size:1rem;margin:.3rem 0}
 .aside ul{margin:.3rem 0;padding-left:1.2rem}
@@ -43,6 +40,8 @@ thead th{border-bottom:2px solid #888;white-space:normal}
 @media print{body{font-size:10.5pt;max-width:none;padding:0}figure,tr,li,.aside{break-inside:avoid}h2{break-after:avoid}\
 .wide{overflow:visible}table{font-size:9pt}th,td{padding:.15rem .4rem}.short,.number{white-space:normal}\
 .wide svg{min-width:0;max-height:20cm}.copy{display:none}}
+@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{color:#ededed;background:#121417}\
+figcaption,caption{color:#bbb}.aside{background:#2a2114}th,td,h2{border-color:#444}.many td::before{color:#aaa}}
 ";
 
 /// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.
@@ -71,9 +70,6 @@ for (const bar of document.querySelectorAll('.copy')) {
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
-/// The width that pictures are drawn for: letters stay readable where it is made half as wide.
-const PICTURE_WIDTH: f64 = 760.0;
-
 /// Columns of a table whose rows are no longer lines on the screen of a telephone.
 const MANY: usize = 4;
 
@@ -83,8 +79,7 @@ const SHORT: usize = 32;
 /// The whole page.
 pub(super) fn page(document: &Document) -> String {
     let title = escaped(&document.title);
-    let mut pictures = 0;
-    let sections: String = document.sections.iter().map(|each| section(each, &mut pictures)).collect();
+    let sections: String = document.sections.iter().map(section).collect();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
@@ -94,12 +89,12 @@ pub(super) fn page(document: &Document) -> String {
     )
 }
 
-fn section(section: &Section, pictures: &mut usize) -> String {
-    let blocks: String = section.blocks.iter().map(|each| block(each, pictures)).collect();
+fn section(section: &Section) -> String {
+    let blocks: String = section.blocks.iter().map(block).collect();
     format!("<section>\n<h2>{}</h2>\n{blocks}</section>\n", escaped(section.title))
 }
 
-fn block(block: &Block, pictures: &mut usize) -> String {
+fn block(block: &Block) -> String {
     match block {
         Block::Paragraph(text) => format!("<p>{}</p>\n", escaped(text)),
         Block::List(items) => list(items),
@@ -107,10 +102,7 @@ fn block(block: &Block, pictures: &mut usize) -> String {
             format!("<div class=\"aside\">\n<h3>{}</h3>\n{}</div>\n", escaped(title), list(items))
         }
         Block::Table(table) => self::table(table),
-        Block::Figure(figure) => {
-            *pictures += 1;
-            self::figure(figure, *pictures)
-        }
+        Block::Figure(figure) => self::figure(figure),
     }
 }
 
@@ -159,36 +151,10 @@ fn class(column: &Column, is_short: bool) -> &'static str {
     }
 }
 
-/// A picture with names of its own for its parts, since all pictures share the names of the page.
-fn figure(figure: &Figure, number: usize) -> String {
+fn figure(figure: &Figure) -> String {
     let caption = escaped(&figure.caption);
-    let names = legend::list(&figure.picture);
-    let picture = Picture { width: PICTURE_WIDTH, ..legend::without_names(&figure.picture) };
-    let svg = draw::to_svg(&picture)
-        .replace("id=\"", &format!("id=\"picture{number}-"))
-        .replace("url(#", &format!("url(#picture{number}-"));
-    format!(
-        "<figure>\n<div class=\"wide\">{}</div>\n{names}<figcaption>{caption}</figcaption>\n</figure>\n",
-        scalable(&svg, &caption)
-    )
-}
-
-/// The picture as wide as its place, its size given as a view box, and named for those who cannot see it.
-fn scalable(svg: &str, caption: &str) -> String {
-    let size = |name: &str| {
-        let (_, rest) = svg.split_once(&format!(" {name}=\""))?;
-        rest.split_once('"').map(|(size, _)| size)
-    };
-    let Some(((width, height), begin)) = size("width").zip(size("height")).zip(svg.find("<svg ")) else {
-        return svg.to_owned();
-    };
-    let sized = svg[begin..].replacen(&format!(" width=\"{width}\""), "", 1).replacen(
-        &format!(" height=\"{height}\""),
-        "",
-        1,
-    );
-    let begin = format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{caption}\" ");
-    sized.replacen("<svg ", &begin, 1)
+    let svg = svg::inline(&figure.scene());
+    format!("<figure>\n<div class=\"wide\">{svg}</div>\n<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
 pub(super) fn escaped(text: &str) -> String {
@@ -198,6 +164,7 @@ pub(super) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::chart::Picture;
 
     #[test]
     fn what_is_written_is_never_taken_for_tags() {

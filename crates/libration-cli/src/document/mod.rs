@@ -4,7 +4,6 @@
 mod files;
 mod html;
 mod latex;
-mod legend;
 mod markdown;
 mod provenance;
 
@@ -13,6 +12,9 @@ pub(crate) use provenance::provenance;
 
 use crate::figure::chart::Picture;
 use crate::output::table::Column;
+use libration_report::draw;
+use libration_report::format::{Format, TooSmall};
+use libration_report::scene::Scene;
 
 /// A document.
 #[derive(Clone, Debug)]
@@ -55,6 +57,18 @@ pub(crate) struct Figure {
     /// What it shows, for those who cannot see it too.
     pub(crate) caption: String,
     pub(crate) picture: Picture,
+}
+
+impl Figure {
+    /// The picture as wide as the text of a page, or as wide as it must be.
+    fn scene(&self) -> Scene {
+        let usual = Format::PAGE;
+        let fitting = draw(&self.picture, &usual).or_else(|error| match error {
+            TooSmall::Width(width) => draw(&self.picture, &Format { width, ..usual }),
+            TooSmall::Height(_) => Err(error),
+        });
+        fitting.expect("the width is enough, and the height follows from it")
+    }
 }
 
 impl Section {

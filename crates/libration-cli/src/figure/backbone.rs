@@ -1,6 +1,6 @@
 //! Backbones: amplitude, upwards, against frequency.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::range::around;
 use super::style;
 use libration::comparison::{Backbone, BackbonePoint};
@@ -36,8 +36,10 @@ pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Set
         )
         .collect();
     let x = frequencies(&orbits);
-    let mut shown = vec![Series::line("orbits", style::curve(0), orbits)];
+    let exact = Series::line("orbits", style::curve(0), orbits.iter().copied());
+    let mut shown = vec![];
     if !series.is_empty() {
+        shown.push(Series::line("", style::curve(0).beneath(), orbits));
         shown.push(Series::line(&format!("series, order {}", setting.order), style::curve(1), series));
     }
     let radius = curve.radius().map(|radius| radius.value()).filter(|radius| *radius <= largest);
@@ -45,11 +47,12 @@ pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Set
         let ends = [x.from, x.to].map(|frequency| (frequency, unit * radius));
         shown.push(Series::line("radius of convergence", style::reference(), ends));
     }
+    shown.push(Series { look: Look { width: 1.2, ..exact.look }, ..exact });
     shown.push(Series::line("amplitudes asked for", style::markers(0), asked));
     let name = if setting.is_angle { "amplitude / degrees" } else { "amplitude" };
     let (_, top) = around([0.0, unit * largest]);
     let y = Axis::linear(name, 0.0, top);
-    let y = if setting.is_angle && top > 90.0 { y.with_tick_step(30.0) } else { y };
+    let y = if setting.is_angle { y.in_units(Units::Degrees) } else { y };
     Picture::new(&format!("Backbone: {}", setting.title), vec![Panel { x, y, series: shown, share: 1.0 }])
 }
 

@@ -1,6 +1,6 @@
 //! Amplitude and period of a damped pendulum against time.
 
-use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::range::around;
 use super::style;
 use crate::command::decay::{Report, Turn};
@@ -15,13 +15,14 @@ pub(crate) fn of(decay: &Decay, report: &Report) -> Picture {
     let (_, to) = around(report.turns.iter().map(|turn| turn.point.time));
     let times: Vec<f64> = (0..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES)).collect();
     let x = Axis::linear("time t / s", 0.0, to);
-    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    let unlabelled = x.unlabelled();
     let (amplitudes, periods) = (amplitudes(decay, report, &times), periods(decay, report, &times));
     let panel = |x: Axis, label: &str, series: Vec<Series>, share: f64| {
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         Panel { x, y: Axis::linear(label, low, high), series, share }
     };
     let mut above = panel(unlabelled, "amplitude / degrees", amplitudes, 0.58);
+    above.y = above.y.in_units(Units::Degrees);
     above.y.from = above.y.from.max(0.0);
     Picture::new("Decay of a damped pendulum", vec![above, panel(x, "period / s", periods, 0.42)])
 }

@@ -1,6 +1,6 @@
 //! The fractional error of period formulas against the amplitude, as in the first figure of Black and Vel.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::style;
 use crate::parallel;
@@ -34,12 +34,12 @@ pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
         .map(|(number, (curve, points))| Series::line(&curve.label, style::curve(number), points));
     let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {
-        x: if frame.to - frame.from > 90.0 { x.with_tick_step(30.0) } else { x },
+        x: x.in_units(Units::Degrees),
         y: Axis::logarithmic("|fractional error of T|", frame.lowest, frame.highest),
         series: series.collect(),
         share: 1.0,
     };
-    Picture::new("Error of formulas for the period", vec![panel])
+    Picture::new("Fractional error of formulas for the period", vec![panel])
 }
 
 /// Even steps, and the approach to the right end, where formulas and period may be infinite.

@@ -1,8 +1,10 @@
 //! The file a picture is written to: its ending says whether SVG or PNG.
 
-use super::{chart::Picture, draw};
+use super::chart::Picture;
+use super::{Sizes, png};
 use crate::failure::Failure;
 use crate::output::{file, standard};
+use libration_report::svg;
 use std::path::{Path, PathBuf};
 
 /// Reads a file name that ends in `.svg` or `.png`.
@@ -19,12 +21,13 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
         .to_owned())
 }
 
-/// Draws the picture into its file, and says so in a sentence.
-pub(crate) fn write(path: &Path, picture: &Picture) -> Result<String, Failure> {
+/// Draws the picture in its size into its file, and says so in a sentence.
+pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, Failure> {
+    let scene = sizes.scene(picture)?;
     let bytes = if is(path, "svg") || path == Path::new("-") {
-        draw::to_svg(picture).into_bytes()
+        svg::file(&scene).into_bytes()
     } else {
-        draw::to_png(picture).map_err(|reason| Failure::no_answer("the picture", reason))?
+        png::file(&scene).map_err(|reason| Failure::no_answer("the picture", reason))?
     };
     file::write(path, &bytes)?;
     let points: usize =

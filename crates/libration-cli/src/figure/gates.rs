@@ -1,6 +1,7 @@
 //! Periods by a photogate against time, and against the amplitude where speeds tell it.
 
-use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::chart::{Axis, Look, Panel, Picture, Point, Series, Units};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use libration_lab::fit::Law;
@@ -14,19 +15,29 @@ pub(crate) fn periods(fit: &GatesFit) -> Picture {
         fit.cycles.iter().filter_map(|cycle| Some((cycle.amplitude?.to_degrees(), cycle.period))).collect();
     let mut panels = vec![against_time(fit)];
     if let (Some(t0), false) = (fit.t0, amplitudes.is_empty()) {
-        panels.push(against_amplitude(&amplitudes, t0.value));
+        panels.push(against_amplitude(&amplitudes, t0.value, fit.timing));
     }
     let share = if panels.len() > 1 { 0.5 } else { 1.0 };
-    Picture::new("Periods by a photogate", panels.into_iter().map(|panel| Panel { share, ..panel }).collect())
+    let picture = Picture::new(
+        "Periods by a photogate",
+        panels.into_iter().map(|panel| Panel { share, ..panel }).collect(),
+    );
+    picture.with_parameters(fit.t0.map(|t0| found("T₀", t0, "s")))
 }
 
 fn against_time(fit: &GatesFit) -> Panel {
+    // A period is the difference of two times.
+    let uncertainty = std::f64::consts::SQRT_2 * fit.timing;
     let of_side = |side: usize| -> Vec<Point> {
         let cycles = fit.cycles.iter().filter(|cycle| cycle.side == side);
-        cycles.map(|cycle: &GateCycle| Point::new(cycle.time, cycle.period)).collect()
+        let point = |cycle: &GateCycle| Point {
+            y_uncertainty: Some(uncertainty),
+            ..Point::new(cycle.time, cycle.period)
+        };
+        cycles.map(point).collect()
     };
     let (from, to) = around(fit.cycles.iter().map(|cycle| cycle.time));
-    let series = ["one side", "the other side"].into_iter().enumerate().map(|(side, label)| {
+    let sides = ["one side", "the other side"].into_iter().enumerate().map(|(side, label)| {
         let points = of_side(side);
         let look = style::measurements_of(side, points.len());
         Series { label: label.to_owned(), look, points }
@@ -34,26 +45,37 @@ fn against_time(fit: &GatesFit) -> Panel {
     Panel {
         x: Axis::linear("time t / s", from, to),
         y: vertical(fit.cycles.iter().map(|cycle| cycle.period)),
-        series: series.collect(),
+        series: law_in_time(fit).into_iter().chain(sides).collect(),
         share: 1.0,
     }
 }
 
-fn against_amplitude(measured: &[(f64, f64)], t0: f64) -> Panel {
-    let (from, to) = around(measured.iter().map(|row| row.0).chain([0.0]));
+/// The exact period of the amplitude that the speed at the gate tells.
+fn law_in_time(fit: &GatesFit) -> Option<Series> {
+    let t0 = fit.t0?.value;
+    let at = |cycle: &GateCycle| Some((cycle.time, t0 * Law::exact().ratio_at(cycle.amplitude?)));
+    let points: Vec<(f64, f64)> = fit.cycles.iter().filter_map(at).collect();
+    let look = Look { width: 1.2, colour: style::INK, ..style::exact_law() };
+    (!points.is_empty()).then(|| Series::line("exact law, amplitudes by the speed", look, points))
+}
+
+fn against_amplitude(measured: &[(f64, f64)], t0: f64, timing: f64) -> Panel {
+    let (from, to) = around(measured.iter().map(|row| row.0));
     let (from, to) = (from.max(0.0), to.min(180.0));
     let law = (0..=SAMPLES).map(|step| {
         let degrees = from + (to - from) * f64::from(step) / f64::from(SAMPLES);
         (degrees, t0 * Law::exact().ratio_at(degrees.to_radians()))
     });
-    let points: Vec<Point> = measured.iter().map(|&(x, y)| Point::new(x, y)).collect();
+    let bar = Some(std::f64::consts::SQRT_2 * timing);
+    let points = measured.iter().map(|&(x, y)| Point { y_uncertainty: bar, ..Point::new(x, y) });
+    let points: Vec<Point> = points.collect();
     let look = style::measurements(points.len());
     Panel {
-        x: Axis::linear("amplitude θ₀ / degrees", from, to),
-        y: vertical(measured.iter().map(|row| row.1).chain([t0])),
+        x: Axis::linear("amplitude θ₀ / degrees", from, to).in_units(Units::Degrees),
+        y: vertical(measured.iter().map(|row| row.1)),
         series: vec![
-            Series { label: "measured".to_owned(), look, points },
             Series::line("exact law", style::exact_law(), law.collect::<Vec<_>>()),
+            Series { label: "measured".to_owned(), look, points },
         ],
         share: 1.0,
     }

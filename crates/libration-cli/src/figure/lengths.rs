@@ -1,6 +1,7 @@
 //! Measured periods against length: T² with the line that is fitted, and the residuals.
 
 use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use crate::command::fit_lengths::Measured;
@@ -20,9 +21,9 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let x = Axis::linear("length L / m", from, to);
     let squares = around(data.iter().map(|point| point.y).chain([0.0]));
     let above = Panel {
-        x: Axis { label: String::new(), ..x.clone() },
+        x: x.unlabelled(),
         y: Axis::linear("T₀² / s²", squares.0.max(0.0), squares.1),
-        series: vec![markers("measured", data), line(fit, radius, from, to)],
+        series: vec![line(fit, radius, from, to), markers("measured", data)],
         share: 0.62,
     };
     let arms = residuals.iter().flat_map(|point| {
@@ -34,10 +35,12 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let below = Panel {
         x,
         y: Axis::linear("residual / s", low, high),
-        series: vec![markers("", residuals), zero],
+        series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
-    Picture::new("Period against length", vec![above, below])
+    let offset = fit.offset.map(|offset| found("δ", offset, "m"));
+    let picture = Picture::new("Period against length", vec![above, below]);
+    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(offset))
 }
 
 /// T² of small swings, from where it is zero.

@@ -1,27 +1,30 @@
 //! How the estimate of a Lyapunov exponent settles with the time measured.
 
 use super::chart::{Axis, Panel, Picture, Series};
+use super::parameters::{self, of_model, of_start};
 use super::range::around;
 use super::section::name;
 use super::style;
 use crate::command::lyapunov::Answer;
+use libration::quantity::Quantity;
+
+/// What is left free before the first time and after the last, as a ratio.
+const ROOM: f64 = 1.1;
 
 /// The estimate against the time, on a logarithmic axis.
 pub(crate) fn convergence(answer: &Answer<'_>) -> Picture {
     let points = &answer.found.convergence;
     let times = || points.iter().map(|(time, _)| *time);
     let (first, last) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
-    let x =
-        Axis::logarithmic("time measured / s", decade(first, f64::floor), decade(1.001 * last, f64::ceil));
+    let x = Axis::logarithmic("time measured / s", first / ROOM, last * ROOM);
     let (low, high) = around(points.iter().map(|(_, exponent)| *exponent).chain([0.0]));
     let y = Axis::linear("largest Lyapunov exponent / (1/s)", low, high);
     let zero = Series::line("", style::reference(), [(x.from, 0.0), (x.to, 0.0)]);
     let line = Series::line("", style::curve(0), points.iter().copied());
-    let title = format!("{}: {}", name(answer.model), answer.found.verdict);
-    Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }])
-}
-
-/// The power of ten below or above.
-fn decade(value: f64, rounded: impl Fn(f64) -> f64) -> f64 {
-    10f64.powf(rounded(value.log10()))
+    let title = format!("Largest Lyapunov exponent: {}, {}", name(answer.model), answer.found.verdict);
+    let found = &answer.found;
+    let exponent = Quantity { value: found.exponent, uncertainty: Some(found.uncertainty) };
+    let made_with = [of_model(answer.model), of_start(answer.model, &answer.initial)].concat();
+    let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
+    picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", exponent, "1/s")]))
 }

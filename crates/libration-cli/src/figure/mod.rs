@@ -1,4 +1,4 @@
-//! The pictures: what each one shows, and how it is drawn.
+//! The pictures: what each one shows, how large it is, and the file it is written to.
 
 pub(crate) mod backbone;
 pub(crate) mod decay;
@@ -16,18 +16,15 @@ pub(crate) mod simulation;
 pub(crate) mod spectrum;
 pub(crate) mod trace;
 
-pub(crate) mod chart;
 pub(crate) mod file;
-
-mod clip;
-mod cusps;
-mod dashes;
-pub(crate) mod draw;
-mod frame;
-mod legend;
-mod letters;
 pub(crate) mod names;
-mod range;
-mod style;
 
-pub(crate) use frame::Smallest;
+mod cusps;
+mod font;
+pub(crate) mod parameters;
+mod png;
+mod size;
+
+pub(crate) use libration_report::chart;
+use libration_report::{range, style};
+pub(crate) use size::Sizes;

@@ -1,6 +1,8 @@
 //! The shapes of normal modes: the part of each coordinate.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
+use super::names::symbol;
+use super::parameters::of_model;
 use super::style;
 use crate::output::number::short;
 use libration::normal_modes::{Behaviour, Mode, NormalModes};
@@ -17,12 +19,11 @@ pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
         series.push(Series::line("", style::thin(number), points.clone()));
         series.push(Series::line(&label(number, mode), style::markers(number), points));
     }
-    let names =
-        (1..).zip(&modes.variables).map(|(place, name): (usize, &String)| format!("{place} = {name}"));
-    let names = names.collect::<Vec<_>>().join(",  ");
-    let x = Axis::linear(&format!("coordinate:  {names}"), 0.5, count + 0.5).with_tick_step(1.0);
-    let y = Axis::linear("part in the mode", -1.1, 1.1).with_tick_step(0.5);
-    Picture::new(&format!("Normal modes of the {}", model.title()), vec![Panel { x, y, series, share: 1.0 }])
+    let names = modes.variables.iter().map(|name| symbol(name)).collect();
+    let x = Axis::linear("coordinate", 0.5, count + 0.5).in_units(Units::Names(names));
+    let y = Axis::linear("part in the mode", -1.1, 1.1);
+    let title = format!("Normal modes of the {}", model.title());
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(model))
 }
 
 fn label(number: usize, mode: &Mode) -> String {

@@ -1,7 +1,7 @@
 //! The angle in time: at several amplitudes against the small-angle cosine, or one motion against its
 //! approximations.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::range::{around, decades};
 use super::style;
@@ -32,7 +32,7 @@ pub(crate) fn releases(releases: &[Release], periods: f64) -> Picture {
         series.push(Series::line(&release.label, style::curve(number), points));
     }
     let x = Axis::linear("time t / T₀", 0.0, periods);
-    let y = Axis::linear("angle θ / θ₀", -1.1, 1.1).with_tick_step(0.5);
+    let y = Axis::linear("angle θ / θ₀", -1.1, 1.1);
     Picture::new("Motion after release from rest", vec![Panel { x, y, series, share: 1.0 }])
 }
 
@@ -42,7 +42,11 @@ pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f6
     let times: Vec<f64> = evenly(from, to, SAMPLES).collect();
     let exact: Vec<f64> = times.iter().map(|&time| motion.state_at(time).angle).collect();
     let angles = times.iter().zip(&exact).map(|(&time, angle)| (time, angle.to_degrees()));
-    let mut angles = vec![Series::line("exact", style::curve(0), angles)];
+    let angles: Vec<(f64, f64)> = angles.collect();
+    let exact_curve = Series::line("exact", style::curve(0), angles.iter().copied());
+    // Beneath and above the approximations, so that none of them hides it.
+    let beneath = Series::line("", style::curve(0).beneath(), angles);
+    let mut angles = if comparison.approximations.is_empty() { vec![] } else { vec![beneath] };
     let mut errors = vec![];
     for (number, approximation) in (1..).zip(&comparison.approximations) {
         let approximate: Vec<f64> =
@@ -53,19 +57,20 @@ pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f6
         let signed: Vec<(f64, f64)> = times.iter().copied().zip(difference).collect();
         errors.push(Series::line("", style::curve(number), sizes(&signed)));
     }
+    angles.push(Series { look: Look { width: 1.2, ..exact_curve.look }, ..exact_curve });
     Picture::new("Motion of the pendulum", panels(angles, errors, (from, to)))
 }
 
 fn panels(angles: Vec<Series>, errors: Vec<Series>, (from, to): (f64, f64)) -> Vec<Panel> {
     let (low, high) = around(values(&angles));
-    let y = Axis::linear("angle θ / degrees", low, high);
+    let y = Axis::linear("angle θ / degrees", low, high).in_units(Units::Degrees);
     let x = Axis::linear("time t / s", from, to);
     if errors.is_empty() {
         return vec![Panel { x, y, series: angles, share: 1.0 }];
     }
     let (low, high) = decades(errors.iter().map(|series| values([series]).fold(0.0, f64::max)));
     let error = Axis::logarithmic("|error| / degrees", low, high);
-    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    let unlabelled = x.unlabelled();
     vec![
         Panel { x: unlabelled, y, series: angles, share: 0.55 },
         Panel { x, y: error, series: errors, share: 0.45 },

@@ -2,8 +2,20 @@
 
 /// `θ₁` for theta1, `θ₁′` for its velocity.
 pub(crate) fn symbol(name: &str) -> String {
-    const LETTERS: [(&str, &str); 6] =
-        [("theta", "θ"), ("phi", "φ"), ("psi", "ψ"), ("alpha", "α"), ("beta", "β"), ("gamma", "γ")];
+    const LETTERS: [(&str, &str); 12] = [
+        ("theta", "θ"),
+        ("phi", "φ"),
+        ("psi", "ψ"),
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("delta", "δ"),
+        ("epsilon", "ε"),
+        ("kappa", "κ"),
+        ("lambda", "λ"),
+        ("mu", "μ"),
+        ("omega", "ω"),
+    ];
     if let Some(coordinate) = name.strip_suffix('\'') {
         return symbol(coordinate) + "′";
     }

@@ -1,9 +1,11 @@
 //! Measured periods against amplitude, with the exact law, the constant period and the residuals.
 
-use super::chart::{Axis, Panel, Picture, Point, Series};
+use super::chart::{Axis, Panel, Picture, Point, Series, Units};
+use super::parameters::found;
 use super::range::around;
 use super::style;
 use crate::command::fit_periods::Measurement;
+use libration::quantity::Quantity;
 use libration_lab::fit::{Law, PeriodFit};
 
 const SAMPLES: u32 = 400;
@@ -15,26 +17,28 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
     let data: Vec<Point> = measurements.iter().map(measured).collect();
     let residuals: Vec<Point> =
         measurements.iter().enumerate().map(|(row, m)| residual(row, m, fit)).collect();
-    let x = Axis::linear("amplitude θ₀ / degrees", from, to);
+    let x = Axis::linear("amplitude θ₀ / degrees", from, to).in_units(Units::Degrees);
     let curves = laws(fit, from, to);
-    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    let unlabelled = x.unlabelled();
     let above = Panel {
         x: unlabelled,
         y: vertical("period T / s", &data),
-        series: [vec![markers("measured", data)], curves].concat(),
+        series: [curves, vec![markers("measured", data)]].concat(),
         share: 0.62,
     };
     let zero = Series::line("", style::exact_law(), [(from, 0.0), (to, 0.0)]);
     let below = Panel {
         x,
         y: vertical("residual / s", &residuals),
-        series: vec![markers("", residuals), zero],
+        series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
-    Picture::new("Period against amplitude", vec![above, below])
+    let t0 = Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) };
+    let picture = Picture::new("Period against amplitude", vec![above, below]);
+    picture.with_parameters([found("T₀", t0, "s")])
 }
 
-/// The two laws, drawn over the measurements.
+/// The two laws, drawn behind the measurements.
 fn laws(fit: &PeriodFit, from: f64, to: f64) -> Vec<Series> {
     let degrees = |step| from + (to - from) * f64::from(step) / f64::from(SAMPLES);
     let curve = |law: Law, t0: f64| {

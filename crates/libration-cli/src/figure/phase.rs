@@ -1,6 +1,6 @@
 //! The phase portrait: librations about each bottom, the separatrix, and rotations both ways.
 
-use super::chart::{Axis, Look, Panel, Picture, Series};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::style;
 use libration::pendulum::Motion;
 use std::f64::consts::{PI, TAU};
@@ -37,8 +37,8 @@ pub(crate) fn portrait(portrait: &Portrait) -> Picture {
     }
     let highest = series.iter().flat_map(|series| &series.points).map(|point| point.y).fold(0.0, f64::max);
     let top = (2.0 * highest + 0.6).floor() / 2.0 + 0.5;
-    let x = Axis::linear("angle θ / π", -2.0, 2.0).with_tick_step(0.5);
-    let y = Axis::linear("velocity θ′ / ω₀", -top, top).with_tick_step(1.0);
+    let x = Axis::linear("angle θ / rad", -2.0, 2.0).in_units(Units::HalfTurns(1.0));
+    let y = Axis::linear("velocity θ′ / ω₀", -top, top);
     Picture::new("Phase portrait of the pendulum", vec![Panel { x, y, series, share: 1.0 }])
 }
 

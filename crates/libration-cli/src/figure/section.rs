@@ -1,6 +1,8 @@
 //! Poincaré sections and bifurcation diagrams: many dots.
 
-use super::chart::{Axis, Look, Panel, Picture, Series};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
+use super::names::symbol;
+use super::parameters::{of_model, of_start};
 use super::range::around;
 use super::style;
 use crate::command::bifurcation::{Diagram, Sweep};
@@ -29,7 +31,11 @@ pub(crate) fn section(answer: &Answer<'_>, [across, up]: &[Shown; 2]) -> Picture
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Poincaré section: {}", name(answer.model));
     let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
-    Picture { width: 1000.0, height: 800.0, ..picture }
+    let start = match &answer.starts[..] {
+        [start] => of_start(answer.model, start),
+        _ => vec![],
+    };
+    Picture { aspect: 0.8, ..picture.with_parameters([of_model(answer.model), start].concat()) }
 }
 
 /// The diagram: one number of the state against the parameter, one colour a sweep.
@@ -43,15 +49,16 @@ pub(crate) fn bifurcation(diagram: &Diagram<'_>, up: &Shown) -> Picture {
         let label = if diagram.sweeps.len() > 1 { sweep.name } else { "" };
         // The sweep that is drawn first shows behind the other.
         let look = style::dots(number, all);
-        let wider = if number + 1 < diagram.sweeps.len() { 2.0 } else { 1.0 };
+        let wider = if number + 1 < diagram.sweeps.len() { 1.7 } else { 1.0 };
         Series::line(label, Look { width: wider * look.width, ..look }, points)
     };
     let series: Vec<Series> = diagram.sweeps.iter().enumerate().map(of_sweep).collect();
-    let (from, to) = diagram.ends();
-    let x = Axis::linear(&diagram.parameter.name, from, if to > from { to } else { from + 1.0 });
+    let (from, to) =
+        around(diagram.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| column.value));
+    let x = Axis::linear(&symbol(&diagram.parameter.name), from, to);
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Bifurcation diagram: {}", name(diagram.model));
-    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }])
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(diagram.model))
 }
 
 /// What a system is called in a title: equations that were typed are themselves, if they are short.
@@ -68,12 +75,24 @@ impl Shown {
         if self.is_angle { folded(value) } else { value }
     }
 
+    /// What it is called, without its unit.
+    pub(super) fn name(&self) -> &str {
+        self.label.split(" / ").next().unwrap_or_default()
+    }
+
+    /// The values as they are, with ticks at parts of π for angles.
+    pub(super) fn unfolded_axis(&self, values: impl Iterator<Item = f64>) -> Axis {
+        let (low, high) = around(values);
+        let axis = Axis::linear(&self.label, low, high);
+        if self.is_angle { axis.in_units(Units::HalfTurns(PI)) } else { axis }
+    }
+
     /// The whole turn for an angle that goes almost around, otherwise what the values need.
     fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
         let (low, high) = around(values);
         let turns = self.is_angle && high - low > PI;
         match turns {
-            true => Axis::linear(&self.label, -PI, PI).with_tick_step(1.0),
+            true => Axis::linear(&self.label, -PI, PI).in_units(Units::HalfTurns(PI)),
             false => Axis::linear(&self.label, low, high),
         }
     }

@@ -1,6 +1,6 @@
 //! The errors of partial sums: against the amplitude, with the radius of convergence, or against the last power kept.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::style;
 use crate::output::number::short;
@@ -60,8 +60,7 @@ pub(crate) fn against_amplitude(
         series.push(Series::line(&label, style::reference(), ends));
     }
     let x = Axis::linear(&abscissa.label(), 0.0, abscissa.value(to));
-    let wide = abscissa.in_degrees && abscissa.value(to) > 90.0;
-    let x = if wide { x.with_tick_step(30.0) } else { x };
+    let x = if abscissa.in_degrees { x.in_units(Units::Degrees) } else { x };
     picture(x, series, setting)
 }
 
@@ -81,8 +80,7 @@ pub(crate) fn against_terms(lines: &[Line], setting: &Setting) -> Picture {
     }
     let last = series.iter().flat_map(|series| &series.points).map(|point| point.x).fold(1.0, f64::max);
     let x = Axis::linear(&format!("last power of {} kept", setting.abscissa.symbol), 0.0, last + 1.0);
-    let whole = x.tick_step.max(1.0);
-    picture(x.with_tick_step(whole), series, setting)
+    picture(x.in_units(Units::Whole), series, setting)
 }
 
 fn picture(x: Axis, series: Vec<Series>, setting: &Setting) -> Picture {

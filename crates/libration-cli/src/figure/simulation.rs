@@ -1,8 +1,10 @@
 //! The coordinates of a system in time.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
+use super::parameters::{of_model, of_start};
 use super::range::around;
+use super::section::Shown;
 use super::style;
 use libration::systems::Model;
 use libration::taylor::{Moment, Step};
@@ -18,7 +20,7 @@ pub(crate) struct Trace {
     end: f64,
     next: u32,
     times: Vec<f64>,
-    /// One list for each coordinate.
+    /// One list for each number of the state, the coordinates first.
     values: Vec<Vec<f64>>,
     /// Events on the curve of each coordinate.
     marks: Vec<Vec<(f64, f64)>>,
@@ -27,8 +29,8 @@ pub(crate) struct Trace {
 impl Trace {
     /// A trace from 0 to this time.
     pub(crate) fn new(model: &Model, end: f64) -> Self {
-        let none = vec![vec![]; model.coordinates().len()];
-        Self { end, next: 0, times: vec![], values: none.clone(), marks: vec![vec![]; none.len()] }
+        let values = vec![vec![]; model.state_names().len()];
+        Self { end, next: 0, times: vec![], values, marks: vec![vec![]; model.coordinates().len()] }
     }
 
     fn time(&self, place: u32) -> f64 {
@@ -67,7 +69,7 @@ impl Trace {
     }
 
     /// A panel for each unit, with the coordinates that have it.
-    pub(crate) fn picture(&self, model: &Model) -> Picture {
+    pub(crate) fn picture(&self, model: &Model, start: &[f64]) -> Picture {
         let mut units: Vec<&str> = vec![];
         for coordinate in model.coordinates() {
             if !units.contains(&coordinate.unit.as_str()) {
@@ -80,7 +82,25 @@ impl Trace {
         for panel in &mut panels[..last] {
             panel.x.label.clear();
         }
-        Picture::new(&format!("Motion of the {}", model.title()), panels)
+        let made_with = [of_model(model), of_start(model, start)].concat();
+        Picture::new(&format!("Motion of the {}", model.title()), panels).with_parameters(made_with)
+    }
+
+    /// One number of the state against another.
+    pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[Shown; 2]) -> Picture {
+        let values = |shown: &Shown| self.values[shown.place].iter().copied();
+        let path = Series::line("", style::curve(0), values(across).zip(values(up)));
+        let begin = start.get(across.place).copied().zip(start.get(up.place).copied());
+        let begin = Series::line("start", style::turning_points(1), begin);
+        let title = format!("Motion of the {}: {} against {}", model.title(), up.name(), across.name());
+        let panel = Panel {
+            x: across.unfolded_axis(values(across)),
+            y: up.unfolded_axis(values(up)),
+            series: vec![path, begin],
+            share: 1.0,
+        };
+        let made_with = [of_model(model), of_start(model, start)].concat();
+        Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]).with_parameters(made_with) }
     }
 
     fn panel(&self, model: &Model, unit: &str, time: &Axis) -> Panel {
@@ -103,6 +123,7 @@ impl Trace {
         let names: Vec<String> = shown.iter().map(|(_, (coordinate, _))| symbol(&coordinate.name)).collect();
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         let y = Axis::linear(&label(&names.join(", "), unit), low, high);
+        let y = if unit == "rad" { y.in_units(Units::Degrees) } else { y };
         Panel { x: time.clone(), y, series, share: 1.0 }
     }
 }

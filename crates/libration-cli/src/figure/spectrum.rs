@@ -1,6 +1,6 @@
 //! The harmonics of the angle: |aₙ| against n.
 
-use super::chart::{Axis, Panel, Picture, Series};
+use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::style;
 use libration::pendulum::Harmonics;
 
@@ -22,8 +22,7 @@ pub(crate) fn spectra(spectra: &[(String, Harmonics)], lowest: f64) -> Picture {
     }
     let last = series.iter().flat_map(|series| &series.points).map(|point| point.x).fold(1.0, f64::max);
     let x = Axis::linear("harmonic n", 0.0, last + 1.0);
-    let whole = x.tick_step.max(1.0);
-    let x = x.with_tick_step(whole);
+    let x = x.in_units(Units::Whole);
     let y = Axis::logarithmic("coefficient |aₙ| / rad", lowest, 10.0);
     Picture::new("Harmonics of the angle", vec![Panel { x, y, series, share: 1.0 }])
 }

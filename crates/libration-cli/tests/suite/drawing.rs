@@ -1,8 +1,5 @@
 //! A drawing read back: what stands where on its canvas, and which data its curves and markers show.
 
-#[path = "../../src/figure/letters.rs"]
-mod letters;
-
 use std::collections::BTreeMap;
 
 /// A place on the canvas or in the coordinates of the data.
@@ -41,18 +38,19 @@ pub(crate) struct Scale {
 
 #[derive(Debug)]
 pub(crate) struct Text {
+    pub(crate) class: String,
     pub(crate) content: String,
     anchor: String,
     at: Place,
-    size: f64,
+    pub(crate) size: f64,
     is_turned: bool,
 }
 
-/// A curve, a marker, or a line of the axes.
+/// A piece of a curve, a marker, or a line of the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Shape {
+    pub(crate) class: String,
     pub(crate) colour: String,
-    pub(crate) is_filled: bool,
     pub(crate) points: Vec<Place>,
 }
 
@@ -85,87 +83,90 @@ fn pairs(text: &str) -> Vec<Place> {
     numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
 }
 
-/// The points of an element that draws something.
-fn outline(name: &str, attributes: &BTreeMap<&str, &str>) -> Option<Vec<Place>> {
-    let at = |name| number(attributes, name);
-    Some(match name {
-        "path" => pairs(attributes["d"]),
-        "line" => vec![(at("x1"), at("y1")), (at("x2"), at("y2"))],
-        "circle" => {
-            let (x, y, r) = (at("cx"), at("cy"), at("r"));
-            vec![(x - r, y - r), (x + r, y + r)]
-        }
-        "rect" if attributes["width"] != "100%" => {
-            let (x, y) = (at("x"), at("y"));
-            vec![(x, y), (x + at("width"), y + at("height"))]
-        }
-        _ => return None,
-    })
+/// The pieces of a path: corners after `M` and `L`, and dots `m x y h0`, each by its distance from the one before.
+fn pieces(path: &str) -> Vec<Vec<Place>> {
+    if path.starts_with('m') {
+        let steps = path.split('m').skip(1).map(|step| pairs(step.trim_end_matches("h0"))[0]);
+        let mut at = (0.0, 0.0);
+        return steps
+            .map(|(dx, dy)| {
+                at = (at.0 + dx, at.1 + dy);
+                vec![at]
+            })
+            .collect();
+    }
+    path.split('M').skip(1).map(pairs).collect()
 }
 
 impl Drawing {
     pub(crate) fn read(svg: &str) -> Self {
         let mut drawing = Self { width: 0.0, height: 0.0, panels: vec![], texts: vec![], shapes: vec![] };
-        let mut frames: Vec<[f64; 4]> = vec![];
-        let (mut is_definition, mut groups, mut offset): (bool, Vec<bool>, Place) =
-            (false, vec![], (0.0, 0.0));
-        let mut members: Vec<Vec<usize>> = vec![];
+        let mut members: Vec<(Vec<usize>, Vec<usize>)> = vec![];
+        let mut is_panel = false;
         for (name, attributes, text) in elements(svg) {
             match name {
                 "svg" => {
-                    (drawing.width, drawing.height) =
-                        (number(&attributes, "width"), number(&attributes, "height"));
-                }
-                "defs" => is_definition = true,
-                "/defs" => is_definition = false,
-                "rect" if is_definition => {
-                    frames.push(["x", "y", "width", "height"].map(|name| number(&attributes, name)));
+                    let [_, _, width, height] = attributes["viewBox"]
+                        .split(' ')
+                        .map(|side| side.parse().unwrap())
+                        .collect::<Vec<f64>>()[..]
+                    else {
+                        panic!("{attributes:?}")
+                    };
+                    (drawing.width, drawing.height) = (width, height);
                 }
                 "g" => {
-                    let moves = attributes.get("transform").is_some_and(|it| it.starts_with("translate"));
-                    groups.push(moves);
-                    if moves {
-                        offset = pairs(attributes["transform"])[0];
-                        members.push(vec![]);
-                        let frame = &mut frames[members.len() - 1];
-                        (frame[0], frame[1]) = (frame[0] + offset.0, frame[1] + offset.1);
+                    is_panel = attributes["class"] == "panel";
+                    if is_panel {
+                        members.push((vec![], vec![]));
                     }
                 }
-                "/g" => {
-                    if groups.pop() == Some(true) {
-                        offset = (0.0, 0.0);
+                "text" => {
+                    if is_panel {
+                        members.last_mut().unwrap().1.push(drawing.texts.len());
                     }
+                    drawing.texts.push(Text::read(&attributes, text));
                 }
-                "text" => drawing.texts.push(Text::read(&attributes, text, offset)),
-                _ => {
-                    let Some(points) = outline(name, &attributes).filter(|_| !is_definition) else {
-                        continue;
+                "path" => {
+                    let colour = match attributes["fill"] {
+                        "none" => attributes["stroke"],
+                        fill => fill,
                     };
-                    if !groups.is_empty() {
-                        members.last_mut().unwrap().push(drawing.shapes.len());
+                    for points in pieces(attributes["d"]) {
+                        if is_panel {
+                            members.last_mut().unwrap().0.push(drawing.shapes.len());
+                        }
+                        let (class, colour) = (attributes["class"].to_owned(), colour.to_owned());
+                        drawing.shapes.push(Shape { class, colour, points });
                     }
-                    let fill = attributes.get("fill").copied().filter(|fill| *fill != "none");
-                    let colour = fill.or(attributes.get("stroke").copied()).unwrap_or("").to_owned();
-                    let points = points.into_iter().map(|(x, y)| (x + offset.0, y + offset.1)).collect();
-                    drawing.shapes.push(Shape { colour, is_filled: fill.is_some(), points });
                 }
+                _ => {}
             }
         }
-        assert_eq!(frames.len(), members.len(), "each panel has its frame");
-        let panels = frames.into_iter().zip(members);
-        drawing.panels = panels.map(|(frame, shapes)| Panel::of(frame, shapes, &drawing.texts)).collect();
+        let mut below: Option<Scale> = None;
+        // Panels without labels below them share those of the next.
+        for (shapes, texts) in members.into_iter().rev() {
+            let panel = Panel::of(shapes, &texts, &drawing, below);
+            below = Some(panel.x);
+            drawing.panels.insert(0, panel);
+        }
         drawing
+    }
+
+    /// The texts of a class, line by line.
+    pub(crate) fn of_class(&self, class: &str) -> Vec<&str> {
+        self.texts.iter().filter(|text| text.class == class).map(|text| text.content.as_str()).collect()
     }
 
     /// The curves of a panel in this colour, in the coordinates of the data, piece by piece.
     pub(crate) fn curves(&self, panel: usize, colour: &str) -> Vec<Vec<Place>> {
-        let shapes = self.of_colour(panel, colour).filter(|shape| !shape.is_filled);
+        let shapes = self.of_colour(panel, colour).filter(|shape| shape.class == "curve");
         shapes.map(|shape| shape.points.iter().map(|&at| self.panels[panel].data_at(at)).collect()).collect()
     }
 
     /// The middles of the markers of a panel in this colour, in the coordinates of the data.
     pub(crate) fn markers(&self, panel: usize, colour: &str) -> Vec<Place> {
-        let shapes = self.of_colour(panel, colour).filter(|shape| shape.is_filled);
+        let shapes = self.of_colour(panel, colour).filter(|shape| shape.class == "markers");
         shapes.map(|shape| self.panels[panel].data_at(middle(&shape.points))).collect()
     }
 
@@ -196,15 +197,13 @@ fn middle(points: &[Place]) -> Place {
 }
 
 impl Text {
-    fn read(attributes: &BTreeMap<&str, &str>, text: &str, offset: Place) -> Self {
+    fn read(attributes: &BTreeMap<&str, &str>, text: &str) -> Self {
+        let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
         Self {
-            content: text
-                .replace("&lt;", "<")
-                .replace("&gt;", ">")
-                .replace("&amp;", "&")
-                .replace("&#39;", "'"),
+            class: attributes["class"].to_owned(),
+            content: signs.iter().fold(text.to_owned(), |text, (written, sign)| text.replace(written, sign)),
             anchor: attributes["text-anchor"].to_owned(),
-            at: (number(attributes, "x") + offset.0, number(attributes, "y") + offset.1),
+            at: (number(attributes, "x"), number(attributes, "y")),
             size: number(attributes, "font-size"),
             is_turned: attributes.contains_key("transform"),
         }
@@ -212,7 +211,7 @@ impl Text {
 
     /// Left, top, right and bottom. Letters of `DejaVu Sans` are as high as 0.77 and as deep as 0.24 of its size.
     pub(crate) fn extent(&self) -> [f64; 4] {
-        let long = letters::width(&self.content, self.size);
+        let long = libration_report::text_width(&self.content, self.size);
         let before = match self.anchor.as_str() {
             "middle" => 0.5 * long,
             "end" => long,
@@ -228,20 +227,20 @@ impl Text {
 }
 
 impl Panel {
-    fn of([left, top, width, height]: [f64; 4], shapes: Vec<usize>, texts: &[Text]) -> Self {
-        let ticks = || texts.iter().filter(|text| !text.is_turned && text.size < 18.0);
-        let below = ticks()
-            .filter(|text| text.anchor == "middle" && (0.0..25.0).contains(&(text.at.1 - top - height)));
-        // The baseline of a label is so far below its tick.
-        const BASELINE: f64 = 6.2;
-        let beside = ticks().filter(|text| {
-            text.anchor == "end"
-                && text.at.0 < left
-                && (top - 1.0..top + height + 1.0).contains(&(text.at.1 - BASELINE))
-        });
-        let x = Scale::of(below.map(|text| (text.at.0, text.content.as_str())).collect());
-        let y = Scale::of(beside.map(|text| (text.at.1 - BASELINE, text.content.as_str())).collect());
-        Self { left, top, width, height, x, y, shapes }
+    fn of(shapes: Vec<usize>, texts: &[usize], drawing: &Drawing, below: Option<Scale>) -> Self {
+        let frame = shapes.iter().map(|&shape| &drawing.shapes[shape]).find(|shape| shape.class == "frame");
+        let corners = &frame.unwrap().points;
+        let ((left, bottom), (right, top)) = (corners[0], corners[2]);
+        let of_class = |class: &'static str| {
+            texts.iter().map(|&text| &drawing.texts[text]).filter(move |text| text.class == class)
+        };
+        // The base line of a label is so far below its tick.
+        let base_line = |text: &Text| 0.365 * text.size;
+        let across: Vec<_> = of_class("x-tick").map(|text| (text.at.0, text.content.as_str())).collect();
+        let up =
+            of_class("y-tick").map(|text| (text.at.1 - base_line(text), text.content.as_str())).collect();
+        let x = if across.is_empty() { below.unwrap() } else { Scale::of(across) };
+        Self { left, top, width: right - left, height: bottom - top, x, y: Scale::of(up), shapes }
     }
 
     fn data_at(&self, (x, y): Place) -> Place {
@@ -255,17 +254,21 @@ impl Panel {
 }
 
 impl Scale {
-    /// The scale of ticks with their labels.
+    /// The scale of ticks with their labels; names stand at 1, 2, 3 and so on, multiples of π count in it.
     fn of(ticks: Vec<(f64, &str)>) -> Self {
-        let is_logarithmic = ticks
+        let is_power = |label: &str| label.starts_with("10") && label.chars().any(|c| raised(c).is_some());
+        let is_logarithmic = ticks.iter().all(|(_, label)| is_power(label));
+        let values: Option<Vec<f64>> = ticks
             .iter()
-            .any(|(_, label)| label.starts_with("10") && label.chars().any(|c| raised(c).is_some()));
-        let value = |label: &str| {
-            if is_logarithmic { exponent(label) } else { label.replace('−', "-").parse().unwrap() }
-        };
-        let (first, last) = (ticks.first().unwrap(), ticks.last().unwrap());
-        let slope = (value(last.1) - value(first.1)) / (last.0 - first.0);
-        Self { origin: value(first.1) - slope * first.0, slope, is_logarithmic }
+            .map(
+                |(_, label)| if is_logarithmic { Some(exponent(&label["10".len()..])) } else { value(label) },
+            )
+            .collect();
+        let values = values
+            .unwrap_or_else(|| (1..=ticks.len()).map(|k| f64::from(u32::try_from(k).unwrap())).collect());
+        let last = ticks.len() - 1;
+        let slope = (values[last] - values[0]) / (ticks[last].0 - ticks[0].0);
+        Self { origin: values[0] - slope * ticks[0].0, slope, is_logarithmic }
     }
 
     fn value_at(self, place: f64) -> f64 {
@@ -274,11 +277,26 @@ impl Scale {
     }
 }
 
-fn exponent(label: &str) -> f64 {
-    if label == "1" {
-        return 0.0;
+/// The number of a tick: `−0.5`, `2×10⁻⁷`, `−3π/2` (in units of π).
+fn value(label: &str) -> Option<f64> {
+    let label = label.replace('−', "-");
+    if let Some((times, over)) = label.split_once('π') {
+        let times = match times {
+            "" => 1.0,
+            "-" => -1.0,
+            times => times.parse().ok()?,
+        };
+        let over: f64 = if over.is_empty() { 1.0 } else { over[1..].parse().ok()? };
+        return Some(times / over);
     }
-    label["10".len()..].chars().filter_map(raised).collect::<String>().parse().unwrap()
+    match label.split_once("×10") {
+        Some((times, power)) => Some(times.parse::<f64>().ok()? * 10f64.powf(exponent(power))),
+        None => label.parse().ok(),
+    }
+}
+
+fn exponent(raised_digits: &str) -> f64 {
+    raised_digits.chars().filter_map(raised).collect::<String>().parse().unwrap()
 }
 
 fn raised(letter: char) -> Option<char> {

@@ -248,6 +248,18 @@ fn a_motion_in_time_with_its_events() {
 }
 
 #[test]
+fn a_motion_in_the_phase_plane() {
+    let drawing = drawn("simulate|x''=-4*x|--initial|x=1|--times|0:10:1|--axes|x,x'", "--figure");
+    let curve = drawing.curves(0, FIRST).concat();
+    let (x, y) = drawing.panels[0].resolution();
+    assert!(
+        curve.len() > 1000
+            && curve.iter().all(|(at, speed)| (at.hypot(0.5 * speed) - 1.0).abs() < 2.0 * (x + y))
+    );
+    same_points(&drawing, 0, drawing.markers(0, BLACK), vec![(1.0, 0.0)]);
+}
+
+#[test]
 fn shapes_of_the_modes() {
     let drawing = drawn("modes|x''=y-2*x; y''=x-2*y", "--figure");
     same_points(&drawing, 0, drawing.markers(0, FIRST), vec![(1.0, 1.0), (2.0, 1.0)]);

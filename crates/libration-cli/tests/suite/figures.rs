@@ -1,6 +1,7 @@
 //! `libration figure`.
 
 use crate::command::{directory, json, libration, message, text};
+use crate::drawing::Drawing;
 
 fn drawn(arguments: &str) -> String {
     let path = directory(&format!("figure-{}", arguments.split(' ').next().unwrap())).join("figure.svg");
@@ -14,7 +15,7 @@ fn each_picture_labels_its_axes() {
     let cases = [
         ("errors --formulas bernoulli,black_vel_1", ["amplitude θ₀ / degrees", "|fractional error of T|"]),
         ("motion --amplitudes 30deg,150deg", ["time t / T₀", "angle θ / θ₀"]),
-        ("phase", ["angle θ / π", "velocity θ′ / ω₀"]),
+        ("phase", ["angle θ / rad", "velocity θ′ / ω₀"]),
         ("spectrum", ["harmonic n", "coefficient |aₙ| / rad"]),
         ("series pendulum", ["amplitude θ₀ / degrees", "radius of convergence, 180°"]),
         ("series duffing --amplitudes 0.5,1.1", ["last power of A kept", "A = 1.1"]),
@@ -48,4 +49,87 @@ fn the_numbers_behind_a_picture_are_in_its_json() {
         .min_by(|a, b| a[1].as_f64().unwrap().total_cmp(&b[1].as_f64().unwrap()));
     let zero = least.unwrap()[0].as_f64().unwrap();
     assert!((zero - 141.124673660617753).abs() < 0.01, "the one-term formula is exact at {zero}°");
+}
+
+/// The picture of a question.
+fn asked(question: &str) -> String {
+    let name: String = question.chars().filter(char::is_ascii_alphanumeric).take(60).collect();
+    let path = directory(&format!("figure-of-{name}")).join("figure.svg");
+    text(&format!("{question} --figure {}", path.display()));
+    std::fs::read_to_string(path).unwrap()
+}
+
+#[test]
+fn pictures_say_what_they_were_made_with() {
+    let cases = [
+        ("motion 60deg --length 2m", "θ₀ = 60°, l = 2 m, g = 9.80665 m/s²"),
+        ("decay 60deg --linear 0.1 --omega0 1rad/s --cycles 3", "θ₀ = 60°, ω₀ = 1 rad/s, c₁ = 0.1 1/s"),
+        (
+            "simulate driven_pendulum --set A=1.5,c=1/2 --initial theta=0.5 --times 0:1:0.5",
+            "A = 1.5 1/s², c = 0.5 1/s",
+        ),
+        ("modes double_pendulum", "l₁ = 1 m"),
+    ];
+    for (question, expected) in cases {
+        let svg = asked(question);
+        let words = Drawing::read(&svg).of_class("parameters").join(" ").replace('\u{a0}', " ");
+        assert!(words.contains(expected), "{question}: {words}");
+        // For those who cannot see it too.
+        let description = svg.split_once("<desc>").unwrap().1.split_once("</desc>").unwrap().0;
+        assert!(
+            description.contains(expected) && description.contains(" against "),
+            "{question}: {description}"
+        );
+        assert!(
+            svg.contains("<title>")
+                && svg.contains(" viewBox=\"0 0 ")
+                && svg.contains("prefers-color-scheme:dark")
+        );
+    }
+}
+
+#[test]
+fn nothing_hides_the_exact_curve_or_the_data() {
+    let svg = asked("motion 150deg --compare small-angle,fourier-3");
+    let curves: Vec<&str> = svg.split("<path class=\"curve\" ").skip(1).collect();
+    let colour = |curve: &str| curve.split_once("stroke=\"").unwrap().1[..7].to_owned();
+    // Wide beneath the others and thin above them.
+    assert_eq!([0, 3].map(|place| colour(curves[place])), ["#0072B2", "#0072B2"]);
+    assert!(curves[0].contains("stroke-opacity") && !curves[3].contains("stroke-opacity"));
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    for fit in ["periods", "lengths", "trace"] {
+        let file = match fit {
+            "periods" => "period_table_synthetic.csv",
+            "lengths" => "lengths_synthetic.csv",
+            _ => "swing_synthetic.csv --model linear",
+        };
+        let svg = asked(&format!("fit {fit} {examples}/{file}"));
+        for panel in svg.split("<g class=\"panel\">").skip(1) {
+            let last_curve = panel.rfind("class=\"curve\"").unwrap();
+            assert!(panel.find("class=\"markers\"").unwrap() > last_curve, "{fit}");
+        }
+    }
+}
+
+#[test]
+fn a_picture_is_as_large_as_it_is_asked_for() {
+    let sides = |options: &str| {
+        let drawing = Drawing::read(&drawn(&format!("spectrum {options}")));
+        (drawing.width, drawing.height)
+    };
+    let mm = 96.0 / 25.4;
+    for (options, width, height) in [
+        ("--width 120mm --height 9cm", 120.0 * mm, 90.0 * mm),
+        ("--width 600 --height 480px", 600.0, 480.0),
+        ("--size slide", 1280.0, 720.0),
+    ] {
+        let (found_width, found_height) = sides(options);
+        // To hundredths of a unit.
+        assert!((found_width - width).abs() < 0.006 && (found_height - height).abs() < 0.006, "{options}");
+    }
+    let path = directory("png-size").join("spectrum.png");
+    text(&format!("figure spectrum --width 254mm --height 127mm --output {}", path.display()));
+    let bytes = std::fs::read(path).unwrap();
+    let side = |from: usize| u32::from_be_bytes(bytes[from..from + 4].try_into().unwrap());
+    assert_eq!((side(16), side(20)), (3000, 1500), "300 pixels in an inch");
 }

@@ -166,12 +166,13 @@ fn the_report_lists_every_cycle_and_its_tables_can_be_copied() {
     let start = number(&first["time_s"]) - 0.5 * number(&first["period_s"]);
     assert!(cycles.contains(&format!("{start:.6}")), "{start}: {cycles}");
     assert!(cycles.contains("data-latex=\"% Every cycle") && cycles.contains("Copy for Word"));
-    // Names of curves stand beside the pictures, where they are not made smaller.
+    // The pictures are as wide as their place, say what they show, and have a colour for dark screens.
     let periods = section(&page, "Period and amplitude");
     assert!(
-        periods.contains("<ul class=\"legend\">") && periods.contains("constant period</li>"),
+        periods.contains(">constant period</text>") && periods.contains("prefers-color-scheme:dark"),
         "{periods}"
     );
+    assert!(periods.contains("<desc>period T / s from") && !periods.contains("<svg width"), "{periods}");
 }
 
 #[test]

@@ -36,6 +36,8 @@ pub(crate) struct Backbone {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -67,7 +69,13 @@ impl Backbone {
             };
             let setting = figure::backbone::Setting { title, order: self.order, is_angle: answer.is_angle() };
             let picture = figure::backbone::backbone(&answer.curve, &answer.points, &setting);
-            drawn.push(figure::file::write(path, &picture)?);
+            let values = answer
+                .asked
+                .values
+                .iter()
+                .map(|(name, value)| format!("{} = {value}", figure::names::symbol(name)));
+            let picture = picture.with_parameters(values);
+            drawn.push(figure::file::write(path, &picture, &self.sizes)?);
         }
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,

@@ -55,6 +55,8 @@ pub(crate) struct Bifurcation {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -102,7 +104,8 @@ impl Bifurcation {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::section::bifurcation(&diagram, &self.axis(&model)?))?]
+                let picture = figure::section::bifurcation(&diagram, &self.axis(&model)?);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

@@ -38,15 +38,6 @@ impl Diagram<'_> {
                 state: self.options.shown(&point.state, &self.angles),
             })
     }
-
-    /// The least and the greatest value asked for.
-    pub(crate) fn ends(&self) -> (f64, f64) {
-        let values = self.parameter.values.iter();
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(*value), high.max(*value))
-        })
-    }
-
     /// Whether each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
         self.sweeps.iter().all(|sweep: &Sweep| sweep.columns.len() == self.parameter.values.len())

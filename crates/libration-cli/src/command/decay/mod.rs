@@ -6,6 +6,7 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions};
 use crate::failure::Failure;
+use crate::figure::parameters;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt};
 use libration::pendulum::Pendulum;
@@ -43,6 +44,8 @@ pub(crate) struct Decay {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     pendulum: PendulumOptions,
     /// The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity
     #[arg(long, value_name = "VELOCITY", value_parser = arguments::angular_velocity, conflicts_with_all = ["length", "gravity"])]
@@ -52,6 +55,15 @@ pub(crate) struct Decay {
 }
 
 impl Decay {
+    fn made_with(&self, decay: &libration::decay::Decay) -> Vec<String> {
+        let pendulum = match self.omega0 {
+            Some(omega0) => vec![parameters::said("ω₀", omega0, "rad/s")],
+            None => parameters::of_pendulum(self.pendulum).to_vec(),
+        };
+        let start = parameters::amplitude(self.amplitude.radians());
+        [vec![start], pendulum, parameters::of_damping(decay.damping())].concat()
+    }
+
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let pendulum = match self.omega0 {
             Some(omega0) => {
@@ -65,7 +77,10 @@ impl Decay {
         interrupt::listen()?;
         let report = Report::new(&decay, self.extent)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::decay::of(&decay, &report))?],
+            Some(path) => {
+                let picture = figure::decay::of(&decay, &report).with_parameters(self.made_with(&decay));
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
             None => vec![],
         };
         let given = self.omega0.is_none().then_some(self.pendulum);

@@ -45,6 +45,8 @@ pub(crate) struct FitGates {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
     apparatus: ApparatusOptions,
@@ -68,7 +70,7 @@ impl FitGates {
         let fit = fit.map_err(|error| Failure::no_answer(&name, error))?;
         let budget = self.budget(&fit)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit))?],
+            Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?],
             None => vec![],
         };
         let findings: Vec<String> = read.findings.iter().map(told).collect();

@@ -39,6 +39,8 @@ pub(crate) struct FitLengths {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -50,7 +52,8 @@ impl FitLengths {
         let fit = fit::lengths(&measured.table, &options).map_err(|error| self.input.no_answer(error))?;
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::lengths::fitted(&measured, fit.best(), radius))?]
+                let picture = figure::lengths::fitted(&measured, fit.best(), radius);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

@@ -41,6 +41,8 @@ pub(crate) struct FitPeriods {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
     apparatus: ApparatusOptions,
@@ -71,6 +73,7 @@ impl FitPeriods {
             drawn.push(figure::file::write(
                 path,
                 &figure::periods::fitted(&measured.without(left_out), &fit),
+                &self.sizes,
             )?);
         }
         let answer = write::Answer {

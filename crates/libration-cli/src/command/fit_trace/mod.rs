@@ -54,6 +54,8 @@ pub(crate) struct FitTrace {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
     apparatus: ApparatusOptions,
@@ -67,7 +69,7 @@ impl FitTrace {
         let answer = self.fitted(&measured)?;
         let mut written = vec![];
         if let Some(path) = &self.figure {
-            written.push(figure::file::write(path, &report::pictures::of_all(&answer))?);
+            written.push(figure::file::write(path, &report::pictures::of_all(&answer), &self.sizes)?);
         }
         if let Some(path) = &self.report {
             document::write(path, &report::document(&answer))?;

@@ -54,6 +54,8 @@ pub(crate) struct Lyapunov {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -76,7 +78,9 @@ impl Lyapunov {
         let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
         let answer = Answer { model: &model, initial, schedule, found };
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::lyapunov::convergence(&answer))?],
+            Some(path) => {
+                vec![figure::file::write(path, &figure::lyapunov::convergence(&answer), &self.sizes)?]
+            }
             None => vec![],
         };
         answer.write(out, self.form.form(), drawn.is_empty())?;

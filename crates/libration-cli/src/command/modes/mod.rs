@@ -33,6 +33,8 @@ pub(crate) struct Modes {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -51,7 +53,8 @@ impl Modes {
         let answer = Answer { model, modes };
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::modes::shapes(&answer.model, &answer.modes))?]
+                let picture = figure::modes::shapes(&answer.model, &answer.modes);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

@@ -4,6 +4,7 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions, TimeOptions};
 use crate::failure::Failure;
+use crate::figure::parameters;
 use crate::output::progress::watched;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt};
@@ -36,12 +37,24 @@ pub(crate) struct Motion {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
     form: FormOptions,
 }
 
 impl Motion {
+    fn made_with(&self) -> Vec<String> {
+        let start = if self.velocity.abs() > 0.0 {
+            let angle = parameters::said("θ(0)", self.angle.degrees(), "°").replace(" °", "°");
+            vec![angle, parameters::said("θ′(0)", self.velocity, "rad/s")]
+        } else {
+            vec![parameters::amplitude(self.angle.radians())]
+        };
+        start.into_iter().chain(parameters::of_pendulum(self.pendulum)).collect()
+    }
+
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let pendulum = self.pendulum.pendulum()?;
         let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
@@ -50,7 +63,9 @@ impl Motion {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::motion::compared(&motion, &comparison, times.ends());
-                vec![figure::file::write(path, &picture)?]
+                let made_with = self.made_with();
+                let picture = picture.with_parameters(made_with);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

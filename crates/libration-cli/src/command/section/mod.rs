@@ -2,7 +2,9 @@
 
 mod write;
 
-use crate::arguments::{SectionOptions, SeveralInitialOptions, SystemOptions, named, section_failure, shown};
+use crate::arguments::{
+    SectionOptions, SeveralInitialOptions, SystemOptions, pair_of_state, section_failure, shown,
+};
 use crate::failure::Failure;
 use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
@@ -45,6 +47,8 @@ pub(crate) struct PoincareQuestion {
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -77,7 +81,8 @@ impl PoincareQuestion {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::section::section(&answer, &self.axes(&model)?))?]
+                let picture = figure::section::section(&answer, &self.axes(&model)?);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };
@@ -95,10 +100,7 @@ impl PoincareQuestion {
         let Some(names) = &self.axes else {
             return Ok([first, coordinates.len() + first].map(|place| shown(model, place)));
         };
-        match names.split(',').collect::<Vec<_>>()[..] {
-            [across, up] => Ok([named(model, "--axes", across)?, named(model, "--axes", up)?]),
-            _ => Err(Failure::usage("--axes", "give two names, as theta,theta'")),
-        }
+        pair_of_state(model, "--axes", names)
     }
 
     /// One section for each start, side by side.

@@ -30,6 +30,8 @@ use std::path::{Path, PathBuf};
     --initial \"theta=60deg,theta'=0\" --times 0:100:0.1 --csv
   libration simulate double_pendulum --times 0:20:0.1 \\
     --initial theta1=120deg,theta2=120deg --figure double.svg
+  libration simulate damped_pendulum --set c=0.1 --initial theta=170deg \\
+    --times 0:60:1 --figure plane.svg --axes \"theta,theta'\"
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 \\
     --times 0,1,10 --json
   libration simulate pendulum --initial theta=179deg --times 0:50:1 \\
@@ -69,6 +71,11 @@ pub(crate) struct Simulate {
     /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// What the picture shows instead of the coordinates against time: one number of the state against another, such as theta,theta'
+    #[arg(long, value_name = "NAME,NAME", requires = "figure")]
+    axes: Option<String>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
     /// Write the answer to a file, whole or not at all, or into a stream; the endings .json and .csv choose the form, - is the
     /// standard output
     #[arg(long, value_name = "FILE")]
@@ -102,7 +109,12 @@ impl Simulate {
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
-        let figure = self.figure.as_deref();
+        let axes = self
+            .axes
+            .as_deref()
+            .map(|names| arguments::pair_of_state(&model, "--axes", names))
+            .transpose()?;
+        let figure = self.figure.as_deref().map(|path| run::Figure { path, sizes: &self.sizes, axes });
         let (ending, written) = match &self.output {
             None => {
                 let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
@@ -137,7 +149,7 @@ impl Simulate {
 fn write_file(
     motion: Motion<'_>,
     form: Form,
-    figure: Option<&Path>,
+    figure: Option<run::Figure<'_>>,
     path: &Path,
 ) -> Result<(Ending, Vec<String>), Failure> {
     let mut file = NewFile::create(path)?;

@@ -7,6 +7,7 @@ use super::watch::Watch;
 use crate::arguments::{Initial, Times};
 use crate::failure::Failure;
 use crate::figure;
+use crate::figure::section::Shown;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
@@ -24,6 +25,15 @@ pub(super) struct Motion<'a> {
     pub(super) effort: Effort,
     pub(super) watched: Watched,
     pub(super) earlier: Option<Earlier>,
+}
+
+/// A picture of the motion.
+#[derive(Debug)]
+pub(super) struct Figure<'a> {
+    pub(super) path: &'a Path,
+    pub(super) sizes: &'a figure::Sizes,
+    /// What it shows, if not the coordinates against time.
+    pub(super) axes: Option<[Shown; 2]>,
 }
 
 /// How an integration ended.
@@ -50,7 +60,7 @@ impl Motion<'_> {
     pub(super) fn write(
         &self,
         form: Form,
-        figure: Option<&Path>,
+        figure: Option<Figure<'_>>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
     ) -> Result<Outcome, Failure> {
@@ -59,7 +69,7 @@ impl Motion<'_> {
         let mut report = of_form(form, figure.is_none());
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
-        let trace = figure.map(|_| Trace::new(self.model, self.times.last()));
+        let trace = figure.as_ref().map(|_| Trace::new(self.model, self.times.last()));
         let mut watch = Watch::new(self, &mut *report, out, balance, trace, keeper);
         watch.begin()?;
         let (ending, steps) = self.follow(&system, &mut watch)?;
@@ -67,7 +77,14 @@ impl Motion<'_> {
         let state = watch.state().clone();
         watch.end(&Summary { steps, drift, ending: ending.clone(), state: state.clone() })?;
         let drawn = match (figure, watch.trace) {
-            (Some(path), Some(trace)) => vec![figure::file::write(path, &trace.picture(self.model))?],
+            (Some(figure), Some(trace)) => {
+                let start = &self.initial.state;
+                let picture = match &figure.axes {
+                    Some(axes) => trace.plane(self.model, start, axes),
+                    None => trace.picture(self.model, start),
+                };
+                vec![figure::file::write(figure.path, &picture, figure.sizes)?]
+            }
             _ => vec![],
         };
         Ok(Outcome { ending, state, drawn })

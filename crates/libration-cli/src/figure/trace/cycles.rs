@@ -1,6 +1,6 @@
 //! Period against amplitude, and amplitude against time, cycle by cycle.
 
-use super::super::chart::{Axis, Look, Panel, Picture, Point, Series};
+use super::super::chart::{Axis, Look, Panel, Picture, Point, Series, Units};
 use super::super::range::around;
 use super::super::style;
 use libration_lab::fit::Law;
@@ -24,21 +24,24 @@ pub(crate) fn periods(swings: &[Swings<'_>], t0: f64, beta: Option<(f64, f64)>) 
         swings.iter().flat_map(|swing| swing.cycles.iter().map(|cycle| cycle.amplitude.to_degrees()));
     let (_, to) = around(amplitudes.chain([0.0]));
     let to = to.min(180.0);
-    let mut series: Vec<Series> =
+    let data: Vec<Series> =
         swings.iter().enumerate().map(|(number, swing)| measured(number, swing, count)).collect();
     let curve = |ratio: &dyn Fn(f64) -> f64, t0: f64| {
         let degrees = (0..SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
         degrees.map(|x| (x, t0 * ratio(x.to_radians()))).collect::<Vec<_>>()
     };
     let exact = |amplitude| Law::exact().ratio_at(amplitude);
-    let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|p| p.y)).chain([t0]));
-    series.push(Series::line("exact law", style::exact_law(), curve(&exact, t0)));
-    series.push(Series::line("constant period", style::reference(), curve(&|_| 1.0, t0)));
+    let (low, high) = around(data.iter().flat_map(|series| series.points.iter().map(|p| p.y)).chain([t0]));
+    let mut series = vec![
+        Series::line("exact law", style::exact_law(), curve(&exact, t0)),
+        Series::line("constant period", style::reference(), curve(&|_| 1.0, t0)),
+    ];
     if let Some((beta, t0)) = beta {
         let bent = |amplitude| beta.mul_add(exact(amplitude) - 1.0, 1.0);
         series.push(Series::line("with the fitted β", style::curve(2), curve(&bent, t0)));
     }
-    let x = Axis::linear("amplitude θ₀ / degrees", 0.0, to);
+    series.extend(data);
+    let x = Axis::linear("amplitude θ₀ / degrees", 0.0, to).in_units(Units::Degrees);
     let y = Axis::linear("period T / s", low, high);
     Picture::new("Period against amplitude", vec![Panel { x, y, series, share: 1.0 }])
 }
@@ -77,18 +80,18 @@ pub(crate) fn amplitudes(
     let (from, to) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(1.0));
     let x = Axis::linear("time t / s", from, to);
     let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
-    let mut above = vec![of_half_swings("half swings", half_swings, &sizes)];
-    above.extend(models(chosen, others).map(|(model, look)| {
+    let law = |(model, look): (&Envelope, Look)| {
         let sizes = model.amplitudes.iter().map(|amplitude| amplitude.to_degrees());
-        let points = times.iter().copied().zip(sizes);
-        Series::line(&model.name, look, points)
-    }));
+        Series::line(&model.name, look, times.iter().copied().zip(sizes))
+    };
+    let mut above: Vec<Series> = models(chosen, others).map(law).collect();
+    above.push(of_half_swings("half swings", half_swings, &sizes));
     let (low, high) = around(sizes.iter().map(|size| size.to_degrees()));
-    let y = Axis::linear("amplitude / degrees", low.max(0.0), high);
+    let y = Axis::linear("amplitude / degrees", low.max(0.0), high).in_units(Units::Degrees);
     let Some(chosen) = chosen else {
         return Picture::new(title, vec![Panel { x, y, series: above, share: 1.0 }]);
     };
-    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    let unlabelled = x.unlabelled();
     let above = Panel { x: unlabelled, y, series: above, share: 0.55 };
     Picture::new(title, vec![above, differences(x, half_swings, chosen, others)])
 }
@@ -108,11 +111,12 @@ fn differences(x: Axis, half_swings: &[HalfSwing], chosen: &Envelope, others: &[
     };
     let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
     let measured = less(&sizes);
-    let mut series = vec![of_half_swings("", half_swings, &measured)];
-    series.extend(models(Some(chosen), others).map(|(model, look)| {
+    let law = |(model, look): (&Envelope, Look)| {
         let points = less(&model.amplitudes).into_iter().map(f64::to_degrees);
         Series::line("", look, half_swings.iter().map(|half| half.time).zip(points))
-    }));
+    };
+    let mut series: Vec<Series> = models(Some(chosen), others).map(law).collect();
+    series.push(of_half_swings("", half_swings, &measured));
     let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
     Panel { x, y: Axis::linear("less the fitted one / degrees", low, high), series, share: 0.45 }
 }

@@ -1,6 +1,6 @@
 //! The data with the fitted curve, and what is left between them.
 
-use super::super::chart::{Axis, Look, Panel, Picture, Series};
+use super::super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::super::range::around;
 use super::super::style;
 use super::Fitted;
@@ -29,13 +29,13 @@ fn duration(swing: &Fitted<'_>) -> f64 {
 pub(crate) fn whole(swing: &Fitted<'_>, title: &str) -> Picture {
     let rows = 0..swing.trace.len();
     let x = time_axis(swing, &rows);
-    let unlabelled = Axis { label: String::new(), ..x.clone() };
+    let unlabelled = x.unlabelled();
     let above = panel(unlabelled, &swing.label(), both(swing, &rows, true), 0.62);
     let zero = [x.from, x.to].map(|time| (time, 0.0));
     let residuals = points(swing, &rows, &swing.fitted.residuals);
     let left = vec![
-        Series::line("", small_dots(rows.len()), thinned(residuals)),
         Series::line("", style::exact_law(), zero),
+        Series::line("", small_dots(rows.len()), thinned(residuals)),
     ];
     Picture::new(title, vec![above, panel(x, &residual_label(swing), left, 0.38)])
 }
@@ -59,10 +59,7 @@ pub(crate) fn stretches(swing: &Fitted<'_>, title: &str) -> Picture {
         (rows.len() > 1).then(|| panel(x, &format!("{name} / {}", swing.unit()), shown, 1.0))
     });
     let panels: Vec<Panel> = panels.collect();
-    Picture {
-        height: 320.0 * f64::from(u8::try_from(panels.len()).unwrap_or(3)),
-        ..Picture::new(title, panels)
-    }
+    Picture { aspect: 1.0, ..Picture::new(title, panels) }
 }
 
 fn time_axis(swing: &Fitted<'_>, rows: &Range<usize>) -> Axis {
@@ -71,7 +68,7 @@ fn time_axis(swing: &Fitted<'_>, rows: &Range<usize>) -> Axis {
     Axis::linear("time t / s", from, to)
 }
 
-/// The measured points with the fitted curve over them.
+/// The fitted curve with the measured points over it.
 fn both(swing: &Fitted<'_>, rows: &Range<usize>, with_names: bool) -> Vec<Series> {
     let name = |name: &'static str| if with_names { name } else { "" };
     let fitted: Vec<f64> =
@@ -82,12 +79,12 @@ fn both(swing: &Fitted<'_>, rows: &Range<usize>, with_names: bool) -> Vec<Series
         smooth(&swing.trace.times()[rows.clone()], &fitted)
     };
     vec![
+        Series::line(name("fitted"), Look { width: 1.6, ..style::exact_law() }, curve),
         Series::line(
             name("measured"),
             small_dots(rows.len()),
             thinned(points(swing, rows, swing.trace.values())),
         ),
-        Series::line(name("fitted"), Look { width: 1.8, ..style::exact_law() }, curve),
     ]
 }
 
@@ -97,10 +94,12 @@ fn points(swing: &Fitted<'_>, rows: &Range<usize>, values: &[f64]) -> Vec<(f64, 
 
 fn small_dots(count: usize) -> Look {
     let look = style::measurements(count);
-    if count > 1000 { Look { width: 1.6, ..look } } else { look }
+    if count > 1000 { Look { width: 1.1, ..look } } else { look }
 }
 
 fn panel(x: Axis, label: &str, series: Vec<Series>, share: f64) -> Panel {
     let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
-    Panel { x, y: Axis::linear(label, low, high), series, share }
+    let y = Axis::linear(label, low, high);
+    let y = if label.ends_with("degrees") { y.in_units(Units::Degrees) } else { y };
+    Panel { x, y, series, share }
 }

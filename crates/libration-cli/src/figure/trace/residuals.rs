@@ -1,6 +1,6 @@
 //! Whether residuals are noise: how alike they are from row to row, and how they are distributed.
 
-use super::super::chart::{Axis, Panel, Picture, Series};
+use super::super::chart::{Axis, Panel, Picture, Series, Units};
 use super::super::range::around;
 use super::super::style;
 use libration_lab::fit::trace::Autocorrelation;
@@ -15,7 +15,7 @@ const WIDEST: f64 = 4.0;
 /// The autocorrelation of the residuals with the range noise would keep to, and their histogram beside the normal one.
 pub(crate) fn residuals(correlation: &Autocorrelation, residuals: &[f64]) -> Picture {
     let panels = vec![autocorrelation(correlation, residuals.len()), histogram(residuals)];
-    Picture { height: 760.0, ..Picture::new("Are the residuals noise?", panels) }
+    Picture { aspect: 0.8, ..Picture::new("Are the residuals noise?", panels) }
 }
 
 fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
@@ -34,8 +34,7 @@ fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
         Series::line("residuals", style::marks(0), points),
     ];
     let x = Axis::linear("lag / rows", 0.0, last);
-    let whole = x.tick_step.max(1.0);
-    Panel { x: x.with_tick_step(whole), y: Axis::linear("autocorrelation", low, high), series, share: 1.0 }
+    Panel { x: x.in_units(Units::Whole), y: Axis::linear("autocorrelation", low, high), series, share: 1.0 }
 }
 
 fn histogram(residuals: &[f64]) -> Panel {
@@ -62,7 +61,7 @@ fn histogram(residuals: &[f64]) -> Panel {
         Series::line("normal distribution", style::exact_law(), normal),
         Series::line("residuals", style::thin(0), outline),
     ];
-    let x = Axis::linear("residual / standard deviation", -WIDEST, WIDEST).with_tick_step(1.0);
+    let x = Axis::linear("residual / standard deviation", -WIDEST, WIDEST).in_units(Units::Whole);
     Panel { x, y: Axis::linear("rows", 0.0, high), series, share: 1.0 }
 }
 

@@ -9,8 +9,6 @@ pub(crate) const REMAINING: &[&str] = &[
     "libration-cli: : arguments command document figure",
     "libration-cli: command/fit_trace: advice answer sheet warnings",
     "libration-cli: command/simulate: report run sheet watch",
-    "libration-cli: document: html legend",
-    "libration-cli: figure: chart frame legend",
     "libration-derivation: : check document print",
     "libration-derivation: paper/black_vel: accuracy regimes",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",

@@ -3,7 +3,9 @@
 use super::super::answer::Answer;
 use crate::document::{Block, Figure};
 use crate::figure::chart::Picture;
+use crate::figure::parameters::found;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
+use libration::quantity::Quantity;
 use libration_lab::fit::cycles::HalfSwing;
 use libration_lab::fit::trace::TraceFit;
 use libration_lab::measurement::Seen;
@@ -25,10 +27,14 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let count = answer.measured.traces.len();
     let pictures: Vec<Picture> =
         (0..count).map(|trace| draw::whole(&swing(answer, trace), "Swing and fit")).collect();
-    let height =
-        pictures.iter().map(|picture| if count > 1 { 0.7 * picture.height } else { picture.height }).sum();
+    let aspect =
+        pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    Picture { height, ..Picture::new("Swing and fitted motion", panels) }
+    let (t0, uncertainty) = answer.fit.small_angle_period();
+    let t0 = found("T₀", Quantity { value: t0, uncertainty: Some(uncertainty) }, "s");
+    let picture = Picture::new("Swing and fitted motion", panels);
+    let damping = format!("damping: {}", answer.fit.damping);
+    Picture { aspect, ..picture.with_parameters([t0, damping]) }
 }
 
 /// The name of a trace, for file names and titles; empty for a trace alone.

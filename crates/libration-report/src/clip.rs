@@ -1,16 +1,14 @@
-//! Curves cut to the frame of their axes, since the drawing library draws over it.
+//! Curves cut to the frame of their axes.
 
-use super::chart::{Panel, Point, Series};
+use crate::chart::{Panel, Point, Series};
+use crate::scene::Place;
 
-/// A point in the coordinates in which the axes are evenly divided.
-pub(super) type Place = (f64, f64);
-
-/// The pieces of a curve that lie within the frame; gaps at points that are not numbers.
-pub(super) fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
+/// The pieces of a curve that lie within the frame, in parts of the axes; gaps at points that are not numbers.
+pub(crate) fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
     let places: Vec<Place> = series.points.iter().map(|point| place(point, panel)).collect();
     let mut pieces: Vec<Vec<Place>> = vec![];
     for pair in places.windows(2) {
-        let Some((start, end)) = visible_part(pair[0], pair[1], panel) else { continue };
+        let Some((start, end)) = visible_part(pair[0], pair[1]) else { continue };
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&start) => piece.push(end),
             _ => pieces.push(vec![start, end]),
@@ -19,36 +17,36 @@ pub(super) fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> 
     pieces
 }
 
-/// Where a point is drawn.
-pub(super) fn place(point: &Point, panel: &Panel) -> Place {
-    (panel.x.coordinate(point.x), panel.y.coordinate(point.y))
+/// Where a point is drawn, in parts of the axes.
+pub(crate) fn place(point: &Point, panel: &Panel) -> Place {
+    (panel.x.part(point.x), panel.y.part(point.y))
 }
 
 /// Whether a point lies within the frame.
-pub(super) fn is_visible(point: &Point, panel: &Panel) -> bool {
+pub(crate) fn is_visible(point: &Point, panel: &Panel) -> bool {
     (panel.x.from..=panel.x.to).contains(&point.x) && (panel.y.from..=panel.y.to).contains(&point.y)
 }
 
 /// The part of a segment inside the frame, by Liang and Barsky's method.
-fn visible_part(a: Place, b: Place, panel: &Panel) -> Option<(Place, Place)> {
+fn visible_part(a: Place, b: Place) -> Option<(Place, Place)> {
     if ![a.0, a.1, b.0, b.1].iter().all(|value| value.is_finite()) {
         return None;
     }
-    let (x, y) = (part_within(a.0, b.0, panel.x.ends())?, part_within(a.1, b.1, panel.y.ends())?);
+    let (x, y) = (part_within(a.0, b.0)?, part_within(a.1, b.1)?);
     let (start, end) = (x.0.max(y.0).max(0.0), x.1.min(y.1).min(1.0));
     (start < end).then(|| (along(a, b, start), along(a, b, end)))
 }
 
-/// The range of the parameter, 0 at `from` and 1 at `to`, in which the coordinate lies within the ends.
-fn part_within(from: f64, to: f64, (low, high): Place) -> Option<(f64, f64)> {
-    if from.max(to) < low || from.min(to) > high {
+/// The range of the parameter, 0 at `from` and 1 at `to`, in which the coordinate lies between 0 and 1.
+fn part_within(from: f64, to: f64) -> Option<(f64, f64)> {
+    if from.max(to) < 0.0 || from.min(to) > 1.0 {
         return None;
     }
     let step = to - from;
     if step.abs() < f64::MIN_POSITIVE {
         return Some((0.0, 1.0));
     }
-    let (first, second) = ((low - from) / step, (high - from) / step);
+    let (first, second) = (-from / step, (1.0 - from) / step);
     Some((first.min(second), first.max(second)))
 }
 
@@ -65,8 +63,8 @@ fn along(a: Place, b: Place, parameter: f64) -> Place {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{chart::Axis, style};
     use super::*;
+    use crate::{chart::Axis, style};
 
     fn pieces(points: &[Place]) -> Vec<Vec<Place>> {
         let x = Axis::linear("", 0.0, 10.0);
@@ -77,7 +75,7 @@ mod tests {
 
     #[test]
     fn a_curve_that_leaves_the_frame_ends_at_its_edge() {
-        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001)]), [[(0.0, -1.0), (1.0, -2.0)]]);
+        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001)]), [[(0.0, 0.5), (0.1, 0.0)]]);
     }
 
     #[test]

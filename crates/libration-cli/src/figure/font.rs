@@ -1,0 +1,83 @@
+//! The letters of a PNG: a part of `DejaVu Sans` that is within the command, so that every system draws the same.
+
+use tiny_skia::{Path, PathBuilder, Transform};
+use ttf_parser::{Face, OutlineBuilder};
+
+/// Latin, Greek and Cyrillic letters and the signs of formulas, by `pyftsubset` from `DejaVu Sans` 2.37.
+const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
+
+/// The font, ready to draw.
+pub(super) struct Font(Face<'static>);
+
+impl Font {
+    /// Nothing if the font within the command were damaged.
+    pub(super) fn new() -> Option<Self> {
+        Face::parse(FONT, 0).ok().map(Self)
+    }
+
+    /// The outline of a text of size 1 that begins at the origin, upside down as on a canvas, and its width.
+    pub(super) fn outline(&self, text: &str) -> (Option<Path>, f32) {
+        let scale = f32::from(self.0.units_per_em()).recip();
+        let (mut all, mut at) = (PathBuilder::new(), 0.0);
+        for letter in text.chars() {
+            let glyph = self.0.glyph_index(letter).unwrap_or_default();
+            let mut pen = Pen(PathBuilder::new());
+            self.0.outline_glyph(glyph, &mut pen);
+            let place = Transform::from_row(scale, 0.0, 0.0, -scale, at, 0.0);
+            if let Some(path) = pen.0.finish().and_then(|path| path.transform(place)) {
+                all.push_path(&path);
+            }
+            at += scale * f32::from(self.0.glyph_hor_advance(glyph).unwrap_or_default());
+        }
+        (all.finish(), at)
+    }
+}
+
+struct Pen(PathBuilder);
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.0.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.0.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.0.quad_to(x1, y1, x, y);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.0.cubic_to(x1, y1, x2, y2, x, y);
+    }
+
+    fn close(&mut self) {
+        self.0.close();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The layout and the renderer have the same widths.
+    #[test]
+    fn text_is_as_wide_as_it_is_laid_out() {
+        let font = Font::new().unwrap();
+        for text in [
+            "fractional error of T",
+            "θ₀ / degrees",
+            "10⁻¹²",
+            "2×10⁻⁷ − π/2 ≤ ω′ ± ∞",
+            "Перiод",
+            "Lindstedt–Poincaré",
+        ] {
+            let (_, width) = font.outline(text);
+            let laid_out = libration_report::text_width(text, 1.0);
+            // Each advance is rounded to a thousandth.
+            let rounding = 0.0005 * f64::from(u32::try_from(text.chars().count()).unwrap());
+            assert!((f64::from(width) - laid_out).abs() <= rounding + 1e-5, "{text}: {width} {laid_out}");
+        }
+    }
+}

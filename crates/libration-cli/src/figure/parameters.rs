@@ -1,0 +1,99 @@
+//! What a picture was made with, as a line under its title: `l = 1 m`, `g = 9.80665 m/s²`, `θ₀ = 60°`.
+
+use super::names::symbol;
+use crate::arguments::PendulumOptions;
+use crate::output::number::{self, short};
+use crate::output::series::subscript;
+use libration::decay::{Damping, DampingTerm};
+use libration::quantity::Quantity;
+use libration::systems::{Model, NamedSystem};
+
+/// Digits of a parameter.
+const DIGITS: usize = 6;
+/// More numbers of a start than this are not listed.
+const MOST_OF_START: usize = 6;
+
+/// Length and gravity.
+pub(crate) fn of_pendulum(pendulum: PendulumOptions) -> [String; 2] {
+    [said("l", pendulum.length(), "m"), said("g", pendulum.gravity(), "m/s²")]
+}
+
+/// An angle of release.
+pub(crate) fn amplitude(radians: f64) -> String {
+    format!("θ₀ = {}°", shown(radians.to_degrees()))
+}
+
+/// A parameter with its value and unit.
+pub(crate) fn said(name: &str, value: f64, unit: &str) -> String {
+    format!("{} = {} {}", symbol(name), shown(value), unit.replace("^2", "²")).trim_end().to_owned()
+}
+
+/// A result with its uncertainty, where it is known.
+pub(crate) fn found(name: &str, value: Quantity, unit: &str) -> String {
+    match value.uncertainty {
+        Some(uncertainty) => {
+            format!("{name} = ({})", number::with_uncertainty(value.value, uncertainty, ""))
+                .replace(" )", ")")
+                + " "
+                + unit
+        }
+        None => said(name, value.value, unit),
+    }
+}
+
+/// The values of a system's parameters, except those that are zero and leave something out.
+pub(crate) fn of_model(model: &Model) -> Vec<String> {
+    let units =
+        model.key().and_then(|key| NamedSystem::by_key(key).ok()).map_or(&[][..], |named| named.parameters);
+    let parameter = |(name, _): &(String, _)| {
+        let value = model.value_of(name).filter(|value| value.abs() > 0.0)?;
+        let unit = units.iter().find(|known| known.name == name).map_or("", |known| known.unit);
+        Some(said(name, value, if unit == "1" { "" } else { unit }))
+    };
+    model.values().iter().filter_map(parameter).collect()
+}
+
+/// The state a motion begins in, if it is of few numbers: `θ₁(0) = 60°`. What is at rest is not named.
+pub(crate) fn of_start(model: &Model, state: &[f64]) -> Vec<String> {
+    let named = model.state_names().into_iter().zip(model.state_units()).zip(state);
+    let moved: Vec<_> = named.filter(|(_, value)| value.abs() > 0.0).collect();
+    let number = |((name, unit), value): &((String, String), &f64)| {
+        let name = format!("{}(0)", symbol(name));
+        if unit == "rad" {
+            format!("{name} = {}°", shown(value.to_degrees()))
+        } else {
+            said(&name, **value, unit)
+        }
+    };
+    if moved.len() > MOST_OF_START { vec![] } else { moved.iter().map(number).collect() }
+}
+
+/// The coefficients of a damping, each with the power of the velocity it belongs to.
+pub(crate) fn of_damping(damping: &Damping) -> Vec<String> {
+    let term = |term: &DampingTerm| {
+        let power = [0_usize, 1, 2, 3].into_iter().zip([0.0, 1.0, 2.0, 3.0]);
+        let known = power.into_iter().find(|(_, power)| (power - term.exponent).abs() <= 0.0);
+        let name = known
+            .map_or_else(|| format!("c({})", short(term.exponent, 3)), |(n, _)| format!("c{}", subscript(n)));
+        let unit = ["rad/s²", "1/s", "1/rad", "s/rad²"];
+        said(&name, term.coefficient, known.and_then(|(n, _)| unit.get(n).copied()).unwrap_or(""))
+    };
+    damping.terms().iter().map(term).collect()
+}
+
+fn shown(value: f64) -> String {
+    short(value, DIGITS).replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_have_names_and_units() {
+        assert_eq!(said("l", 1.0, "m"), "l = 1 m");
+        assert_eq!(said("g", 9.80665, "m/s^2"), "g = 9.80665 m/s²");
+        assert_eq!(said("gamma", -0.5, ""), "γ = −0.5");
+        assert_eq!(amplitude(1.0_f64.to_radians()), "θ₀ = 1°");
+    }
+}

@@ -1,0 +1,125 @@
+//! How large a picture shall be: as a page, a column or a slide, or with sides of its own.
+
+use super::chart::Picture;
+use crate::failure::Failure;
+use libration_report::draw;
+use libration_report::format::{Format, TooSmall, UNITS_PER_MM};
+use libration_report::scene::Scene;
+use std::fmt;
+
+/// The options for the size of a picture.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Sizes {
+    /// Size of the picture: as wide as a page's text (170 mm), as a column (80 mm), or a slide with larger letters
+    #[arg(long, value_enum, default_value = "page", requires = "figure")]
+    size: Preset,
+    /// Width of the picture, such as 120mm, 12cm or 600 (600px, of which 96 are an inch) [default: by --size]
+    #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
+    width: Option<Side>,
+    /// Height of the picture [default: what suits it]
+    #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
+    height: Option<Side>,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Preset {
+    Page,
+    Column,
+    Slide,
+}
+
+/// A length with the unit it was given in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Side {
+    length: f64,
+    unit: &'static Unit,
+}
+
+#[derive(Debug, PartialEq)]
+struct Unit {
+    name: &'static str,
+    /// In units of a picture.
+    size: f64,
+}
+
+const PIXEL: Unit = Unit { name: "", size: 1.0 };
+const MILLIMETRE: Unit = Unit { name: "mm", size: UNITS_PER_MM };
+/// By their endings, of which the last one that fits counts.
+const UNITS: [Unit; 3] =
+    [Unit { name: "px", size: 1.0 }, MILLIMETRE, Unit { name: "cm", size: 10.0 * UNITS_PER_MM }];
+
+/// Larger pictures take gigabytes as a PNG.
+const LARGEST: f64 = 4000.0;
+
+impl Sizes {
+    /// The picture laid out in the size asked for, if that holds it.
+    pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, Failure> {
+        let format = self.format();
+        let refused = |name: &str, asked: Option<Side>, usual: f64, least: f64| {
+            let side = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
+            let least = Side { length: (least / side.unit.size - 1e-6).ceil(), ..side };
+            let reason = format!("{side} does not hold this picture with its labels: give at least {least}");
+            Failure::no_answer(name, reason)
+        };
+        draw(picture, &format).map_err(|error| match error {
+            TooSmall::Width(least) => refused("--width", self.width, format.width, least),
+            TooSmall::Height(least) => refused("--height", self.height, format.height.unwrap_or(0.0), least),
+        })
+    }
+
+    fn format(&self) -> Format {
+        let usual = match self.size {
+            Preset::Page => Format::PAGE,
+            Preset::Column => Format::COLUMN,
+            Preset::Slide => Format::SLIDE,
+        };
+        let height = self.height.map(Side::in_units);
+        match self.width {
+            // A width of one's own leaves the height to the picture.
+            Some(width) => Format { width: width.in_units(), height, ..usual },
+            None => Format { height: height.or(usual.height), ..usual },
+        }
+    }
+}
+
+impl Side {
+    fn in_units(self) -> f64 {
+        self.length * self.unit.size
+    }
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.length, self.unit.name)
+    }
+}
+
+/// A side of a picture, up to a poster's.
+fn side(text: &str) -> Result<Side, String> {
+    let text = text.trim();
+    let unit = UNITS.iter().find(|unit| text.ends_with(unit.name)).unwrap_or(&PIXEL);
+    let number = text[..text.len() - unit.name.len()].trim().parse().ok();
+    let side = number.map(|length| Side { length, unit });
+    side.filter(|side| side.length > 0.0 && side.in_units() <= LARGEST).ok_or_else(|| {
+        let most = (LARGEST / UNITS_PER_MM).floor();
+        format!("give a length above 0, such as 80mm, 12cm or 600 (pixels), at most {LARGEST} or {most}mm")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_have_units() {
+        let units = |text| side(text).map(Side::in_units);
+        assert_eq!(units("600"), Ok(600.0));
+        assert_eq!(units("600px"), Ok(600.0));
+        assert!(
+            (units("25.4mm").unwrap() - 96.0).abs() < 1e-9 && (units("2.54 cm").unwrap() - 96.0).abs() < 1e-9
+        );
+        for text in ["", "mm", "0", "-3", "nan", "inf", "wide", "4001", "2m", "1059mm"] {
+            assert!(side(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! What a picture shows, in sentences.
+
+use crate::chart::{Axis, Mark, Panel, Picture, Scale, Series};
+use crate::numbers::short;
+
+/// The parameters, then for each panel what it shows against what, between which ends, and all that has a name.
+pub(crate) fn picture(picture: &Picture) -> String {
+    let parameters = (!picture.parameters.is_empty()).then(|| format!("{}.", picture.parameters.join(", ")));
+    let mut across = "";
+    let panels: Vec<String> = picture
+        .panels
+        .iter()
+        .rev()
+        .map(|panel| {
+            if !panel.x.label.is_empty() {
+                across = &panel.x.label;
+            }
+            self::panel(panel, across)
+        })
+        .collect();
+    parameters.into_iter().chain(panels.into_iter().rev()).collect::<Vec<_>>().join(" ")
+}
+
+fn panel(panel: &Panel, across: &str) -> String {
+    let axes = format!("{} against {}.", axis(&panel.y, &panel.y.label), axis(&panel.x, across));
+    let named = panel.series.iter().filter(|series| !series.label.is_empty());
+    let named: Vec<String> = named.map(what).collect();
+    if named.is_empty() { axes } else { format!("{axes} Shown: {}.", named.join("; ")) }
+}
+
+fn axis(axis: &Axis, label: &str) -> String {
+    let scale = if axis.scale == Scale::Logarithmic { ", logarithmic" } else { "" };
+    format!("{label} from {} to {}{scale}", short(axis.from), short(axis.to))
+}
+
+fn what(series: &Series) -> String {
+    let count = series.points.len();
+    let kind = match series.look.mark {
+        Mark::Line([]) => "a line".to_owned(),
+        Mark::Line(_) => "a dashed line".to_owned(),
+        Mark::Markers(_) if count == 1 => "1 point".to_owned(),
+        Mark::Markers(_) => format!("{count} points"),
+        Mark::Band => "a band".to_owned(),
+    };
+    format!("{} ({kind})", series.label)
+}

@@ -1,0 +1,133 @@
+//! A picture as a scene.
+
+use crate::chart::{Panel, Picture};
+use crate::describe;
+use crate::format::{Format, TooSmall};
+use crate::frame::{Cell, Frame, NAME_GAP, PADDING, TICK_BASE, TICK_GAP, TITLE};
+use crate::letters::{ASCENT, LINE, width};
+use crate::marks;
+use crate::scene::{Anchor, Form, Place, Role, Scene, Shape, Text};
+use crate::style::INK;
+
+/// Lengths of ticks, in sizes of a letter.
+const LONG_TICK: f64 = 0.35;
+const SHORT_TICK: f64 = 0.2;
+/// Widths of lines of the axes.
+const FRAME_LINE: f64 = 0.07;
+const TICK_LINE: f64 = 0.055;
+/// From the middle of digits to their base line.
+const HALF_DIGIT: f64 = 0.365;
+
+/// Lays the picture out in a format.
+///
+/// # Errors
+///
+/// [`TooSmall`] if the format does not hold its axes with their labels.
+pub fn draw(picture: &Picture, format: &Format) -> Result<Scene, TooSmall> {
+    let frame = Frame::new(picture, format)?;
+    let em = format.text;
+    let panels = picture.panels.iter().zip(&frame.cells);
+    Ok(Scene {
+        width: format.width,
+        height: frame.height * em,
+        title: picture.title.clone(),
+        description: describe::picture(picture),
+        words: words(picture, &frame, em),
+        panels: panels.map(|(panel, cell)| of_panel(panel, cell, &frame, em)).collect(),
+    })
+}
+
+/// Title, parameters and legends.
+fn words(picture: &Picture, frame: &Frame, em: f64) -> Vec<Shape> {
+    let mut shapes = vec![];
+    let mut top = PADDING;
+    for (role, size, lines) in
+        [(Role::Title, TITLE, &frame.title), (Role::Parameters, 1.0, &frame.parameters)]
+    {
+        for line in lines {
+            let at = (PADDING * em, (top + (0.5 * (LINE - 1.0) + ASCENT) * size) * em);
+            shapes.push(text(role, line, at, Anchor::Start, size * em));
+            top += LINE * size;
+        }
+    }
+    for (panel, cell) in picture.panels.iter().zip(&frame.cells) {
+        shapes.extend(cell.legend.shapes(panel, (PADDING * em, cell.legend_top * em), em));
+    }
+    shapes
+}
+
+fn of_panel(panel: &Panel, cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
+    let (left, right, bottom) = (frame.left * em, frame.right * em, (cell.top + cell.height) * em);
+    let top = cell.top * em;
+    let place = |(x, y): Place| (left + x * (right - left), bottom - y * (bottom - top));
+    let mut shapes: Vec<Shape> = vec![];
+    shapes.extend(panel.series.iter().flat_map(|series| marks::of_series(series, panel, em, &place)));
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(place).to_vec();
+    shapes.push(lines(Role::Frame, vec![corners], FRAME_LINE * em));
+    shapes.push(lines(Role::Tick, ticks(cell, em, &place), TICK_LINE * em));
+    shapes.extend(tick_labels(cell, em, &place));
+    shapes.extend(names(cell, frame, em));
+    shapes
+}
+
+/// The ticks on all four sides.
+fn ticks(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Vec<Place>> {
+    let across = |part: f64, length: f64| {
+        let ((x, bottom), (_, top)) = (place((part, 0.0)), place((part, 1.0)));
+        [vec![(x, bottom), (x, bottom - length * em)], vec![(x, top), (x, top + length * em)]]
+    };
+    let up = |part: f64, length: f64| {
+        let ((left, y), (right, _)) = (place((0.0, part)), place((1.0, part)));
+        [vec![(left, y), (left + length * em, y)], vec![(right, y), (right - length * em, y)]]
+    };
+    let of = |ticks: &crate::ticks::Ticks, side: &dyn Fn(f64, f64) -> [Vec<Place>; 2]| -> Vec<Vec<Place>> {
+        let long = ticks.labelled.iter().map(|(part, _)| (*part, LONG_TICK));
+        let short = ticks.minor.iter().map(|part| (*part, SHORT_TICK));
+        long.chain(short).flat_map(|(part, length)| side(part, length)).collect()
+    };
+    [of(&cell.x_ticks, &across), of(&cell.y_ticks, &up)].concat()
+}
+
+fn tick_labels(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Shape> {
+    let below = cell.x_ticks.labelled.iter().filter(|_| cell.has_x_labels).map(|(part, label)| {
+        let (x, y) = place((*part, 0.0));
+        text(Role::XTickLabel, label, (x, y + TICK_BASE * em), Anchor::Middle, em)
+    });
+    let beside = cell.y_ticks.labelled.iter().map(|(part, label)| {
+        let (x, y) = place((0.0, *part));
+        text(Role::YTickLabel, label, (x - TICK_GAP * em, y + HALF_DIGIT * em), Anchor::End, em)
+    });
+    below.chain(beside).collect()
+}
+
+/// The names of the axes, in the middle of these as far as the canvas holds them there.
+fn names(cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
+    let mut shapes = vec![];
+    let below = cell.top + cell.height + if cell.has_x_labels { TICK_BASE + 0.25 } else { 0.35 };
+    for (line, name) in (0_u32..).zip(&cell.x_name) {
+        let half = 0.5 * width(name, 1.0);
+        let middle = (0.5 * (frame.left + frame.right)).min(frame.width - PADDING - half).max(PADDING + half);
+        let base = below + LINE * f64::from(line) + 0.5 * (LINE - 1.0) + ASCENT;
+        shapes.push(text(Role::AxisLabel, name, (middle * em, base * em), Anchor::Middle, em));
+    }
+    let widest = cell.y_ticks.labelled.iter().map(|(_, label)| width(label, 1.0)).fold(0.0, f64::max);
+    let lines: f64 = cell.y_name.iter().map(|_| LINE).sum();
+    let first = frame.left - TICK_GAP - widest - NAME_GAP - lines;
+    for (line, name) in (0_u32..).zip(&cell.y_name) {
+        let base = first.max(PADDING) + LINE * f64::from(line) + ASCENT + 0.1;
+        let at = (base * em, (cell.top + 0.5 * cell.height) * em);
+        let Form::Text(written) = text(Role::AxisLabel, name, at, Anchor::Middle, em).form else { continue };
+        let turned = Form::Text(Text { is_turned: true, ..written });
+        shapes.push(Shape { role: Role::AxisLabel, form: turned, colour: INK, opacity: 1.0 });
+    }
+    shapes
+}
+
+fn text(role: Role, content: &str, at: Place, anchor: Anchor, size: f64) -> Shape {
+    let text = Text { content: content.to_owned(), at, anchor, size, is_turned: false };
+    Shape { role, form: Form::Text(text), colour: INK, opacity: 1.0 }
+}
+
+fn lines(role: Role, pieces: Vec<Vec<Place>>, width: f64) -> Shape {
+    Shape { role, form: Form::Lines { pieces, width, dashes: vec![] }, colour: INK, opacity: 1.0 }
+}

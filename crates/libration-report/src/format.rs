@@ -1,0 +1,48 @@
+//! How large a picture is and how large its letters: for a column, a page or a slide.
+
+use thiserror::Error;
+
+/// Units of length in a millimetre: 96 of them are an inch, as in browsers.
+pub const UNITS_PER_MM: f64 = 96.0 / 25.4;
+
+/// Twelve points.
+const TWELVE_POINTS: f64 = 16.0;
+/// A page's text is about so wide.
+const PAGE: f64 = 170.0 * UNITS_PER_MM;
+
+/// The size of a picture, in units of 1/96 inch, and of its letters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Format {
+    /// From the left to the right.
+    pub width: f64,
+    /// From the top to the bottom; by the shape of the picture where it is not given.
+    pub height: Option<f64>,
+    /// The size of the letters.
+    pub text: f64,
+}
+
+impl Format {
+    /// As wide as the text of a page, with letters of 12 points.
+    pub const PAGE: Self = Self { width: PAGE, height: None, text: TWELVE_POINTS };
+    /// As wide as a column of a journal, 80 mm, with letters of 12 points.
+    pub const COLUMN: Self = Self { width: 80.0 * UNITS_PER_MM, height: None, text: TWELVE_POINTS };
+    /// A slide, 16 to 9, with letters of 20 points.
+    pub const SLIDE: Self = Self { width: 1280.0, height: Some(720.0), text: 80.0 / 3.0 };
+}
+
+impl Default for Format {
+    fn default() -> Self {
+        Self::PAGE
+    }
+}
+
+/// A format that does not hold the picture with its labels.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum TooSmall {
+    /// Too narrow.
+    #[error("it must be at least {0} wide")]
+    Width(f64),
+    /// Too low for its width.
+    #[error("it must be at least {0} high")]
+    Height(f64),
+}

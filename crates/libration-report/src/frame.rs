@@ -1,0 +1,230 @@
+//! Where the parts of a picture stand: title, parameters, legends, axes and their labels. All heights follow from the
+//! width, since text is broken into lines; what is left of the height is shared by the axes.
+
+use crate::chart::{Axis, Panel, Picture};
+use crate::format::{Format, TooSmall};
+use crate::legend::Legend;
+use crate::letters::{LINE, width, wrapped};
+use crate::ticks::{self, Ticks};
+
+/// All lengths below are in sizes of a letter. Around everything:
+pub(crate) const PADDING: f64 = 0.6;
+pub(crate) const TITLE: f64 = 1.1;
+const UNDER_WORDS: f64 = 0.25;
+/// Above the axes: half of the label of a tick at the top.
+const TOP: f64 = 0.6;
+/// From the axes to the base line of the labels below, and the height of these labels.
+pub(crate) const TICK_BASE: f64 = 1.35;
+const TICK_LABELS: f64 = 1.6;
+/// Below axes whose ticks the next panel names.
+const BOTTOM: f64 = 0.35;
+/// Between the labels of ticks and the axis beside them.
+pub(crate) const TICK_GAP: f64 = 0.4;
+/// Between two labels of ticks side by side.
+const LABELS_APART: f64 = 0.7;
+/// Between the name of an axis and the labels of its ticks.
+pub(crate) const NAME_GAP: f64 = 0.35;
+/// Right of the last tick's label.
+const EDGE: f64 = 0.2;
+/// Right of the axes at least.
+const RIGHT: f64 = 0.7;
+/// About the part of the width that axes have.
+const AXES: f64 = 0.85;
+/// Axes that are shorter show nothing.
+const SHORTEST: f64 = 6.0;
+
+/// A space at which no line is broken.
+const TIE: &str = "\u{a0}";
+
+/// The parts of a picture in a format. All lengths and places are in sizes of a letter.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    pub(crate) title: Vec<String>,
+    pub(crate) parameters: Vec<String>,
+    pub(crate) left: f64,
+    pub(crate) right: f64,
+    pub(crate) cells: Vec<Cell>,
+}
+
+/// The parts of a panel.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell {
+    pub(crate) legend: Legend,
+    pub(crate) legend_top: f64,
+    pub(crate) top: f64,
+    pub(crate) height: f64,
+    pub(crate) x_name: Vec<String>,
+    pub(crate) y_name: Vec<String>,
+    pub(crate) x_ticks: Ticks,
+    pub(crate) y_ticks: Ticks,
+    pub(crate) has_x_labels: bool,
+}
+
+impl Frame {
+    /// The frame of the picture in the format, if that holds it.
+    pub(crate) fn new(picture: &Picture, format: &Format) -> Result<Self, TooSmall> {
+        let em = format.text;
+        // Sizes are compared with whole units: what rounding leaves is no reason to refuse one.
+        const SLACK: f64 = 1e-9;
+        let least_width = least_width(picture);
+        let wide = format.width / em;
+        if wide < least_width - SLACK {
+            return Err(TooSmall::Width(em * least_width));
+        }
+        let words = Words::new(picture, wide);
+        let least = words.least_height(picture);
+        let high = match format.height {
+            Some(height) if height / em < least - SLACK => return Err(TooSmall::Height(em * least)),
+            Some(height) => height / em,
+            // Names in a legend make a picture higher, not its axes lower.
+            None => least.max(words.fixed() + picture.aspect * AXES * wide),
+        };
+        Ok(words.laid_out(picture, wide, high))
+    }
+}
+
+/// The width below which axes with their labels would show nothing.
+fn least_width(picture: &Picture) -> f64 {
+    let axes = |panel: &Panel| ticks::least_length(&panel.x, x_extent).max(SHORTEST);
+    let axes = picture.panels.iter().map(axes).fold(SHORTEST, f64::max);
+    let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
+    left.fold(0.0, f64::max) + axes + right(picture) + PADDING
+}
+
+/// The least height of the axes of a panel: the name beside them takes two lines or three.
+fn shortest(panel: &Panel) -> f64 {
+    let ticks = ticks::least_length(&panel.y, y_extent);
+    ticks.max(SHORTEST).max(0.5 * width(&panel.y.label, 1.0))
+}
+
+/// From the left edge of the picture to the axes.
+fn left(panel: &Panel, height: f64, labels: impl Iterator<Item = String>) -> f64 {
+    let name: f64 = named(&panel.y, height).iter().map(|_| LINE).sum();
+    let widest = labels.map(|label| width(&label, 1.0)).fold(0.0, f64::max);
+    PADDING + name + NAME_GAP + widest + TICK_GAP
+}
+
+/// From the axes to the right edge, without the padding: half of the label of a tick at the end.
+fn right(picture: &Picture) -> f64 {
+    let labels = picture.panels.iter().flat_map(|panel| ticks::labels(&panel.x));
+    labels.map(|label| 0.5 * width(&label, 1.0) + EDGE - PADDING).fold(RIGHT - PADDING, f64::max)
+}
+
+fn x_extent(label: &str) -> f64 {
+    width(label, 1.0) + LABELS_APART
+}
+
+fn y_extent(_: &str) -> f64 {
+    LINE + 0.3
+}
+
+/// The name of an axis in lines; a unit stays with its stroke.
+fn named(axis: &Axis, length: f64) -> Vec<String> {
+    wrapped(&axis.label.replace("/ ", &format!("/{TIE}")), 1.0, length)
+}
+
+/// The words of a picture in lines, for a certain width.
+struct Words {
+    title: Vec<String>,
+    parameters: Vec<String>,
+    panels: Vec<Beside>,
+}
+
+/// What stands above and below the axes of a panel.
+struct Beside {
+    legend: Legend,
+    x_name: Vec<String>,
+    has_x_labels: bool,
+}
+
+impl Words {
+    fn new(picture: &Picture, wide: f64) -> Self {
+        let across = wide - 2.0 * PADDING;
+        let parameters: Vec<String> = picture.parameters.iter().map(|one| one.replace(' ', TIE)).collect();
+        let panels = picture.panels.iter().enumerate().map(|(place, panel)| Beside {
+            legend: Legend::new(panel, across),
+            x_name: named(&panel.x, across),
+            has_x_labels: has_x_labels(panel, picture.panels.get(place + 1)),
+        });
+        Self {
+            title: wrapped(&picture.title, TITLE, across),
+            parameters: wrapped(&parameters.join(", "), 1.0, across),
+            panels: panels.collect(),
+        }
+    }
+
+    /// Above all panels.
+    fn head(&self) -> f64 {
+        let title: f64 = self.title.iter().map(|_| TITLE * LINE).sum();
+        let parameters: f64 = self.parameters.iter().map(|_| LINE).sum();
+        PADDING + title + parameters + UNDER_WORDS
+    }
+
+    /// All that is not axes.
+    fn fixed(&self) -> f64 {
+        self.head() + self.panels.iter().map(|panel| panel.above() + panel.below()).sum::<f64>() + PADDING
+    }
+
+    fn least_height(&self, picture: &Picture) -> f64 {
+        let all: f64 = picture.panels.iter().map(|panel| panel.share).sum();
+        let needed = picture.panels.iter().map(|panel| shortest(panel) * all / panel.share);
+        self.fixed() + needed.fold(0.0, f64::max)
+    }
+
+    fn laid_out(self, picture: &Picture, width: f64, height: f64) -> Frame {
+        let free = height - self.fixed();
+        let all: f64 = picture.panels.iter().map(|panel| panel.share).sum();
+        let heights = picture.panels.iter().map(|panel| free * panel.share / all);
+        let y_ticks: Vec<Ticks> = picture
+            .panels
+            .iter()
+            .zip(heights.clone())
+            .map(|(panel, height)| ticks::chosen(&panel.y, height, y_extent))
+            .collect();
+        let beside =
+            picture.panels.iter().zip(heights.clone()).zip(&y_ticks).map(|((panel, height), ticks)| {
+                left(panel, height, ticks.labelled.iter().map(|(_, label)| label.clone()))
+            });
+        let left = beside.fold(0.0, f64::max);
+        let right = width - PADDING - right(picture);
+        let mut top = self.head();
+        let mut cells = vec![];
+        let Self { title, parameters, panels: besides } = self;
+        for (((panel, beside), height), y_ticks) in
+            picture.panels.iter().zip(besides).zip(heights).zip(y_ticks)
+        {
+            let (above, below) = (beside.above(), beside.below());
+            cells.push(Cell {
+                legend_top: top,
+                top: top + above,
+                height,
+                y_name: named(&panel.y, height),
+                x_ticks: ticks::chosen(&panel.x, right - left, x_extent),
+                y_ticks,
+                legend: beside.legend,
+                x_name: beside.x_name,
+                has_x_labels: beside.has_x_labels,
+            });
+            top += above + height + below;
+        }
+        Frame { width, height, title, parameters, left, right, cells }
+    }
+}
+
+/// Whether the ticks across are named here, and not below the next panel.
+fn has_x_labels(panel: &Panel, next: Option<&Panel>) -> bool {
+    !(panel.x.label.is_empty() && next.is_some_and(|next| panel.x.is_in_line_with(&next.x)))
+}
+
+impl Beside {
+    fn above(&self) -> f64 {
+        self.legend.height + TOP
+    }
+
+    fn below(&self) -> f64 {
+        let ticks = if self.has_x_labels { TICK_LABELS } else { BOTTOM };
+        ticks + self.x_name.iter().map(|_| LINE).sum::<f64>()
+    }
+}

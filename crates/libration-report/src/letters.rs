@@ -1,0 +1,73 @@
+//! How wide text is, and where long text is broken.
+
+use super::advances::RUNS;
+
+/// From the base line to the top of the highest letters, in parts of the size of the font.
+pub(crate) const ASCENT: f64 = 0.76;
+/// From one base line to the next.
+pub(crate) const LINE: f64 = 1.2;
+
+/// The width of a text in `DejaVu Sans` of this size.
+pub fn width(text: &str, size: f64) -> f64 {
+    text.chars().map(|letter| size * advance(letter)).sum()
+}
+
+fn advance(letter: char) -> f64 {
+    let code = u32::from(letter);
+    let run = RUNS.iter().rfind(|(first, _)| *first <= code);
+    let found = run.and_then(|(first, widths)| widths.get(usize::try_from(code - first).ok()?));
+    // What the font does not have, another one draws, at most as wide as high.
+    1e-3 * f64::from(found.copied().unwrap_or(1000))
+}
+
+/// The text in lines that are no wider than this: broken at spaces, but not at those that keep words together, and within words only where one is too wide alone.
+pub(crate) fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for word in text.split(' ').filter(|word| !word.is_empty()).flat_map(|word| pieces(word, size, widest)) {
+        match lines.last_mut() {
+            Some(line) if width(line, size) + size * advance(' ') + width(&word, size) <= widest => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            _ => lines.push(word),
+        }
+    }
+    lines
+}
+
+/// The word, or as many pieces of it as it takes.
+fn pieces(word: &str, size: f64, widest: f64) -> Vec<String> {
+    let mut pieces = vec![String::new()];
+    let mut wide = 0.0;
+    for letter in word.chars() {
+        let more = size * advance(letter);
+        if wide > 0.0 && wide + more > widest {
+            pieces.push(String::new());
+            wide = 0.0;
+        }
+        wide += more;
+        pieces.last_mut().expect("there is a first piece").push(letter);
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_letters_are_wider_than_narrow_ones() {
+        assert!((width("mm", 1000.0) - 1948.0).abs() < 1e-9);
+        assert!((width("il ~", 10.0) - 0.01 * (278.0 + 278.0 + 318.0 + 838.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn long_text_is_broken_and_nothing_of_it_is_lost() {
+        let text = "the error of an extraordinarilylongword and of others";
+        let lines = wrapped(text, 10.0, 80.0);
+        assert!(lines.len() > 3 && lines.iter().all(|line| width(line, 10.0) <= 80.0), "{lines:?}");
+        let letters = |text: &str| text.replace(' ', "");
+        assert_eq!(letters(&lines.concat()), letters(text));
+        assert_eq!(wrapped("short", 10.0, 80.0), ["short"]);
+    }
+}

@@ -1,0 +1,26 @@
+//! Answers as they are shown: pictures described as data, laid out for a column, a page or a slide, and written as SVG.
+//!
+//! A [`Picture`](chart::Picture) says what is shown. [`draw`] lays it out in a [`Format`](format::Format) and gives a
+//! [`Scene`](scene::Scene) of lines, dots and text, which [`svg`] writes; other renderers draw the same scene. Nothing here
+//! reads files or asks for the time.
+
+pub mod chart;
+pub mod format;
+pub mod range;
+pub mod scene;
+pub mod style;
+pub mod svg;
+
+mod advances;
+mod clip;
+mod describe;
+mod draw;
+mod frame;
+mod legend;
+mod letters;
+mod marks;
+mod numbers;
+mod ticks;
+
+pub use draw::draw;
+pub use letters::width as text_width;

@@ -1,0 +1,86 @@
+//! Numbers as axes and descriptions show them.
+
+/// As many digits as tell multiples of the step apart, in powers of ten if the largest of them is very large or small.
+pub(crate) fn of_steps(value: f64, step: f64, largest: f64) -> String {
+    if value.abs() < 1e-6 * step {
+        return "0".to_owned();
+    }
+    let (top, last) = (exponent(largest), exponent(1.000_001 * step));
+    if (-4..6).contains(&top) {
+        return signed(&format!("{value:.*}", places(-last)));
+    }
+    let mantissa = value / 10f64.powi(top);
+    let mantissa = signed(&format!("{mantissa:.*}", places(top - last)));
+    format!("{mantissa}×{}", power_of_ten(top))
+}
+
+/// A number for a sentence.
+pub(crate) fn short(value: f64) -> String {
+    let step = 10f64.powi(exponent(value) - 3);
+    let text = of_steps(value, step, value);
+    match text.split_once('×') {
+        Some((mantissa, power)) => format!("{}×{power}", trimmed(mantissa)),
+        None => trimmed(&text).to_owned(),
+    }
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// 10⁻⁴ for −4, 10⁰ for 0.
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    let raised = exponent
+        .to_string()
+        .chars()
+        .map(|digit| match digit {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            digit => digit.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(digit),
+        })
+        .collect::<String>();
+    format!("10{raised}")
+}
+
+fn signed(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+/// An `f64` has no more decimal places than these that anybody could tell apart.
+fn places(count: i32) -> usize {
+    const MOST: i32 = 17;
+    usize::try_from(count.clamp(0, MOST)).unwrap_or(0)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "exponents of an f64 are below 400")]
+fn exponent(value: f64) -> i32 {
+    let power = value.abs().log10().floor();
+    if power.is_finite() { power as i32 } else { 0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_have_the_digits_of_their_step() {
+        assert_eq!(of_steps(0.5, 0.25, 1.0), "0.5".to_owned());
+        assert_eq!(of_steps(10.000_012, 2e-6, 10.00002), "10.000012");
+        assert_eq!(of_steps(-3e-7, 1e-7, 5e-7), "−3×10⁻⁷");
+        assert_eq!(of_steps(1.5e9, 5e8, 2e9), "1.5×10⁹");
+        assert_eq!(of_steps(1e-20, 1.0, 3.0), "0");
+        assert_eq!(of_steps(150.0, 50.0, 200.0), "150");
+    }
+
+    #[test]
+    fn powers_of_ten_have_one_notation() {
+        assert_eq!([-12, 0, 1].map(power_of_ten), ["10⁻¹²", "10⁰", "10¹"]);
+    }
+
+    #[test]
+    fn numbers_of_sentences_have_no_zeros_to_spare() {
+        assert_eq!([180.0, 1e-8, 0.25, 0.0].map(short), ["180", "1×10⁻⁸", "0.25", "0"]);
+    }
+}

@@ -1,0 +1,38 @@
+//! The ends of axes: what the data need, with a little room.
+
+/// The range of the values with a little room on either side.
+pub fn around(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let finite = values.into_iter().filter(|value| value.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    if low > high {
+        return (-1.0, 1.0);
+    }
+    // Values that differ by what rounding leaves are one value.
+    let size = low.abs().max(high.abs());
+    let room = if high - low > 1e-12 * size { 0.05 * (high - low) } else { 0.1 * size.max(1e-12) };
+    (low - room, high + room)
+}
+
+/// The powers of ten that hold the values, and three more below.
+pub fn decades(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let positive = values.into_iter().filter(|value| *value > 0.0 && value.is_finite());
+    let (low, high) = positive.fold((f64::INFINITY, 0.0), |(l, h), v| (v.min(l), v.max(h)));
+    if high <= 0.0 {
+        return (1e-16, 1.0);
+    }
+    (10f64.powf((low.log10().floor() - 3.0).max(-18.0)), 10f64.powf(high.log10().ceil()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_range_holds_the_values_closely() {
+        let (low, high) = around([1.0, 9.0]);
+        assert!((0.5..1.0).contains(&low) && (9.0..9.5).contains(&high));
+        assert_eq!(around([f64::NAN]), (-1.0, 1.0));
+        let (low, high) = around([3.0]);
+        assert!(low < 3.0 && high > 3.0);
+    }
+}

@@ -1,0 +1,123 @@
+//! What a renderer draws: lines, dots, areas and text at places on a canvas.
+
+/// A place on the canvas: from the left and from the top.
+pub type Place = (f64, f64);
+
+/// A drawing with its words for those who cannot see it.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// From the left to the right, in units of 1/96 inch.
+    pub width: f64,
+    /// From the top to the bottom.
+    pub height: f64,
+    /// What it is.
+    pub title: String,
+    /// What is shown, in sentences.
+    pub description: String,
+    /// Title, parameters and legends.
+    pub words: Vec<Shape>,
+    /// The axes, each with what stands in and around them.
+    pub panels: Vec<Vec<Shape>>,
+}
+
+/// A thing to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// What it stands for.
+    pub role: Role,
+    /// Lines, areas, dots or text.
+    pub form: Form,
+    /// As `#RRGGBB`.
+    pub colour: &'static str,
+    /// From 0 to 1.
+    pub opacity: f64,
+}
+
+/// What a shape stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The box of the axes.
+    Frame,
+    /// The ticks of the axes.
+    Tick,
+    /// The label of a tick below the axes.
+    XTickLabel,
+    /// The label of a tick beside the axes.
+    YTickLabel,
+    /// A name of an axis.
+    AxisLabel,
+    /// A curve of data.
+    Curve,
+    /// Markers of data.
+    Markers,
+    /// Bars of uncertainty.
+    Bars,
+    /// A filled range.
+    Band,
+    /// A sample in the legend.
+    Sample,
+    /// A name in the legend.
+    Name,
+    /// The title.
+    Title,
+    /// The parameters under the title.
+    Parameters,
+}
+
+/// How a shape looks.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// Open lines; dashes and gaps by turns, solid without any.
+    Lines {
+        /// Each line with its corners.
+        pieces: Vec<Vec<Place>>,
+        /// Its width.
+        width: f64,
+        /// Lengths of dashes and gaps.
+        dashes: Vec<f64>,
+    },
+    /// Filled polygons.
+    Areas(Vec<Vec<Place>>),
+    /// Filled circles.
+    Dots {
+        /// Their middles.
+        places: Vec<Place>,
+        /// Their common radius.
+        radius: f64,
+    },
+    /// A line of text.
+    Text(Text),
+}
+
+/// A line of text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// The letters.
+    pub content: String,
+    /// Where its base line begins, has its middle or ends.
+    pub at: Place,
+    /// Which of these.
+    pub anchor: Anchor,
+    /// The size of the letters.
+    pub size: f64,
+    /// Whether it reads upwards.
+    pub is_turned: bool,
+}
+
+/// Which part of a text its place is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// The beginning.
+    Start,
+    /// The middle.
+    Middle,
+    /// The end.
+    End,
+}
+
+impl Scene {
+    /// All shapes in the order in which they are drawn.
+    pub fn shapes(&self) -> impl Iterator<Item = &Shape> {
+        self.panels.iter().flatten().chain(&self.words)
+    }
+}

@@ -1,0 +1,105 @@
+//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can tell apart,
+//! each joined with a dash pattern or a marker so that no two curves differ by colour alone.
+
+use crate::chart::{Look, Mark};
+
+/// Axes and letters.
+pub const INK: &str = "#000000";
+/// What the picture is drawn on.
+pub const PAPER: &str = "#FFFFFF";
+/// Grey, for what is there for comparison only.
+const GREY: &str = "#767676";
+
+/// Okabe and Ito, "Color Universal Design" (2008); without their yellow, which vanishes on white.
+const COLOURS: [&str; 7] = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", INK, "#E69F00", "#56B4E9"];
+
+/// The colours of dark pages: the same hues, light enough to be told from the page.
+pub const DARK: [(&str, &str); 9] = [
+    (PAPER, "#121417"),
+    (INK, "#EDEDED"),
+    (GREY, "#A3A3A3"),
+    ("#0072B2", "#3FA0E0"),
+    ("#D55E00", "#F57C2A"),
+    ("#009E73", "#23C495"),
+    ("#CC79A7", "#E59AC4"),
+    ("#E69F00", "#F2B632"),
+    ("#56B4E9", "#A5DAF8"),
+];
+
+/// Five patterns beside seven colours: 35 looks before one comes again.
+const DASHES: [&[f64]; 5] =
+    [&[], &[8.0, 3.5], &[2.5, 2.5], &[10.0, 3.0, 2.5, 3.0], &[13.0, 3.0, 2.5, 3.0, 2.5, 3.0]];
+
+/// The look of the curve with this number.
+pub fn curve(number: usize) -> Look {
+    let mark = Mark::Line(DASHES[number % DASHES.len()]);
+    Look { colour: COLOURS[number % COLOURS.len()], width: 1.9, opacity: 1.0, mark }
+}
+
+/// The look of a set of markers with this number.
+pub fn markers(number: usize) -> Look {
+    Look { width: 4.0, mark: Mark::Markers(number), ..curve(number) }
+}
+
+/// The look of marks on the curve with this number.
+pub fn marks(number: usize) -> Look {
+    Look { width: 2.8, ..markers(number) }
+}
+
+/// The look of one of several clouds of points, which have so many together: smaller where there are many, but never so
+/// small that a projector would not show them.
+pub fn dots(number: usize, all: usize) -> Look {
+    let width = if all > 20_000 {
+        0.7
+    } else if all > 3_000 {
+        1.0
+    } else {
+        1.4
+    };
+    Look { width, mark: Mark::Markers(0), ..markers(number) }
+}
+
+/// The look of measurements: smaller where there are many.
+pub fn measurements(count: usize) -> Look {
+    measurements_of(0, count)
+}
+
+/// The look of one of several sets of measurements.
+pub fn measurements_of(number: usize, count: usize) -> Look {
+    let width = match count {
+        0..=25 => 3.6,
+        26..=60 => 2.8,
+        _ => 2.2,
+    };
+    Look { width, ..markers(number) }
+}
+
+/// The look of what happens at single times of a motion, beside curves of the first colours.
+pub fn turning_points(count: usize) -> Look {
+    Look { colour: COLOURS[4], ..measurements(count) }
+}
+
+/// The thin line that joins the markers with this number.
+pub fn thin(number: usize) -> Look {
+    Look { width: 1.0, ..curve(number) }
+}
+
+/// A thin grey line, for approximations and zero lines.
+pub fn reference() -> Look {
+    Look { colour: GREY, width: 1.3, opacity: 1.0, mark: Mark::Line(&[5.0, 3.5]) }
+}
+
+/// The solid line of the exact law.
+pub fn exact_law() -> Look {
+    Look { colour: COLOURS[1], width: 2.0, opacity: 1.0, mark: Mark::Line(&[]) }
+}
+
+/// The heavy black line of a separatrix.
+pub fn separatrix() -> Look {
+    Look { colour: INK, width: 2.6, opacity: 1.0, mark: Mark::Line(&[]) }
+}
+
+/// A range behind curves.
+pub fn band() -> Look {
+    Look { colour: GREY, width: 0.0, opacity: 0.25, mark: Mark::Band }
+}

@@ -1,0 +1,192 @@
+//! A scene as SVG: with a view box, a title and a description, and colours for light and for dark pages.
+
+use crate::scene::{Anchor, Form, Place, Role, Scene, Shape, Text};
+use crate::style::{DARK, PAPER};
+use std::fmt::Write;
+
+/// A file of its own, with its size.
+pub fn file(scene: &Scene) -> String {
+    let size = format!(
+        " xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\"",
+        rounded(scene.width),
+        rounded(scene.height)
+    );
+    format!("{}\n", element(scene, &size))
+}
+
+/// A part of a page, as wide as its place.
+pub fn inline(scene: &Scene) -> String {
+    element(scene, "")
+}
+
+fn element(scene: &Scene, size: &str) -> String {
+    let (width, height) = (rounded(scene.width), rounded(scene.height));
+    let mut svg = format!(
+        "<svg{size} viewBox=\"0 0 {width} {height}\" role=\"img\" \
+         font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>{}</title>\n<desc>{}</desc>\n<style>{}</style>\n\
+         <rect class=\"paper\" width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n",
+        escaped(&scene.title),
+        escaped(&scene.description),
+        dark_style(),
+    );
+    for panel in &scene.panels {
+        svg += "<g class=\"panel\">\n";
+        svg.extend(panel.iter().map(shape));
+        svg += "</g>\n";
+    }
+    svg += "<g class=\"words\">\n";
+    svg.extend(scene.words.iter().map(shape));
+    svg += "</g>\n</svg>";
+    svg
+}
+
+/// On dark screens, not on paper, each colour becomes its dark one.
+fn dark_style() -> String {
+    let rules = DARK.iter().map(|(light, dark)| {
+        format!("[fill=\"{light}\"]{{fill:{dark}}}[stroke=\"{light}\"]{{stroke:{dark}}}")
+    });
+    format!("@media screen and (prefers-color-scheme:dark){{{}}}", rules.collect::<String>())
+}
+
+fn shape(shape: &Shape) -> String {
+    let (class, colour) = (class(shape.role), shape.colour);
+    let opacity = |name: &str| {
+        if shape.opacity < 1.0 { format!(" {name}-opacity=\"{}\"", shape.opacity) } else { String::new() }
+    };
+    match &shape.form {
+        Form::Lines { pieces, width, dashes } => {
+            let dashes: Vec<String> = dashes.iter().map(|length| rounded(*length)).collect();
+            let dashes = if dashes.is_empty() {
+                String::new()
+            } else {
+                format!(" stroke-dasharray=\"{}\"", dashes.join(" "))
+            };
+            format!(
+                "<path class=\"{class}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dashes}{} \
+                 d=\"{}\"/>\n",
+                rounded(*width),
+                opacity("stroke"),
+                pieces.iter().map(|piece| outline(piece, "")).collect::<String>()
+            )
+        }
+        Form::Areas(areas) => format!(
+            "<path class=\"{class}\" fill=\"{colour}\"{} d=\"{}\"/>\n",
+            opacity("fill"),
+            areas.iter().map(|area| outline(area, "Z")).collect::<String>()
+        ),
+        // A line of no length with round ends is a dot, and takes the fewest letters.
+        Form::Dots { places, radius } => format!(
+            "<path class=\"{class}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linecap=\"round\"{} d=\"{}\"/>\n",
+            rounded(2.0 * radius),
+            opacity("stroke"),
+            dots(places)
+        ),
+        Form::Text(text) => self::text(text, class, colour),
+    }
+}
+
+fn class(role: Role) -> &'static str {
+    match role {
+        Role::Frame => "frame",
+        Role::Tick => "tick",
+        Role::XTickLabel => "x-tick",
+        Role::YTickLabel => "y-tick",
+        Role::AxisLabel => "axis",
+        Role::Curve => "curve",
+        Role::Markers => "markers",
+        Role::Bars => "bars",
+        Role::Band => "band",
+        Role::Sample => "sample",
+        Role::Name => "name",
+        Role::Title => "title",
+        Role::Parameters => "parameters",
+    }
+}
+
+fn text(text: &Text, class: &str, colour: &str) -> String {
+    let (x, y) = (rounded(text.at.0), rounded(text.at.1));
+    let anchor = match text.anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    let turn = if text.is_turned { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+    format!(
+        "<text class=\"{class}\" x=\"{x}\" y=\"{y}\" font-size=\"{}\" text-anchor=\"{anchor}\" fill=\"{colour}\"{turn}>{}</text>\n",
+        rounded(text.size),
+        escaped(&text.content)
+    )
+}
+
+/// Corners that fall together after rounding are one.
+fn outline(places: &[Place], end: &str) -> String {
+    let mut path = String::new();
+    let mut last = None;
+    for place in places {
+        let corner = format!("{} {}", rounded(place.0), rounded(place.1));
+        if last.as_ref() == Some(&corner) && places.len() > 2 {
+            continue;
+        }
+        path += if last.is_none() { "M" } else { "L" };
+        path += &corner;
+        last = Some(corner);
+    }
+    path + end
+}
+
+/// Each dot by its distance from the one before.
+fn dots(places: &[Place]) -> String {
+    let hundredths = |value: f64| (100.0 * value).round();
+    let (mut path, mut last) = (String::new(), (0.0, 0.0));
+    for (x, y) in places {
+        let here = (hundredths(*x), hundredths(*y));
+        let (dx, dy) = (rounded(0.01 * (here.0 - last.0)), rounded(0.01 * (here.1 - last.1)));
+        write!(path, "m{dx} {dy}h0").expect("a String takes all that is written");
+        last = here;
+    }
+    path
+}
+
+/// To hundredths of a unit.
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
+}
+
+/// Letters that XML does not allow become spaces.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            '\u{FFFE}' | '\u{FFFF}' => escaped.push(' '),
+            letter if letter.is_control() => escaped.push(' '),
+            letter => escaped.push(letter),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_as_short_as_they_can_be() {
+        assert_eq!([1.0, -0.001, 2.5, 100.0].map(rounded), ["1", "0", "2.5", "100"]);
+    }
+
+    #[test]
+    fn dots_lead_from_one_to_the_next() {
+        assert_eq!(dots(&[(1.0, 2.0), (1.5, 1.0)]), "m1 2h0m0.5 -1h0");
+    }
+
+    #[test]
+    fn what_is_written_is_never_taken_for_tags() {
+        assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
+    }
+}
