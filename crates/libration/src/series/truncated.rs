@@ -73,7 +73,7 @@ pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>>
 }
 
 /// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula
-/// [xⁿ] yʲ = (j/n) [xⁿ⁻ʲ] (x/a(x))ⁿ; `None` when a₁ has no inverse.
+/// \[xⁿ\] yʲ = (j/n) \[xⁿ⁻ʲ\] (x/a(x))ⁿ; `None` when a₁ has no inverse.
 ///
 /// Reference: P. Henrici, *Applied and Computational Complex Analysis*, vol. 1, Wiley 1974, section 1.9.
 pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {

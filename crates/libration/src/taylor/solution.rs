@@ -7,7 +7,7 @@ use super::Occurrence;
 pub struct Moment {
     /// When.
     pub time: f64,
-    /// The numbers that [`System::state_names`] names.
+    /// The numbers that [`System::state_names`](super::System::state_names) names.
     pub state: Vec<f64>,
 }
 
