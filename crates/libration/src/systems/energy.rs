@@ -99,7 +99,7 @@ impl Energy {
     /// The account of a motion that is gone on from.
     #[must_use]
     pub fn balance_from(&self, account: &EnergyAccount) -> EnergyBalance<'_> {
-        EnergyBalance { energy: self, jet: None, account: account.clone() }
+        EnergyBalance { energy: self, jet: None, at_start: None, account: account.clone() }
     }
 
     /// The energy of a motion that begins in one state and has come to another, as [`EnergyBalance::drift`] has it.
@@ -137,6 +137,8 @@ pub struct EnergyAccount {
 pub struct EnergyBalance<'a> {
     energy: &'a Energy,
     jet: Option<Jet<'a, Doubles>>,
+    /// The energy of the first state by its formula, once it was asked for.
+    at_start: Option<f64>,
     account: EnergyAccount,
 }
 
@@ -184,8 +186,12 @@ impl EnergyBalance<'_> {
         let coordinates = self.energy.coordinates;
         let mut resting = state.to_vec();
         resting[coordinates..].fill(0.0);
-        let [start, now, potential] =
-            [&self.account.start.clone(), state, &resting].map(|state| self.values(state)[0]);
+        let start = match self.at_start {
+            Some(start) => start,
+            None => self.values(&self.account.start.clone())[0],
+        };
+        self.at_start = Some(start);
+        let [now, potential] = [state, &resting].map(|state| self.values(state)[0]);
         (now - start, now - potential)
     }
 

@@ -68,7 +68,12 @@ impl<'a> Expander<'a> {
         if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
             return self.expand_sticking(block, surroundings);
         }
-        dispatch(Expansion { expander: self, block, surroundings });
+        dispatch(Expansion { expander: self, block, surroundings, begun: false });
+    }
+
+    /// The same where all zeroth coefficients of the formulas are known.
+    pub(super) fn expand_begun<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        dispatch(Expansion { expander: self, block, surroundings, begun: true });
     }
 
     /// The sign of what stands in a |…|.
@@ -106,6 +111,13 @@ impl<'a> Expander<'a> {
     /// The zeroth coefficients.
     #[inline(always)]
     pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+        self.begin_inputs(block, surroundings);
+        self.program.begin(block);
+    }
+
+    /// Those of what the tape is given beside the state.
+    #[inline(always)]
+    fn begin_inputs<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         let time = block.row(block.numbers());
         block[time][0] = block.start;
         block[time][1] = block.unit;
@@ -115,7 +127,6 @@ impl<'a> Expander<'a> {
             block[row].fill([0.0; N]);
             block[row][0] = *values;
         }
-        self.program.begin(block);
     }
 }
 
@@ -124,6 +135,7 @@ struct Expansion<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
     surroundings: &'e Surroundings<N>,
+    begun: bool,
 }
 
 impl<const N: usize> Kernel for Expansion<'_, '_, N> {
@@ -131,8 +143,11 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { expander, block, surroundings } = self;
-        expander.begin(block, surroundings);
+        let Self { expander, block, surroundings, begun } = self;
+        expander.begin_inputs(block, surroundings);
+        if !begun {
+            expander.program.begin(block);
+        }
         for n in 1..=expander.order {
             expander.extend_state(block, n);
             if n <= expander.last() {

@@ -21,6 +21,10 @@ pub(super) struct Flight<'a, const N: usize> {
     pub(super) block: Block<N>,
     /// Room for the accelerations in other states.
     pub(super) scratch: Block<N>,
+    /// Whether that has the zeroth coefficients of all formulas at the ends of the steps.
+    pub(super) ends_known: bool,
+    /// Whether the block has those at their starts.
+    begun: bool,
     pub(super) next: Vec<Ends<N>>,
     /// Where the motions are going.
     goal: [f64; N],
@@ -50,6 +54,8 @@ impl<'a, const N: usize> Flight<'a, N> {
             },
             block: expander.block(),
             scratch: expander.block(),
+            ends_known: false,
+            begun: false,
             expander,
             next: vec![Ends { high: [0.0; N], low: [0.0; N] }; numbers],
             goal: [0.0; N],
@@ -64,6 +70,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     /// Begins a motion in a lane.
     pub(super) fn launch(&mut self, lane: usize, start: &Moment, parameters: &[f64], goal: f64) {
         self.block.launch(lane, start.time, &start.state);
+        self.begun = false;
         self.branches.launch(lane);
         (self.goal[lane], self.fresh[lane], self.goal_bound[lane]) = (goal, true, false);
         for (parameter, &value) in self.surroundings.parameters.iter_mut().zip(parameters) {
@@ -80,7 +87,7 @@ impl<'a, const N: usize> Flight<'a, N> {
         for (number, &[high, low]) in checkpoint.state.iter().enumerate() {
             self.block.place(number, lane, high, low);
         }
-        (self.block.unit[lane], self.fresh[lane]) = (checkpoint.unit, false);
+        (self.block.unit[lane], self.fresh[lane], self.begun) = (checkpoint.unit, false, false);
         self.branches.resume(lane, checkpoint.moduli.iter().map(|modulus| modulus.zeros));
         let Surroundings { signs, sticks, .. } = &mut self.surroundings;
         for ((sign, sticks), modulus) in signs.iter_mut().zip(sticks).zip(&checkpoint.moduli) {
@@ -149,6 +156,10 @@ impl<'a, const N: usize> Flight<'a, N> {
     /// Goes to the ends of the steps.
     pub(super) fn go_on(&mut self) {
         self.block.begin_at_end(&self.next, &self.unit);
+        if self.ends_known {
+            self.expander.program.begin_as(&self.scratch, &mut self.block);
+        }
+        self.begun = std::mem::take(&mut self.ends_known);
     }
 
     pub(super) fn step(&self, lane: usize) -> Step<'_> {
@@ -192,7 +203,10 @@ impl<'a, const N: usize> Flight<'a, N> {
     fn expand(&mut self) -> [Result<(), Cause>; N] {
         let (expander, block) = (&self.expander, &mut self.block);
         if expander.system.moduli() == 0 {
-            expander.expand(block, &self.surroundings);
+            match std::mem::take(&mut self.begun) {
+                true => expander.expand_begun(block, &self.surroundings),
+                false => expander.expand(block, &self.surroundings),
+            }
             return [Ok(()); N];
         }
         let backward = std::array::from_fn(|lane| self.goal[lane] < block.start[lane]);

@@ -155,6 +155,13 @@ impl Program {
         }
     }
 
+    /// Those that another block has.
+    pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
+        for &(out, _) in &self.values {
+            block[out][0] = other[out][0];
+        }
+    }
+
     /// The n-th coefficients, those of the inputs being known.
     #[inline(always)]
     pub(super) fn extend<const N: usize>(&self, block: &mut Block<N>, n: usize) {

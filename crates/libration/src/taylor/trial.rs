@@ -27,6 +27,8 @@ impl<const N: usize> Flight<'_, N> {
     pub(super) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
         dispatch(Arrival { flight: self });
         let misfits = dispatch(Misfits { flight: self });
+        // The next steps begin with what was found here, unless another state is tried in the same room.
+        self.ends_known = self.expander.system.moduli() == 0;
         let mut shortened = false;
         for lane in 0..N {
             let (start, end) = (self.block.start[lane], self.block.end[lane]);
@@ -34,6 +36,7 @@ impl<const N: usize> Flight<'_, N> {
             if !moves || (misfits[lane] <= self.bound() && !self.hides(lane, end)) {
                 continue;
             }
+            self.ends_known = false;
             let confirmed = self.confirmed_end(lane, end);
             outcomes[lane] = confirmed.map(|_| ());
             let confirmed = confirmed.unwrap_or(start);
@@ -255,16 +258,34 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
 /// The derivatives of series at so many units of time.
 #[inline(always)]
 fn slopes<const N: usize>(series: &[[f64; N]], units: &[f64; N]) -> [f64; N] {
-    let mut slope = [0.0; N];
-    let mut factor = 0.0;
-    for _ in 1..series.len() {
-        factor += 1.0;
+    let squares: [f64; N] = lanes(|lane| units[lane] * units[lane]);
+    let mut factor = u32::try_from(series.len() - 1).map_or(f64::NAN, f64::from);
+    // Every other term: neither sum waits for the other.
+    let [mut high, mut low] = [[0.0; N]; 2];
+    let pairs = series[1..].rchunks_exact(2);
+    let first = pairs.remainder();
+    for pair in pairs {
+        high = lanes(|lane| high[lane] * squares[lane] + factor * pair[1][lane]);
+        low = lanes(|lane| low[lane] * squares[lane] + (factor - 1.0) * pair[0][lane]);
+        factor -= 2.0;
     }
-    for c in series[1..].iter().rev() {
-        for lane in 0..N {
-            slope[lane] = slope[lane] * units[lane] + factor * c[lane];
+    match first {
+        [first] => lanes(|lane| high[lane] * squares[lane] + low[lane] * units[lane] + first[lane]),
+        _ => lanes(|lane| high[lane] * units[lane] + low[lane]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_the_sums_of_their_terms() {
+        for terms in 2..9_u32 {
+            let series: Vec<[f64; 1]> = (0..terms).map(|n| [1.0 / (1.0 + f64::from(n))]).collect();
+            let term = |n: u32| f64::from(n) / (1.0 + f64::from(n)) * 0.5_f64.powi(n.cast_signed() - 1);
+            let sum: f64 = (1..terms).map(term).sum();
+            assert!((slopes(&series, &[0.5])[0] - sum).abs() < 1e-15, "{terms} terms");
         }
-        factor -= 1.0;
     }
-    slope
 }

@@ -26,6 +26,8 @@ pub(super) struct Watch<'a> {
     /// What went wrong in writing.
     pub(super) failure: Option<Failure>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
+    /// The last of them.
+    last: f64,
     /// How many samples and events are written.
     rows: [usize; 2],
     state: State,
@@ -51,6 +53,7 @@ impl<'a> Watch<'a> {
             trace,
             failure: None,
             times: motion.times.iter().peekable(),
+            last: motion.times.last(),
             rows: [0; 2],
             state: State { question: motion.question.clone(), mark },
             keeper,
@@ -93,7 +96,7 @@ impl<'a> Watch<'a> {
             trace.follow(step);
         }
         self.failure = self.rows(leg).map_err(Failure::from).and_then(|()| self.mark(leg)).err();
-        let last = self.motion.times.last();
+        let last = self.last;
         self.progress.show(|| format!("t = {:.6} s of {last} s", step.end()));
         if self.failure.is_some() || interrupt::asked() {
             ControlFlow::Break(())
