@@ -64,11 +64,6 @@ impl ApparatusOptions {
         self.length
     }
 
-    /// Of the bob.
-    pub(crate) fn bob_radius(&self) -> Option<Quantity> {
-        self.bob_radius
-    }
-
     /// The relative uncertainty of the angles.
     pub(crate) fn angle_scale(&self) -> Option<f64> {
         self.angle_scale

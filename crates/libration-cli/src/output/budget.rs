@@ -4,7 +4,7 @@ use super::json::Record;
 use super::table::{Column, Table};
 use super::{combined, number};
 use libration::quantity::Quantity;
-use libration_lab::fit::{Budget, BudgetRow, Correction, GRAVITY_ON_EARTH};
+use libration_lab::fit::{Budget, BudgetRow, Correction};
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -21,45 +21,22 @@ pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()
 
 /// g from a length, its expanded uncertainty, and what is doubtful about both, as lines of a sheet.
 pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, String)> {
-    let length = number::with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
-    let gravity = number::with_uncertainty(budget.g, budget.uncertainty, "m/s²");
+    let length = number::quantity(length, "m");
+    let gravity = number::quantity(budget.gravity(), "m/s²");
     let mut lines = vec![("gravity", format!("{gravity}  (length {length})"))];
     lines.push(("expanded", combined::expanded(&budget.combined)));
-    lines.extend(doubts(budget).into_iter().map(|doubt| ("doubtful", doubt)));
+    lines.extend(budget.warnings().iter().map(|doubt| ("doubtful", doubt.to_string())));
     lines
 }
 
-/// What is doubtful about g and its uncertainty.
-pub(crate) fn doubts(budget: &Budget) -> Vec<String> {
-    contradiction(budget).into_iter().chain(budget.warnings()).collect()
+/// What is doubtful about g and its uncertainty, with names that stay.
+pub(crate) fn warnings(budget: &Budget) -> Vec<(&'static str, String)> {
+    budget.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
 
 /// The fields of a budget and of the uncertainty of g.
 pub(crate) fn fields(record: Record, budget: &Budget) -> Record {
     combined::fields(record.with("budget", records(budget)), &budget.combined)
-}
-
-/// What to think of a gravity that is found nowhere on Earth, by more than three of its uncertainties.
-pub(crate) fn contradiction(budget: &Budget) -> Option<String> {
-    let likely = 0.5 * (GRAVITY_ON_EARTH[0] + GRAVITY_ON_EARTH[1]);
-    found_nowhere(budget.g, budget.uncertainty).map(|doubt| {
-        format!(
-            "{doubt}: if the period is right, the length is about {} m and not {} m. Check that it \
-             is the length of this run, from the pivot to the middle of the bob, and that periods are whole ones",
-            number::rounded(budget.length * likely / budget.g, 3),
-            number::short(budget.length, 6)
-        )
-    })
-}
-
-/// What gravity is on Earth, when this one differs from it by more than three of its uncertainties.
-pub(crate) fn found_nowhere(g: f64, uncertainty: f64) -> Option<String> {
-    let [least, greatest] = GRAVITY_ON_EARTH;
-    let margin = 3.0 * uncertainty;
-    (g < least - margin || g > greatest + margin).then(|| {
-        let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| number::rounded(bound, 3));
-        format!("gravity is {least} to {greatest} m/s² on Earth")
-    })
 }
 
 /// The columns of [`rows`].

@@ -14,6 +14,7 @@ pub(crate) mod screen;
 pub(crate) mod series;
 pub(crate) mod standard;
 pub(crate) mod table;
+pub(crate) mod warnings;
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -1,41 +1,21 @@
 //! Numbers as text: exact for machines, rounded for people.
 
+use libration::quantity::Quantity;
+pub(crate) use libration::quantity::{rounded, short, with_uncertainty};
+
 /// The shortest decimal that reads back as the same number; `nan`, `inf` and `-inf` otherwise.
 pub(crate) fn exact(value: f64) -> String {
-    serde_json::Number::from_f64(value)
-        .map_or_else(|| non_finite(value).to_owned(), |number| number.to_string())
+    serde_json::Number::from_f64(value).map_or_else(|| rounded(value, 1), |number| number.to_string())
 }
 
-/// Rounded to this many significant digits; in powers of ten when very small or very large.
-pub(crate) fn rounded(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
-        return non_finite(value).to_owned();
-    }
-    // Adding zero takes the sign from minus zero.
-    let value = value + 0.0;
-    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent: i32 = scientific.split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
-    if value != 0.0 && !(-5..=8).contains(&exponent) {
-        return scientific;
-    }
-    let last_place = i32::try_from(digits).unwrap_or(i32::MAX).saturating_sub(1).saturating_sub(exponent);
-    format!("{value:.*}", usize::try_from(last_place).unwrap_or(0))
+/// `1.637 ± 0.002 s`, or without an uncertainty where none is known.
+pub(crate) fn quantity(quantity: Quantity, unit: &str) -> String {
+    with_uncertainty(quantity.value, quantity.uncertainty.unwrap_or(0.0), unit)
 }
 
 /// A time in seconds, rounded; `none` where there is no such time.
 pub(crate) fn seconds(value: f64, digits: usize) -> String {
     if value.is_nan() { "none".to_owned() } else { format!("{} s", rounded(value, digits)) }
-}
-
-/// Rounded to this many significant digits, without the zeros at the end: `60` rather than `60.0000`.
-pub(crate) fn short(value: f64, digits: usize) -> String {
-    let text = rounded(value, digits);
-    let (mantissa, exponent) =
-        text.split_once('e').map_or((text.as_str(), ""), |(m, _)| (m, &text[m.len()..]));
-    if !mantissa.contains('.') {
-        return text;
-    }
-    format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
 /// An uncertainty or a bound to one digit, which is not below it: `5e-13` for 4.1e-13.
@@ -44,69 +24,14 @@ pub(crate) fn at_most(value: f64) -> String {
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
-/// `1.637 ± 0.002 s`, to two digits of the uncertainty; one that is not finite is said to be so.
-pub(crate) fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
-    let text = match places(uncertainty) {
-        _ if !uncertainty.is_finite() => format!("{} ± {} {unit}", short(value, 6), non_finite(uncertainty)),
-        Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
-        None if uncertainty > 0.0 => format!("{} ± {} {unit}", rounded(value, 12), rounded(uncertainty, 2)),
-        None => format!("{} {unit}", short(value, 12)),
-    };
-    text.trim_end().to_owned()
-}
-
-/// The decimal places of two digits of an uncertainty, if it has not too many of them.
-fn places(uncertainty: f64) -> Option<usize> {
-    const MOST: usize = 10;
-    let scientific = format!("{uncertainty:.1e}");
-    let (_, exponent) = scientific.split_once('e')?;
-    let places = usize::try_from(1 - exponent.parse::<i32>().ok()?).unwrap_or(0);
-    (uncertainty > 0.0 && uncertainty < 1e9 && places <= MOST).then_some(places)
-}
-
-fn non_finite(value: f64) -> &'static str {
-    match value {
-        value if value.is_nan() => "nan",
-        value if value > 0.0 => "inf",
-        _ => "-inf",
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn rounding_keeps_the_significant_digits() {
-        assert_eq!(rounded(2.006409292589, 5), "2.0064");
-        assert_eq!(rounded(99999.96, 6), "100000");
-        assert_eq!(rounded(1e-300, 3), "1.00e-300");
-        assert_eq!(rounded(0.0, 3), "0.00");
-        assert_eq!(rounded(f64::INFINITY, 3), "inf");
-    }
-
-    #[test]
-    fn short_numbers_lose_their_last_zeros() {
-        assert_eq!(short(60.0, 12), "60");
-        assert_eq!(short(-0.25, 12), "-0.25");
-        assert_eq!(short(1.5e-9, 12), "1.5e-9");
-        assert_eq!(short(200.0, 2), "200");
-    }
-
-    #[test]
     fn bounds_are_rounded_up() {
         let shown = [4.8e-13, 4.1e-13, 9.6e-16, 9.4e-16, 1e-3, 0.0, 1.01e-9].map(at_most);
         assert_eq!(shown, ["5e-13", "6e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
-    }
-
-    #[test]
-    fn values_end_where_their_uncertainty_does() {
-        assert_eq!(with_uncertainty(1.63712, 0.00234, "s"), "1.6371 ± 0.0023 s");
-        assert_eq!(with_uncertainty(0.003122450913, 4.4e-6, ""), "0.0031225 ± 0.0000044");
-        assert_eq!(with_uncertainty(1234.5, 67.8, "m"), "1234 ± 68 m");
-        assert_eq!(with_uncertainty(0.56, 0.0, "m"), "0.56 m");
-        assert_eq!(with_uncertainty(9.8577686, f64::NAN, "m"), "9.85777 ± nan m");
-        assert_eq!(with_uncertainty(1.5e-20, 2e-21, "s"), "1.50000000000e-20 ± 2.0e-21 s");
     }
 
     #[test]

@@ -1,15 +1,11 @@
 //! How rows scatter beside their stated uncertainties.
 
 use super::json::Record;
-use super::number;
 use libration_lab::fit::Scatter;
 
-/// What stands behind an uncertainty that was enlarged: `  (1.04 times what was stated, by the scatter)`; empty for others.
+/// What stands behind an uncertainty that was enlarged: `  (± is enlarged 1.52 times: …)`; empty for others.
 pub(crate) fn remark(scatter: Option<Scatter>) -> String {
-    let enlarged = scatter.map(Scatter::enlargement).filter(|factor| *factor > 1.0);
-    enlarged.map_or(String::new(), |factor| {
-        format!("  (± is enlarged {} times: the rows scatter more than stated)", number::rounded(factor, 3))
-    })
+    scatter.and_then(Scatter::enlarged).map_or(String::new(), |enlarged| format!("  ({enlarged})"))
 }
 
 /// The Birge ratio, and by what the uncertainties are enlarged; null without stated ones.

@@ -241,3 +241,18 @@ fn periods_that_scatter_more_than_stated_are_enlarged_and_said_to_be() {
     assert!(unfolded(&text(&question)).contains("± is enlarged"));
     assert!(number(&answer, "beta_uncertainty") > 5.0 * 0.0004);
 }
+
+/// χ²/dof is 1.03 of ten rows, as chance has it.
+#[test]
+fn rows_that_scatter_as_stated_are_not_blamed_for_the_birge_ratio() {
+    let table = scattered("lengths-as-stated");
+    let stated = std::fs::read_to_string(&table).unwrap().replace(",0.002", ",0.01099");
+    std::fs::write(&table, stated).unwrap();
+    let answer = json(&format!("fit lengths {table}"));
+    let enlarged = number(&answer, "uncertainties_enlarged_by");
+    assert!((1.005..1.1).contains(&enlarged), "{enlarged}");
+    let sheet = unfolded(&text(&format!("fit lengths {table}")));
+    assert!(sheet.contains("± includes the Birge ratio 1.0") && sheet.contains("as stated"), "{sheet}");
+    assert!(!sheet.contains("scatter more than stated"), "{sheet}");
+    assert_eq!(answer["warning_kinds"], serde_json::json!([]));
+}

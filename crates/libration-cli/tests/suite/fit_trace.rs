@@ -538,7 +538,7 @@ fn advice_is_given_where_it_would_help() {
     fs::write(&coarse, format!("t (s),theta (deg)\n{}\n", every_fifth.join("\n"))).unwrap();
     for (swing, expected) in [
         (tilted, "plumb line"),
-        (held, "leave them out with --from and --to"),
+        (held, "leave them out. (--from, --to)"),
         (stray, "--robust"),
         (coarse, "take more pictures a second"),
     ] {

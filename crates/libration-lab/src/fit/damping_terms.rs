@@ -100,6 +100,17 @@ impl DampingTerms {
     }
 }
 
+/// `dry`, `dry or linear`, `dry, linear or quadratic`.
+#[must_use]
+pub fn alternatives(models: &[DampingTerms]) -> String {
+    let names: Vec<String> = models.iter().map(ToString::to_string).collect();
+    match &names[..] {
+        [all @ .., before, last] if !all.is_empty() => format!("{}, {before} or {last}", all.join(", ")),
+        [before, last] => format!("{before} or {last}"),
+        names => names.join(", "),
+    }
+}
+
 impl fmt::Display for DampingTerms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names: Vec<&str> = self.iter().map(DampingTerm::name).collect();
@@ -126,6 +137,15 @@ impl FromStr for DampingTerms {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn models_are_listed_as_alternatives() {
+        let all = DampingTerm::ALL.map(DampingTerms::only);
+        assert_eq!(alternatives(&all), "dry, linear or quadratic");
+        assert_eq!(alternatives(&all[..2]), "dry or linear");
+        assert_eq!(alternatives(&all[..1]), "dry");
+        assert_eq!(alternatives(&[]), "");
+    }
 
     #[test]
     fn a_model_is_part_of_those_that_have_its_terms_and_others() {

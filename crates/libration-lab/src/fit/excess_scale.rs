@@ -2,7 +2,6 @@
 
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
-use super::small_angle_period::per_dof;
 use super::{FitError, PeriodTable, Weighting};
 use crate::statistics::count;
 
@@ -35,7 +34,7 @@ impl ExcessScaleFit {
     /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
-        per_dof(self.chi2, self.dof)
+        self.scatter().map(Scatter::chi2_per_dof)
     }
 
     /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.

@@ -25,21 +25,29 @@ mod outliers;
 mod period_table;
 mod periods;
 mod scatter;
+mod significance;
 mod small_angle_period;
+pub mod swings;
 pub mod trace;
+mod typical_amplitude;
 
 pub use budget::{
-    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, COVERAGE, CombinedUncertainty,
-    Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping, budget,
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE,
+    CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
+    budget,
 };
-pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError};
+pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError, alternatives};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
-pub use gravity::GRAVITY_ON_EARTH;
+pub use gravity::{GRAVITY_ON_EARTH, STANDARD_GRAVITY, is_nowhere_on_earth};
 pub use law::Law;
-pub use lengths::{LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths};
+pub use lengths::{
+    CountedAs, LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions,
+    LengthsWarning, lengths,
+};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{Options, PeriodFit, periods};
-pub use scatter::{Scatter, ScatterVerdict};
+pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
+pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

@@ -1,10 +1,14 @@
 //! A table of periods explained: every law, the test of the exact one, and what does not belong.
 
+use super::budget::{MeasuredPeriod, PeriodDamping};
 use super::excess_scale::{ExcessScaleFit, excess_scale};
 use super::law::Law;
 use super::outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
+use super::scatter::ScatterWarning;
 use super::small_angle_period::{LawFit, small_angle_period};
+use super::typical_amplitude::typical_amplitude;
 use super::{FitError, PeriodTable, Weighting};
+use libration::quantity::Quantity;
 
 /// How a table is fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,6 +36,34 @@ pub struct PeriodFit {
     pub others: Vec<(String, Result<LawFit, FitError>)>,
     /// The test of the exact law, or why there is none.
     pub beta: Result<ExcessScaleFit, FitError>,
+}
+
+impl PeriodFit {
+    /// What a reader should know of the rows.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<ScatterWarning> {
+        self.exact.scatter().and_then(|scatter| scatter.warning("T₀")).into_iter().collect()
+    }
+
+    /// T0 under the exact law for a budget of g, with the amplitude whose T/T0 is the mean of those measured; the relative
+    /// uncertainties are those of all angles and of the clock.
+    #[must_use]
+    pub fn measured_period(
+        &self,
+        angle_scale: Option<f64>,
+        clock: Option<f64>,
+        damping: PeriodDamping,
+    ) -> MeasuredPeriod {
+        let ratios = self.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
+        MeasuredPeriod {
+            t0: Quantity { value: self.exact.t0, uncertainty: Some(self.exact.t0_uncertainty) },
+            amplitude: typical_amplitude(ratios),
+            angle_scale,
+            clock,
+            degrees_of_freedom: self.exact.uncertainty_degrees_of_freedom(),
+            damping,
+        }
+    }
 }
 
 /// Fits the exact law, the constant period and these other laws to the table.

@@ -7,8 +7,11 @@
 //! Reference: R. T. Birge, *The calculation of errors by the method of least squares*, Phys. Rev. 40, 207 (1932),
 //! doi:10.1103/PhysRev.40.207; the Particle Data Group does the same, *Review of Particle Physics*, introduction, 5.2.2.
 
+use std::fmt;
+
 use crate::statistics::chi_squared::probability_beyond;
 use crate::statistics::count;
+use libration::quantity::rounded;
 
 /// A scatter is told to be another than the stated one when chance makes it so large, or so small, less often than this: one
 /// table in a hundred whose uncertainties are right.
@@ -23,6 +26,76 @@ pub enum ScatterVerdict {
     More,
     /// Less than chance explains.
     Less,
+}
+
+/// The Birge ratio that an uncertainty has been multiplied by, and why it is above one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Enlargement {
+    /// The rows scatter by more than chance explains.
+    ByScatter(f64),
+    /// The rows scatter as stated: so few of them give a ratio above one as often as not.
+    WithinChance(f64),
+}
+
+impl fmt::Display for Enlargement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ByScatter(ratio) => {
+                write!(f, "± is enlarged {} times: the rows scatter more than stated", rounded(*ratio, 3))
+            }
+            Self::WithinChance(ratio) => write!(
+                f,
+                "± includes the Birge ratio {}: the rows scatter as stated, within what their number allows",
+                rounded(*ratio, 3)
+            ),
+        }
+    }
+}
+
+/// What a reader should know of rows whose scatter chance does not explain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ScatterWarning {
+    /// They scatter more than stated: of right uncertainties one table in a hundred does.
+    More {
+        /// Birge's.
+        ratio: f64,
+    },
+    /// They scatter less than stated: of right uncertainties one table in a hundred does.
+    Less {
+        /// Birge's.
+        ratio: f64,
+        /// What takes up an error that all rows share.
+        common: &'static str,
+    },
+}
+
+impl ScatterWarning {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::More { .. } => "rows_scatter_more",
+            Self::Less { .. } => "rows_scatter_less",
+        }
+    }
+}
+
+impl fmt::Display for ScatterWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::More { ratio } => write!(
+                f,
+                "the rows scatter {ratio:.2} times as much as their stated uncertainties: those of the result are enlarged by this \
+                 factor, the Birge ratio"
+            ),
+            Self::Less { ratio, common } => write!(
+                f,
+                "the rows scatter only {ratio:.2} times as much as their stated uncertainties: these are perhaps common to all rows, \
+                 and then belong to {common}"
+            ),
+        }
+    }
 }
 
 /// The scatter of rows about a law, in units of their stated uncertainties.
@@ -42,7 +115,7 @@ impl Scatter {
     /// √(χ²/dof).
     #[must_use]
     pub fn birge_ratio(self) -> f64 {
-        (self.chi2 / count(self.dof)).sqrt()
+        self.chi2_per_dof().sqrt()
     }
 
     /// By what the uncertainties of the fit are multiplied: the Birge ratio where it is above one, else one.
@@ -69,20 +142,30 @@ impl Scatter {
         if self.verdict() == ScatterVerdict::More { count(self.dof) } else { f64::INFINITY }
     }
 
+    /// χ² per degree of freedom, the square of the Birge ratio.
+    #[must_use]
+    pub fn chi2_per_dof(self) -> f64 {
+        self.chi2 / count(self.dof)
+    }
+
+    /// The enlargement with its reason; none where nothing is enlarged.
+    #[must_use]
+    pub fn enlarged(self) -> Option<Enlargement> {
+        let ratio = Some(self.birge_ratio()).filter(|ratio| *ratio > 1.0)?;
+        Some(match self.verdict() {
+            ScatterVerdict::More => Enlargement::ByScatter(ratio),
+            ScatterVerdict::AsStated | ScatterVerdict::Less => Enlargement::WithinChance(ratio),
+        })
+    }
+
     /// What a reader should know where chance does not explain the scatter; `common` is what takes up an error that all rows share.
     #[must_use]
-    pub fn warning(self, common: &str) -> Option<String> {
+    pub fn warning(self, common: &'static str) -> Option<ScatterWarning> {
         let ratio = self.birge_ratio();
         match self.verdict() {
             ScatterVerdict::AsStated => None,
-            ScatterVerdict::More => Some(format!(
-                "the rows scatter {ratio:.2} times as much as their stated uncertainties: those of the result are enlarged by this \
-                 factor, the Birge ratio"
-            )),
-            ScatterVerdict::Less => Some(format!(
-                "the rows scatter only {ratio:.2} times as much as their stated uncertainties: these are perhaps common to all rows, \
-                 and then belong to {common}"
-            )),
+            ScatterVerdict::More => Some(ScatterWarning::More { ratio }),
+            ScatterVerdict::Less => Some(ScatterWarning::Less { ratio, common }),
         }
     }
 }
@@ -130,8 +213,32 @@ mod tests {
     #[test]
     fn only_what_chance_does_not_explain_is_told() {
         let warning = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap().warning("the offset");
-        assert!(warning(199.0).unwrap().contains("4.46 times"));
-        assert!(warning(1.0).unwrap().contains("belong to the offset"));
+        assert!(warning(199.0).unwrap().to_string().contains("4.46 times"));
+        assert!(warning(1.0).unwrap().to_string().contains("belong to the offset"));
         assert_eq!(warning(12.0), None);
+        let names = [23.22, 2.55].map(|chi2| warning(chi2).unwrap().name());
+        assert_eq!(names, ["rows_scatter_more", "rows_scatter_less"]);
+        assert_eq!([2.57, 23.20].map(warning), [None, None]);
+    }
+
+    /// √1.03 = 1.0149 is what chance makes of ten rows more often than not.
+    #[test]
+    fn an_enlargement_is_not_blamed_on_rows_that_scatter_as_stated() {
+        let enlarged = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap().enlarged();
+        let within = enlarged(10.3).unwrap();
+        assert!(matches!(within, Enlargement::WithinChance(_)));
+        let text = within.to_string();
+        assert!(
+            text.contains("Birge ratio 1.01") && text.contains("as stated") && !text.contains("more than"),
+            "{text}"
+        );
+        assert!(matches!(enlarged(23.20), Some(Enlargement::WithinChance(_))));
+        assert!(
+            enlarged(23.22)
+                .unwrap()
+                .to_string()
+                .contains("enlarged 1.52 times: the rows scatter more than stated")
+        );
+        assert_eq!([10.0, 1.0].map(enlarged), [None, None]);
     }
 }

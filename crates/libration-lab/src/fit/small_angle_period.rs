@@ -37,7 +37,7 @@ impl LawFit {
     /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
-        per_dof(self.chi2, self.dof)
+        self.scatter().map(Scatter::chi2_per_dof)
     }
 
     /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
@@ -109,10 +109,6 @@ fn information(points: &[Point], variances: &[f64]) -> f64 {
     points.iter().zip(variances).map(|(p, v)| p.ratio * p.ratio / v).sum()
 }
 
-pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
+fn sum_of_squares(values: &[f64]) -> f64 {
     values.iter().map(|x| x * x).sum()
-}
-
-pub(super) fn per_dof(chi2: Option<f64>, dof: usize) -> Option<f64> {
-    chi2.filter(|_| dof > 0).map(|chi2| chi2 / count(dof))
 }

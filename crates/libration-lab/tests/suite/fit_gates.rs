@@ -4,7 +4,10 @@ use std::ops::ControlFlow;
 
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
-use libration_lab::fit::gates::{GateOptions, GateSignals, GatesError, GatesFit, T0Source, gates};
+use libration_lab::fit::gates::{
+    GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source, gates,
+};
+use libration_lab::fit::{Apparatus, BudgetInput};
 
 use crate::random::Random;
 use crate::synthetic_trace::normal;
@@ -107,7 +110,11 @@ fn passages_missing_and_twice_are_counted_and_change_nothing() {
     let fit = gates(&spoilt, None, &options).unwrap();
     assert_eq!((fit.double_triggers, fit.missed), (2, 3));
     assert!((fit.t0.unwrap().value - whole.t0.unwrap().value).abs() < 2e-4);
-    assert!(fit.warnings.iter().any(|warning| warning.contains("double triggers")));
+    assert_eq!(
+        fit.warnings,
+        [GatesWarning::DoubleTriggers { passages: 2 }, GatesWarning::MissedPassages { passages: 3 }]
+    );
+    assert_eq!(whole.warnings, []);
 }
 
 #[test]
@@ -124,12 +131,15 @@ fn the_amplitude_of_the_release_gives_t0() {
 #[test]
 fn without_an_amplitude_t0_is_not_known_and_said() {
     let fit = gates(&middles(&edges(0.0, 1e-5)), None, &GateOptions::default()).unwrap();
-    assert!(fit.t0.is_none() && fit.warnings.iter().any(|warning| warning.contains("amplitude")));
+    assert!(fit.t0.is_none());
+    assert_eq!(fit.warnings, [GatesWarning::NoAmplitude]);
     assert!(fit.mean_period.value > T0);
     // An amplitude that is far too large makes T0 longer than any period, which no pendulum has.
     let wrong = GateOptions { amplitude: Some(exactly(0.01)), ..GateOptions::default() };
     let fit = gates(&middles(&edges(0.0, 1e-5)), None, &wrong).unwrap();
-    assert!(fit.warnings.iter().any(|warning| warning.contains("below T0")), "{:?}", fit.warnings);
+    assert!(matches!(fit.warnings[..], [GatesWarning::PeriodBelowT0 { .. }]), "{:?}", fit.warnings);
+    let last = fit.cycles.last().unwrap().period;
+    assert!(fit.warnings[0].to_string().contains(&format!("{last:.3}")), "{}", fit.warnings[0]);
 }
 
 #[test]
@@ -171,4 +181,57 @@ fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
     assert!((10.0..100.0).contains(&exact.t0_degrees_of_freedom), "{}", exact.t0_degrees_of_freedom);
     let bare = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
     assert_eq!(gates(&times, Some(&blocked), &bare).unwrap().correlation_by_width(1e-3), None);
+}
+
+#[test]
+fn a_width_that_gives_no_speeds_is_said_to_be_of_no_use() {
+    let (times, blocked) = split(&edges(0.0, 1e-5));
+    // A bob of a metre would be so fast that the pendulum goes over the top.
+    let wide = GateOptions { width: Some(exactly(1.0)), ..GateOptions::default() };
+    let fit = gates(&times, Some(&blocked), &wide).unwrap();
+    assert!(fit.warnings.contains(&GatesWarning::WidthOfNoUse { edges: true }), "{:?}", fit.warnings);
+    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &with_width()).unwrap();
+    assert!(fit.warnings.contains(&GatesWarning::WidthOfNoUse { edges: false }), "{:?}", fit.warnings);
+    assert_eq!(gates(&times, Some(&blocked), &with_width()).unwrap().warnings, []);
+}
+
+#[test]
+fn edges_without_the_other_one_are_told() {
+    let mut all = edges(0.0, 1e-5);
+    all.remove(21);
+    let (times, blocked) = split(&all);
+    let fit = gates(&times, Some(&blocked), &with_width()).unwrap();
+    assert!(
+        fit.warnings.contains(&GatesWarning::UnpairedEdges { edges: fit.unpaired }),
+        "{:?}",
+        fit.warnings
+    );
+    assert!(fit.unpaired > 0);
+}
+
+/// 25 mm seen from 1 m; the relative uncertainties are 3 and 4 parts in a thousand.
+#[test]
+fn the_width_is_the_angle_of_the_bob_at_the_gate() {
+    let about = |value: f64, part: f64| Quantity { value, uncertainty: Some(part * value) };
+    let length = about(1.0, 0.004);
+    let bob = Apparatus { bob_radius: Some(about(0.0125, 0.003)), ..Apparatus::of_length(length) };
+    let geometry = GateGeometry { apparatus: bob, diameter: None, distance: None };
+    let width = geometry.width().unwrap();
+    assert!(
+        (width.value - 0.025).abs() < 1e-15 && (width.uncertainty.unwrap() - 0.025 * 0.005).abs() < 1e-15
+    );
+    let nearer = GateGeometry { distance: Some(exactly(0.5)), diameter: Some(exactly(0.02)), ..geometry };
+    assert_eq!(nearer.width(), Some(Quantity { value: 0.04, uncertainty: Some(0.0) }));
+    let unknown = GateGeometry { apparatus: Apparatus::of_length(length), ..geometry };
+    assert_eq!(unknown.width(), None);
+    // T0 has in common with length and radius what they do to the width; with a diameter and a distance of their own, nothing.
+    let (times, blocked) = split(&edges(0.0, 1e-5));
+    let fit =
+        gates(&times, Some(&blocked), &GateOptions { width: Some(width), ..GateOptions::default() }).unwrap();
+    let inputs: Vec<BudgetInput> = fit.correlations(&geometry).iter().map(|both| both.between[0]).collect();
+    assert_eq!(inputs, [BudgetInput::Length, BudgetInput::BobRadius]);
+    let [by_length, by_radius] = [0, 1].map(|place| fit.correlations(&geometry)[place].coefficient);
+    // Opposite signs, in the proportion of the uncertainties.
+    assert!((by_length / by_radius + 4.0 / 3.0).abs() < 1e-9, "{by_length} {by_radius}");
+    assert_eq!(fit.correlations(&nearer), []);
 }

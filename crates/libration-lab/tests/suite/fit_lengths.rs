@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
-    BudgetInput, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions, lengths,
+    BudgetInput, CountedAs, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions,
+    LengthsWarning, lengths,
 };
 
 use crate::random::Random;
@@ -44,7 +45,7 @@ fn a_line_gives_its_g_and_its_offset_back() {
     assert!((best.g.value / G - 1.0).abs() < 1e-12 && (best.offset.unwrap().value + 0.0086).abs() < 1e-12);
     // Without an offset g is wrong, and that is said.
     assert!((fit.of(LengthModel::Plain).unwrap().g.value / G - 1.0).abs() > 3e-3);
-    assert!(fit.warnings.iter().any(|warning| warning.contains("offset is needed")), "{:?}", fit.warnings);
+    assert!(fit.warnings.contains(&LengthsWarning::OffsetNeeded), "{:?}", fit.warnings);
 }
 
 #[test]
@@ -58,7 +59,9 @@ fn a_large_bob_bends_the_line_and_is_told_by_it() {
     let bent = free.of(LengthModel::OffsetAndGyration).unwrap();
     assert!((bent.gyration.unwrap().value / (0.4 * radius * radius) - 1.0).abs() < 1e-6, "{bent:?}");
     assert!((bent.g.value / G - 1.0).abs() < 1e-7);
-    assert!(free.warnings.iter().any(|warning| warning.contains("radius 60.0 mm")), "{:?}", free.warnings);
+    let bends = free.warnings.iter().find(|warning| matches!(warning, LengthsWarning::Bent { .. })).unwrap();
+    assert!(bends.to_string().contains("radius 60.0 mm"), "{bends}");
+    assert!(!known.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Bent { .. })));
 }
 
 #[test]
@@ -170,16 +173,20 @@ fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
     for (ours, wanted) in spread(&more).into_iter().zip(spread(&stated)) {
         assert!((ours / wanted - 1.0).abs() < 1e-6, "{ours} {wanted}");
     }
-    assert!(more.warnings.iter().any(|text| text.contains("4.46 times")), "{:?}", more.warnings);
+    let more_than_stated =
+        more.warnings.iter().find(|warning| matches!(warning, LengthsWarning::Scatter(_))).unwrap();
+    assert!(more_than_stated.to_string().contains("4.46 times"), "{more_than_stated}");
     assert!((more.best().uncertainty_degrees_of_freedom() - 10.0).abs() < 1e-12);
-    assert!(stated.warnings.iter().all(|text| !text.contains("scatter")), "{:?}", stated.warnings);
+    assert!(!stated.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Scatter(_))));
 }
 
 /// Of ten degrees of freedom chance leaves χ² below 2.558 in one table of a hundred.
 #[test]
 fn rows_that_scatter_less_than_stated_are_told_and_nothing_is_made_smaller() {
     let (little, enough) = (scattered(0.25), scattered(0.26));
-    let told = |fit: &LengthsFit| fit.warnings.iter().any(|text| text.contains("belong to the offset"));
+    let told = |fit: &LengthsFit| {
+        fit.warnings.iter().any(|warning| warning.to_string().contains("belong to the offset"))
+    };
     assert!(told(&little) && !told(&enough));
     let g = |fit: &LengthsFit| fit.gravity().uncertainty.unwrap();
     assert!((g(&scattered(0.25)) / g(&scattered(1.0)) - 2.0).abs() < 1e-6);
@@ -217,4 +224,46 @@ fn a_table_is_weighted_where_its_periods_have_uncertainties() {
     let (given, periods) = ([0.5, 1.0], [period(0.5, 0.0, 0.0), period(1.0, 0.0, 0.0)]);
     assert!(table(&given, &periods, Some(&[1e-3, 1e-3])).is_weighted());
     assert!(!table(&given, &periods, None).is_weighted());
+}
+
+/// Half periods make g four times as large, and whole ones that were doubled a quarter; 2.9 times are no such mistake.
+#[test]
+fn a_gravity_found_nowhere_is_explained_by_the_count_of_periods_where_that_can_be() {
+    let given = ten_lengths();
+    let counted = |factor: f64| {
+        let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.0, 0.0) / factor).collect();
+        let warnings = fitted(&given, &periods, None).warnings;
+        let nowhere =
+            warnings.into_iter().filter(|warning| matches!(warning, LengthsWarning::NowhereOnEarth { .. }));
+        nowhere.collect::<Vec<_>>()
+    };
+    let nowhere = |counted| vec![LengthsWarning::NowhereOnEarth { counted }];
+    assert_eq!(counted(1.0), []);
+    assert_eq!(counted(2.0), nowhere(Some(CountedAs::WholeThoughHalf)));
+    assert_eq!(counted(0.5), nowhere(Some(CountedAs::HalfThoughWhole)));
+    assert_eq!(counted(2.9_f64.sqrt()), nowhere(None));
+    assert_eq!(counted(0.31_f64.sqrt()), nowhere(None));
+    assert_eq!(nowhere(None)[0].name(), "gravity_contradicted");
+    assert!(nowhere(None)[0].to_string().contains("on Earth: check the units"));
+}
+
+#[test]
+fn an_offset_is_doubted_beyond_ten_radii_of_the_bob() {
+    let given = ten_lengths();
+    let doubted = |offset: f64| {
+        let periods: Vec<f64> = given.iter().map(|&length| period(length, offset, 0.01)).collect();
+        fitted(&given, &periods, Some(0.01)).warnings.contains(&LengthsWarning::OffsetLargerThanBob)
+    };
+    assert!(doubted(0.101) && !doubted(0.099));
+}
+
+/// κ below zero: no ball bends a line so.
+#[test]
+fn a_bend_the_other_way_is_no_bob() {
+    let given = ten_lengths();
+    let periods: Vec<f64> =
+        given.iter().map(|&length| TAU * ((length - 0.0015 / length) / G).sqrt()).collect();
+    let found = fitted(&given, &periods, None).warnings;
+    assert!(found.contains(&LengthsWarning::Bent { radius: None }), "{found:?}");
+    assert!(found.iter().any(|warning| warning.to_string().contains("bends the other way")));
 }

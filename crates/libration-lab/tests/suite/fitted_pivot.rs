@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-use libration_lab::fit::cycles::{self, Cycles};
+use libration_lab::fit::cycles::{self, Beta, Coefficient, Cycles, beta_of_traces};
 use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, FittedPivot, Options, Recording, Seen, Trace, TraceError};
 
@@ -115,4 +115,99 @@ fn a_pivot_goes_with_the_rows_of_its_trace() {
     assert_eq!(trace.clone().named("other").fitted_pivot(), Some(whole));
     let too_short = FittedPivot { derivatives: vec![], ..whole.clone() };
     assert_eq!(trace.clone().with_fitted_pivot(too_short), Err(TraceError::Lengths(vec![trace.len(), 0])));
+}
+
+/// 40 s, 25 times a second.
+const HALF_AS_OFTEN: Synthetic = Synthetic { step: 0.04, rows: 1000, ..Synthetic::USUAL };
+
+/// One standard deviation of a pivot's place, in m, of a pendulum of a metre: sideways and upwards.
+const PIVOT: [f64; 2] = [2e-3, 5e-3];
+
+/// What is seen of these angles about a pivot that is drawn from its uncertainty, with noise.
+fn about_a_drawn_pivot(swing: &Trace, random: &mut Random) -> Trace {
+    let [right, up] = PIVOT.map(|deviation| deviation * random.normal());
+    let bob = |angle: &f64| (libm::sin(*angle) - right, -libm::cos(*angle) - up);
+    let values = swing.values().iter().map(|angle| {
+        let (x, y) = bob(angle);
+        libm::atan2(x, -y) + 3e-4 * random.normal()
+    });
+    let values = values.collect();
+    let derivatives = swing.values().iter().map(|angle| {
+        let (x, y) = bob(angle);
+        [y / (x * x + y * y), -x / (x * x + y * y)]
+    });
+    let [xx, yy] = PIVOT.map(|deviation| deviation * deviation);
+    let pivot = FittedPivot {
+        place: [right, up],
+        covariance: [[xx, 0.0], [0.0, yy]],
+        derivatives: derivatives.collect(),
+    };
+    let trace = Trace::new("drawn", Seen::Angle, swing.times().to_vec(), values, None).unwrap();
+    trace.with_fitted_pivot(pivot).unwrap()
+}
+
+/// The root mean square of 30 numbers with a deviation of one is between 0.68 and 1.33 in 99 of 100 cases.
+fn are_pulls(pulls: &[f64]) -> bool {
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+    let mean = pulls.iter().map(|pull| pull * pull).sum::<f64>() / pulls.len() as f64;
+    (0.68..1.33).contains(&mean.sqrt())
+}
+
+/// 60° falling to 22° in 40 s, in three parts.
+fn three_parts(whole: &Trace) -> Vec<Trace> {
+    (0..3).map(|part| whole.only(|row| row * 3 / whole.len() == part).unwrap()).collect()
+}
+
+fn beta_of(traces: &[Trace]) -> Beta {
+    let cycles: Vec<_> =
+        traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
+    beta_of_traces(traces, &cycles).unwrap()
+}
+
+#[test]
+fn beta_through_parts_about_one_pivot_is_as_uncertain_as_the_pivot_leaves_it() {
+    let swing = Synthetic { linear: 0.05, ..HALF_AS_OFTEN }.trace(&mut Random::seeded(1));
+    let mut random = Random::seeded(2);
+    let betas: Vec<Beta> =
+        (0..30).map(|_| beta_of(&three_parts(&about_a_drawn_pivot(&swing, &mut random)))).collect();
+    let pulls: Vec<f64> = betas.iter().map(|beta| (beta.beta - 1.0) / beta.uncertainty).collect();
+    assert!(are_pulls(&pulls), "{pulls:?}");
+    // Angles that are 5 mm in a metre too small make R − 1 too small by twice that part.
+    assert!(betas.iter().all(|beta| (0.8..1.3).contains(&(beta.uncertainty / 0.01))), "{:?}", betas[0]);
+}
+
+/// Their errors are independent, and less remains of them in the mean.
+#[test]
+fn beta_through_recordings_with_pivots_of_their_own_is_better_known() {
+    let swing = Synthetic { linear: 0.05, ..HALF_AS_OFTEN }.trace(&mut Random::seeded(1));
+    let mut random = Random::seeded(3);
+    let mut two = || [(); 2].map(|()| about_a_drawn_pivot(&swing, &mut random));
+    let betas: Vec<Beta> = (0..30).map(|_| beta_of(&two())).collect();
+    let pulls: Vec<f64> = betas.iter().map(|beta| (beta.beta - 1.0) / beta.uncertainty).collect();
+    assert!(are_pulls(&pulls), "{pulls:?}");
+    let expected = 0.01 / 2.0_f64.sqrt();
+    assert!(betas.iter().all(|beta| (0.8..1.3).contains(&(beta.uncertainty / expected))), "{:?}", betas[0]);
+}
+
+/// Amplitudes fall by 2d/ω0² in a half swing, so that a scale that is half a percent wrong makes d as wrong.
+#[test]
+fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it() {
+    let dry = 0.025;
+    let swing = Synthetic { dry, linear: 0.0, amplitude: 20.0 * DEGREE, rows: 900, ..HALF_AS_OFTEN }
+        .trace(&mut Random::seeded(1));
+    let mut random = Random::seeded(4);
+    let coefficient = |trace: &Trace| {
+        let only = DampingTerms::only(DampingTerm::Dry);
+        let fits = cycles_of(trace).envelope.unwrap().fits;
+        fits.into_iter().find(|fit| fit.damping == only).unwrap().coefficients[0]
+    };
+    let found: Vec<Coefficient> =
+        (0..30).map(|_| coefficient(&about_a_drawn_pivot(&swing, &mut random))).collect();
+    let pulls: Vec<f64> = found.iter().map(|found| (found.value - dry) / found.uncertainty).collect();
+    assert!(are_pulls(&pulls), "{pulls:?}");
+    assert!(
+        found.iter().all(|found| (0.9..1.3).contains(&(found.uncertainty / (0.005 * dry)))),
+        "{:?}",
+        found[0]
+    );
 }

@@ -16,4 +16,5 @@ mod malformed;
 mod measurement;
 mod recording;
 mod rounded_times;
+mod swings;
 mod trace_fits;

@@ -7,8 +7,8 @@ use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
 use libration::quantity::{Angle, Quantity};
-use libration_lab::fit::gates::{GateOptions, GateSignals, GatesFit, T0Source, gates};
-use libration_lab::fit::{self, Budget, BudgetInput, Correlation, MeasuredPeriod};
+use libration_lab::fit::Budget;
+use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesFit, gates};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -87,58 +87,20 @@ impl FitGates {
         });
         let amplitude =
             self.amplitude.map(|angle| Quantity { value: angle.abs().radians(), uncertainty: None });
-        GateOptions { signals, width: self.width(), amplitude }
+        GateOptions { signals, width: self.geometry().and_then(|geometry| geometry.width()), amplitude }
     }
 
-    /// The angle that the bob goes in front of the gate.
-    fn width(&self) -> Option<Quantity> {
+    /// None without a length.
+    fn geometry(&self) -> Option<GateGeometry> {
         let apparatus = self.apparatus.apparatus()?;
-        let twice = |radius: Quantity| Quantity {
-            value: 2.0 * radius.value,
-            uncertainty: radius.uncertainty.map(|spread| 2.0 * spread),
-        };
-        let diameter = self.diameter.or_else(|| apparatus.bob_radius.map(twice))?;
-        let distance = self.gate_distance.unwrap_or(apparatus.length);
-        let relative = |quantity: Quantity| quantity.uncertainty.unwrap_or(0.0) / quantity.value;
-        let value = diameter.value / distance.value;
-        let uncertainty = Some(value * relative(diameter).hypot(relative(distance)));
-        Some(Quantity { value, uncertainty })
+        Some(GateGeometry { apparatus, diameter: self.diameter, distance: self.gate_distance })
     }
 
     fn budget(&self, fit: &GatesFit) -> Result<Option<Budget>, Failure> {
-        let (Some(apparatus), Some(t0)) = (self.apparatus.apparatus(), fit.t0) else { return Ok(None) };
-        let period = MeasuredPeriod {
-            t0,
-            amplitude: fit.amplitude,
-            angle_scale: match fit.t0_source {
-                // What the width of the bob is worth is part of T0 already.
-                Some(T0Source::Speeds) => Some(0.0),
-                _ => self.apparatus.angle_scale(),
-            },
-            clock: self.apparatus.clock(),
-            degrees_of_freedom: fit.t0_degrees_of_freedom,
-            damping: self.damping.damping(),
-        };
-        let correlations = [self.apparatus.correlations(), &self.by_width(fit)].concat();
-        let budget = fit::budget(&apparatus, &period, &correlations)
-            .map_err(|error| Failure::no_answer("gravity", error))?;
-        Ok(Some(budget))
-    }
-
-    /// What T0 has in common with the sizes that the width comes from.
-    fn by_width(&self, fit: &GatesFit) -> Vec<Correlation> {
-        let Some(width) = self.width() else { return vec![] };
-        let relative = |quantity: Quantity| quantity.uncertainty.unwrap_or(0.0) / quantity.value;
-        let length = self.apparatus.length().filter(|_| self.gate_distance.is_none());
-        let radius = self.apparatus.bob_radius().filter(|_| self.diameter.is_none());
-        let changes = [
-            (BudgetInput::Length, length.map(|length| -relative(length))),
-            (BudgetInput::BobRadius, radius.map(relative)),
-        ];
-        let correlation = |(input, part): (BudgetInput, Option<f64>)| {
-            let coefficient = fit.correlation_by_width(width.value * part.filter(|part| *part != 0.0)?)?;
-            Some(Correlation { between: [input, BudgetInput::Period], coefficient })
-        };
-        changes.into_iter().filter_map(correlation).collect()
+        let Some(geometry) = self.geometry() else { return Ok(None) };
+        let (angle_scale, clock) = (self.apparatus.angle_scale(), self.apparatus.clock());
+        let correlations = self.apparatus.correlations();
+        fit.gravity(&geometry, angle_scale, clock, self.damping.damping(), correlations)
+            .map_err(|error| Failure::no_answer("gravity", error))
     }
 }

@@ -62,15 +62,18 @@ impl Answer<'_> {
             Some((budget, _)) => output::budget::fields(record, budget),
             None => record,
         };
-        record
+        let record = record
             .with("cycles", fit.cycles.iter().map(|cycle| cycle_record(cycle).into()).collect::<Vec<Value>>())
-            .with("told_from_file", self.findings.clone())
-            .with("warnings", self.warnings())
+            .with("told_from_file", self.findings.clone());
+        output::warnings::fields(record, self.warnings())
     }
 
-    fn warnings(&self) -> Vec<String> {
-        let of_gravity = self.budget.into_iter().flat_map(|(budget, _)| output::budget::doubts(budget));
-        self.fit.warnings.iter().cloned().chain(of_gravity).collect()
+    /// With names that stay.
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
+        of_times
+            .chain(self.budget.into_iter().flat_map(|(budget, _)| output::budget::warnings(budget)))
+            .collect()
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -89,7 +92,7 @@ impl Answer<'_> {
             write_text(out, "read: ", finding)?;
         }
         for warning in &self.fit.warnings {
-            write_text(out, "note: ", warning)?;
+            write_text(out, "note: ", &warning.to_string())?;
         }
         let Some((budget, _)) = self.budget else { return Ok(()) };
         writeln!(out)?;

@@ -6,9 +6,12 @@ use crate::output::json::{self, Record};
 use crate::output::table::{Column, Table, sheet, write_text};
 use crate::output::{self, Form, csv, number};
 use libration::quantity::Quantity;
-use libration_lab::fit::{GRAVITY_ON_EARTH, LengthFit, LengthsFit};
+use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning};
 use serde_json::Value;
 use std::io::{self, Write};
+
+/// The name of the warning that belongs beside gravity.
+const CONTRADICTED: &str = "gravity_contradicted";
 
 /// What is said about the measurements.
 pub(super) struct Answer<'a> {
@@ -40,26 +43,26 @@ impl Answer<'_> {
             .number("gravity_uncertainty_m_per_s2", self.fit.combined.standard)
             .number_or("offset_m", offset.map(|offset| offset.value), none)
             .number_or("offset_uncertainty_m", offset.and_then(|offset| offset.uncertainty), none)
-            .with("laws", self.fit.fits.iter().map(|fit| law_record(fit).into()).collect::<Vec<Value>>())
-            .with("warnings", self.fit.warnings.iter().cloned().chain(self.doubt()).collect::<Vec<_>>());
+            .with("laws", self.fit.fits.iter().map(|fit| law_record(fit).into()).collect::<Vec<Value>>());
+        let record = output::warnings::fields(record, self.warnings());
         output::combined::fields(output::scatter::fields(record, best.scatter()), &self.fit.combined)
     }
 
-    /// What to think of a gravity that is found nowhere on Earth.
-    fn doubt(&self) -> Option<String> {
-        let found = self.fit.gravity();
-        let doubt = output::budget::found_nowhere(found.value, found.uncertainty.unwrap_or(0.0))?;
-        let times_too_large = found.value / GRAVITY_ON_EARTH[0];
-        let advice = match self.measured.half_periods {
-            false if (3.0..5.0).contains(&times_too_large) => {
-                "it is about four times as large here: if the times are half periods, say --half-periods"
+    /// The warnings with the options that help, and names that stay.
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let half = self.measured.half_periods;
+        let text = |warning: &LengthsWarning| match warning {
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholeThoughHalf) } if !half => {
+                format!("{warning} (--half-periods)")
             }
-            true if (0.2..0.3).contains(&times_too_large) => {
-                "it is about a quarter of that here: if the times are whole periods, leave out --half-periods"
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::HalfThoughWhole) } if half => {
+                format!("{warning} (leave out --half-periods)")
             }
-            _ => "check the units of lengths and periods, and that periods are whole ones",
+            LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
+            LengthsWarning::OffsetLargerThanBob => format!("{warning} (--length-unit)"),
+            _ => warning.to_string(),
         };
-        Some(format!("{doubt}: {advice}"))
+        self.fit.warnings.iter().map(|warning| (warning.name(), text(warning))).collect()
     }
 
     fn weighting(&self) -> &'static str {
@@ -104,7 +107,7 @@ impl Answer<'_> {
         table.finish(out)?;
         writeln!(out)?;
         output::combined::write_table(out, &self.fit.combined)?;
-        for warning in &self.fit.warnings {
+        for (_, warning) in self.warnings().iter().filter(|(name, _)| *name != CONTRADICTED) {
             write_text(out, "note: ", warning)?;
         }
         Ok(())
@@ -128,7 +131,8 @@ impl Answer<'_> {
         if !self.measured.told.is_empty() {
             lines.insert(1, ("units", self.measured.told.join("; ")));
         }
-        lines.extend(self.doubt().map(|doubt| ("doubtful", doubt)));
+        let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
+        lines.extend(contradicted.map(|(_, doubt)| ("doubtful", doubt)));
         if let Some(offset) = best.offset {
             let millimetres = [offset.value, offset.uncertainty.unwrap_or(0.0)].map(|metres| 1e3 * metres);
             let text = number::with_uncertainty(millimetres[0], millimetres[1], "mm");

@@ -9,9 +9,7 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use input::Input;
 pub(crate) use input::Measurement;
-use libration::pendulum::Amplitude;
-use libration::quantity::Quantity;
-use libration_lab::fit::{self, Law, MeasuredPeriod, PeriodFit};
+use libration_lab::fit::{self, Law};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -62,10 +60,10 @@ impl FitPeriods {
         let options = fit::Options { reject_outliers: self.reject_outliers };
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
         let correlations = self.apparatus.correlations();
-        let budget = self
-            .apparatus
-            .apparatus()
-            .map(|apparatus| fit::budget(&apparatus, &self.period(&fit), correlations));
+        let period =
+            fit.measured_period(self.apparatus.angle_scale(), self.apparatus.clock(), self.damping.damping());
+        let apparatus = self.apparatus.apparatus();
+        let budget = apparatus.map(|apparatus| fit::budget(&apparatus, &period, correlations));
         let budget = budget.transpose().map_err(|error| Failure::no_answer("gravity", error))?;
         let mut drawn = vec![];
         if let Some(path) = &self.figure {
@@ -84,20 +82,5 @@ impl FitPeriods {
         };
         answer.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
-    }
-
-    /// T0 with the amplitude whose T/T0 is the mean of those measured.
-    fn period(&self, fit: &PeriodFit) -> MeasuredPeriod {
-        let ratios = fit.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
-        let (count, sum) = ratios.fold((0.0, 0.0), |(count, sum), ratio| (count + 1.0, sum + ratio));
-        let amplitude = Amplitude::from_period_ratio(sum / count).ok().map(|amplitude| amplitude.radians());
-        MeasuredPeriod {
-            t0: Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) },
-            amplitude,
-            angle_scale: self.apparatus.angle_scale(),
-            clock: self.apparatus.clock(),
-            degrees_of_freedom: fit.exact.uncertainty_degrees_of_freedom(),
-            damping: self.damping.damping(),
-        }
     }
 }

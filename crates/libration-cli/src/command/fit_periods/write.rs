@@ -42,19 +42,15 @@ impl Answer<'_> {
             .with("told_from_file", self.measured.told.clone())
             .with("weighting", weighting(self.fit.weighting))
             .with("outlier_lines", self.outlier_lines())
-            .with("laws", laws)
-            .with("warnings", self.warnings());
+            .with("laws", laws);
+        let record = output::warnings::fields(record, self.warnings());
         self.gravity_fields(self.beta_fields(record))
     }
 
-    /// What is doubtful about the rows, and about gravity.
-    fn warnings(&self) -> Vec<String> {
-        let of_rows = self.scatter_warning();
-        of_rows.into_iter().chain(self.budget.into_iter().flat_map(output::budget::doubts)).collect()
-    }
-
-    fn scatter_warning(&self) -> Option<String> {
-        self.fit.exact.scatter()?.warning("T₀")
+    /// What is doubtful about the rows, and about gravity, with names that stay.
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let of_rows = self.fit.warnings().into_iter().map(|warning| (warning.name(), warning.to_string()));
+        of_rows.chain(self.budget.into_iter().flat_map(output::budget::warnings)).collect()
     }
 
     fn beta_fields(&self, record: Record) -> Record {
@@ -138,7 +134,7 @@ impl Answer<'_> {
             ),
             ("β", self.beta_line()),
         ];
-        lines.extend(self.scatter_warning().map(|warning| ("doubtful", warning)));
+        lines.extend(self.fit.warnings().iter().map(|warning| ("doubtful", warning.to_string())));
         if !self.measured.told.is_empty() {
             lines.insert(1, ("units", self.measured.told.join("; ")));
         }

@@ -1,11 +1,12 @@
 //! The answer as JSON.
 
-use super::answer::{Answer, Pendulum};
+use super::answer::Answer;
 use crate::output;
 use crate::output::json::{self, Record};
 use libration_lab::fit::DampingTerm;
 use libration_lab::fit::cycles::Cycle;
-use libration_lab::fit::trace::{Averaged, Comparison, Parameter, Standing};
+use libration_lab::fit::swings::{Advice, FittedPendulum, Warning};
+use libration_lab::fit::trace::{Averaged, Comparison, Parameter};
 use libration_lab::measurement::Seen;
 use serde_json::Value;
 use std::io::{self, Write};
@@ -16,23 +17,28 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
     let record = of_cycles(record, answer);
     let record = of_pendulum(record, answer);
     let record = record
-        .with("warnings", answer.warnings.clone())
-        .with("warning_kinds", answer.warning_kinds.clone())
-        .with("advice", answer.advice.clone())
+        .with("warnings", answer.warnings())
+        .with("warning_kinds", kinds(&answer.swings.warnings, Warning::name))
+        .with("advice", answer.advice())
+        .with("advice_kinds", kinds(&answer.swings.advice, Advice::name))
         .with("traces", traces(answer))
         .with("findings", findings(answer))
-        .with("comparison", answer.comparison.as_ref().map_or(Value::Null, comparison))
-        .with("averaged", answer.comparison.as_ref().map_or(Value::Null, averaged))
+        .with("comparison", answer.swings.comparison.as_ref().map_or(Value::Null, comparison))
+        .with("averaged", answer.swings.comparison.as_ref().map_or(Value::Null, averaged))
         .with("correlations", correlations(answer))
         .with("autocorrelation", autocorrelation(answer));
     json::document(out, record)
 }
 
+fn kinds<T>(all: &[T], name: fn(&T) -> &'static str) -> Vec<&'static str> {
+    all.iter().map(name).collect()
+}
+
 fn of_fit(answer: &Answer<'_>) -> Record {
-    let fit = &answer.fit;
+    let fit = &answer.swings.fit;
     let files: Vec<&str> = answer.measured.files.iter().map(|file| file.name.as_str()).collect();
     let parameters: Vec<Value> = fit.parameters.iter().map(|each| parameter(each).into()).collect();
-    let (period, uncertainty) = answer.small_angle_period();
+    let period = answer.swings.small_angle_period();
     let rms = match answer.measured.traces[0].seen() {
         Seen::Angle => "rms_residual_rad",
         Seen::AngularVelocity => "rms_residual_rad_per_s",
@@ -45,8 +51,8 @@ fn of_fit(answer: &Answer<'_>) -> Record {
         .number(rms, fit.rms)
         .with("rows", fit.rows())
         .with("converged", fit.converged)
-        .number("small_angle_period_s", period)
-        .number("small_angle_period_uncertainty_s", uncertainty)
+        .number("small_angle_period_s", period.value)
+        .number("small_angle_period_uncertainty_s", period.uncertainty.unwrap_or(f64::NAN))
 }
 
 fn parameter(parameter: &Parameter) -> Record {
@@ -71,15 +77,18 @@ fn pair(ends: [f64; 2]) -> Value {
 
 fn of_cycles(record: Record, answer: &Answer<'_>) -> Record {
     let several = answer.measured.traces.len() > 1;
-    let cycles: Vec<Value> =
-        answer.all_cycles().map(|(trace, each)| cycle(each, several.then_some(trace)).into()).collect();
-    let beta = answer.beta.as_ref();
-    let why_none = beta.err().map_or("", String::as_str);
+    let cycles: Vec<Value> = answer
+        .swings
+        .all_cycles()
+        .map(|(trace, each)| cycle(each, several.then_some(trace)).into())
+        .collect();
+    let beta = answer.swings.beta.as_ref();
+    let why_none = beta.err().map(ToString::to_string).unwrap_or_default();
     let beta = beta.ok();
-    record.with("cycles", cycles).number_or("beta", beta.map(|beta| beta.value), why_none).number_or(
+    record.with("cycles", cycles).number_or("beta", beta.map(|beta| beta.beta), &why_none).number_or(
         "beta_uncertainty",
         beta.map(|beta| beta.uncertainty),
-        why_none,
+        &why_none,
     )
 }
 
@@ -98,15 +107,15 @@ fn cycle(cycle: &Cycle, trace: Option<usize>) -> Record {
 }
 
 fn of_pendulum(record: Record, answer: &Answer<'_>) -> Record {
-    match &answer.pendulum {
-        Pendulum::Gravity { budget, length } => output::budget::fields(record, budget)
+    match &answer.swings.pendulum {
+        FittedPendulum::Gravity { budget, length } => output::budget::fields(record, budget)
             .number("length_m", length.value)
             .number_or("length_uncertainty_m", length.uncertainty, "the length was given without one")
             .number("gravity_m_per_s2", budget.g)
             .number("gravity_uncertainty_m_per_s2", budget.uncertainty),
-        Pendulum::Length { value, uncertainty } => record
-            .number("length_in_standard_gravity_m", *value)
-            .number("length_in_standard_gravity_uncertainty_m", *uncertainty)
+        FittedPendulum::Length(length) => record
+            .number("length_in_standard_gravity_m", length.value)
+            .number("length_in_standard_gravity_uncertainty_m", length.uncertainty.unwrap_or(f64::NAN))
             .note("give --length to have gravity"),
     }
 }
@@ -116,8 +125,8 @@ fn traces(answer: &Answer<'_>) -> Vec<Value> {
 }
 
 fn trace(answer: &Answer<'_>, number: usize) -> Record {
-    let (trace, fitted) = (&answer.measured.traces[number], &answer.fit.traces[number]);
-    let cycles = answer.cycles[number].as_ref();
+    let (trace, fitted) = (&answer.measured.traces[number], &answer.swings.fit.traces[number]);
+    let cycles = answer.swings.cycles[number].as_ref();
     let beta = cycles.ok().and_then(|cycles| cycles.beta.as_ref().ok());
     let no_cycles = cycles.err().map_or(String::new(), ToString::to_string);
     const OPEN: &str = "its cycles leave beta open";
@@ -156,7 +165,7 @@ fn model(comparison: &Comparison, place: usize, weight: f64) -> Value {
     let coefficients = fit.damping.iter().filter_map(|term| fit.parameter(term.name()));
     Record::new()
         .with("model", fit.damping.to_string())
-        .with("standing", standing(comparison.standing(place)))
+        .with("standing", comparison.standing(place).name())
         .number("rms_residual", fit.rms)
         .number("excess_aicc", comparison.excess_information[place])
         .number("weight", weight)
@@ -167,17 +176,6 @@ fn model(comparison: &Comparison, place: usize, weight: f64) -> Value {
         .with("negative_terms", negative)
         .with("coefficients", coefficients.map(|each| parameter(each).into()).collect::<Vec<Value>>())
         .into()
-}
-
-fn standing(standing: Standing) -> &'static str {
-    match standing {
-        Standing::Preferred => "preferred",
-        Standing::Tied => "tied",
-        Standing::Possible => "possible",
-        Standing::Negative => "negative",
-        Standing::FeedsEnergy => "feeds_energy",
-        Standing::Excluded => "excluded",
-    }
 }
 
 /// Over the models that the data leave.
@@ -197,14 +195,14 @@ fn averaged(comparison: &Comparison) -> Value {
 
 fn correlations(answer: &Answer<'_>) -> Vec<Value> {
     let row = |row: &Vec<f64>| row.iter().map(|&value| json::number(value)).collect::<Vec<_>>().into();
-    answer.fit.correlations.iter().map(row).collect()
+    answer.swings.fit.correlations.iter().map(row).collect()
 }
 
 fn autocorrelation(answer: &Answer<'_>) -> Record {
-    let found = &answer.fit.autocorrelation;
+    let found = &answer.swings.fit.autocorrelation;
     Record::new()
         .with("is_noise", found.is_noise())
         .number("correlation_time_rows", found.time)
         .number("excess", found.excess)
-        .with("bootstrap_block_rows", answer.fit.bootstrap_block.map_or(Value::Null, Value::from))
+        .with("bootstrap_block_rows", answer.swings.fit.bootstrap_block.map_or(Value::Null, Value::from))
 }

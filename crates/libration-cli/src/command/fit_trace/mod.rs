@@ -1,14 +1,13 @@
 //! `libration fit trace`: measured swings explained by the damped pendulum at any amplitude.
 
-mod advice;
 mod answer;
 mod csv;
 mod input;
 mod json;
 mod model;
+mod options;
 mod report;
 mod sheet;
-mod warnings;
 
 use crate::arguments::{ApparatusOptions, RecordingOptions};
 use crate::document;

@@ -1,12 +1,13 @@
 //! The answer as a sheet with tables, for people at a terminal.
 
-use super::answer::{Answer, Pendulum, STANDARD_GRAVITY};
+use super::answer::Answer;
 use crate::output;
-use crate::output::number::{rounded, short, with_uncertainty};
+use crate::output::number::{self, rounded, short, with_uncertainty};
 use crate::output::table::{Column, Table, paragraph, sheet};
-use libration_lab::fit::DampingTerm;
 use libration_lab::fit::cycles::Cycles;
+use libration_lab::fit::swings::FittedPendulum;
 use libration_lab::fit::trace::{Comparison, Parameter, Standing};
+use libration_lab::fit::{DampingTerm, STANDARD_GRAVITY, alternatives};
 use libration_lab::measurement::Seen;
 use std::io::{self, Write};
 
@@ -22,16 +23,16 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
         writeln!(out)?;
         traces(out, answer)?;
     }
-    if let Some(comparison) = &answer.comparison {
+    if let Some(comparison) = &answer.swings.comparison {
         writeln!(out)?;
         models(out, answer, comparison)?;
     }
-    if let Pendulum::Gravity { budget, .. } = &answer.pendulum {
+    if let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum {
         writeln!(out)?;
         output::budget::write_table(out, budget)?;
     }
-    list(out, "warnings", &answer.warnings)?;
-    list(out, "to improve", &answer.advice)?;
+    list(out, "warnings", &answer.warnings())?;
+    list(out, "to improve", &answer.advice())?;
     answer
         .measured
         .files
@@ -40,11 +41,11 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
 }
 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
-    let (period, uncertainty) = answer.small_angle_period();
+    let period = answer.swings.small_angle_period();
     let mut lines = vec![
         ("read", read(answer)),
         ("model", model(answer)),
-        ("T₀", with_uncertainty(period, uncertainty, "s")),
+        ("T₀", number::quantity(period, "s")),
         gravity_or_length(answer),
     ];
     lines.extend(expanded(answer).map(|text| ("expanded", text)));
@@ -54,15 +55,15 @@ fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
 
 /// The expanded uncertainty of gravity, where there is one.
 pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
-    match &answer.pendulum {
-        Pendulum::Gravity { budget, .. } => Some(output::combined::expanded(&budget.combined)),
-        Pendulum::Length { .. } => None,
+    match &answer.swings.pendulum {
+        FittedPendulum::Gravity { budget, .. } => Some(output::combined::expanded(&budget.combined)),
+        FittedPendulum::Length(_) => None,
     }
 }
 
 fn read(answer: &Answer<'_>) -> String {
     let traces = &answer.measured.traces;
-    let rows = answer.fit.rows();
+    let rows = answer.swings.fit.rows();
     let seconds =
         |trace: &libration_lab::measurement::Trace| trace.times()[trace.len() - 1] - trace.times()[0];
     match &traces[..] {
@@ -73,27 +74,27 @@ fn read(answer: &Answer<'_>) -> String {
 
 /// The damping, and how it was chosen.
 pub(super) fn model(answer: &Answer<'_>) -> String {
-    let chosen = answer.fit.damping.to_string();
-    let rivals = answer.rivals();
-    match (&answer.comparison, rivals.len()) {
+    let chosen = answer.swings.fit.damping.to_string();
+    let rivals = answer.swings.rivals();
+    match (&answer.swings.comparison, rivals.len()) {
         (None, _) => format!("{chosen} (as asked)"),
         (Some(_), 0) => format!("{chosen} (preferred by the data)"),
         (Some(_), _) => {
-            format!("{chosen} (the data cannot exclude {})", super::warnings::list(&rivals))
+            format!("{chosen} (the data cannot exclude {})", alternatives(&rivals))
         }
     }
 }
 
 /// Gravity if the length is known, else the length.
 pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
-    match &answer.pendulum {
-        Pendulum::Gravity { budget, length } => {
-            let length = with_uncertainty(length.value, length.uncertainty.unwrap_or(0.0), "m");
-            let gravity = with_uncertainty(budget.g, budget.uncertainty, "m/s²");
+    match &answer.swings.pendulum {
+        FittedPendulum::Gravity { budget, length } => {
+            let length = number::quantity(*length, "m");
+            let gravity = number::quantity(budget.gravity(), "m/s²");
             ("gravity", format!("{gravity}  (length {length})"))
         }
-        Pendulum::Length { value, uncertainty } => {
-            let length = with_uncertainty(*value, *uncertainty, "m");
+        FittedPendulum::Length(length) => {
+            let length = number::quantity(*length, "m");
             ("length", format!("{length}  (of a simple pendulum, if g = {STANDARD_GRAVITY} m/s²)"))
         }
     }
@@ -101,24 +102,25 @@ pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
 
 /// In degrees for angles.
 pub(super) fn residual(answer: &Answer<'_>) -> String {
-    let rms = in_unit(answer, answer.fit.rms, 3);
-    answer.fit.chi2_per_dof.map_or(rms.clone(), |chi2| format!("{rms}, χ²/dof {}", rounded(chi2, 3)))
+    let rms = in_unit(answer, answer.swings.fit.rms, 3);
+    answer.swings.fit.chi2_per_dof.map_or(rms.clone(), |chi2| format!("{rms}, χ²/dof {}", rounded(chi2, 3)))
 }
 
 fn cycles(answer: &Answer<'_>) -> String {
-    let count = answer.all_cycles().count();
-    answer.amplitudes().map_or("none".to_owned(), |(largest, smallest)| {
-        let [largest, smallest] = [largest, smallest].map(|amplitude| rounded(amplitude.to_degrees(), 3));
+    let count = answer.swings.all_cycles().count();
+    answer.swings.amplitudes().map_or("none".to_owned(), |amplitudes| {
+        let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
         format!("{count}, with amplitudes from {largest}° to {smallest}°")
     })
 }
 
 /// β with what it should be, or why there is none.
 pub(super) fn beta(answer: &Answer<'_>) -> String {
-    match &answer.beta {
+    match &answer.swings.beta {
         Ok(beta) => {
-            let angles = if answer.scale_is_fitted() { "; of the angles before they are scaled" } else { "" };
-            format!("{}  (1 is the exact law{angles})", with_uncertainty(beta.value, beta.uncertainty, ""))
+            let angles =
+                if answer.swings.scale_is_fitted() { "; of the angles before they are scaled" } else { "" };
+            format!("{}  (1 is the exact law{angles})", with_uncertainty(beta.beta, beta.uncertainty, ""))
         }
         Err(reason) => format!("none: {reason}"),
     }
@@ -131,7 +133,7 @@ pub(super) fn parameter_columns() -> Vec<Column> {
 
 fn parameters(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
     let mut table = Table::new(parameter_columns());
-    for parameter in &answer.fit.parameters {
+    for parameter in &answer.swings.fit.parameters {
         table.row(out, cells(parameter, answer))?;
     }
     table.finish(out)
@@ -190,10 +192,10 @@ fn traces(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
 pub(super) fn trace_rows(answer: &Answer<'_>) -> Vec<Vec<String>> {
     let row = |trace: usize| {
         let measured = &answer.measured.traces[trace];
-        let rms = in_unit(answer, answer.fit.traces[trace].rms(), 3);
+        let rms = in_unit(answer, answer.swings.fit.traces[trace].rms(), 3);
         let first = vec![measured.name().to_owned(), measured.len().to_string(), rms];
         let none = || std::array::from_fn(|_| "–".to_owned());
-        let rest = answer.cycles[trace].as_ref().map_or_else(|_| none(), of_cycles);
+        let rest = answer.swings.cycles[trace].as_ref().map_or_else(|_| none(), of_cycles);
         [first, rest.to_vec()].concat()
     };
     (0..answer.measured.traces.len()).map(row).collect()
@@ -240,7 +242,7 @@ fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> 
 pub(super) fn counted_rows(answer: &Answer<'_>, comparison: &Comparison) -> String {
     format!(
         "{} rows count as {} independent ones.",
-        answer.fit.rows(),
+        answer.swings.fit.rows(),
         rounded(comparison.independent_rows, 3)
     )
 }

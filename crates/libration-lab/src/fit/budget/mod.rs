@@ -16,11 +16,13 @@ mod inputs;
 mod rows;
 #[cfg(test)]
 mod tests;
+mod warning;
 
 pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};
 pub use combined::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
 pub(super) use derivative::derivative;
 pub use input::BudgetInput;
+pub use warning::BudgetWarning;
 
 use libration::quantity::Quantity;
 
@@ -160,23 +162,6 @@ impl Budget {
     #[must_use]
     pub fn is_linear(&self) -> bool {
         self.curvature.abs() <= 0.1 * self.uncertainty
-    }
-
-    /// What a reader should know of the uncertainty.
-    #[must_use]
-    pub fn warnings(&self) -> Vec<String> {
-        let open: Vec<&str> = self.combined.without_uncertainty().map(BudgetInput::name).collect();
-        let missing = (!open.is_empty()).then(|| {
-            format!(
-                "given without an uncertainty: {}; that of gravity is too small by what is missing",
-                open.join(", ")
-            )
-        });
-        let bent = (!self.is_linear()).then(|| {
-            "the uncertainties are so large that gravity does not follow them in proportion: ± is rough"
-                .to_owned()
-        });
-        missing.into_iter().chain(bent).collect()
     }
 }
 

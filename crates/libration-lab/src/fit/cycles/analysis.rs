@@ -13,7 +13,7 @@ use super::row::{Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
 use super::turning_point::Extreme;
-use super::{Cycle, Cycles, CyclesError, HalfSwing, Options};
+use super::{Cycle, Cycles, CyclesError, CyclesWarning, HalfSwing, Options};
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;
 
@@ -30,7 +30,7 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
     let mut found = about_a_known_pivot(trace, options)?;
     for error in trace.fitted_pivot().iter().flat_map(|pivot| pivot.errors()) {
         let moved = about_a_known_pivot(&trace.shifted(&error), options)?;
-        pivot::add(&mut found, &moved);
+        pivot::add(&mut found, moved);
     }
     Ok(found)
 }
@@ -71,7 +71,9 @@ fn about_a_known_pivot(trace: &Trace, options: &Options) -> Result<Cycles, Cycle
         t0_uncertainty: law.t0_uncertainty,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept),
-        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, unit(trace.seen())),
+        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.seen()),
+        rows: kept,
+        about_moved_pivot: vec![],
     })
 }
 
@@ -199,35 +201,18 @@ fn warnings(
     outliers: usize,
     swings: &Swings,
     centre: &Centre,
-    unit: &str,
-) -> Vec<String> {
-    let mut warnings = vec![];
-    let mut say = |count: usize, what: &str| {
-        if count > 0 {
-            warnings.push(format!("{what}: {count}"));
-        }
-    };
-    say(swings.rotations, "swings that lead over the top, left out");
-    say(found.cycles.len() - rows.len(), "incomplete cycles (gaps, too few rows, or too faint), left out");
-    say(outliers, "cycles with a period far from the law, left out");
-    if let Some(time) = swings.lost {
-        warnings
-            .push(format!("from {time:.4} s on the swing is lost in the noise: the cycles are those before"));
-    }
-    if centre.wander > 0.0 {
-        warnings.push(format!(
-            "the centre of the swing wanders by {:.2e} {unit} (standard deviation), more than the noise explains; it was \
-             followed from swing to swing",
-            centre.wander
-        ));
-    }
-    warnings
-}
-
-/// Of what is seen.
-fn unit(seen: Seen) -> &'static str {
-    match seen {
-        Seen::Angle => "rad",
-        Seen::AngularVelocity => "rad/s",
-    }
+    seen: Seen,
+) -> Vec<CyclesWarning> {
+    let incomplete = found.cycles.len() - rows.len();
+    let deviation = centre.wander;
+    [
+        (swings.rotations > 0).then_some(CyclesWarning::OverTheTop { swings: swings.rotations }),
+        (incomplete > 0).then_some(CyclesWarning::Incomplete { cycles: incomplete }),
+        (outliers > 0).then_some(CyclesWarning::FarFromTheLaw { cycles: outliers }),
+        swings.lost.map(|from| CyclesWarning::LostInNoise { from }),
+        (deviation > 0.0).then_some(CyclesWarning::CentreWanders { deviation, seen }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

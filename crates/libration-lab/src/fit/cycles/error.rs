@@ -66,6 +66,6 @@ pub enum CyclesError {
 }
 
 /// `1 cycle`, `2 cycles`.
-fn counted(count: usize, what: &str) -> String {
+pub(super) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

@@ -33,18 +33,27 @@ pub(super) mod row;
 
 mod decay_rates;
 mod envelope;
+mod fall;
 
 mod pivot;
 
 mod analysis;
 
+mod several;
+
 mod unit;
+
+mod warning;
 
 pub use analysis::cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
-pub use period_law::{Beta, cycles_tell_beta};
+pub use period_law::Beta;
+pub use several::beta_of_traces;
 pub use unit::{BeyondATurn, are_radians, beyond_a_turn};
+pub use warning::CyclesWarning;
+
+use row::Row;
 
 /// How cycles are analysed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,7 +127,11 @@ pub struct Cycles {
     /// Which damping the falling amplitude prefers, or why that cannot be said.
     pub envelope: Result<Envelope, CyclesError>,
     /// What a reader should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<CyclesWarning>,
+    /// Those that count, with what their errors come from.
+    rows: Vec<Row>,
+    /// The same with the pivot moved by each of its two errors, where it was fitted.
+    about_moved_pivot: Vec<Vec<Row>>,
 }
 
 impl Cycles {

@@ -1,11 +1,11 @@
 //! T = T0·[1 + β(R − 1)] through the cycles, whose errors are not independent: cycles share passages with those before
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
+use super::CyclesError;
 use super::generalised::{Generalised, Scatter, fit};
 use super::row::{Row, Side};
-use super::{Cycle, CyclesError};
-use crate::fit::Law;
-use crate::statistics::{median, robust_deviation};
+use crate::fit::{Law, SIGNIFICANT};
+use crate::statistics::{mean, median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
 const ROUNDS: usize = 5;
@@ -41,6 +41,28 @@ pub struct Beta {
     pub correlation: f64,
     /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
     pub chi2_per_dof: Option<f64>,
+}
+
+impl Beta {
+    /// By how many of its uncertainties it differs from that of the exact law.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        (self.beta - 1.0).abs() / self.uncertainty
+    }
+
+    /// Whether that is more than chance: [`SIGNIFICANT`].
+    #[must_use]
+    pub fn differs_from_one(&self) -> bool {
+        self.deviation() > SIGNIFICANT
+    }
+
+    /// By which part of them the angles are too small, if a wrong scale is why β is not 1, since R − 1 goes with the square of the
+    /// amplitude; none above a fifth, which no camera, protractor or gyroscope is wrong by.
+    #[must_use]
+    pub fn scale_error(&self) -> Option<f64> {
+        const MOST: f64 = 0.2;
+        Some(0.5 * (self.beta - 1.0)).filter(|part| part.abs() < MOST)
+    }
 }
 
 impl Side {
@@ -117,24 +139,11 @@ pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     settled(rows, &columns, 1).map(|found| Beta::of(&found)).ok_or(open)
 }
 
-/// Whether these cycles can tell β, for those who put the cycles of several traces together.
-///
-/// # Errors
-/// [`CyclesError::NoisyAmplitudes`] where more than 5 % of the variance of T/T0 by the amplitudes is their noise: a
-/// regression on values with errors is drawn towards 0 by that part.
-pub fn cycles_tell_beta<'a>(cycles: impl Iterator<Item = &'a Cycle>) -> Result<(), CyclesError> {
-    amplitudes_tell(cycles.map(|cycle| {
-        let deviation = Law::exact().slope_at(cycle.amplitude) * cycle.amplitude_uncertainty;
-        (cycle.period_ratio, deviation * deviation)
-    }))
-}
-
-/// The same for ratios T/T0 with the variances that the noise gives them.
+/// Refuses amplitudes of which more than 5 % of the variance of T/T0 is their noise: a regression on values with errors is drawn
+/// towards 0 by that part.
 fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), CyclesError> {
     let (ratios, variances): (Vec<f64>, Vec<f64>) = ratios.unzip();
-    #[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
-    let count = ratios.len() as f64;
-    let mean = ratios.iter().sum::<f64>() / count;
+    let mean = mean(ratios.iter().copied());
     let spread: f64 = ratios.iter().map(|ratio| (ratio - mean) * (ratio - mean)).sum();
     let noise_part = variances.iter().sum::<f64>() / spread;
     if noise_part > MOST_NOISE { Err(CyclesError::NoisyAmplitudes { noise_part }) } else { Ok(()) }

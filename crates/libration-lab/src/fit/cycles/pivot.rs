@@ -1,21 +1,51 @@
-//! What a pivot that was fitted to positions leaves open in T0, β and the offset: by how much they change with it.
+//! What a pivot that was fitted to positions leaves open in T0, β, the offset and the damping: by how much they change with it.
 
-use super::{Beta, Cycles};
+use std::f64::consts::TAU;
+
+use super::fall::Fall;
+use super::{Beta, Cycles, Envelope, HalfSwing};
 
 /// Adds the difference to what would be found with the pivot moved by one standard deviation.
-pub(super) fn add(found: &mut Cycles, moved: &Cycles) {
+pub(super) fn add(found: &mut Cycles, moved: Cycles) {
     found.t0_uncertainty = libm::hypot(found.t0_uncertainty, moved.t0 - found.t0);
     found.offset_uncertainty = libm::hypot(found.offset_uncertainty, moved.offset - found.offset);
     if let (Ok(beta), Ok(moved)) = (&mut found.beta, &moved.beta) {
         *beta = with(beta, moved);
     }
+    if let Ok(envelope) = &mut found.envelope {
+        widen(envelope, &paired(&found.half_swings, &moved.half_swings, 0.25 * moved.t0), TAU / moved.t0);
+    }
+    found.about_moved_pivot.push(moved.rows);
 }
 
-fn with(beta: &Beta, moved: &Beta) -> Beta {
+/// β with an error more, by what it is with the pivot moved.
+pub(super) fn with(beta: &Beta, moved: &Beta) -> Beta {
     let [of_t0, of_beta] = [moved.t0 - beta.t0, moved.beta - beta.beta];
     let (t0_uncertainty, uncertainty) =
         (libm::hypot(beta.t0_uncertainty, of_t0), libm::hypot(beta.uncertainty, of_beta));
     let both = beta.correlation * beta.t0_uncertainty * beta.uncertainty + of_t0 * of_beta;
     let correlation = both / (t0_uncertainty * uncertainty);
     Beta { uncertainty, t0_uncertainty, correlation, ..*beta }
+}
+
+/// The coefficients of every law with what they change by when these are the half swings. Which extremes are outliers, and how
+/// much the others count, stays.
+fn widen(envelope: &mut Envelope, moved: &[HalfSwing], omega0: f64) {
+    let fall = Fall { weights: envelope.weights.clone(), ..Fall::new(moved, omega0) };
+    for fit in &mut envelope.fits {
+        let Some(curve) = fall.fit(fit.damping) else { continue };
+        for (coefficient, value) in fit.coefficients.iter_mut().zip(&curve.parameters[1..]) {
+            coefficient.uncertainty = libm::hypot(coefficient.uncertainty, value - coefficient.value);
+        }
+    }
+}
+
+/// Of each half swing the one of the others at its time; itself where they have none.
+fn paired(found: &[HalfSwing], moved: &[HalfSwing], apart: f64) -> Vec<HalfSwing> {
+    let distance = |one: &HalfSwing, other: &HalfSwing| (one.time - other.time).abs();
+    let pair = |own: &HalfSwing| {
+        let nearest = moved.iter().min_by(|a, b| distance(own, a).total_cmp(&distance(own, b)));
+        *nearest.filter(|nearest| distance(own, nearest) < apart).unwrap_or(own)
+    };
+    found.iter().map(pair).collect()
 }

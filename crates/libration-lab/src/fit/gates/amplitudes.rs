@@ -7,10 +7,10 @@ use super::swings::Swings;
 use crate::fit::Law;
 use crate::fit::cycles::row::{Row, Side};
 use crate::fit::cycles::{Beta, period_law};
+use crate::fit::typical_amplitude::typical_amplitude;
 use crate::statistics::count;
 use crate::statistics::median;
 use libration::elliptic::Modulus;
-use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;
 
 /// What periods with their amplitudes tell.
@@ -85,8 +85,7 @@ impl Swings {
         let rows = self.rows_by_speeds(amplitudes)?;
         let law = period_law::exact(&rows)?;
         let beta = period_law::beta(&rows).ok();
-        let ratio = rows.iter().map(|row| row.ratio).sum::<f64>() / count(rows.len());
-        let typical = Amplitude::from_period_ratio(ratio).ok()?.radians();
+        let typical = typical_amplitude(rows.iter().map(|row| row.ratio))?;
         // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
         let [below, above] = [1.0 - STEP, 1.0 + STEP]
             .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor)));

@@ -6,7 +6,7 @@ use super::directions::{Sorted, sorted};
 use super::passages::{Passages, passages};
 use super::swings::Swings;
 use super::trend::at_the_beginning;
-use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source};
+use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
 use crate::fit::Law;
 use crate::statistics::count;
 use libration::quantity::Quantity;
@@ -108,7 +108,7 @@ impl Swings {
             beta: by_speeds.and_then(|speeds| speeds.beta),
             warnings: vec![],
         };
-        fit.warnings = warnings(&fit, options);
+        fit.warnings = warning::warnings(&fit, options.width.is_some());
         fit
     }
 }
@@ -123,40 +123,4 @@ fn by_first_amplitude(period: Quantity, amplitude: Quantity) -> Quantity {
     );
     let value = period.value / ratio;
     Quantity { value, uncertainty: Some(value * relative) }
-}
-
-fn warnings(fit: &GatesFit, options: &GateOptions) -> Vec<String> {
-    let mut warnings = vec![];
-    let mut say = |count: usize, what: &str| {
-        if count > 0 {
-            warnings.push(format!("{what}: {count}"));
-        }
-    };
-    say(fit.unpaired, "edges of the gate without the other edge, left out");
-    say(fit.double_triggers, "passages that fit no pendulum (double triggers), left out");
-    say(fit.missed, "passages that are missing; periods across them are left out");
-    if options.width.is_some() && fit.t0_source != Some(T0Source::Speeds) {
-        let why = if fit.edges {
-            "lead over the top: check the width of the bob"
-        } else {
-            "are not known: the times are not edges"
-        };
-        warnings.push(format!("the width of the bob is of no use: the speeds at the gate {why}"));
-    }
-    if fit.t0.is_none() {
-        warnings.push(
-            "the period of small swings is not known without an amplitude: give that of the first swing, or the width of \
-             the bob"
-                .to_owned(),
-        );
-    }
-    let last = fit.cycles.last().map(|cycle| cycle.period);
-    let too_short =
-        |t0: Quantity, last: f64| t0.value - 3.0 * t0.uncertainty.unwrap_or(0.0) > last + 6.0 * fit.timing;
-    if fit.t0.zip(last).is_some_and(|(t0, last)| too_short(t0, last)) {
-        warnings.push(
-            "the last period is below T0, which no pendulum has: check the amplitude or the width".to_owned(),
-        );
-    }
-    warnings
 }

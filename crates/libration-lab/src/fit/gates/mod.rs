@@ -18,9 +18,14 @@ mod amplitudes;
 mod trend;
 
 mod analysis;
+mod warning;
+
+mod gravity;
 
 pub use analysis::gates;
 pub use error::GatesError;
+pub use gravity::GateGeometry;
+pub use warning::GatesWarning;
 
 use crate::fit::cycles::Beta;
 use libration::quantity::Quantity;
@@ -105,15 +110,5 @@ pub struct GatesFit {
     /// The test of the exact law, where amplitudes are known.
     pub beta: Option<Beta>,
     /// What a reader should know.
-    pub warnings: Vec<String>,
-}
-
-impl GatesFit {
-    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; none
-    /// where T0 does not come from the width.
-    #[must_use]
-    pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
-        let spread = self.t0?.uncertainty.filter(|spread| *spread > 0.0)?;
-        Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
-    }
+    pub warnings: Vec<GatesWarning>,
 }

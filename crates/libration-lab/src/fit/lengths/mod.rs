@@ -8,17 +8,15 @@
 
 mod model;
 mod table;
+mod warning;
 
 pub use model::{LengthFit, LengthModel};
 pub use table::{LengthColumns, LengthTable};
+pub use warning::{CountedAs, LengthsWarning};
 
 use super::FitError;
 use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
-use super::scatter::Scatter;
 use libration::quantity::Quantity;
-
-/// A term counts as needed when chance would make it as large less often than this.
-const NEEDED: f64 = 0.01;
 
 /// What is known besides the table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,7 +37,7 @@ pub struct LengthsFit {
     /// The uncertainty of the best g, with what all rows have in common: clock and bob.
     pub combined: CombinedUncertainty,
     /// What a reader should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<LengthsWarning>,
 }
 
 impl LengthsFit {
@@ -83,11 +81,12 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     if fits.len() == 1 {
         return Err(FitError::EqualLengths);
     }
-    let warnings = warnings(&fits, known);
     // The same that `best` takes.
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
     let combined = options.combined(table, best)?;
-    Ok(LengthsFit { fits, known_gyration: known, combined, warnings })
+    let mut fit = LengthsFit { fits, known_gyration: known, combined, warnings: vec![] };
+    fit.warnings = warning::warnings(&fit);
+    Ok(fit)
 }
 
 /// κ of a ball.
@@ -132,39 +131,4 @@ impl LengthsOptions {
         let contributions = [Some(slope), radius, clock].into_iter().flatten().collect();
         CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
     }
-}
-
-fn warnings(fits: &[LengthFit], known: Option<f64>) -> Vec<String> {
-    let of = |model: LengthModel| fits.iter().find(|fit| fit.model == model);
-    let mut warnings = vec![];
-    let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
-    if by_chance(of(LengthModel::Offset)) < NEEDED {
-        warnings.push(
-            "the lengths are off by a constant: an offset is needed, and g without it is wrong".to_owned(),
-        );
-    }
-    if by_chance(of(LengthModel::OffsetAndGyration)) < NEEDED {
-        let gyration = of(LengthModel::OffsetAndGyration).and_then(|fit| fit.gyration);
-        let gyration = gyration.map_or(0.0, |found| found.value);
-        warnings.push(match gyration > 0.0 {
-            true => format!(
-                "T^2 against L is not straight: as with a ball of radius {:.1} mm; give the radius of the bob",
-                1e3 * (2.5 * gyration).sqrt()
-            ),
-            false => "T^2 against L is not straight, and bends the other way than a large bob would bend it: look at \
-                      the amplitudes and at how the lengths were measured"
-                .to_owned(),
-        });
-    }
-    warnings.extend(
-        of(LengthModel::Offset)
-            .and_then(LengthFit::scatter)
-            .and_then(|scatter: Scatter| scatter.warning("the offset")),
-    );
-    let offset =
-        of(LengthModel::Offset).and_then(|fit| fit.offset).map_or(0.0, |offset: Quantity| offset.value);
-    if known.is_some_and(|known| offset.abs() > 10.0 * (2.5 * known).sqrt()) {
-        warnings.push("the offset is much larger than the bob: check the unit of the lengths".to_owned());
-    }
-    warnings
 }

@@ -80,7 +80,7 @@ impl LengthFit {
     /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
-        self.chi2.filter(|_| self.dof > 0).map(|chi2| chi2 / count(self.dof))
+        self.scatter().map(Scatter::chi2_per_dof)
     }
 
     /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
@@ -213,9 +213,11 @@ impl Solution {
     }
 }
 
-/// With known variances χ² itself, else n ln(χ²/n) with one parameter more.
+/// With the variances that are stated, or with that of the scatter.
 fn aicc(chi2: f64, rows: usize, parameters: usize, weighted: bool) -> Option<f64> {
-    let (n, k) = (count(rows), count(parameters) + if weighted { 0.0 } else { 1.0 });
-    let misfit = if weighted { chi2 } else { n * libm::log(chi2 / n) };
-    akaike::cost(n, k).map(|cost| misfit + cost).filter(|aicc| aicc.is_finite())
+    let data = count(rows);
+    match weighted {
+        true => akaike::of_chi_squared(chi2, data, parameters),
+        false => akaike::of_scatter(chi2 / data, data, parameters),
+    }
 }

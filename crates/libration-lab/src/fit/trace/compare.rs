@@ -40,6 +40,21 @@ pub enum Standing {
     Excluded,
 }
 
+impl Standing {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Preferred => "preferred",
+            Self::Tied => "tied",
+            Self::Possible => "possible",
+            Self::Negative => "negative",
+            Self::FeedsEnergy => "feeds_energy",
+            Self::Excluded => "excluded",
+        }
+    }
+}
+
 /// A number averaged over the models that the data leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averaged {

@@ -21,7 +21,7 @@ fn misfit(residuals: &[f64], independent_rows: f64, scale: Option<f64>) -> f64 {
         Some(scale) => 2.0 * huber::loss(residuals, scale) * independent_rows / rows,
         None => {
             let squares: f64 = residuals.iter().map(|residual| residual * residual).sum();
-            independent_rows * libm::log(squares.max(f64::MIN_POSITIVE) / rows)
+            akaike::misfit_of_scatter(squares / rows, independent_rows)
         }
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
                 .concat(),
         ),
         Section::new("All numbers", [tables::parameters(answer), words::numbers(answer)].concat()),
-        Section::new("What would make it better", list(&answer.advice)),
+        Section::new("What would make it better", list(&answer.advice())),
         Section::new("All cycles", tables::cycles(answer)),
         Section::new("How this report was made", vec![provenance()]),
     ];
@@ -41,9 +41,9 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
 
 /// What is doubtful about the result.
 fn doubts(answer: &Answer<'_>) -> Vec<Block> {
-    match answer.warnings.is_empty() {
+    match answer.swings.warnings.is_empty() {
         true => vec![],
-        false => vec![Block::Aside("What is doubtful about it", sentences(&answer.warnings))],
+        false => vec![Block::Aside("What is doubtful about it", sentences(&answer.warnings()))],
     }
 }
 

@@ -17,8 +17,8 @@ fn figure(name: &str, caption: String, picture: Picture) -> Block {
 fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
     Fitted {
         trace: &answer.measured.traces[trace],
-        fitted: &answer.fit.traces[trace],
-        small_angle_period: answer.fit.small_angle_period().0,
+        fitted: &answer.swings.fit.traces[trace],
+        small_angle_period: answer.swings.fit.small_angle_period().0,
     }
 }
 
@@ -30,10 +30,10 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let aspect =
         pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    let (t0, uncertainty) = answer.fit.small_angle_period();
+    let (t0, uncertainty) = answer.swings.fit.small_angle_period();
     let t0 = found("T₀", Quantity { value: t0, uncertainty: Some(uncertainty) }, "s");
     let picture = Picture::new("Swing and fitted motion", panels);
-    let damping = format!("damping: {}", answer.fit.damping);
+    let damping = format!("damping: {}", answer.swings.fit.damping);
     Picture { aspect, ..picture.with_parameters([t0, damping]) }
 }
 
@@ -59,30 +59,30 @@ fn of_trace(answer: &Answer<'_>, trace: usize) -> Vec<Block> {
 }
 
 pub(super) fn of_residuals(answer: &Answer<'_>) -> Vec<Block> {
-    let residuals = answer.fit.traces.iter().flat_map(|trace| trace.residuals.iter().copied());
+    let residuals = answer.swings.fit.traces.iter().flat_map(|trace| trace.residuals.iter().copied());
     let residuals: Vec<f64> = residuals.collect();
     let caption = "Above, how alike residuals are that are so many rows apart: between the dashed lines, if they are noise. \
                    Below, how many residuals there are of each size, beside the normal distribution";
-    let picture = draw::residuals(&answer.fit.autocorrelation, &residuals);
+    let picture = draw::residuals(&answer.swings.fit.autocorrelation, &residuals);
     vec![figure("residuals", caption.to_owned(), picture)]
 }
 
 pub(super) fn of_periods(answer: &Answer<'_>) -> Vec<Block> {
     let alone = answer.measured.traces.len() == 1;
-    let named = answer.measured.traces.iter().zip(&answer.cycles);
+    let named = answer.measured.traces.iter().zip(&answer.swings.cycles);
     let swings: Vec<Swings<'_>> = named
         .filter_map(|(trace, found)| {
             let cycles = &found.as_ref().ok()?.cycles;
             Some(Swings { name: if alone { "" } else { trace.name() }, cycles })
         })
         .collect();
-    if answer.all_cycles().next().is_none() {
+    if answer.swings.all_cycles().next().is_none() {
         return vec![];
     }
-    let beta = answer.beta.as_ref().ok().map(|beta| (beta.value, beta.t0));
+    let beta = answer.swings.beta.as_ref().ok().map(|beta| (beta.beta, beta.t0));
     let caption = "The period of every cycle against its amplitude, with the exact law for the fitted T₀, the constant period of the \
                    small-angle formula, and the law with the fitted β";
-    let picture = draw::periods(&swings, answer.fit.small_angle_period().0, beta);
+    let picture = draw::periods(&swings, answer.swings.fit.small_angle_period().0, beta);
     vec![figure("periods", caption.to_owned(), picture)]
 }
 
@@ -93,18 +93,18 @@ pub(super) fn of_damping(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
-    let half_swings = &answer.cycles[trace].as_ref().ok()?.half_swings;
+    let half_swings = &answer.swings.cycles[trace].as_ref().ok()?.half_swings;
     let name = answer.measured.traces[trace].name();
     let caption = format!(
         "The largest angle of every half swing of {name}, with those of the fitted motions; below, all of them less that of {} \
          damping",
-        answer.fit.damping
+        answer.swings.fit.damping
     );
-    let others = answer.comparison.iter().flat_map(|comparison| &comparison.fits);
-    let others = others.filter(|fit| fit.damping.count() == 1 && fit.damping != answer.fit.damping);
+    let others = answer.swings.comparison.iter().flat_map(|comparison| &comparison.fits);
+    let others = others.filter(|fit| fit.damping.count() == 1 && fit.damping != answer.swings.fit.damping);
     let of_model = |fit: &TraceFit| of_model(answer, fit, trace, half_swings);
     let others: Vec<Envelope> = others.filter_map(of_model).collect();
-    let picture = draw::amplitudes(name, half_swings, of_model(&answer.fit).as_ref(), &others);
+    let picture = draw::amplitudes(name, half_swings, of_model(&answer.swings.fit).as_ref(), &others);
     Some(figure(&format!("amplitudes{}", suffix(answer, trace)), caption, picture))
 }
 

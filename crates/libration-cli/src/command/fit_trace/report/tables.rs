@@ -1,16 +1,17 @@
 //! The tables of the report.
 
-use super::super::answer::{Answer, Pendulum};
+use super::super::answer::Answer;
 use super::super::sheet;
 use crate::document::{Block, Table};
 use crate::output;
 use crate::output::number::{short, with_uncertainty};
 use crate::output::table::Column;
 use libration_lab::fit::cycles::Cycle;
+use libration_lab::fit::swings::FittedPendulum;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
-    let Some(comparison) = &answer.comparison else { return vec![] };
+    let Some(comparison) = &answer.swings.comparison else { return vec![] };
     vec![Block::Table(Table {
         caption: "The kinds of damping that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
                   the data do not decide, above 10 they do"
@@ -34,7 +35,7 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
 
 /// Where the uncertainty of gravity comes from.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
-    let Pendulum::Gravity { budget, .. } = &answer.pendulum else { return vec![] };
+    let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
     vec![Block::Table(Table {
         caption: "The budget of the uncertainty of gravity".to_owned(),
         columns: output::budget::columns(),
@@ -44,7 +45,7 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
 
 /// Its inputs one by one.
 pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
-    let Pendulum::Gravity { budget, .. } = &answer.pendulum else { return vec![] };
+    let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
     vec![Block::Table(Table {
         caption: "The inputs of gravity with their sensitivity coefficients".to_owned(),
         columns: output::combined::columns(),
@@ -56,6 +57,7 @@ pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
 pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
     let several = answer.measured.traces.len() > 1;
     let rows: Vec<Vec<String>> = answer
+        .swings
         .all_cycles()
         .zip(1..)
         .map(|(cycle, number)| of_cycle(answer, number, cycle, several))
@@ -100,7 +102,7 @@ fn of_cycle(
 
 /// The fitted parameters.
 pub(super) fn parameters(answer: &Answer<'_>) -> Vec<Block> {
-    let rows = answer.fit.parameters.iter().map(|parameter| sheet::cells(parameter, answer));
+    let rows = answer.swings.fit.parameters.iter().map(|parameter| sheet::cells(parameter, answer));
     vec![Block::Table(Table {
         caption: "The fitted parameters with standard uncertainties, and the intervals that hold the truth with 68 % and 95 % \
                   probability by the profile of the likelihood"

@@ -1,26 +1,29 @@
 //! What the report says in words.
 
-use super::super::answer::{Answer, Pendulum};
-use super::super::{sheet, warnings};
+use super::super::answer::Answer;
+use super::super::sheet;
 use crate::document::{Block, Table};
-use crate::output::number::{rounded, with_uncertainty};
+use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
-use libration_lab::fit::DampingTerm;
+use libration::quantity::Quantity;
+use libration_lab::fit::swings::FittedPendulum;
+use libration_lab::fit::{DampingTerm, alternatives};
 
 /// The few numbers that were asked for.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
-    let (period, uncertainty) = answer.small_angle_period();
+    let period = answer.swings.small_angle_period();
     let (name, value) = sheet::gravity_or_length(answer);
     let row = |name: &str, value: String| vec![name.to_owned(), value];
     let mut rows = vec![
-        row("period of small swings T₀", with_uncertainty(period, uncertainty, "s")),
+        row("period of small swings T₀", number::quantity(period, "s")),
         row(name, value),
         row("damping", sheet::model(answer)),
         row("β, the test of the exact law", sheet::beta(answer)),
         row("rms residual", sheet::residual(answer)),
     ];
-    let speed = std::f64::consts::TAU / period;
-    rows.insert(1, row("ω₀ = 2π/T₀", with_uncertainty(speed, speed * uncertainty / period, "rad/s")));
+    let value = std::f64::consts::TAU / period.value;
+    let speed = Quantity { value, uncertainty: period.uncertainty.map(|of_t0| value * of_t0 / period.value) };
+    rows.insert(1, row("ω₀ = 2π/T₀", number::quantity(speed, "rad/s")));
     if let Some(expanded) = sheet::expanded(answer) {
         rows.insert(3, row("expanded uncertainty of gravity", expanded));
     }
@@ -41,11 +44,11 @@ pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
 
 /// How gravity or the length follow.
 fn formula(answer: &Answer<'_>) -> &'static str {
-    match answer.pendulum {
-        Pendulum::Gravity { .. } => {
+    match answer.swings.pendulum {
+        FittedPendulum::Gravity { .. } => {
             "Gravity is g = ω₀² l with the corrections of the budget below, which says where its uncertainty comes from."
         }
-        Pendulum::Length { .. } => {
+        FittedPendulum::Length(_) => {
             "The length is l = g/ω₀², that of a point on a string without mass; for a body it is that of the simple pendulum \
              with the same period."
         }
@@ -54,26 +57,26 @@ fn formula(answer: &Answer<'_>) -> &'static str {
 
 /// How to read the budget.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
-    match answer.pendulum {
-        Pendulum::Gravity { .. } => vec![Block::words(
+    match answer.swings.pendulum {
+        FittedPendulum::Gravity { .. } => vec![Block::words(
             "Each line is one effect: what is done to g because of it, what it adds to the uncertainty of g, whether that is known \
              from scatter (type A) or from judgement (type B), and by which formula. Contributions add as squares, so that the \
              largest ones are all that counts. What is in brackets is not corrected, since nothing was said about it.",
         )],
-        Pendulum::Length { .. } => vec![],
+        FittedPendulum::Length(_) => vec![],
     }
 }
 
 /// How to read the inputs of the budget.
 pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
-    match answer.pendulum {
-        Pendulum::Gravity { .. } => vec![Block::words(
+    match answer.swings.pendulum {
+        FittedPendulum::Gravity { .. } => vec![Block::words(
             "Input by input: its value x with its standard uncertainty u(x), the sensitivity coefficient ∂g/∂x by which g follows it, \
              their product, and its share of the variance of g; ν are the degrees of freedom of u(x), ∞ where it is taken as known. The \
              expanded uncertainty is U = k·u(g) with Student's k for 95 % and the effective degrees of freedom after Welch and \
              Satterthwaite (Guide to the Expression of Uncertainty in Measurement, JCGM 100:2008).",
         )],
-        Pendulum::Length { .. } => vec![],
+        FittedPendulum::Length(_) => vec![],
     }
 }
 
@@ -85,7 +88,7 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
     };
     let rows = format!(
         "{} rows in {} {} were fitted. A name that begins with -- is the option that says it otherwise.",
-        answer.fit.rows(),
+        answer.swings.fit.rows(),
         answer.measured.traces.len(),
         if answer.measured.traces.len() == 1 { "trace" } else { "traces" }
     );
@@ -93,7 +96,7 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
-    let found = &answer.fit.autocorrelation;
+    let found = &answer.swings.fit.autocorrelation;
     let verdict = if found.is_noise() {
         "They are: no residual tells anything about the next, as errors of reading do."
     } else {
@@ -111,16 +114,16 @@ pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
     let law = "A pendulum takes longer for large swings: T = T₀·R(θ₀), where R is 1 for the smallest swings and 1 + θ₀²/16 + … \
                beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed by itself, without a model of the damping, and \
                T = T₀·[1 + β(R − 1)] was put through the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
-    let verdict = match &answer.beta {
+    let verdict = match &answer.swings.beta {
         Err(reason) => format!("β cannot be told: {reason}."),
-        Ok(beta) if beta.deviation() > warnings::SIGNIFICANT => format!(
+        Ok(beta) if beta.differs_from_one() => format!(
             "β = {}: this is {} uncertainties from 1. A wrong scale of the angles is the usual reason.",
-            with_uncertainty(beta.value, beta.uncertainty, ""),
+            with_uncertainty(beta.beta, beta.uncertainty, ""),
             rounded(beta.deviation(), 2)
         ),
         Ok(beta) => format!(
             "β = {}, which agrees with the exact law and with a right scale of the angles.",
-            with_uncertainty(beta.value, beta.uncertainty, "")
+            with_uncertainty(beta.beta, beta.uncertainty, "")
         ),
     };
     vec![Block::words(law), Block::words(verdict)]
@@ -130,13 +133,13 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
     let equation = "The equation of motion is θ″ = −ω₀² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′|: dry friction d in the bearing, linear \
                     drag b of slow flow and in the string, quadratic drag c of fast flow around the bob. Small amplitudes fall as a \
                     straight line, as an exponential, and as 1/(t + constant).";
-    let Some(comparison) = &answer.comparison else {
+    let Some(comparison) = &answer.swings.comparison else {
         return vec![
             Block::words(equation),
-            Block::words(format!("Only {} damping was fitted, as asked.", answer.fit.damping)),
+            Block::words(format!("Only {} damping was fitted, as asked.", answer.swings.fit.damping)),
         ];
     };
-    let rivals = answer.rivals();
+    let rivals = answer.swings.rivals();
     let verdict = match (rivals.len(), comparison.better().count()) {
         (0, 0) => format!("The simplest description that the data allow is {}.", named(answer)),
         (0, _) => format!(
@@ -147,7 +150,7 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
             "The simplest description is {}, but these data do not exclude {}: T₀ and gravity are averaged over them, and the \
              coefficients of damping differ from one to the other.",
             named(answer),
-            warnings::list(&rivals)
+            alternatives(&rivals)
         ),
     };
     let counted = sheet::counted_rows(answer, comparison);
@@ -162,7 +165,7 @@ fn named(answer: &Answer<'_>) -> String {
         DampingTerm::Quadratic => "c",
     };
     let coefficient = |term: DampingTerm| {
-        let parameter = answer.fit.parameter(term.name())?;
+        let parameter = answer.swings.fit.parameter(term.name())?;
         let unit = sheet::unit(term.unit());
         Some(format!(
             "{} = {}",
@@ -170,10 +173,10 @@ fn named(answer: &Answer<'_>) -> String {
             with_uncertainty(parameter.value, parameter.uncertainty, &unit)
         ))
     };
-    let coefficients: Vec<String> = answer.fit.damping.iter().filter_map(coefficient).collect();
+    let coefficients: Vec<String> = answer.swings.fit.damping.iter().filter_map(coefficient).collect();
     match coefficients.len() {
         0 => "no damping at all".to_owned(),
-        _ => format!("{} damping ({})", answer.fit.damping, coefficients.join(", ")),
+        _ => format!("{} damping ({})", answer.swings.fit.damping, coefficients.join(", ")),
     }
 }
 

@@ -1,0 +1,31 @@
+//! Which options do what a warning or an advice asks for.
+
+use libration_lab::fit::swings::{Advice, Warning};
+use libration_lab::measurement::Seen;
+
+/// The warning, with the options that help.
+pub(super) fn warning(warning: &Warning) -> String {
+    let options = match warning {
+        Warning::AnglesAreRadians { .. } => "--unit rad",
+        Warning::PoorFit { .. } => "--from, --to, --unit",
+        Warning::FeedsEnergy { .. } => "--model",
+        Warning::ImplausibleLength { .. } => "--time-unit",
+        _ => return warning.to_string(),
+    };
+    format!("{warning} ({options})")
+}
+
+/// The advice, with the options that follow it.
+pub(super) fn advice(advice: &Advice) -> String {
+    let options = match advice {
+        Advice::GiveLength => "--length",
+        Advice::CheckScale { seen: Seen::Angle } => "--counts-per-turn, --free-scale",
+        Advice::CheckScale { seen: Seen::AngularVelocity } => "--free-scale",
+        Advice::LookAtResiduals => "--report, --from",
+        Advice::CorrectOutliers => "--robust",
+        Advice::LeaveOutEnds { .. } => "--from, --to",
+        Advice::WriteMoreDigitsOfTimes { .. } => "--even-times",
+        _ => return advice.to_string(),
+    };
+    format!("{advice} ({options})")
+}

@@ -1,0 +1,181 @@
+//! The falling amplitude, and the curves that laws of damping draw through it.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::HalfSwing;
+use super::decay_rates::DecayRates;
+use crate::fit::trace::{DampingTerm, DampingTerms};
+use crate::statistics::{median, robust_deviation};
+
+const MOST_ROUNDS: usize = 30;
+/// Extremes further from the curve than so many robust standard deviations do not count.
+const OUTLIER: f64 = 6.0;
+
+/// The falling amplitude.
+pub(super) struct Fall<'a> {
+    pub(super) half_swings: &'a [HalfSwing],
+    pub(super) rates: DecayRates,
+    /// One over the uncertainties; zero for outliers.
+    pub(super) weights: Vec<f64>,
+    /// Steps of the integration are at most this long.
+    pub(super) substep: f64,
+}
+
+/// A law with its parameters: the first amplitude, then the coefficients.
+pub(super) struct Curve {
+    pub(super) terms: DampingTerms,
+    pub(super) parameters: Vec<f64>,
+    /// Of the weighted residuals.
+    pub(super) covariance: DMatrix<f64>,
+    pub(super) chi2: f64,
+    pub(super) fitted: Vec<f64>,
+}
+
+impl<'a> Fall<'a> {
+    /// Of a pendulum of this ω0; no extreme is an outlier.
+    pub(super) fn new(half_swings: &'a [HalfSwing], omega0: f64) -> Self {
+        let largest = half_swings.iter().map(|half| half.amplitude).fold(0.0, f64::max);
+        Self {
+            half_swings,
+            rates: DecayRates::new(omega0, largest),
+            weights: half_swings.iter().map(|half| 1.0 / half.uncertainty.max(1e-9 * largest)).collect(),
+            substep: PI / omega0,
+        }
+    }
+}
+
+impl Fall<'_> {
+    /// The parameters by Marquardt's method, beginning with those of a linear equation; none where the data are too few.
+    pub(super) fn fit(&self, terms: DampingTerms) -> Option<Curve> {
+        let mut parameters = self.guess(terms)?;
+        let mut chi2 = self.chi2(terms, &parameters);
+        let mut damping = 1e-3;
+        for _ in 0..MOST_ROUNDS {
+            let (matrix, residuals) = self.linearised(terms, &parameters);
+            let normal = matrix.transpose() * &matrix;
+            let mut damped = normal.clone();
+            for k in 0..damped.nrows() {
+                damped[(k, k)] *= 1.0 + damping;
+            }
+            let step = damped.cholesky()?.solve(&(matrix.transpose() * residuals));
+            let moved: Vec<f64> = parameters.iter().zip(step.iter()).map(|(p, s)| p + s).collect();
+            let renewed = self.chi2(terms, &moved);
+            if renewed.is_nan() || renewed > chi2 {
+                damping *= 10.0;
+                continue;
+            }
+            let settled = chi2 - renewed <= 1e-10 * chi2;
+            (parameters, chi2, damping) = (moved, renewed, damping * 0.1);
+            if settled {
+                break;
+            }
+        }
+        let (matrix, _) = self.linearised(terms, &parameters);
+        let covariance = (matrix.transpose() * matrix).cholesky()?.inverse();
+        let fitted = self.amplitudes(terms, &parameters);
+        Some(Curve { terms, parameters, covariance, chi2, fitted })
+    }
+
+    /// A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.
+    fn guess(&self, terms: DampingTerms) -> Option<Vec<f64>> {
+        let used = self.weights.iter().filter(|&&weight| weight > 0.0).count();
+        if used < terms.count() + 2 {
+            return None;
+        }
+        let mut columns = vec![vec![1.0; self.half_swings.len()]];
+        for term in terms.iter() {
+            let rate = |half: &HalfSwing| self.rates.at(term, half.amplitude);
+            let mut integral = vec![0.0];
+            for pair in self.half_swings.windows(2) {
+                let mean = 0.5 * (rate(&pair[0]) + rate(&pair[1]));
+                integral.push(integral[integral.len() - 1] - mean * (pair[1].time - pair[0].time));
+            }
+            columns.push(integral);
+        }
+        let matrix =
+            DMatrix::from_fn(self.half_swings.len(), columns.len(), |i, j| columns[j][i] * self.weights[i]);
+        let right =
+            DVector::from_fn(self.half_swings.len(), |i, _| self.half_swings[i].amplitude * self.weights[i]);
+        let solution = (matrix.transpose() * &matrix).cholesky()?.solve(&(matrix.transpose() * right));
+        Some(solution.iter().copied().collect())
+    }
+
+    /// The derivatives of the weighted amplitudes, and the weighted residuals.
+    fn linearised(&self, terms: DampingTerms, parameters: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        let fitted = self.amplitudes(terms, parameters);
+        let residuals = DVector::from_vec(self.residuals(&fitted));
+        let mut matrix = DMatrix::zeros(fitted.len(), parameters.len());
+        for k in 0..parameters.len() {
+            let mut moved = parameters.to_vec();
+            let step = 1e-5 * if k == 0 { parameters[0] } else { self.typical(terms, k) };
+            moved[k] += step;
+            for (row, value) in self.amplitudes(terms, &moved).iter().enumerate() {
+                matrix[(row, k)] = (value - fitted[row]) / step * self.weights[row];
+            }
+        }
+        (matrix, residuals)
+    }
+
+    /// The coefficient with which a kind of damping alone would halve the amplitude in this time.
+    fn typical(&self, terms: DampingTerms, parameter: usize) -> f64 {
+        let (first, last) = (self.half_swings[0], self.half_swings[self.half_swings.len() - 1]);
+        let term = terms.iter().nth(parameter - 1).unwrap_or(DampingTerm::Linear);
+        0.5 * first.amplitude / (self.rates.at(term, first.amplitude) * (last.time - first.time))
+    }
+
+    /// The amplitudes at the half swings, by the rule of Runge and Kutta.
+    fn amplitudes(&self, terms: DampingTerms, parameters: &[f64]) -> Vec<f64> {
+        let rate = |amplitude: f64| -> f64 {
+            terms.iter().zip(&parameters[1..]).map(|(term, c)| -c * self.rates.at(term, amplitude)).sum()
+        };
+        let mut amplitude = parameters[0];
+        let mut amplitudes = vec![amplitude];
+        for pair in self.half_swings.windows(2) {
+            let duration = pair[1].time - pair[0].time;
+            let steps = (duration / self.substep).ceil().clamp(1.0, 1000.0);
+            let step = duration / steps;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1000")]
+            for _ in 0..steps as usize {
+                let a = rate(amplitude);
+                let b = rate(amplitude + 0.5 * step * a);
+                let c = rate(amplitude + 0.5 * step * b);
+                let d = rate(amplitude + step * c);
+                amplitude = (amplitude + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)).max(0.0);
+            }
+            amplitudes.push(amplitude);
+        }
+        amplitudes
+    }
+
+    pub(super) fn residuals(&self, fitted: &[f64]) -> Vec<f64> {
+        let rows = self.half_swings.iter().zip(fitted).zip(&self.weights);
+        rows.map(|((half, fitted), weight)| (half.amplitude - fitted) * weight).collect()
+    }
+
+    fn chi2(&self, terms: DampingTerms, parameters: &[f64]) -> f64 {
+        self.residuals(&self.amplitudes(terms, parameters)).iter().map(|r| r * r).sum()
+    }
+
+    /// Takes the weight from extremes far from the law with all kinds of damping, and says how many they are.
+    pub(super) fn drop_outliers(&mut self, full: DampingTerms) -> usize {
+        let mut dropped = 0;
+        for _ in 0..5 {
+            let Some(curve) = self.fit(full) else { break };
+            let residuals = self.residuals(&curve.fitted);
+            let Some(middle) = median(residuals.clone()) else { break };
+            let deviation = robust_deviation(&residuals).unwrap_or(0.0);
+            let far = |r: f64| deviation > 0.0 && (r - middle).abs() > OUTLIER * deviation;
+            let rows: Vec<usize> = (0..residuals.len()).filter(|&row| far(residuals[row])).collect();
+            for &row in &rows {
+                self.weights[row] = 0.0;
+            }
+            dropped += rows.len();
+            if rows.is_empty() {
+                break;
+            }
+        }
+        dropped
+    }
+}

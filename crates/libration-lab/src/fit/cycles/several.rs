@@ -1,0 +1,63 @@
+//! β through the cycles of several traces of one pendulum.
+
+use super::pivot;
+use super::row::Row;
+use super::{Beta, Cycles, CyclesError, period_law};
+use crate::measurement::{FittedPivot, Trace};
+
+/// β and T0 through the cycles of all traces together; those of the only trace where there is one. `cycles` are those of the traces,
+/// one by one.
+///
+/// Traces about one fitted pivot are wrong together where it is wrong, so that its error is added once, by what it does to the
+/// common β, and does not become less with the number of traces.
+///
+/// # Errors
+/// That of the first trace where none has cycles; else as for a trace alone: fewer than three cycles, amplitudes that are
+/// all the same or change by too little beside their noise.
+pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) -> Result<Beta, CyclesError> {
+    let known: Vec<(&Trace, &Cycles)> = traces
+        .iter()
+        .zip(cycles)
+        .filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)))
+        .collect();
+    if let ([], Some(Err(error))) = (&known[..], cycles.first()) {
+        return Err(error.clone());
+    }
+    if let ([(_, only)], [_]) = (&known[..], cycles) {
+        return only.beta.clone();
+    }
+    let rows = |of: &dyn Fn(&Trace, &Cycles) -> Vec<Row>| {
+        joined(known.iter().map(|(trace, cycles)| of(trace, cycles)))
+    };
+    let found = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()))?;
+    let errors = pivots(&known).into_iter().flat_map(|pivot| [(pivot, 0), (pivot, 1)]);
+    let with_error = |beta: Beta, (pivot, error): (&FittedPivot, usize)| {
+        let moved = rows(&|trace, cycles| {
+            let own = trace.fitted_pivot().filter(|own| own.is_that_of(pivot));
+            own.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
+        });
+        period_law::beta(&moved).map_or(beta, |moved| pivot::with(&beta, &moved))
+    };
+    Ok(errors.fold(found, with_error))
+}
+
+/// Each of them once.
+fn pivots<'a>(known: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
+    let mut pivots: Vec<&FittedPivot> = vec![];
+    for pivot in known.iter().filter_map(|(trace, _)| trace.fitted_pivot()) {
+        if !pivots.iter().any(|other| other.is_that_of(pivot)) {
+            pivots.push(pivot);
+        }
+    }
+    pivots
+}
+
+/// The rows of all traces, which share no passages and no extremes.
+fn joined(traces: impl Iterator<Item = Vec<Row>>) -> Vec<Row> {
+    let mut all: Vec<Row> = vec![];
+    for rows in traces {
+        let next = all.iter().map(Row::next_number).max().unwrap_or(0);
+        all.extend(rows.iter().map(|row| row.numbered_from(next)));
+    }
+    all
+}

@@ -1,0 +1,88 @@
+//! What a reader should know of how cycles were come by.
+
+use std::fmt;
+
+use super::error::counted;
+use crate::measurement::Seen;
+use libration::quantity::{rounded, short};
+
+/// What a reader should know of how cycles were come by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CyclesWarning {
+    /// Swings that go over the top, which are no cycles.
+    OverTheTop {
+        /// How many.
+        swings: usize,
+    },
+    /// Cycles of which a passage or an extreme could not be placed: too few rows there, or an extreme below four standard
+    /// deviations of the noise.
+    Incomplete {
+        /// How many.
+        cycles: usize,
+    },
+    /// Cycles whose period is further from the law than [`outlier_threshold`](super::Options::outlier_threshold) robust standard
+    /// deviations.
+    FarFromTheLaw {
+        /// How many.
+        cycles: usize,
+    },
+    /// The end of the trace, in which no swing can be told from the noise.
+    LostInNoise {
+        /// In seconds.
+        from: f64,
+    },
+    /// The centres of single swings differ by more than the noise explains; they are followed.
+    CentreWanders {
+        /// The standard deviation of the centres, in the unit of what is seen.
+        deviation: f64,
+        /// Which unit that is.
+        seen: Seen,
+    },
+}
+
+impl CyclesWarning {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::OverTheTop { .. } => "cycles_over_the_top",
+            Self::Incomplete { .. } => "cycles_incomplete",
+            Self::FarFromTheLaw { .. } => "cycles_far_from_the_law",
+            Self::LostInNoise { .. } => "cycles_lost_in_noise",
+            Self::CentreWanders { .. } => "centre_wanders",
+        }
+    }
+}
+
+impl fmt::Display for CyclesWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::OverTheTop { swings } => {
+                write!(f, "left out because they go over the top: {}", counted(swings, "swing"))
+            }
+            Self::Incomplete { cycles } => write!(
+                f,
+                "left out as incomplete (gaps, too few rows, or too faint): {}",
+                counted(cycles, "cycle")
+            ),
+            Self::FarFromTheLaw { cycles } => {
+                write!(f, "left out because the period is far from the law: {}", counted(cycles, "cycle"))
+            }
+            Self::LostInNoise { from } => write!(
+                f,
+                "from {} s on the swing is lost in the noise: the cycles are those before",
+                short(from, 6)
+            ),
+            Self::CentreWanders { deviation, seen } => write!(
+                f,
+                "the centre of the swing wanders by {} (standard deviation), more than the noise explains; it was followed from \
+                 swing to swing",
+                match seen {
+                    Seen::Angle => format!("{}°", rounded(deviation.to_degrees(), 2)),
+                    Seen::AngularVelocity => format!("{} rad/s", rounded(deviation, 2)),
+                }
+            ),
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! What a reader should know of the times of a gate.
+
+use std::fmt;
+
+use super::{GatesFit, T0Source};
+use crate::fit::SIGNIFICANT;
+use libration::quantity::{Quantity, rounded};
+
+/// A last period below T0 is believed where it is so by as many standard deviations of a time: a period is the difference of
+/// two, which scatters by √2 of them, so that this is beyond four standard deviations of a period.
+const SHORT_BY_TIMINGS: f64 = 6.0;
+
+/// What a reader should know of the times of a gate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum GatesWarning {
+    /// Edges whose other one is missing, left out.
+    UnpairedEdges {
+        /// How many.
+        edges: usize,
+    },
+    /// Passages that fit no pendulum, left out.
+    DoubleTriggers {
+        /// How many.
+        passages: usize,
+    },
+    /// Passages that should have been seen; periods across them are left out.
+    MissedPassages {
+        /// How many.
+        passages: usize,
+    },
+    /// A width was given and T0 does not come from it.
+    WidthOfNoUse {
+        /// Whether the times are edges, so that there are speeds: these are then those of a pendulum that goes over the top.
+        edges: bool,
+    },
+    /// T0 needs an amplitude, and there is none.
+    NoAmplitude,
+    /// The last period is below T0 by more than both leave open (three uncertainties of T0, six of a time), and no pendulum has
+    /// a period below that of its small swings.
+    PeriodBelowT0 {
+        /// In seconds.
+        last: f64,
+        /// In seconds.
+        t0: f64,
+    },
+}
+
+impl GatesWarning {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::UnpairedEdges { .. } => "unpaired_edges",
+            Self::DoubleTriggers { .. } => "double_triggers",
+            Self::MissedPassages { .. } => "missed_passages",
+            Self::WidthOfNoUse { .. } => "width_of_no_use",
+            Self::NoAmplitude => "no_amplitude",
+            Self::PeriodBelowT0 { .. } => "period_below_t0",
+        }
+    }
+}
+
+impl fmt::Display for GatesWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::UnpairedEdges { edges } => {
+                write!(f, "edges of the gate without the other edge, left out: {edges}")
+            }
+            Self::DoubleTriggers { passages } => {
+                write!(f, "passages that fit no pendulum (double triggers), left out: {passages}")
+            }
+            Self::MissedPassages { passages } => {
+                write!(f, "passages that are missing; periods across them are left out: {passages}")
+            }
+            Self::WidthOfNoUse { edges: true } => f.write_str(
+                "the width of the bob is of no use: the speeds at the gate lead over the top; check the width of the bob",
+            ),
+            Self::WidthOfNoUse { edges: false } => f.write_str(
+                "the width of the bob is of no use: the speeds at the gate are not known, since the times are not edges",
+            ),
+            Self::NoAmplitude => f.write_str(
+                "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
+            ),
+            Self::PeriodBelowT0 { last, t0 } => write!(
+                f,
+                "the last period, {} s, is below T0, {} s, which no pendulum has: check the amplitude or the width",
+                rounded(last, 5),
+                rounded(t0, 5)
+            ),
+        }
+    }
+}
+
+/// In the order in which the times are gone through; of a fit with the width of the bob or without.
+pub(super) fn warnings(fit: &GatesFit, has_width: bool) -> Vec<GatesWarning> {
+    let speeds_failed = has_width && fit.t0_source != Some(T0Source::Speeds);
+    [
+        (fit.unpaired > 0).then_some(GatesWarning::UnpairedEdges { edges: fit.unpaired }),
+        (fit.double_triggers > 0).then_some(GatesWarning::DoubleTriggers { passages: fit.double_triggers }),
+        (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
+        speeds_failed.then_some(GatesWarning::WidthOfNoUse { edges: fit.edges }),
+        fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
+        period_below_t0(fit),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn period_below_t0(fit: &GatesFit) -> Option<GatesWarning> {
+    let (Quantity { value: t0, uncertainty }, last) = (fit.t0?, fit.cycles.last()?.period);
+    let least = t0 - SIGNIFICANT * uncertainty.unwrap_or(0.0);
+    (least > last + SHORT_BY_TIMINGS * fit.timing).then_some(GatesWarning::PeriodBelowT0 { last, t0 })
+}

@@ -1,0 +1,144 @@
+//! What a reader should know of periods against lengths.
+
+use std::fmt;
+
+use super::{LengthFit, LengthModel, LengthsFit};
+use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
+use crate::fit::scatter::{Scatter, ScatterWarning};
+use libration::quantity::rounded;
+
+/// A term counts as needed when chance would make it as large less often than this: among tables that do not need it one in a
+/// hundred is told so.
+const NEEDED: f64 = 0.01;
+/// An offset that reaches beyond the bob by so many radii is no mark on its surface any more.
+const RADII_OF_OFFSET: f64 = 10.0;
+/// T² goes as the square of what a period is counted as: half periods taken for whole ones make g four times as large, whole ones
+/// taken for half ones a quarter. A quarter more or less leaves room for the errors of a first measurement.
+const FOUR_TIMES: std::ops::Range<f64> = 3.0..5.0;
+const A_QUARTER: std::ops::Range<f64> = 0.2..0.3;
+
+/// How the periods of a table were perhaps counted wrongly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CountedAs {
+    /// Half periods that were taken for whole ones.
+    WholeThoughHalf,
+    /// Whole periods that were taken for half ones.
+    HalfThoughWhole,
+}
+
+/// What a reader should know of periods against lengths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LengthsWarning {
+    /// The rows want an offset of the lengths: without it chance would leave as much in fewer than one table in a hundred.
+    OffsetNeeded,
+    /// The rows want a bend of the line, likewise.
+    Bent {
+        /// Of a ball that bends the line so, in m; none where the line bends the other way.
+        radius: Option<f64>,
+    },
+    /// The rows scatter more or less than stated.
+    Scatter(ScatterWarning),
+    /// The offset is more than ten radii of the bob.
+    OffsetLargerThanBob,
+    /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties.
+    NowhereOnEarth {
+        /// What would explain it, where g is about four times as large as on Earth, or a quarter of that.
+        counted: Option<CountedAs>,
+    },
+}
+
+impl LengthsWarning {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::OffsetNeeded => "offset_needed",
+            Self::Bent { .. } => "bent",
+            Self::Scatter(warning) => warning.name(),
+            Self::OffsetLargerThanBob => "offset_larger_than_bob",
+            Self::NowhereOnEarth { .. } => "gravity_contradicted",
+        }
+    }
+}
+
+impl fmt::Display for LengthsWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OffsetNeeded => f.write_str(
+                "the lengths are off by a constant: an offset is needed, and g without it is wrong",
+            ),
+            Self::Bent { radius: Some(radius) } => write!(
+                f,
+                "T² against L is not straight: as with a ball of radius {:.1} mm; give the radius of the bob",
+                1e3 * radius
+            ),
+            Self::Bent { radius: None } => f.write_str(
+                "T² against L is not straight, and bends the other way than a large bob would bend it: look at the amplitudes and at \
+                 how the lengths were measured",
+            ),
+            Self::Scatter(warning) => warning.fmt(f),
+            Self::OffsetLargerThanBob => {
+                f.write_str("the offset is much larger than the bob: check the unit of the lengths")
+            }
+            Self::NowhereOnEarth { counted } => {
+                let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
+                let explanation = match counted {
+                    Some(CountedAs::WholeThoughHalf) => {
+                        "it is about four times as large here, as if half periods had been taken for whole ones"
+                    }
+                    Some(CountedAs::HalfThoughWhole) => {
+                        "it is about a quarter of that here, as if whole periods had been taken for half ones"
+                    }
+                    None => "check the units of lengths and periods, and that periods are whole ones",
+                };
+                write!(f, "gravity is {least} to {greatest} m/s² on Earth: {explanation}")
+            }
+        }
+    }
+}
+
+/// In the order in which the laws are compared, gravity last.
+pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
+    let of = |model| fit.of(model);
+    let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
+    let offset = of(LengthModel::Offset);
+    let bent = of(LengthModel::OffsetAndGyration);
+    let scatter = offset.and_then(LengthFit::scatter);
+    [
+        (by_chance(offset) < NEEDED).then_some(LengthsWarning::OffsetNeeded),
+        bent.filter(|fit| by_chance(Some(fit)) < NEEDED).map(bend),
+        scatter.and_then(|scatter: Scatter| scatter.warning("the offset")).map(LengthsWarning::Scatter),
+        offset_larger_than_bob(fit),
+        nowhere_on_earth(fit),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn bend(fit: &LengthFit) -> LengthsWarning {
+    let gyration = fit.gyration.map_or(0.0, |found| found.value);
+    LengthsWarning::Bent { radius: (gyration > 0.0).then(|| radius_of(gyration)) }
+}
+
+/// Of a ball with this κ = 2r²/5.
+fn radius_of(gyration: f64) -> f64 {
+    (2.5 * gyration).sqrt()
+}
+
+fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
+    let offset = fit.of(LengthModel::Offset)?.offset?.value;
+    let radius = radius_of(fit.known_gyration?);
+    (offset.abs() > RADII_OF_OFFSET * radius).then_some(LengthsWarning::OffsetLargerThanBob)
+}
+
+fn nowhere_on_earth(fit: &LengthsFit) -> Option<LengthsWarning> {
+    let gravity = fit.gravity();
+    let counted = match gravity.value / GRAVITY_ON_EARTH[0] {
+        times if FOUR_TIMES.contains(&times) => Some(CountedAs::WholeThoughHalf),
+        times if A_QUARTER.contains(&times) => Some(CountedAs::HalfThoughWhole),
+        _ => None,
+    };
+    is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { counted })
+}

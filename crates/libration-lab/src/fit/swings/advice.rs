@@ -1,0 +1,188 @@
+//! What would make a measurement of swings better.
+
+use std::fmt;
+
+use crate::measurement::Seen;
+use libration::quantity::{rounded, short};
+
+/// What would make a measurement of swings better.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Advice {
+    /// No length was given, so that there is no gravity.
+    GiveLength,
+    /// The length was given without an uncertainty, which gravity owes most of its own to.
+    GiveLengthUncertainty,
+    /// The relative uncertainty of the length is more than seven tenths of that of gravity: half of its variance, so that all else
+    /// together is less.
+    MeasureLengthBetter {
+        /// The relative uncertainty of the length.
+        relative_uncertainty: f64,
+    },
+    /// β is in doubt, and a wrong scale of the angles can be why.
+    CheckScale {
+        /// What the instrument sees.
+        seen: Seen,
+    },
+    /// The data leave several kinds of damping.
+    RecordLonger {
+        /// The largest and the smallest amplitude, in radians.
+        amplitudes: [f64; 2],
+    },
+    /// The residuals are no noise.
+    LookAtResiduals,
+    /// Outliers stand alone, fewer than three in a row at any end.
+    CorrectOutliers,
+    /// At least three rows in a row at an end are outliers.
+    LeaveOutEnds {
+        /// Which ends.
+        ends: Vec<EndOfTrace>,
+    },
+    /// The rounding of the times makes more than a quarter of the scatter, and even times would undo it.
+    WriteMoreDigitsOfTimes {
+        /// The step that the times are rounded to, in s.
+        resolution: f64,
+        /// The part of the scatter, at most 1.
+        part: f64,
+    },
+    /// The pendulum hangs at more than a hundredth of a radian, half a degree, on the scale of the instrument: what an eye sees.
+    SetZero {
+        /// The angle at rest, in radians.
+        offset: f64,
+    },
+    /// There are fewer than fifteen rows in a period; eight are too few to place passages and turning points.
+    SampleFaster {
+        /// Of the trace with the fewest.
+        rows_per_period: f64,
+    },
+}
+
+/// Rows at an end of a trace that do not follow the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EndOfTrace {
+    /// Those before a time.
+    Before {
+        /// The name of the trace.
+        trace: String,
+        /// In seconds.
+        time: f64,
+    },
+    /// Those after a time.
+    After {
+        /// The name of the trace.
+        trace: String,
+        /// In seconds.
+        time: f64,
+    },
+}
+
+impl Advice {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::GiveLength => "give_length",
+            Self::GiveLengthUncertainty => "give_length_uncertainty",
+            Self::MeasureLengthBetter { .. } => "measure_length_better",
+            Self::CheckScale { .. } => "check_scale",
+            Self::RecordLonger { .. } => "record_longer",
+            Self::LookAtResiduals => "look_at_residuals",
+            Self::CorrectOutliers => "correct_outliers",
+            Self::LeaveOutEnds { .. } => "leave_out_ends",
+            Self::WriteMoreDigitsOfTimes { .. } => "write_more_digits_of_times",
+            Self::SetZero { .. } => "set_zero",
+            Self::SampleFaster { .. } => "sample_faster",
+        }
+    }
+}
+
+/// How a length is measured.
+const WHERE: &str = "from the axis of the pivot to the middle of the bob, which is its centre of mass";
+
+impl fmt::Display for Advice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::GiveLength => write!(f, "Give the length, such as 0.57m±0.004m, to have gravity: measure it {WHERE}."),
+            Self::GiveLengthUncertainty => write!(
+                f,
+                "The length was given without an uncertainty, so that gravity has too small a one: write it as 0.57m±0.004m. Measure \
+                 it {WHERE}."
+            ),
+            Self::MeasureLengthBetter { relative_uncertainty } => write!(
+                f,
+                "The length is known to {} %, and so is gravity: nothing else in the budget matters. Measure the length better, \
+                 {WHERE}; more swings would not help.",
+                rounded(100.0 * relative_uncertainty, 2)
+            ),
+            Self::CheckScale { seen } => write!(
+                f,
+                "β is not 1, so look for a wrong scale of the angles: {}. The scale can also be fitted.",
+                how_to_check(*seen)
+            ),
+            Self::RecordLonger { amplitudes } => {
+                let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
+                match largest == smallest {
+                    true => write!(f, "Only an amplitude of {largest}° was measured. ")?,
+                    false => write!(f, "The amplitude went from {largest}° to {smallest}°. ")?,
+                }
+                f.write_str(
+                    "The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of \
+                     what it was at first.",
+                )
+            }
+            Self::LookAtResiduals => f.write_str(
+                "Look at the picture of the residuals: if they repeat with the swing, suspect the scale or the perspective of the \
+                 camera, a pivot that gives way, or a string that stretches; if they grow at the beginning, leave out the release.",
+            ),
+            Self::CorrectOutliers => f.write_str(
+                "Some rows are far from all others: correct them in the tracking, or fit so that outliers count less.",
+            ),
+            Self::LeaveOutEnds { ends } => {
+                let ends: Vec<String> = ends.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "Rows do not follow the motion {}: if the pendulum was held there or the tracking lost it, leave them out.",
+                    ends.join(" and ")
+                )
+            }
+            Self::WriteMoreDigitsOfTimes { resolution, part } => write!(
+                f,
+                "The times are rounded to {} s, which makes {} % of the scatter: export them with more digits, or take them for even.",
+                short(*resolution, 6),
+                rounded(100.0 * part, 2)
+            ),
+            Self::SetZero { offset } => write!(
+                f,
+                "The pendulum hangs at {}° on the scale of the instrument. That was fitted and does no harm; a plumb line in the \
+                 picture would set it right.",
+                rounded(offset.to_degrees(), 2)
+            ),
+            Self::SampleFaster { rows_per_period } => write!(
+                f,
+                "There are only {} rows in a period: take more pictures a second.",
+                rounded(*rows_per_period, 2)
+            ),
+        }
+    }
+}
+
+impl fmt::Display for EndOfTrace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Before { trace, time } => write!(f, "of {trace} before {} s", rounded(*time, 4)),
+            Self::After { trace, time } => write!(f, "of {trace} after {} s", rounded(*time, 4)),
+        }
+    }
+}
+
+fn how_to_check(seen: Seen) -> &'static str {
+    match seen {
+        Seen::Angle => {
+            "film from far away and straight at the plane of the swing, check the pixels for being square, the origin for being on \
+             the pivot, and the protractor or encoder for its counts in a turn"
+        }
+        Seen::AngularVelocity => {
+            "check the sensor's sensitivity by turning it through a whole turn, and that its axis is that of the swing"
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Which warnings swings give rise to.
+
+use super::{FittedPendulum, SwingsFit, Warning};
+use crate::fit::SIGNIFICANT;
+use crate::fit::budget::BudgetWarning;
+use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
+use crate::fit::trace::{Comparison, DampingTerm, Parameter, TraceFit};
+use crate::measurement::Trace;
+
+/// The warnings, the gravest first.
+pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
+    let fit = &found.fit;
+    let budget: Vec<BudgetWarning> = match &found.pendulum {
+        FittedPendulum::Gravity { budget, .. } => budget.warnings(),
+        FittedPendulum::Length(_) => vec![],
+    };
+    let mut warnings: Vec<Warning> = (!fit.converged).then_some(Warning::NotConverged).into_iter().collect();
+    warnings.extend(radians(found));
+    warnings.extend(budget.into_iter().map(Warning::Budget));
+    warnings.extend(found.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
+    warnings.extend((!fit.takes_energy()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
+    warnings.extend(negative_damping(fit));
+    warnings.extend(found.comparison.iter().flat_map(better_models));
+    warnings.extend(rivals(found));
+    warnings.extend(residuals(fit));
+    warnings.extend(stated_uncertainties(fit));
+    warnings.extend(strong_damping(found));
+    warnings.extend(beta(found));
+    warnings.extend(periods(found));
+    warnings.extend(different_pendulums(found, traces));
+    warnings.extend(implausible_length(&found.pendulum));
+    warnings.extend(outliers(fit));
+    warnings.extend(cycles(found, traces));
+    warnings
+}
+
+fn radians(found: &SwingsFit) -> Option<Warning> {
+    let beta = found.beta.as_ref().ok().filter(|_| found.angles_are_radians())?;
+    Some(Warning::AnglesAreRadians { beta: beta.beta })
+}
+
+fn negative_damping(fit: &TraceFit) -> Option<Warning> {
+    let coefficient = |term: DampingTerm| {
+        let Parameter { value, uncertainty, .. } = *fit.parameter(term.name())?;
+        Some(Coefficient { term, value, uncertainty })
+    };
+    let coefficients: Vec<Coefficient> = fit.negative_terms().into_iter().filter_map(coefficient).collect();
+    (!coefficients.is_empty()).then_some(Warning::NegativeDamping { coefficients })
+}
+
+fn better_models(comparison: &Comparison) -> Vec<Warning> {
+    let doubt = |(fit, excess): (&TraceFit, f64)| Warning::BetterModelNotBelieved {
+        damping: fit.damping,
+        excess,
+        negative: fit.negative_terms().first().copied(),
+    };
+    comparison.better().map(doubt).collect()
+}
+
+fn rivals(found: &SwingsFit) -> Option<Warning> {
+    let rivals = found.rivals();
+    let preferred = found.fit.damping;
+    (!rivals.is_empty()).then_some(Warning::DampingNotSeparated { preferred, rivals })
+}
+
+fn residuals(fit: &TraceFit) -> Option<Warning> {
+    let omega0 = &fit.parameters[0];
+    (!fit.autocorrelation.is_noise()).then(|| Warning::ResidualsNotNoise {
+        rows: fit.autocorrelation.time,
+        inflation: omega0.uncertainty / omega0.formal_uncertainty,
+    })
+}
+
+fn stated_uncertainties(fit: &TraceFit) -> Option<Warning> {
+    /// Half as much again, and two thirds: with fifty rows the ratio varies by a tenth.
+    const AS_STATED: std::ops::RangeInclusive<f64> = 0.67..=1.5;
+    let ratio = fit.chi2_per_dof?.sqrt();
+    (!AS_STATED.contains(&ratio)).then_some(Warning::StatedUncertainties { ratio })
+}
+
+fn strong_damping(found: &SwingsFit) -> Option<Warning> {
+    let fall = found.strong_damping()?;
+    let beta = found.beta.as_ref().is_ok_and(|beta| beta.differs_from_one());
+    (beta || found.other_period().is_some()).then_some(Warning::StrongDamping { fall })
+}
+
+fn beta(found: &SwingsFit) -> Option<Warning> {
+    let beta = found.doubtful_beta()?;
+    let (deviation, scale_error) = (beta.deviation(), beta.scale_error());
+    Some(Warning::BetaNotOne { deviation, scale_error, amplitudes: found.amplitudes()? })
+}
+
+fn periods(found: &SwingsFit) -> Option<Warning> {
+    let is_meant = !found.scale_is_fitted() && found.strong_damping().is_none();
+    let (by_cycles, deviation) = found.other_period().filter(|_| is_meant)?;
+    let by_motion = found.fit.small_angle_period().0;
+    Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation })
+}
+
+/// Traces that are fitted as of one pendulum and are not.
+fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
+    const APART: f64 = 0.01;
+    let known: Vec<(&Trace, &Cycles)> = traces
+        .iter()
+        .zip(&found.cycles)
+        .filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)))
+        .collect();
+    let (one, short) = known.iter().min_by(|a, b| a.1.t0.total_cmp(&b.1.t0))?;
+    let (other, long) = known.iter().max_by(|a, b| a.1.t0.total_cmp(&b.1.t0))?;
+    let difference = long.t0 - short.t0;
+    let by_chance = SIGNIFICANT * libm::hypot(short.t0_uncertainty, long.t0_uncertainty);
+    (difference > by_chance && difference > APART * short.t0).then(|| Warning::DifferentPendulums {
+        shortest: (one.name().to_owned(), short.t0),
+        longest: (other.name().to_owned(), long.t0),
+    })
+}
+
+fn implausible_length(pendulum: &FittedPendulum) -> Option<Warning> {
+    const BUILT: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+    let FittedPendulum::Length(length) = pendulum else { return None };
+    (!BUILT.contains(&length.value)).then_some(Warning::ImplausibleLength { length: length.value })
+}
+
+fn outliers(fit: &TraceFit) -> Option<Warning> {
+    let rows = fit.traces.iter().map(|trace| trace.outliers.len()).sum();
+    (rows > 0).then_some(Warning::Outliers { rows })
+}
+
+fn cycles(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
+    let several = traces.len() > 1;
+    let name = |trace: &Trace| several.then(|| trace.name().to_owned());
+    let of_trace = |(trace, cycles): (&Trace, &Result<Cycles, CyclesError>)| match cycles {
+        Ok(cycles) => {
+            let doubt = |&warning| Warning::Cycles { trace: name(trace), warning };
+            cycles.warnings.iter().map(doubt).collect()
+        }
+        Err(error) => vec![Warning::NoCycles { trace: name(trace), error: error.clone() }],
+    };
+    traces.iter().zip(&found.cycles).flat_map(of_trace).collect::<Vec<_>>()
+}

@@ -1,0 +1,98 @@
+//! Everything that recordings of swings say.
+
+use super::{Advice, FittedPendulum, Warning};
+use crate::fit::cycles::{Beta, Cycle, Cycles, CyclesError};
+use crate::fit::trace::{Comparison, TraceFit};
+use crate::fit::{DampingTerms, SIGNIFICANT};
+use libration::quantity::Quantity;
+
+/// Everything that recordings of swings say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingsFit {
+    /// Of the model that was asked for, or that the data prefer.
+    pub fit: TraceFit,
+    /// With the other models, where they were compared.
+    pub comparison: Option<Comparison>,
+    /// Of each trace.
+    pub cycles: Vec<Result<Cycles, CyclesError>>,
+    /// The test of the exact law over all cycles, or why there is none.
+    pub beta: Result<Beta, CyclesError>,
+    /// Gravity or the length.
+    pub pendulum: FittedPendulum,
+    /// What is doubtful, the gravest first.
+    pub warnings: Vec<Warning>,
+    /// What would make the measurement better, what helps most first.
+    pub advice: Vec<Advice>,
+}
+
+impl SwingsFit {
+    /// T0, in s: averaged over the models that the data leave.
+    #[must_use]
+    pub fn small_angle_period(&self) -> Quantity {
+        small_angle_period(&self.fit, self.comparison.as_ref())
+    }
+
+    /// The models that the data leave and that contradict the preferred one.
+    #[must_use]
+    pub fn rivals(&self) -> Vec<DampingTerms> {
+        self.comparison.as_ref().map(Comparison::contradicting).unwrap_or_default()
+    }
+
+    /// All cycles that were measured, with the number of their trace.
+    pub fn all_cycles(&self) -> impl Iterator<Item = (usize, &Cycle)> {
+        let measured =
+            self.cycles.iter().enumerate().filter_map(|(trace, found)| Some((trace, found.as_ref().ok()?)));
+        measured.flat_map(|(trace, found)| found.cycles.iter().map(move |cycle| (trace, cycle)))
+    }
+
+    /// The largest and the smallest amplitude of a cycle, in radians.
+    #[must_use]
+    pub fn amplitudes(&self) -> Option<[f64; 2]> {
+        let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude);
+        Some([sizes().reduce(f64::max)?, sizes().reduce(f64::min)?])
+    }
+
+    /// Whether the scale of the angles was fitted.
+    #[must_use]
+    pub fn scale_is_fitted(&self) -> bool {
+        self.fit.parameter("scale").is_some()
+    }
+
+    /// By which part the amplitude falls in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.
+    #[must_use]
+    pub fn fall_in_a_cycle(&self) -> Option<f64> {
+        let all = self.cycles.iter().flatten().map(|found| &found.cycles);
+        // Cycles overlap by half.
+        let pairs = all.flat_map(|cycles| cycles.windows(3).map(|three| (three[0], three[2])));
+        let (weights, sum) = pairs.fold((0.0, 0.0), |(weights, sum), (earlier, later)| {
+            let weight = earlier.period_ratio - 1.0;
+            let cycles = (later.time - earlier.time) / earlier.period;
+            (weights + weight, sum + weight * (1.0 - later.amplitude / earlier.amplitude) / cycles)
+        });
+        (weights > 0.0).then(|| sum / weights)
+    }
+
+    /// T0 by the cycles of a single trace, where it is not that of the whole motion, and by how many uncertainties.
+    pub(super) fn other_period(&self) -> Option<(f64, f64)> {
+        /// Below this part the ways of measuring may differ: the local fits alone are off by up to 5e-5 without any noise, and the
+        /// damping adds as much (`without_noise_every_cycle_obeys_the_exact_law`).
+        const WORTH_A_WORD: f64 = 1e-4;
+        let [Ok(cycles)] = &self.cycles[..] else { return None };
+        let (period, uncertainty) = self.fit.small_angle_period();
+        let difference = (cycles.t0 - period).abs();
+        let deviation = difference / libm::hypot(cycles.t0_uncertainty, uncertainty);
+        (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period).then_some((cycles.t0, deviation))
+    }
+}
+
+/// Of a fit, or averaged over those that the data leave.
+pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Quantity {
+    let (value, uncertainty) = comparison.map_or_else(
+        || fit.small_angle_period(),
+        |comparison| {
+            let averaged = comparison.small_angle_period();
+            (averaged.value, averaged.uncertainty)
+        },
+    );
+    Quantity { value, uncertainty: Some(uncertainty) }
+}

@@ -1,0 +1,97 @@
+//! Which advice swings give rise to.
+
+use super::{Advice, EndOfTrace, FittedPendulum, SwingsFit};
+use crate::measurement::{Faults, Seen, Trace};
+
+/// The advice, what helps most first.
+pub(super) fn advice(found: &SwingsFit, traces: &[Trace]) -> Vec<Advice> {
+    let faults: Vec<Faults> =
+        traces.iter().map(|trace| Faults::find(trace.times(), trace.values(), None)).collect();
+    let seen = traces.first().map_or(Seen::Angle, Trace::seen);
+    let mut advice: Vec<Advice> = length(&found.pendulum).into_iter().collect();
+    advice.extend(scale(found, seen));
+    advice.extend(damping(found));
+    advice.extend((!found.fit.autocorrelation.is_noise()).then_some(Advice::LookAtResiduals));
+    advice.extend(outliers(found, traces));
+    advice.extend(faults.iter().find_map(|faults| times(found, faults)));
+    advice.extend(zero(found, seen));
+    advice.extend(rows(found, &faults));
+    advice
+}
+
+fn length(pendulum: &FittedPendulum) -> Option<Advice> {
+    /// √½, so that the length has half of the variance.
+    const MOST_OF_IT: f64 = 0.7;
+    let (budget, length) = match pendulum {
+        FittedPendulum::Length(_) => return Some(Advice::GiveLength),
+        FittedPendulum::Gravity { budget, length } => (budget, length),
+    };
+    let Some(of_length) = length.uncertainty else { return Some(Advice::GiveLengthUncertainty) };
+    let (relative_uncertainty, of_gravity) = (of_length / length.value, budget.uncertainty / budget.g);
+    (relative_uncertainty > MOST_OF_IT * of_gravity)
+        .then_some(Advice::MeasureLengthBetter { relative_uncertainty })
+}
+
+fn scale(found: &SwingsFit, seen: Seen) -> Option<Advice> {
+    found.doubtful_beta()?.scale_error().map(|_| Advice::CheckScale { seen })
+}
+
+fn damping(found: &SwingsFit) -> Option<Advice> {
+    let amplitudes = found.amplitudes().filter(|_| !found.rivals().is_empty())?;
+    Some(Advice::RecordLonger { amplitudes })
+}
+
+/// Rows at an end that do not follow the motion, or else rows here and there.
+fn outliers(found: &SwingsFit, traces: &[Trace]) -> Option<Advice> {
+    let fitted = traces.iter().zip(&found.fit.traces);
+    let ends: Vec<EndOfTrace> =
+        fitted.flat_map(|(trace, fitted)| strange_ends(trace, &fitted.outliers)).collect();
+    let some = found.fit.traces.iter().any(|trace| !trace.outliers.is_empty());
+    match ends.is_empty() {
+        true => some.then_some(Advice::CorrectOutliers),
+        false => Some(Advice::LeaveOutEnds { ends }),
+    }
+}
+
+/// Where a trace begins or ends with outliers one after the other.
+fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<EndOfTrace> {
+    const FEWEST: usize = 3;
+    let (times, last) = (trace.times(), trace.len() - 1);
+    let at_beginning = outliers.iter().enumerate().take_while(|(place, row)| place == *row).count();
+    let at_end = outliers.iter().rev().enumerate().take_while(|(place, row)| last - *row == *place).count();
+    let name = || trace.name().to_owned();
+    let is_end = |rows: usize| rows >= FEWEST && rows < trace.len();
+    let before =
+        is_end(at_beginning).then(|| EndOfTrace::Before { trace: name(), time: times[at_beginning] });
+    let after = is_end(at_end).then(|| EndOfTrace::After { trace: name(), time: times[last - at_end] });
+    before.into_iter().chain(after).collect()
+}
+
+/// Rounded times, where they matter beside the other errors.
+fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
+    /// Of the scatter; as squares a sixteenth.
+    const WORTH_A_WORD: f64 = 0.25;
+    let (noise, clock) = (faults.rounding_noise?, faults.clock.as_ref()?);
+    let (resolution, _) = (clock.resolution?, clock.grid.as_ref()?);
+    let part = (noise / found.fit.rms).min(1.0);
+    (part > WORTH_A_WORD).then_some(Advice::WriteMoreDigitsOfTimes { resolution, part })
+}
+
+/// The zero of the angle, where the motion is that of the pendulum.
+fn zero(found: &SwingsFit, seen: Seen) -> Option<Advice> {
+    /// In radians: half a degree.
+    const WORTH_A_WORD: f64 = 0.01;
+    let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
+    let offset = offsets.map(|offset| offset.value).max_by(|a: &f64, b: &f64| a.abs().total_cmp(&b.abs()))?;
+    let is_told = seen == Seen::Angle && !found.is_poor();
+    (is_told && offset.abs() > WORTH_A_WORD).then_some(Advice::SetZero { offset })
+}
+
+fn rows(found: &SwingsFit, faults: &[Faults]) -> Option<Advice> {
+    /// In a period; nearly twice what the cycles need at least.
+    const FEW: f64 = 15.0;
+    let (period, _) = found.fit.small_angle_period();
+    let rows = faults.iter().filter_map(|faults| faults.clock.as_ref().map(|clock| period / clock.interval));
+    let rows_per_period = rows.reduce(f64::min)?;
+    (rows_per_period < FEW).then_some(Advice::SampleFaster { rows_per_period })
+}

@@ -1,0 +1,62 @@
+//! What ω0 says with the length of the pendulum, or without one.
+
+use std::f64::consts::TAU;
+
+use super::options::SwingsOptions;
+use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, budget};
+use crate::fit::cycles::{Cycles, CyclesError};
+use crate::fit::gravity::STANDARD_GRAVITY;
+use crate::fit::trace::TraceFit;
+use crate::fit::typical_amplitude::typical_amplitude;
+use libration::quantity::Quantity;
+
+/// What ω0 says with the length of the pendulum, or without one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FittedPendulum {
+    /// The length is known.
+    Gravity {
+        /// Gravity with the budget of its uncertainty.
+        budget: Budget,
+        /// The length that was given, in m.
+        length: Quantity,
+    },
+    /// The length, in m, of a simple pendulum where gravity is [the standard one](STANDARD_GRAVITY).
+    Length(Quantity),
+}
+
+/// Of the period of small swings that the motions of this fit have.
+pub(super) fn pendulum(
+    fit: &TraceFit,
+    t0: Quantity,
+    cycles: &[Result<Cycles, CyclesError>],
+    options: &SwingsOptions<'_>,
+) -> Result<FittedPendulum, BudgetError> {
+    let Some(apparatus) = options.apparatus else { return Ok(FittedPendulum::Length(length(t0))) };
+    let ratios =
+        cycles.iter().flatten().flat_map(|found| found.cycles.iter().map(|cycle| cycle.period_ratio));
+    let period = MeasuredPeriod {
+        t0,
+        amplitude: typical_amplitude(ratios),
+        // What a fitted scale is worth is part of T0 already.
+        angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),
+        clock: options.clock,
+        degrees_of_freedom: fit.parameters[0].degrees_of_freedom,
+        damping: damping(fit),
+    };
+    let budget = budget(&apparatus, &period, options.correlations)?;
+    Ok(FittedPendulum::Gravity { budget, length: apparatus.length })
+}
+
+/// Of a simple pendulum in standard gravity.
+fn length(t0: Quantity) -> Quantity {
+    let value = STANDARD_GRAVITY * (t0.value / TAU) * (t0.value / TAU);
+    Quantity { value, uncertainty: t0.uncertainty.map(|of_t0| 2.0 * value * of_t0 / t0.value) }
+}
+
+/// A damped motion was fitted, whose T0 is that without damping; an undamped one leaves the damping in it.
+fn damping(fit: &TraceFit) -> PeriodDamping {
+    match fit.damping.count() {
+        0 => PeriodDamping::Unknown,
+        _ => PeriodDamping::Fitted(fit.parameter("linear").map_or(0.0, |linear| linear.value)),
+    }
+}

@@ -1,0 +1,36 @@
+//! How far β and the fitted motion can be relied on, which several warnings and pieces of advice need to know.
+
+use super::SwingsFit;
+use crate::fit::cycles::{self, Beta};
+
+impl SwingsFit {
+    /// Whether the angles are radians that were taken for degrees.
+    pub(super) fn angles_are_radians(&self) -> bool {
+        let cycles = self.all_cycles().map(|(_, cycle)| cycle);
+        self.beta.as_ref().is_ok_and(|beta| cycles::are_radians(beta.beta, cycles))
+    }
+
+    /// By which part the amplitude falls in a cycle, where that is so much that the period of single cycles, which the exact law
+    /// gives for a constant amplitude, says little.
+    pub(super) fn strong_damping(&self) -> Option<f64> {
+        /// R − 1, which goes with the square of the amplitude, then changes by a fifth within a cycle.
+        const STRONG: f64 = 0.1;
+        self.fall_in_a_cycle().filter(|&fall| fall > STRONG)
+    }
+
+    /// A β that the exact law does not explain, and neither strong damping, nor a scale that is fitted, nor radians taken for
+    /// degrees.
+    pub(super) fn doubtful_beta(&self) -> Option<&Beta> {
+        let beta = self.beta.as_ref().ok().filter(|beta| beta.differs_from_one())?;
+        let explained =
+            self.scale_is_fitted() || self.strong_damping().is_some() || self.angles_are_radians();
+        (!explained).then_some(beta)
+    }
+
+    /// Whether what the motion leaves is so large that its numbers mean little.
+    pub(super) fn is_poor(&self) -> bool {
+        /// As a part of the swing, in root mean squares; errors of reading are a hundredth of it or so.
+        const POOR: f64 = 0.1;
+        self.fit.unexplained.sqrt() > POOR
+    }
+}

@@ -1,0 +1,175 @@
+//! Warnings in words.
+
+use std::fmt;
+
+use super::Warning;
+use crate::fit::cycles::Coefficient;
+use crate::fit::{DampingTerm, DampingTerms, alternatives};
+use libration::quantity::rounded;
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotConverged => {
+                f.write_str("the fit did not converge to a minimum: its numbers are not to be trusted")
+            }
+            Self::AnglesAreRadians { beta } => write!(
+                f,
+                "these angles are radians that were taken for degrees: β is {}, where (180/π)² = 3283 is what that mistake makes of \
+                 small angles, and with radians the periods follow the exact law. T₀ and all angles given here are wrong",
+                rounded(*beta, 4)
+            ),
+            Self::Budget(warning) => warning.fmt(f),
+            Self::PoorFit { part } => write!(
+                f,
+                "the residuals are {} % of the swing itself: the model does not describe what was seen, and its numbers mean little. \
+                 Check columns and units, or leave out what is not a free swing",
+                rounded(100.0 * part, 2)
+            ),
+            Self::FeedsEnergy { damping } => write!(
+                f,
+                "the model `{damping}` feeds energy to the pendulum at some speeds, which no friction does: choose another"
+            ),
+            Self::NegativeDamping { coefficients } => negative_damping(f, coefficients),
+            Self::BetterModelNotBelieved { damping, excess, negative } => {
+                better_model(f, *damping, *excess, *negative)
+            }
+            Self::DampingNotSeparated { preferred, rivals } => write!(
+                f,
+                "these data cannot separate the model {preferred} from {} for certain: T₀ is averaged over them, and the coefficients \
+                 differ from one to the other by more than their uncertainties may say",
+                alternatives(rivals)
+            ),
+            Self::ResidualsNotNoise { rows, inflation } => residuals(f, *rows, *inflation),
+            Self::StatedUncertainties { ratio } => write!(
+                f,
+                "the rows scatter {} times as much as their stated uncertainties: these are too {}",
+                rounded(*ratio, 2),
+                if *ratio > 1.0 { "small" } else { "large" }
+            ),
+            Self::StrongDamping { fall } => write!(
+                f,
+                "the amplitude falls by {} % in a cycle: with such strong damping the periods of single cycles follow the exact law \
+                 only roughly, so β means little; the fit of the whole motion is what counts",
+                rounded(100.0 * fall, 2)
+            ),
+            Self::BetaNotOne { deviation, scale_error, amplitudes } => {
+                beta(f, *deviation, *scale_error, *amplitudes)
+            }
+            Self::PeriodsDisagree { by_cycles, by_motion, deviation } => write!(
+                f,
+                "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
+                rounded(*by_cycles, 6),
+                rounded(*deviation, 2),
+                rounded(*by_motion, 6)
+            ),
+            Self::DifferentPendulums { shortest, longest } => write!(
+                f,
+                "the traces are not of one pendulum: by its cycles {} has T₀ {} s, and {} has {} s. Fit them one by one",
+                shortest.0,
+                rounded(shortest.1, 5),
+                longest.0,
+                rounded(longest.1, 5)
+            ),
+            Self::ImplausibleLength { length } => write!(
+                f,
+                "a simple pendulum with this period would be {} m long: check the unit of the times",
+                rounded(*length, 2)
+            ),
+            Self::Outliers { rows: 1 } => f.write_str(
+                "1 row is an outlier, further than five robust standard deviations from the motion",
+            ),
+            Self::Outliers { rows } => write!(
+                f,
+                "{rows} rows are outliers, further than five robust standard deviations from the motion"
+            ),
+            Self::Cycles { trace, warning } => write!(f, "cycles{}: {warning}", of(trace)),
+            Self::NoCycles { trace, error } => write!(f, "cycles{}: {error}", of(trace)),
+        }
+    }
+}
+
+fn of(trace: &Option<String>) -> String {
+    trace.as_ref().map_or(String::new(), |name| format!(" of {name}"))
+}
+
+fn negative_damping(f: &mut fmt::Formatter<'_>, coefficients: &[Coefficient]) -> fmt::Result {
+    let names: Vec<&str> = coefficients.iter().map(|coefficient| coefficient.term.name()).collect();
+    let values: Vec<String> = coefficients.iter().map(ToString::to_string).collect();
+    write!(
+        f,
+        "the {} damping is negative, {}: no drag pushes. The friction may fall as the speed rises, or something else that is not in \
+         the model is described by it",
+        names.join(" and "),
+        values.join(" and ")
+    )
+}
+
+fn better_model(
+    f: &mut fmt::Formatter<'_>,
+    damping: DampingTerms,
+    excess: f64,
+    negative: Option<DampingTerm>,
+) -> fmt::Result {
+    let why = match negative {
+        Some(term) => format!("its {} damping is negative", term.name()),
+        None => "it feeds energy to the pendulum at some speeds".to_owned(),
+    };
+    write!(
+        f,
+        "`{damping}` explains the data better (AICc lower by {}) and is not preferred, since {why}: the pendulum or the instrument \
+         does something that is in no model",
+        rounded(excess, 3)
+    )
+}
+
+fn residuals(f: &mut fmt::Formatter<'_>, rows: f64, inflation: f64) -> fmt::Result {
+    /// What repeats with the swing, or changes its sign from row to row, is alike over no more than one row.
+    const ALIKE: f64 = 1.5;
+    let how = match rows {
+        rows if rows < ALIKE => "they follow a pattern".to_owned(),
+        rows => format!("they are alike over about {} rows", rounded(rows, 2)),
+    };
+    write!(
+        f,
+        "the residuals are not noise: {how}, so the pendulum does something the model does not, or the instrument does. "
+    )?;
+    match inflation {
+        inflation if inflation < ALIKE => {
+            f.write_str("A systematic error may be larger than the uncertainties")
+        }
+        inflation => write!(
+            f,
+            "For ω₀ that makes {} times the uncertainty it would have if the rows were independent, which is allowed for; a systematic \
+             error may be larger still",
+            rounded(inflation, 2)
+        ),
+    }
+}
+
+fn beta(
+    f: &mut fmt::Formatter<'_>,
+    deviation: f64,
+    scale_error: Option<f64>,
+    amplitudes: [f64; 2],
+) -> fmt::Result {
+    write!(
+        f,
+        "β is {} standard uncertainties from 1: the period does not change with the amplitude as the exact law says. ",
+        rounded(deviation, 2)
+    )?;
+    match scale_error {
+        Some(part) => {
+            let (percent, how) = (rounded(100.0 * part.abs(), 2), if part > 0.0 { "small" } else { "large" });
+            write!(f, "Angles measured {percent} % too {how} would do this")
+        }
+        None => {
+            let [largest, smallest] = amplitudes.map(|size| rounded(size.to_degrees(), 3));
+            write!(
+                f,
+                "No scale of the angles is wrong by so much; with amplitudes from {largest}° to {smallest}° only, anything that \
+                 changes the period in time looks like this"
+            )
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! The advice.
+
+use libration_lab::fit::swings::{Advice, EndOfTrace, SwingsOptions};
+use libration_lab::measurement::Seen;
+
+use super::{SWING, advice, changed, found, linear, of_length, trace, with_free_scale};
+use crate::synthetic_trace::Synthetic;
+
+fn has(advice: &[Advice], name: &str) -> bool {
+    advice.iter().any(|one| one.name() == name)
+}
+
+/// T0 is known to some 2e-4, so that gravity owes half of its variance to a length that is known to 4e-4 or so.
+#[test]
+fn the_length_is_to_be_given_with_an_uncertainty_and_to_be_measured_better_where_it_decides() {
+    assert_eq!(advice(&SWING, &linear())[0], Advice::GiveLength);
+    assert_eq!(advice(&SWING, &of_length(1.09, None))[0], Advice::GiveLengthUncertainty);
+    let rough = advice(&SWING, &of_length(1.09, Some(0.0109)));
+    let Advice::MeasureLengthBetter { relative_uncertainty } = rough[0] else { panic!("{rough:?}") };
+    assert!((relative_uncertainty - 0.01).abs() < 1e-12);
+    assert!(rough[0].to_string().contains("The length is known to 1.0 %"), "{}", rough[0]);
+    assert_eq!(advice(&SWING, &of_length(1.09, Some(1e-6))), []);
+}
+
+/// Relative uncertainties of the length at which it has just more, and just less, than half of the variance of gravity.
+#[test]
+fn half_of_the_variance_decides() {
+    let relative_of_period = {
+        let (period, uncertainty) = found(&[trace(&SWING)], &linear()).fit.small_angle_period();
+        2.0 * uncertainty / period
+    };
+    // u(l)/l = 0.7·u(g)/g where u(l)/l is 0.7/√0.51 of the rest, if the period has all of it.
+    let at_the_edge = 0.7 / 0.51_f64.sqrt() * relative_of_period;
+    let told = |part: f64| has(&advice(&SWING, &of_length(1.09, Some(1.09 * part))), "measure_length_better");
+    assert!(told(1.2 * at_the_edge) && !told(0.8 * at_the_edge));
+}
+
+#[test]
+fn a_scale_is_to_be_checked_where_beta_is_in_doubt() {
+    let quiet = Synthetic { noise: 3e-4, ..SWING };
+    let scaled = |swing: &Synthetic, scale: f64, options| {
+        found(&[changed(&trace(swing), |_, time, value| (time, scale * value))], &options).advice
+    };
+    let told = scaled(&quiet, 1.1, linear());
+    assert!(told.contains(&Advice::CheckScale { seen: Seen::Angle }), "{told:?}");
+    assert!(!has(&scaled(&quiet, 1.0, linear()), "check_scale"));
+    assert!(!has(&scaled(&quiet, 1.1, with_free_scale()), "check_scale"));
+    let gyroscope = Synthetic { seen: Seen::AngularVelocity, noise: 1e-3, ..SWING };
+    let told = scaled(&gyroscope, 1.1, linear());
+    assert!(told.contains(&Advice::CheckScale { seen: Seen::AngularVelocity }), "{told:?}");
+}
+
+#[test]
+fn damping_that_is_left_open_wants_a_longer_recording() {
+    let short = Synthetic { rows: 125, ..SWING };
+    let told = advice(&short, &SwingsOptions::default());
+    let Some(Advice::RecordLonger { amplitudes: [largest, smallest] }) =
+        told.iter().find(|one| one.name() == "record_longer")
+    else {
+        panic!("{told:?}")
+    };
+    assert!((0.95..1.06).contains(largest) && (0.9..*largest).contains(smallest));
+    assert!(!has(&advice(&short, &linear()), "record_longer"));
+}
+
+#[test]
+fn residuals_with_a_pattern_are_to_be_looked_at() {
+    let told = |size: f64| {
+        let ripple = |_: usize, time: f64, angle: f64| (time, size.mul_add(libm::sin(1.1 * time), angle));
+        has(&found(&[changed(&trace(&SWING), ripple)], &linear()).advice, "look_at_residuals")
+    };
+    assert!(told(0.01) && !told(0.0002));
+}
+
+/// Two rows that were held are outliers like any others; three are an end.
+#[test]
+fn outliers_at_an_end_are_to_be_left_out_and_others_to_be_corrected() {
+    let held = |rows: usize| {
+        let swing = trace(&SWING);
+        let last = swing.len() - rows;
+        let value = |row: usize, time: f64, angle: f64| (time, if row >= last { angle + 0.3 } else { angle });
+        (swing.times()[last - 1], found(&[changed(&swing, value)], &linear()).advice)
+    };
+    let (time, told) = held(3);
+    let end = EndOfTrace::After { trace: "synthetic".to_owned(), time };
+    let text = Advice::LeaveOutEnds { ends: vec![end] };
+    assert!(told.contains(&text), "{told:?}");
+    assert!(text.to_string().contains("of synthetic after 13.85 s"), "{text}");
+    let (_, told) = held(2);
+    assert!(told.contains(&Advice::CorrectOutliers), "{told:?}");
+    let (_, told) = held(0);
+    assert!(!has(&told, "correct_outliers") && !has(&told, "leave_out_ends"));
+}
+
+#[test]
+fn rows_at_the_beginning_are_an_end_too() {
+    let held = |row: usize, time: f64, angle: f64| (time, if row < 4 { angle + 0.3 } else { angle });
+    let swing = trace(&SWING);
+    let told = found(&[changed(&swing, held)], &linear()).advice;
+    let end = EndOfTrace::Before { trace: "synthetic".to_owned(), time: swing.times()[4] };
+    assert!(told.contains(&Advice::LeaveOutEnds { ends: vec![end] }), "{told:?}");
+}
+
+/// At 3 rad/s a hundredth of a second is three hundredths of a radian, and a thousandth as much as the noise.
+#[test]
+fn rounded_times_are_to_be_written_with_more_digits() {
+    let told = |step: f64| {
+        let rounded = |_: usize, time: f64, angle: f64| (step * libm::round(time / step), angle);
+        // Rows that no step of the rounding divides.
+        let swing = Synthetic { step: 0.0371, ..SWING };
+        found(&[changed(&trace(&swing), rounded)], &linear()).advice
+    };
+    let coarse = told(0.01);
+    let Some(Advice::WriteMoreDigitsOfTimes { resolution, part }) =
+        coarse.iter().find(|one| one.name() == "write_more_digits_of_times")
+    else {
+        panic!("{coarse:?}")
+    };
+    assert!((resolution - 0.01).abs() < 1e-12 && (0.5..=1.0).contains(part), "{part}");
+    assert!(!has(&told(0.001), "write_more_digits_of_times"));
+}
+
+#[test]
+fn a_zero_off_by_more_than_a_hundredth_is_told() {
+    let told = |offset: f64| has(&advice(&Synthetic { offset, ..SWING }, &linear()), "set_zero");
+    assert!(told(0.011) && told(-0.011) && !told(0.009));
+    // Of a motion that is not that of the pendulum it says nothing, and a gyroscope has no plumb line.
+    let noisy = Synthetic { offset: 0.1, noise: 0.1, ..SWING };
+    assert!(!has(&advice(&noisy, &linear()), "set_zero"));
+    let gyroscope = Synthetic { seen: Seen::AngularVelocity, offset: 0.1, ..SWING };
+    assert!(!has(&advice(&gyroscope, &linear()), "set_zero"));
+}
+
+#[test]
+fn fewer_than_fifteen_rows_in_a_period_are_few() {
+    let told = |rows_per_period: f64| {
+        let step = SWING.t0() / rows_per_period;
+        has(&advice(&Synthetic { step, rows: 130, ..SWING }, &linear()), "sample_faster")
+    };
+    assert!(told(14.5) && !told(15.5));
+}

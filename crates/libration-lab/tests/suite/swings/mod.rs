@@ -1,0 +1,82 @@
+//! What is doubtful about swings and what would make them better: each warning and each advice by data that ask for it, and by data
+//! that just do not.
+
+mod advice;
+mod warnings;
+
+use std::ops::ControlFlow;
+
+use libration::quantity::Quantity;
+use libration_lab::fit::Apparatus;
+use libration_lab::fit::swings::{Advice, SwingsFit, SwingsOptions, Warning, swings};
+use libration_lab::fit::trace::TraceOptions;
+use libration_lab::measurement::{Seen, Trace};
+
+use crate::random::Random;
+use crate::synthetic_trace::Synthetic;
+
+/// 60° falling to 52° in seven periods, 25 rows a second, seen to 3 mrad.
+const SWING: Synthetic = Synthetic { step: 0.04, rows: 350, noise: 0.003, ..Synthetic::USUAL };
+
+fn trace(swing: &Synthetic) -> Trace {
+    swing.trace(&mut Random::seeded(1))
+}
+
+/// The same with other times and values, row by row.
+fn changed(trace: &Trace, change: impl Fn(usize, f64, f64) -> (f64, f64)) -> Trace {
+    let rows = trace.times().iter().zip(trace.values()).enumerate();
+    let (times, values) = rows.map(|(row, (time, value))| change(row, *time, *value)).unzip();
+    Trace::new(trace.name(), trace.seen(), times, values, None).unwrap()
+}
+
+fn linear() -> SwingsOptions<'static> {
+    SwingsOptions { damping: Some("linear".parse().unwrap()), ..SwingsOptions::default() }
+}
+
+fn with_free_scale() -> SwingsOptions<'static> {
+    SwingsOptions { trace: TraceOptions { free_scale: true, ..TraceOptions::default() }, ..linear() }
+}
+
+/// With a length: l = g/ω0² is 1.09 m for 9.81 m/s² and 3 rad/s.
+fn of_length(length: f64, uncertainty: Option<f64>) -> SwingsOptions<'static> {
+    let apparatus = Apparatus::of_length(Quantity { value: length, uncertainty });
+    SwingsOptions { apparatus: Some(apparatus), ..linear() }
+}
+
+/// Whatever is said names no option of a command.
+fn found(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
+    let found = swings(traces, options, &mut || ControlFlow::Continue(())).unwrap();
+    let words = found.warnings.iter().map(ToString::to_string);
+    for text in words.chain(found.advice.iter().map(ToString::to_string)) {
+        assert!(!text.contains("--"), "{text}");
+    }
+    found
+}
+
+fn warnings(swing: &Synthetic, options: &SwingsOptions<'_>) -> Vec<Warning> {
+    found(&[trace(swing)], options).warnings
+}
+
+fn advice(swing: &Synthetic, options: &SwingsOptions<'_>) -> Vec<Advice> {
+    found(&[trace(swing)], options).advice
+}
+
+/// The warning of this name.
+fn named<'a>(warnings: &'a [Warning], name: &str) -> Option<&'a Warning> {
+    warnings.iter().find(|warning| warning.name() == name)
+}
+
+#[test]
+fn a_good_measurement_is_not_doubted_and_wants_nothing_but_a_length() {
+    let found = found(&[trace(&SWING)], &linear());
+    assert_eq!(found.warnings, []);
+    assert_eq!(found.advice, [Advice::GiveLength]);
+    assert_eq!(found.advice[0].name(), "give_length");
+}
+
+/// Seen as angular velocities, from 3·2 sin 30° rad/s on.
+#[test]
+fn angular_velocities_are_judged_alike() {
+    let seen = Synthetic { seen: Seen::AngularVelocity, ..SWING };
+    assert_eq!(warnings(&seen, &linear()), []);
+}
