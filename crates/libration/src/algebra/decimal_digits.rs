@@ -1,6 +1,7 @@
 //! Fractions written with some decimal digits.
 
-use dashu::integer::UBig;
+use dashu::base::BitTest;
+use dashu::integer::{IBig, UBig};
 
 use super::Rational;
 
@@ -13,37 +14,68 @@ impl Rational {
         if self.is_zero() {
             return "0".to_owned();
         }
+        let (figures, exponent) = self.leading_figures(digits);
+        let sign = if self.is_negative() { "-" } else { "" };
+        format!("{sign}{}", placed(figures.to_string().trim_end_matches('0'), exponent))
+    }
+
+    /// The decimal of so many significant digits next to it.
+    pub(crate) fn rounded_to_digits(&self, digits: usize) -> Self {
+        if self.is_zero() {
+            return self.clone();
+        }
+        let (figures, exponent) = self.leading_figures(digits.max(1));
+        let shift = exponent + 1 - isize::try_from(digits.max(1)).unwrap_or(isize::MAX);
+        let figures = if self.is_negative() { -IBig::from(figures) } else { figures.into() };
+        match shift {
+            0.. => Self::from_parts(figures * IBig::from(ten_to(shift)), UBig::ONE),
+            _ => Self::from_parts(figures, ten_to(shift)),
+        }
+    }
+
+    /// So many digits of |a|, rounded, and the power of ten of the first of them.
+    fn leading_figures(&self, digits: usize) -> (UBig, isize) {
+        let end = ten_to(isize::try_from(digits).unwrap_or(isize::MAX));
         let mut exponent = self.decimal_exponent();
         let mut figures = self.figures(digits, exponent);
-        // The estimate may be low by one, and rounding may carry into a new digit.
-        while figures.len() > digits {
+        // The estimate may be low, and rounding may carry into a new digit.
+        while figures >= end {
             exponent += 1;
             figures = self.figures(digits, exponent);
         }
-        let sign = if self.is_negative() { "-" } else { "" };
-        format!("{sign}{}", placed(figures.trim_end_matches('0'), exponent))
+        (figures, exponent)
     }
 
-    /// The power of ten of the first digit, or less.
+    /// The power of ten of the first digit, or at most two less: from the numbers of bits, since numbers of a million bits take long
+    /// to be written out.
     fn decimal_exponent(&self) -> isize {
         let (numerator, denominator) = self.parts();
-        let length = |text: String| isize::try_from(text.trim_start_matches('-').len()).unwrap_or(isize::MAX);
-        length(numerator.to_string()) - length(denominator.to_string()) - 1
+        let bits = |length: usize| i128::try_from(length).unwrap_or(i128::MAX);
+        // |a| is larger than 2 to this power.
+        let power = bits(numerator.bit_len()) - bits(denominator.bit_len()) - 1;
+        // log₁₀ 2 lies between these.
+        let log10_of_two = if power < 0 { 301_029_995_663_982 } else { 301_029_995_663_981 };
+        let exponent = (power * log10_of_two).div_euclid(1_000_000_000_000_000);
+        isize::try_from(exponent).unwrap_or(isize::MAX)
     }
 
-    /// The integer nearest to |a|·10^(digits − 1 − exponent), in digits.
-    fn figures(&self, digits: usize, exponent: isize) -> String {
+    /// The integer nearest to |a|·10^(digits − 1 − exponent).
+    fn figures(&self, digits: usize, exponent: isize) -> UBig {
         let (numerator, denominator) = self.parts();
         let (_, magnitude) = numerator.clone().into_parts();
         let shift = isize::try_from(digits).unwrap_or(isize::MAX) - 1 - exponent;
-        let ten = |power: isize| UBig::from(10_u8).pow(power.unsigned_abs());
         let (upper, lower) = if shift >= 0 {
-            (magnitude * ten(shift), denominator.clone())
+            (magnitude * ten_to(shift), denominator.clone())
         } else {
-            (magnitude, denominator * ten(shift))
+            (magnitude, denominator * ten_to(shift))
         };
-        ((upper * 2_u8 + &lower) / (lower * 2_u8)).to_string()
+        (upper * 2_u8 + &lower) / (lower * 2_u8)
     }
+}
+
+/// Ten to the magnitude of a power.
+fn ten_to(power: isize) -> UBig {
+    UBig::from(10_u8).pow(power.unsigned_abs())
 }
 
 /// Significant digits, the first at 10^exponent, as a decimal.
@@ -83,5 +115,20 @@ mod tests {
         }
         let power = rational("7").integer_power(100).unwrap();
         assert_eq!(power.to_decimal(6), "3.23448e84");
+        for n in (-60..-4).chain(21..60) {
+            let power = rational("10").integer_power(n).unwrap();
+            assert_eq!(power.to_decimal(9), format!("1e{n}"));
+            let less = power * rational("999999999/1000000000");
+            assert_eq!(less.to_decimal(5), format!("1e{n}"));
+        }
+    }
+
+    /// By mpmath, from 3000000·log₁₀ 2.
+    #[test]
+    fn a_few_digits_of_numbers_of_millions_of_bits_are_right() {
+        let huge = Rational::from_parts(IBig::ONE << 3_000_000, UBig::ONE);
+        assert_eq!(huge.to_decimal(12), "9.7049196389e903089");
+        let tiny = Rational::from_parts(IBig::ONE, UBig::ONE << 3_000_000);
+        assert_eq!(tiny.to_decimal(12), "1.03040523488e-903090");
     }
 }

@@ -117,11 +117,6 @@ impl Rational {
         Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
     }
 
-    /// The nearest whole number.
-    pub(crate) fn rounded(&self) -> Self {
-        Self(RBig::from(self.0.round()))
-    }
-
     /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
     pub(crate) fn coarsened(&self) -> Self {
         let below = Self(&self.0 * RBig::from_parts(1023.into(), 1024_u32.into()));

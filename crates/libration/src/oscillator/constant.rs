@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use crate::algebra::{BigFloat, Rational, Rationals, Ring};
+use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 
 /// Bits in which constants that are no fractions are held.
 pub(super) const PRECISION: usize = 512;
 /// Decimal digits of them that are written.
-const DIGITS: i32 = 30;
+const DIGITS: usize = 30;
 
 /// A constant of an oscillator.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +50,7 @@ impl Constant {
     pub(super) fn is_positive(&self) -> bool {
         match self {
             Self::Exact(value) => !value.is_negative() && !value.is_zero(),
-            Self::Approximate(_) => self.to_f64() > 0.0,
+            Self::Approximate(Approximation(value)) => *value > BigFloat::from_integer(0, 1),
         }
     }
 }
@@ -61,20 +61,8 @@ impl fmt::Display for Constant {
         match self {
             Self::Exact(value) => Expression::Number(value.clone()).fmt(formatter),
             Self::Approximate(Approximation(value)) => {
-                write!(formatter, "{}…", Expression::Number(in_digits(&value.to_rational())))
+                write!(formatter, "{}…", Expression::Number(value.to_rational().rounded_to_digits(DIGITS)))
             }
         }
     }
-}
-
-/// The decimal of [`DIGITS`] digits next to a number.
-fn in_digits(value: &Rational) -> Rational {
-    if value.is_zero() {
-        return value.clone();
-    }
-    #[expect(clippy::cast_possible_truncation, reason = "the logarithm of an f64 is small")]
-    let leading = libm::floor(libm::log10(value.to_f64().abs())) as i32;
-    let scale = Rationals.power(&Rational::from(10), &Rational::from(i64::from(DIGITS - 1 - leading)));
-    let scaled = scale.map(|scale| (Rationals.multiply(value, &scale).rounded(), scale));
-    scaled.and_then(|(digits, scale)| digits.checked_div(&scale)).unwrap_or_else(|| value.clone())
 }
