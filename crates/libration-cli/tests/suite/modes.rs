@@ -1,6 +1,6 @@
 //! `libration modes` and `libration backbone`.
 
-use crate::command::{close, directory, json, libration, message, run, text};
+use crate::command::{close, directory, json, libration, message, run, text, unfolded};
 use serde_json::Value;
 
 fn json_of(arguments: &[&str]) -> Value {
@@ -179,4 +179,51 @@ fn both_pictures_label_their_axes() {
     for label in ["amplitude / degrees", "frequency Ω", "orbits", "series, order 9"] {
         assert!(curve.contains(label), "{label}");
     }
+}
+
+#[test]
+fn amplitudes_count_from_an_equilibrium_without_expansion_and_that_is_said() {
+    for about in [&[][..], &["--about", "1"]] {
+        let arguments = ["backbone", "x''=-(x-1)^3", "--amplitudes", "0.5,1"];
+        let output = run(&[&arguments[..], about, &["--json"]].concat());
+        assert!(output.status.success(), "{}", message(&output));
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(answer["centre"] == 1.0 && answer["centre_is_equilibrium"] == true, "{answer:#}");
+        let frequency = answer["points"][1]["frequency"].as_f64().unwrap();
+        // 2π/(4K(1/√2)).
+        assert!((frequency - 0.847_213_084_793_979_1).abs() < 1e-14, "{answer:#}");
+        let table = run(&[&arguments[..], about].concat());
+        let table = String::from_utf8(table.stdout).unwrap();
+        assert!(
+            table.contains("equilibrium  1.0") && table.contains("which amplitudes count from"),
+            "{table}"
+        );
+    }
+    let none = run(&["backbone", "x''=exp(x)", "--amplitudes", "1"]);
+    let told = unfolded(&String::from_utf8(none.stdout).unwrap());
+    assert!(told.contains("none found to which the force drives back: amplitudes count from 0"), "{told}");
+}
+
+/// cosh 800 is 10³⁴⁷; in numbers of more bits the motion is followed all the same.
+#[test]
+fn what_is_beyond_the_range_of_numbers_is_called_so() {
+    let refusal = |arguments: &[&str]| {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {}", message(&output));
+        message(&output)
+    };
+    let told = refusal(&["simulate", "x''=-sinh(x)*cosh(1000*x)", "--initial", "x=1", "--times", "1"]);
+    assert!(told.contains("a part of the accelerations is beyond 1.8e308"), "{told}");
+    let told = refusal(&["backbone", "x''=-abs(x)*x*cosh(x)", "--amplitudes", "800"]);
+    assert!(told.contains("beyond 1.8e308"), "{told}");
+    let told = refusal(&["simulate", "x''=-1/x", "--initial", "x=0,x'=1", "--times", "1"]);
+    assert!(told.contains("have no finite value"), "{told}");
+    let told = refusal(&["modes", "x''=-x-cosh(1000)*x"]);
+    assert!(told.contains("beyond the range of numbers"), "{told}");
+    let tiny = run(&["expand", "x''=-x/cosh(1000)"]);
+    assert!(
+        String::from_utf8(tiny.stdout).unwrap().contains("e-434"),
+        "{}",
+        String::from_utf8_lossy(&tiny.stderr)
+    );
 }

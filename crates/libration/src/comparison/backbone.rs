@@ -6,7 +6,7 @@ use super::{ExactValue, NoExactValue, Quantity, Radius, Relation};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::orbit::{NoOrbit, Orbit, Place};
-use crate::oscillator::{Kind, Oscillator, OscillatorError};
+use crate::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
 use crate::quantity::Displacement;
 
@@ -26,7 +26,7 @@ use crate::quantity::Displacement;
 #[derive(Clone, Debug)]
 pub struct Backbone {
     equation: Equation,
-    centre: f64,
+    centre: Option<Constant>,
     series: Result<Series, NoSeries>,
 }
 
@@ -110,10 +110,10 @@ pub struct SeriesFrequency {
 
 impl Backbone {
     /// The curve about the stable equilibrium nearest to zero, or about a place that is given, with the series up to an order.
-    /// Where there is no such equilibrium amplitudes count from zero and there are only orbits.
+    /// Where an equilibrium has no expansion there are only orbits; where none is found amplitudes count from zero.
     ///
     /// # Errors
-    /// Several coordinates, the time in the acceleration, open parameters, or no equilibrium at the place.
+    /// Several coordinates, the time in the acceleration, open parameters, or no stable equilibrium at the place.
     pub fn new(equation: &Equation, about: Option<&Expression>, order: usize) -> Result<Self, NoBackbone> {
         if equation.variables().len() != 1 {
             return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
@@ -123,13 +123,20 @@ impl Backbone {
         }
         let oscillator = match about {
             None => Oscillator::new(equation),
-            Some(place) => Ok(Oscillator::about(equation, place).map_err(NoBackbone::About)?),
+            Some(place) => Oscillator::about(equation, place),
         };
         if let Some(open) = equation.parameters().into_iter().next() {
             let cycle = matches!(oscillator.as_ref().map(Oscillator::kind), Ok(Kind::LimitCycle { .. }));
             return Err(if cycle { NoBackbone::LimitCycle(open) } else { NoBackbone::WithoutValue(open) });
         }
-        let centre = oscillator.as_ref().map_or(0.0, |oscillator| oscillator.equilibrium().to_f64());
+        let centre = match &oscillator {
+            Ok(oscillator) => Some(oscillator.equilibrium().clone()),
+            Err(_) => centre_of(equation, about),
+        };
+        let oscillator = match oscillator {
+            Err(error) if about.is_some() && centre.is_none() => return Err(NoBackbone::About(error)),
+            oscillator => oscillator,
+        };
         let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
             let expansion = expand(&oscillator, order, &Gauge::Fundamental)?;
             Ok(Series { oscillator, expansion })
@@ -140,7 +147,13 @@ impl Backbone {
     /// The place that amplitudes count from.
     #[must_use]
     pub fn centre(&self) -> f64 {
-        self.centre
+        self.centre.as_ref().map_or(0.0, Constant::to_f64)
+    }
+
+    /// Whether that is an equilibrium, and not zero for want of one.
+    #[must_use]
+    pub const fn has_equilibrium(&self) -> bool {
+        self.centre.is_some()
     }
 
     /// The frequency of small oscillations, where they are harmonic.
@@ -190,29 +203,21 @@ impl Backbone {
     }
 
     fn orbit_at(&self, displacement: &Displacement) -> Result<OrbitFrequency, NoOrbit> {
-        let origin = match &self.series {
-            Ok(series) => series.oscillator.equilibrium().digits(),
-            Err(_) => BigFloat::from_f64(self.centre, f64::MANTISSA_DIGITS as usize)
-                .unwrap_or_else(|| BigFloat::from_integer(0, 1)),
-        };
-        let start = self.centre + displacement.to_f64();
+        let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
+        let centre = self.centre();
+        let start = centre + displacement.to_f64();
         let orbit = Orbit::released_from(&self.equation, &Place::new(origin, displacement.clone()))?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
-        if self.has_centre() && other_side >= self.centre {
-            return Err(NoOrbit::Elsewhere { start, other_side, centre: self.centre });
+        if self.has_equilibrium() && other_side >= centre {
+            return Err(NoOrbit::Elsewhere { start, other_side, centre });
         }
-        let enclosed = || other_equilibrium(&self.equation, self.centre, [other_side, start]);
+        let enclosed = || other_equilibrium(&self.equation, centre, [other_side, start]);
         Ok(OrbitFrequency {
             frequency: orbit.frequency(),
             uncertainty: orbit.frequency() * (orbit.period_uncertainty() / orbit.period() + ROUNDINGS),
-            other_side: other_side - self.centre,
-            encloses: if self.has_centre() { enclosed() } else { None },
+            other_side: other_side - centre,
+            encloses: if self.has_equilibrium() { enclosed() } else { None },
         })
-    }
-
-    /// Whether amplitudes count from an equilibrium.
-    fn has_centre(&self) -> bool {
-        !matches!(self.series, Err(NoSeries::Oscillator(_)))
     }
 }
 
@@ -277,6 +282,29 @@ mod tests {
         let series = point.series.unwrap();
         let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
         assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
+    }
+
+    /// By mpmath, from the beta function of a force −uⁿ.
+    #[test]
+    fn amplitudes_count_from_a_centre_without_expansion() {
+        for (equation, centre, frequency) in [
+            ("x'' = -(x - 1)^3", 1.0, 0.423_606_542_396_989_6),
+            ("x'' = -(x + 1/3)^3", -1.0 / 3.0, 0.423_606_542_396_989_6),
+            ("x'' = -(x - 2)*abs(x - 2)", 2.0, 0.646_777_389_807_447_6),
+        ] {
+            let curve = backbone(equation);
+            assert!(curve.has_equilibrium() && (curve.centre() - centre).abs() < 1e-15, "{equation}");
+            let orbit = curve.at(0.5).orbit.unwrap();
+            assert!((orbit.frequency - frequency).abs() <= orbit.uncertainty, "{equation}: {orbit:?}");
+            assert!((orbit.other_side + 0.5).abs() < 1e-9, "{equation}: {orbit:?}");
+            assert_eq!(orbit.encloses, None, "{equation}");
+        }
+        let cubic = "x'' = -x*(x - 1)^3".parse().unwrap();
+        let told = Backbone::new(&cubic, Some(&"1".parse().unwrap()), 9).unwrap();
+        assert!(told.has_equilibrium() && (told.centre() - 1.0).abs() < 1e-15);
+        let unstable = Backbone::new(&cubic, Some(&"0".parse().unwrap()), 9);
+        assert!(matches!(unstable, Err(NoBackbone::About(_))));
+        assert!(!backbone("x'' = exp(x)").has_equilibrium());
     }
 
     #[test]

@@ -20,6 +20,7 @@ mod equation;
 
 mod jet;
 mod no_value;
+mod overflow;
 mod side;
 mod tape;
 mod taylor_series;

@@ -34,7 +34,7 @@ pub enum NoModes {
     },
     /// Accelerations without derivatives.
     #[error(
-        "at the equilibrium {at:?} the accelerations or their derivatives have no finite value, or jump, so that small motions are \
+        "at the equilibrium {at:?} the accelerations or their derivatives have no value, jump, or are beyond the range of numbers, so that small motions are \
          not linear there: choose another equilibrium, or other coordinates"
     )]
     NotSmooth {

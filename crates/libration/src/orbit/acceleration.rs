@@ -40,6 +40,11 @@ impl Acceleration {
         Jet::new(&Doubles, &self.tape, state).map_or(f64::NAN, |jet| jet.result(0)[0])
     }
 
+    /// Whether it has a value where double precision has none.
+    pub(super) fn is_too_large(&self, state: &[f64]) -> bool {
+        self.tape.overflows_at(state)
+    }
+
     /// The largest acceleration on a path, and the largest part of it that rounding the place and the operations makes wrong.
     pub(super) fn largest_and_rounding(&self, path: &Path) -> [f64; 2] {
         let states: Vec<Vec<f64>> = path.states().collect();

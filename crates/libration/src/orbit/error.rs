@@ -37,6 +37,15 @@ pub enum NoOrbit {
     /// A start in equilibrium.
     #[error("the accelerations vanish at {0:?}: what is released there stays there")]
     AtRest(Vec<f64>),
+    /// A release where the acceleration, or a part of its formula, is beyond double precision.
+    #[error(
+        "at {0:?} the acceleration, or a part of its formula, is beyond 1.8e308, the range of numbers: give a smaller amplitude, or \
+         measure in other units"
+    )]
+    TooLarge(f64),
+    /// A release where there is no acceleration.
+    #[error("the acceleration has no value at {0:?}: give another amplitude")]
+    NoValue(f64),
     /// A motion that comes to rest no more.
     #[error("released at {start:?} the motion does not come back: {why}")]
     NoReturn {

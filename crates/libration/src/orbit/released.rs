@@ -213,8 +213,16 @@ impl<'a> Release<'a> {
         if first == 0.0 {
             return Err(NoOrbit::AtRest(vec![start.state[0]]));
         }
+        if !first.is_finite() {
+            return Err(match self.acceleration.is_too_large(&start.state) {
+                true => NoOrbit::TooLarge(place),
+                false => NoOrbit::NoValue(place),
+            });
+        }
         let happens = |step: &Step<'_>| sign_change(step, 1);
-        let horizon = Self::HORIZON * libm::sqrt(libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE) / first);
+        // Roots before the quotient, which may be less than any number.
+        let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
+        let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
         let found = until(&self.system, start, [horizon, FAR], effort, happens);
         let lost = |why| NoOrbit::NoReturn { start: place, why };
         match found {

@@ -3,6 +3,7 @@
 mod catalogue;
 mod named;
 
+mod centre;
 mod constant;
 mod equilibrium;
 mod force;
@@ -13,6 +14,7 @@ mod error;
 mod model;
 
 pub use catalogue::catalogue;
+pub use centre::centre_of;
 pub use constant::{Approximation, Constant};
 pub use error::{Found, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};

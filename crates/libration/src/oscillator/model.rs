@@ -9,7 +9,7 @@ use crate::expression::{Equation, Expression, Symbol};
 use crate::quantity::excerpt;
 
 /// So many places of rest, the nearest to zero, are looked at.
-const MOST_PLACES: usize = 20;
+pub(super) const MOST_PLACES: usize = 20;
 
 /// One variable that oscillates about an equilibrium.
 ///
@@ -177,7 +177,7 @@ impl Oscillator {
 }
 
 /// The acceleration of the only variable, when time does not enter it.
-fn force(equation: &Equation) -> Result<Force, OscillatorError> {
+pub(super) fn force(equation: &Equation) -> Result<Force, OscillatorError> {
     let [variable] = equation.variables() else {
         return Err(OscillatorError::SeveralVariables { names: equation.variables().to_vec() });
     };

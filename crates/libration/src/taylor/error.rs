@@ -69,6 +69,9 @@ pub enum Cause {
     /// A state in which the accelerations or their time derivatives have no finite value.
     #[error("the accelerations have no finite value, or no derivative,")]
     Singularity,
+    /// A formula some part of which is larger than double precision holds, though it has a value.
+    #[error("a part of the accelerations is beyond 1.8e308, the range of numbers,")]
+    Overflow,
     /// Steps that become shorter than the times can tell, as before a singularity.
     #[error("the steps become too short, as they do before a singularity,")]
     StepUnderflow,

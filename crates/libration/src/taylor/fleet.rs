@@ -120,7 +120,9 @@ impl<'a, const N: usize> Fleet<'a, N> {
         let allowed =
             if *interrupted { Err(Cause::Interrupted) } else { record.has_steps_left(&self.effort) };
         if let Err(cause) = allowed.and(ahead) {
-            return Err(record.stopped(cause, self.flight.moment(lane)));
+            let moment = self.flight.moment(lane);
+            let too_large = cause == Cause::Singularity && record.overflows(&moment);
+            return Err(record.stopped(if too_large { Cause::Overflow } else { cause }, moment));
         }
         let step = self.flight.step(lane);
         let end = record.take(&step, |event| self.flight.event(event, lane), self.effort.relative);

@@ -43,6 +43,12 @@ impl<'a> Record<'a> {
         &self.events[self.told..]
     }
 
+    /// Whether numbers are too large for double precision where it is.
+    pub(super) fn overflows(&self, moment: &Moment) -> bool {
+        let inputs = [&moment.state[..], &[moment.time], &self.launch.parameters].concat();
+        self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
+    }
+
     pub(super) fn steps(&self) -> usize {
         self.steps
     }

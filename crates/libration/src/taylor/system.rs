@@ -110,6 +110,14 @@ impl System {
         self.velocities_in_moduli[modulus]
     }
 
+    /// The accelerations alone, with their |…|, as functions of the state, the time and the open parameters.
+    pub(super) fn accelerations(&self) -> Option<Tape> {
+        let time = Symbol::plain("t");
+        let inputs: Vec<Symbol> =
+            state(&self.variables).into_iter().chain([time]).chain(self.parameters.iter().cloned()).collect();
+        Tape::new(&self.equation.accelerations().iter().collect::<Vec<_>>(), &inputs).ok()
+    }
+
     pub(super) fn tape(&self) -> &Tape {
         &self.tape
     }

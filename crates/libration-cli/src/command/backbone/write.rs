@@ -19,6 +19,7 @@ pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         .with("parameters", Value::from_iter(answer.asked.values.iter().cloned()))
         .with("order", answer.order)
         .number("centre", answer.curve.centre())
+        .with("centre_is_equilibrium", answer.curve.has_equilibrium())
         .number_or("omega0", answer.curve.omega0(), &why)
         .with("no_series", no_series);
     let head = match answer.curve.radius() {
@@ -27,6 +28,7 @@ pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         }
         None => head,
     };
+    let head = if answer.interruption().is_some() { head.with("interrupted", true) } else { head };
     json::document_with_list(out, head, "points", answer.points.iter().map(record))
 }
 
@@ -154,8 +156,12 @@ fn head(answer: &Answer) -> Vec<(&'static str, String)> {
     let mut lines =
         vec![("oscillator", answer.asked.title.clone()), ("equation", answer.asked.equation.to_string())];
     let shown = |amplitude: f64| amplitude_text(answer, amplitude, 6);
-    if answer.curve.centre() != 0.0 {
-        lines.push(("equilibrium", rounded(answer.curve.centre(), 13)));
+    let centre = answer.curve.centre();
+    if !answer.curve.has_equilibrium() {
+        let told = "none found to which the force drives back: amplitudes count from 0";
+        lines.push(("equilibrium", told.to_owned()));
+    } else if centre != 0.0 {
+        lines.push(("equilibrium", format!("{}, which amplitudes count from", rounded(centre, 13))));
     }
     lines.extend(answer.curve.omega0().map(|omega0| ("ω0", rounded(omega0, 13))));
     lines.push(match (answer.curve.no_series(), answer.curve.radius()) {
