@@ -14,6 +14,16 @@ pub struct Derivation {
     pub steps: Vec<Step>,
 }
 
+impl Derivation {
+    /// The same with a sentence at its beginning that the last steps are missing.
+    #[must_use]
+    pub fn broken_off(mut self) -> Self {
+        let told = "This derivation was interrupted: what follows its last step here is missing.";
+        self.introduction.push(Block::Paragraph(Prose::text(told)));
+        self
+    }
+}
+
 /// A step of a derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {

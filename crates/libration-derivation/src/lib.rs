@@ -36,7 +36,7 @@ pub use document::{Block, Derivation, Prose, Span, Step, Table};
 pub use elliptic::elliptic;
 pub use evaluate::NoValue;
 pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
-pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
+pub use lindstedt::{HIGHEST_ORDER, Released, perturbation, perturbation_watched};
 pub use print::{formula_latex, statement_latex, to_html, to_latex, to_markdown};
 pub use published::formulas;
 pub use trials::Swing;

@@ -3,10 +3,13 @@
 use crate::arguments::{self, OscillatorOptions, PendulumOptions};
 use crate::failure::Failure;
 use crate::output::file;
+use crate::{interrupt, parallel};
 use libration::pendulum::Amplitude;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
-use libration_derivation::{Derivation, DerivationError, HIGHEST_ORDER, Released, Swing};
+use libration_derivation::{
+    Derivation, DerivationError, HIGHEST_ORDER, Released, Swing, perturbation_watched,
+};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -85,18 +88,25 @@ enum Format {
 
 impl Derive {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let derivation = self.derivation()?;
+        let (derivation, is_whole) = self.derivation()?;
+        let derivation = if is_whole { derivation } else { derivation.broken_off() };
         let text = self.format.write(&derivation);
         match &self.output {
             Some(path) => {
                 file::write(path, text.as_bytes())?;
-                Ok(writeln!(out, "{} written: {}", path.display(), derivation.title)?)
+                writeln!(out, "{} written: {}", path.display(), derivation.title)?;
             }
-            None => Ok(out.write_all(text.as_bytes())?),
+            None => out.write_all(text.as_bytes())?,
+        }
+        out.flush()?;
+        match is_whole {
+            true => Ok(()),
+            false => Err(Failure::Interrupted("interrupted: the steps until then are written".to_owned())),
         }
     }
 
-    fn derivation(&self) -> Result<Derivation, Failure> {
+    /// The derivation, and whether it came to its end.
+    fn derivation(&self) -> Result<(Derivation, bool), Failure> {
         if self.amplitude.is_none() && !self.pendulum.is_default() {
             let reason = "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg";
             return Err(Failure::Usage(reason.to_owned()));
@@ -107,7 +117,7 @@ impl Derive {
             Road::Formulas => libration_derivation::formulas,
         };
         self.perturbation.refuse()?;
-        derivation(self.swing()?.as_ref()).map_err(failure)
+        derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
     }
 
     /// The reader's swing, if there is one.
@@ -120,7 +130,7 @@ impl Derive {
         Ok(Some(Swing { pendulum: self.pendulum.pendulum()?, amplitude }))
     }
 
-    fn perturbation(&self) -> Result<Derivation, Failure> {
+    fn perturbation(&self) -> Result<(Derivation, bool), Failure> {
         let options = &self.perturbation;
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
         let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
@@ -134,8 +144,19 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        libration_derivation::perturbation(&chosen.oscillator, order, &gauge, released.as_ref())
-            .map_err(failure)
+        interrupt::listen()?;
+        let mut known = parallel::sent_until_asked(
+            |done| format!("{done} parts of the derivation are done"),
+            move |sender| {
+                let mut watch = |known: &Derivation| parallel::send(sender, Ok((known.clone(), false)));
+                let whole =
+                    perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), &mut watch);
+                parallel::send(sender, whole.map(|whole| (whole, true)));
+            },
+        );
+        let early =
+            || Failure::Interrupted("interrupted before the first step: nothing is written".to_owned());
+        known.pop().ok_or_else(early)?.map_err(failure)
     }
 }
 

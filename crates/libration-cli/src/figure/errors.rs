@@ -8,9 +8,9 @@ use crate::parallel;
 const SAMPLES: u32 = 720;
 
 /// A formula's name for the legend and its signed fractional error at an amplitude in degrees.
-pub(crate) struct Curve<'a> {
+pub(crate) struct Curve {
     pub(crate) label: String,
-    pub(crate) error: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
+    pub(crate) error: Box<dyn Fn(f64) -> f64 + Send + Sync>,
 }
 
 /// The frame of the picture: amplitudes in degrees, and the errors at the ends of the axis.
@@ -24,19 +24,17 @@ pub(crate) struct Frame {
 
 /// The picture of the errors; where an error changes sign its curve runs down to the axis. If somebody asks for an early
 /// end it has only the curves that are done.
-pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
-    let signed = |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
-    let drawn = parallel::map_until_asked(curves, "curves", |curve| sizes(&signed(curve)));
-    let series = curves
-        .iter()
-        .zip(drawn)
-        .enumerate()
-        .map(|(number, (curve, points))| Series::line(&curve.label, style::curve(number), points));
+pub(crate) fn errors(curves: Vec<Curve>, frame: Frame) -> Picture {
+    let signed = move |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
+    let numbered: Vec<(usize, Curve)> = curves.into_iter().enumerate().collect();
+    let series = parallel::map_until_asked(numbered, "curves", move |(number, curve)| {
+        Series::line(&curve.label, style::curve(*number), sizes(&signed(curve)))
+    });
     let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {
         x: x.in_units(Units::Degrees),
         y: Axis::logarithmic("|fractional error of T|", frame.lowest, frame.highest),
-        series: series.collect(),
+        series,
         share: 1.0,
     };
     Picture::new("Fractional error of formulas for the period", vec![panel])

@@ -377,31 +377,6 @@ fn names_of_angles_are_the_same_for_all_commands() {
     }
 }
 
-#[cfg(unix)]
-#[test]
-fn ctrl_c_keeps_the_orders_that_are_certain() {
-    let running = std::process::Command::new(env!("CARGO_BIN_EXE_libration"))
-        .args(["expand", "pendulum", "--order", "999", "--json"])
-        .stdout(std::process::Stdio::piped())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    // Long enough for the first primes on any machine, and far too short for a thousand orders.
-    std::thread::sleep(std::time::Duration::from_secs(1));
-    let interrupt = ["-INT", &running.id().to_string()];
-    assert!(std::process::Command::new("kill").args(interrupt).status().unwrap().success());
-    let output = running.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130), "{}", message(&output));
-    assert!(message(&output).starts_with("error: interrupted"), "{}", message(&output));
-    if message(&output).contains("is certain") {
-        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
-        assert!(answer["interrupted"] == true && answer["order"].as_u64().unwrap() < 999);
-        assert_eq!(answer["of_amplitude"]["period_ratio"][2], "1/16");
-    } else {
-        assert!(message(&output).contains("before any order was certain"), "{}", message(&output));
-    }
-}
-
 #[test]
 fn the_catalogue_is_listed_with_parameters_and_sources() {
     let duffing = text("oscillators duffing");

@@ -20,6 +20,7 @@ mod fit_lengths_and_gates;
 mod fit_trace;
 mod formulas;
 mod inspect;
+mod interrupts;
 mod modes;
 mod motion;
 mod paper;

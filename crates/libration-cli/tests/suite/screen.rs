@@ -1,9 +1,7 @@
-//! What goes to the screen beside files, and what is left when long work is ended early.
+//! What goes to the screen beside files.
 
-use crate::command::{directory, json, message, text};
+use crate::command::{directory, json, text};
 use std::fs;
-use std::io::Read;
-use std::process::{Command, Stdio};
 
 #[test]
 fn with_a_picture_the_points_are_not_listed_and_a_line_says_what_was_written() {
@@ -49,67 +47,4 @@ fn files_are_announced() {
         text(&format!("simulate pendulum --initial theta=1 --times 0:9:1 --output {}", samples.display()));
     assert!(answer.starts_with(&format!("{} written: ", samples.display())), "{answer}");
     assert_eq!(fs::read_to_string(samples).unwrap().lines().count(), 11);
-}
-
-/// Sends Ctrl-C when the first bytes of an answer have come.
-#[cfg(unix)]
-#[test]
-fn ctrl_c_ends_a_long_list_with_a_whole_answer() {
-    let questions = ["motion 60deg --times 0:9e5:0.1 --json", "period 0deg:179deg:0.0001deg --json"];
-    for question in questions {
-        let mut running = Command::new(env!("CARGO_BIN_EXE_libration"))
-            .args(question.split(' '))
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut answer = vec![0];
-        let mut out = running.stdout.take().unwrap();
-        out.read_exact(&mut answer).unwrap();
-        assert!(Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap().success());
-        out.read_to_end(&mut answer).unwrap();
-        let output = running.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(130), "{question}: {}", message(&output));
-        assert!(message(&output).contains("until then are written"), "{}", message(&output));
-        let read: serde_json::Value = serde_json::from_slice(&answer).unwrap();
-        let list = if question.starts_with("motion") { &read["samples"] } else { &read["results"] };
-        assert!(!list.as_array().unwrap().is_empty());
-    }
-}
-
-/// Waits until the command listens for Ctrl-C: until its mask of caught signals has SIGINT, the second bit.
-#[cfg(target_os = "linux")]
-fn wait_until_it_listens(process: u32) {
-    let listens = || {
-        let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap();
-        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
-        u64::from_str_radix(caught.trim(), 16).unwrap() & 2 != 0
-    };
-    while !listens() {
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn ctrl_c_keeps_the_points_of_a_backbone_that_are_done() {
-    let question = "backbone pendulum --amplitudes 1deg:179deg:0.002deg --csv";
-    let running = Command::new(env!("CARGO_BIN_EXE_libration"))
-        .args(question.split(' '))
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    wait_until_it_listens(running.id());
-    assert!(Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap().success());
-    let output = running.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130), "{}", message(&output));
-    assert!(message(&output).contains("the points until then are written"), "{}", message(&output));
-    let answer = String::from_utf8(output.stdout).unwrap();
-    let rows = answer.lines().skip(1);
-    let amplitudes: Vec<f64> = rows.map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
-    assert!(amplitudes.len() < 89_001, "{}", amplitudes.len());
-    for (place, amplitude) in (0_u32..).zip(amplitudes) {
-        assert!((amplitude.to_degrees() - 1.0 - 0.002 * f64::from(place)).abs() < 1e-9);
-    }
 }

@@ -8,7 +8,7 @@ use super::amplitude::of_amplitude;
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use libration::algebra::Rational;
-use libration::comparison::{ExactValue, NoExactValue, Quantity, Relation};
+use libration::comparison::{ExactMotion, ExactValue, NoExactValue, Quantity};
 use libration::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
 use libration::quantity::{Displacement, is_angle_name};
 
@@ -26,16 +26,17 @@ pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<S
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
     let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let exact = exactly_at(question, &exactly);
     let step = Step::new("How good it is")
         .say(
             "At an amplitude of {} the terms of the period are",
             [Formula::Decimal(Decimal::short(amplitude, unit))],
         )
-        .table(terms(question, &exactly)?);
+        .table(terms(question, amplitude, &exact)?);
     let Some(released) = released else { return Ok(step) };
     Ok(step
         .say("and with all of them the motion is", [])
-        .table(motion(question, released)?)
+        .table(motion(question, released, &exact)?)
         .say(
             "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
              the command libration expand tells where it stops converging.",
@@ -63,8 +64,7 @@ fn sine_coefficient(n: usize) -> Rational {
 }
 
 /// The partial sums of T/T0.
-fn terms(question: &Question, exactly: &Displacement) -> Result<Table, DerivationError> {
-    let amplitude = exactly.to_f64();
+fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Table, DerivationError> {
     let pendulum = is_pendulum(question, amplitude);
     let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
     let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
@@ -74,7 +74,7 @@ fn terms(question: &Question, exactly: &Displacement) -> Result<Table, Derivatio
     } else {
         evaluation
     };
-    let found = exact(question, Quantity::Period, exactly);
+    let found = exact(motion, Quantity::Period);
     let exact = found.as_ref().ok().map(|exact| exact.value);
     let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
         let mut row = vec![
@@ -125,14 +125,18 @@ fn rest(remainder: Remainder) -> Prose {
 }
 
 /// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
-pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, DerivationError> {
+pub(super) fn motion(
+    question: &Question,
+    released: &Released,
+    found: &Exactly,
+) -> Result<Table, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
     let amplitude = released.amplitude.to_f64();
     let value = |series: &[Rational], powers: usize| {
         series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + c.to_f64())
     };
     let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
-    let exactly = |quantity| exact(question, quantity, &released.amplitude).ok().map(|exact| exact.value);
+    let exactly = |quantity| exact(found, quantity).ok().map(|exact| exact.value);
     let ratio = value(&of.period_ratio, question.order);
     let exact_ratio = exactly(Quantity::Period);
     let mut rows = vec![
@@ -160,11 +164,13 @@ pub(super) fn motion(question: &Question, released: &Released) -> Result<Table, 
     Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
 }
 
-/// The value without the series: in closed form for the pendulum, for all else by integration in time.
-fn exact(
-    question: &Question,
-    quantity: Quantity,
-    amplitude: &Displacement,
-) -> Result<ExactValue, NoExactValue> {
-    Relation::new(&question.oscillator, &question.solution.expansion, quantity).exact_from(amplitude)
+/// The motion without the series: in closed form for the pendulum, for all else by integration in time.
+type Exactly = Result<ExactMotion, NoExactValue>;
+
+pub(super) fn exactly_at(question: &Question, amplitude: &Displacement) -> Exactly {
+    ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude)
+}
+
+fn exact(motion: &Exactly, quantity: Quantity) -> Result<ExactValue, NoExactValue> {
+    motion.as_ref().map_err(Clone::clone)?.value(quantity)
 }

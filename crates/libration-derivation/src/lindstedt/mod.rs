@@ -15,7 +15,7 @@ mod substitution;
 mod tests;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation, Prose};
+use super::document::{Block, Derivation, Prose, Step};
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
@@ -47,25 +47,36 @@ pub fn perturbation(
     gauge: &Gauge,
     released: Option<&Released>,
 ) -> Result<Derivation, DerivationError> {
+    perturbation_watched(oscillator, order, gauge, released, &mut |_| {})
+}
+
+/// [`perturbation`], telling `watch` after each step what there is of the derivation.
+///
+/// # Errors
+/// As [`perturbation`].
+pub fn perturbation_watched(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+    released: Option<&Released>,
+    watch: &mut dyn FnMut(&Derivation),
+) -> Result<Derivation, DerivationError> {
     let question = Question::new(oscillator, order, gauge)?;
-    let mut steps = vec![
-        small_swings::equation_of_motion(&question)?,
-        small_swings::taylor(&question)?,
-        ansatz::fundamental_and_harmonics(&question),
-        ansatz::projection()?,
-        orders::secular_terms()?,
-    ];
-    steps.extend(orders::conditions(&question)?);
-    steps.push(motion::gauge(&question)?);
-    steps.push(motion::solution(&question)?);
-    steps.push(amplitude::iteration(&question)?);
-    steps.push(amplitude::physical_relations(&question)?);
-    steps.push(second_gauge::comparison(&question)?);
-    let accuracy = accuracy::step(&question, released)?;
-    steps.extend(few_harmonics::step(&question, released)?);
-    steps.push(accuracy);
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
-    Ok(Derivation { title, introduction: introduction(), steps })
+    let mut derivation = Derivation { title, introduction: introduction(), steps: vec![] };
+    let mut with = |steps: Vec<Step>| {
+        derivation.steps.extend(steps);
+        watch(&derivation);
+    };
+    with(vec![small_swings::equation_of_motion(&question)?, small_swings::taylor(&question)?]);
+    with(vec![ansatz::fundamental_and_harmonics(&question), ansatz::projection()?, orders::secular_terms()?]);
+    with(orders::conditions(&question)?);
+    with(vec![motion::gauge(&question)?, motion::solution(&question)?]);
+    with(vec![amplitude::iteration(&question)?, amplitude::physical_relations(&question)?]);
+    with(vec![second_gauge::comparison(&question)?]);
+    with(few_harmonics::step(&question, released)?.into_iter().collect());
+    with(vec![accuracy::step(&question, released)?]);
+    Ok(derivation)
 }
 
 fn introduction() -> Vec<Block> {

@@ -1,7 +1,7 @@
 //! A motion that is no solution is not taken for one.
 
 use super::Released;
-use super::accuracy::motion as motion_in_numbers;
+use super::accuracy::{exactly_at, motion as motion_in_numbers};
 use super::few_harmonics;
 use super::motion::motion;
 use super::question::Question;
@@ -53,7 +53,8 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
         let question = question(key, 4);
         let amplitude = Displacement::from_f64(0.01).unwrap();
         let released = Released { amplitude, angular_frequency: Some(1.0) };
-        let table = motion_in_numbers(&question, &released).unwrap();
+        let exactly = exactly_at(&question, &released.amplitude);
+        let table = motion_in_numbers(&question, &released, &exactly).unwrap();
         let number = |prose: &Prose| match prose.0.as_slice() {
             [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
             other => panic!("{other:?} is no number"),

@@ -7,7 +7,9 @@ use crate::expression::Expression;
 use crate::orbit::{NoOrbit, Orbit, Place};
 use crate::oscillator::{Kind, Oscillator};
 use crate::pendulum::{Amplitude, Pendulum};
+use crate::perturbation::{Expansion, is_pendulum};
 use crate::quantity::{Angle, Displacement};
+use std::f64::consts::TAU;
 
 /// A value found without the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +106,56 @@ fn pendulum_harmonic(angle: Angle, k: usize) -> f64 {
     harmonics.map_or(f64::NAN, |it| it.terms.iter().find(|term| term.n == k).map_or(0.0, |term| term.angle))
 }
 
+/// A periodic motion that is known without the series, for several of its quantities.
+#[derive(Clone, Debug)]
+pub struct ExactMotion {
+    road: Followed,
+    small_period: f64,
+    unit: f64,
+}
+
+#[derive(Clone, Debug)]
+enum Followed {
+    Pendulum(Displacement),
+    Orbit(Found),
+}
+
+impl ExactMotion {
+    /// The motion of an oscillator at an amplitude, or at a strength of self-excitation, in the units of its expansion.
+    ///
+    /// # Errors
+    /// There is no such motion, it is not found, or its period is infinite.
+    pub fn new(
+        oscillator: &Oscillator,
+        expansion: &Expansion,
+        amplitude: &Displacement,
+    ) -> Result<Self, NoExactValue> {
+        let unit = libm::sqrt(expansion.unit_squared.to_f64());
+        let near = expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
+        let road = match is_pendulum(oscillator) {
+            true => Followed::Pendulum(amplitude.clone()),
+            false => Followed::Orbit(Found::of(oscillator, amplitude, near)?),
+        };
+        Ok(Self { road, small_period: TAU / libm::sqrt(oscillator.omega0_squared().to_f64()), unit })
+    }
+
+    /// One of its quantities. Harmonics of limit cycles are in the expansion's units.
+    ///
+    /// # Accuracy
+    /// As [`ExactValue::uncertainty`] says.
+    ///
+    /// # Errors
+    /// A pendulum that is not released below its top.
+    pub fn value(&self, quantity: Quantity) -> Result<ExactValue, NoExactValue> {
+        match &self.road {
+            Followed::Pendulum(amplitude) => of_pendulum(quantity, amplitude),
+            Followed::Orbit(found) => Ok(found.value(quantity, self.small_period, self.unit)),
+        }
+    }
+}
+
 /// A motion about the equilibrium, or a limit cycle.
+#[derive(Clone, Debug)]
 pub(super) struct Found {
     orbit: Orbit,
     equilibrium: f64,

@@ -13,6 +13,6 @@ mod backbone;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
-pub use exact::{ExactValue, NoExactValue, Road};
+pub use exact::{ExactMotion, ExactValue, NoExactValue, Road};
 pub use quantity::{NotAQuantity, Quantity};
 pub use relation::{Radius, Relation};

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use super::exact::{ExactValue, Found, NoExactValue, of_pendulum};
+use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
 use super::{Approximant, Quantity};
 use crate::algebra::{Rational, Rationals};
 use crate::oscillator::Oscillator;
@@ -137,13 +137,7 @@ impl<'a> Relation<'a> {
     /// # Errors
     /// As [`exact_at`](Self::exact_at).
     pub fn exact_from(&self, amplitude: &Displacement) -> Result<ExactValue, NoExactValue> {
-        if let Some(exact) = self.exact_without_motion(amplitude) {
-            return exact;
-        }
-        let unit = libm::sqrt(self.expansion.unit_squared.to_f64());
-        let small_period = 2.0 * PI / libm::sqrt(self.oscillator.omega0_squared().to_f64());
-        let near = self.expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
-        Ok(Found::of(self.oscillator, amplitude, near)?.value(self.quantity, small_period, unit))
+        ExactMotion::new(self.oscillator, self.expansion, amplitude)?.value(self.quantity)
     }
 
     /// The value by elliptic functions; `None` for all but the pendulum.

@@ -11,6 +11,7 @@ use libration::perturbation::MAX_ORDER;
 use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum
 ///
@@ -47,12 +48,21 @@ const MOST_AMPLITUDES: usize = 100_000;
 /// What is written.
 struct Answer {
     asked: Asked,
-    curve: Curve,
+    curve: Arc<Curve>,
     order: usize,
+    /// At how many amplitudes it was asked for.
+    asked_for: usize,
     points: Vec<BackbonePoint>,
 }
 
 impl Answer {
+    /// That Ctrl-C came before the last amplitude.
+    fn interruption(&self) -> Option<Failure> {
+        let (done, all) = (self.points.len(), self.asked_for);
+        let told = || format!("interrupted: the points until then are written, {done} of {all}");
+        (done < all).then(|| Failure::Interrupted(told()))
+    }
+
     fn is_angle(&self) -> bool {
         is_angle_name(&self.asked.equation.variables()[0])
     }
@@ -84,7 +94,9 @@ impl Backbone {
         }
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
-        interrupt::ended_early("the points")?;
+        if let Some(interruption) = answer.interruption() {
+            return Err(interruption);
+        }
         if answer.points.iter().any(|point| point.orbit.is_ok()) {
             return Ok(());
         }
@@ -102,12 +114,29 @@ impl Backbone {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", amplitudes.len());
             return Err(Failure::usage("--amplitudes", reason));
         }
-        let curve = Curve::new(&asked.equation, asked.about.as_ref(), self.order);
-        let curve = curve.map_err(|error| Failure::no_answer("oscillator", error))?;
         interrupt::listen()?;
-        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude| {
-            curve.at_displacement(amplitude)
+        let curve = Arc::new(self.curve(&asked)?);
+        let (own, asked_for) = (Arc::clone(&curve), amplitudes.len());
+        let points = parallel::map_until_asked(amplitudes, "amplitudes", move |amplitude| {
+            own.at_displacement(amplitude)
         });
-        Ok(Answer { asked, curve, order: self.order, points })
+        if points.is_empty() {
+            return Err(early());
+        }
+        Ok(Answer { asked, curve, order: self.order, asked_for, points })
     }
+
+    /// The series has to be complete before the first amplitude.
+    fn curve(&self, asked: &Asked) -> Result<Curve, Failure> {
+        let (equation, about, order) = (asked.equation.clone(), asked.about.clone(), self.order);
+        let curve = parallel::until_asked(&format!("the series to order {order}"), move || {
+            Curve::new(&equation, about.as_ref(), order)
+        });
+        curve.ok_or_else(early)?.map_err(|error| Failure::no_answer("oscillator", error))
+    }
+}
+
+fn early() -> Failure {
+    let reason = "interrupted before the frequency at any amplitude was known: nothing is written";
+    Failure::Interrupted(reason.to_owned())
 }

@@ -13,7 +13,7 @@ use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progress, Stage, expand_watched};
 use libration::quantity::Displacement;
 use std::io::Write;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
@@ -94,27 +94,28 @@ impl Expand {
             }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
-        self.write(out, &answer, amplitude.as_ref())?;
+        let missing = self.write(out, Arc::new(answer), amplitude.as_ref())?;
         out.flush()?;
-        answer.interruption().map_or(Ok(()), Err)
+        missing.map_or(Ok(()), |missing| Err(Failure::Interrupted(format!("interrupted: {missing}"))))
     }
 
+    /// Writes the answer, and tells what it lacks when Ctrl-C was pressed.
     fn write(
         &self,
         out: &mut dyn Write,
-        answer: &Answer,
+        answer: Arc<Answer>,
         amplitude: Option<&Displacement>,
-    ) -> Result<(), Failure> {
+    ) -> Result<Option<String>, Failure> {
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
         }
         match self.form.form() {
-            Form::Json => json::write(out, answer)?,
-            Form::Csv => json::write_csv(out, answer)?,
-            Form::Table if self.latex => listing::write_latex(out, answer)?,
-            Form::Table => listing::write(out, answer)?,
+            Form::Json => json::write(out, &answer)?,
+            Form::Csv => json::write_csv(out, &answer)?,
+            Form::Table if self.latex => listing::write_latex(out, &answer)?,
+            Form::Table => listing::write(out, &answer)?,
         }
-        Ok(())
+        Ok(answer.missing_orders())
     }
 }
 
@@ -157,11 +158,11 @@ impl Answer {
         }
     }
 
-    /// What is left to be said after an answer that ends early.
-    fn interruption(&self) -> Option<Failure> {
+    /// Which orders are there when Ctrl-C was pressed during the expansion.
+    fn missing_orders(&self) -> Option<String> {
         let asked = self.interrupted?;
         let order = self.expansion.order;
         let left = if order < asked { "which is certain" } else { "which is not checked by another road" };
-        Some(Failure::Interrupted(format!("interrupted: order {order} of {asked}, {left}, is written")))
+        Some(format!("order {order} of {asked}, {left}, is written"))
     }
 }

@@ -59,8 +59,8 @@ impl Errors {
         }
         let formulas = self.curves()?;
         interrupt::listen()?;
-        let curves: Vec<Curve> = formulas.iter().map(curve).collect();
-        Ok(errors(&curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
+        let curves = formulas.into_iter().map(curve).collect();
+        Ok(errors(curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
     }
 
     fn curves(&self) -> Result<Vec<PeriodFormula>, Failure> {
@@ -72,8 +72,10 @@ impl Errors {
     }
 }
 
-fn curve(formula: &PeriodFormula) -> Curve<'_> {
-    let error =
-        |degrees| Angle::from_degrees(degrees).map_or(f64::NAN, |angle| formula.fractional_error(&angle));
-    Curve { label: formula.name().to_owned(), error: Box::new(error) }
+fn curve(formula: PeriodFormula) -> Curve {
+    let label = formula.name().to_owned();
+    let error = move |degrees| {
+        Angle::from_degrees(degrees).map_or(f64::NAN, |angle| formula.fractional_error(&angle))
+    };
+    Curve { label, error: Box::new(error) }
 }

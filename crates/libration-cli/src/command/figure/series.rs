@@ -6,9 +6,12 @@ use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
 use crate::output::series::{subscript, superscript};
+use crate::{interrupt, parallel};
 use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
+use libration::oscillator::Oscillator;
 use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
 use libration::quantity::Displacement;
+use std::sync::Arc;
 
 /// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
@@ -58,35 +61,51 @@ impl Series {
             return Err(Failure::no_answer("--lowest", format!("{} is not below {HIGHEST}", self.lowest)));
         }
         let chosen = self.oscillator.chosen()?;
-        let expansion = expand(&chosen.oscillator, self.order, &Gauge::Fundamental)
-            .map_err(|error| Failure::no_answer("expansion", error))?;
-        let relation = Relation::new(&chosen.oscillator, &expansion, self.quantity);
+        interrupt::listen()?;
+        let subject = Subject {
+            oscillator: Arc::new(chosen.oscillator.clone()),
+            expansion: Arc::new(self.expansion(&chosen)?),
+            quantity: self.quantity,
+        };
+        let (relation, expansion) = (subject.relation(), &subject.expansion);
         let powers = powers(&relation);
         if powers.is_empty() {
             let reason = format!("{} has no term beyond the first to this order", self.quantity);
             return Err(Failure::no_answer("--quantity", reason));
         }
-        let setting = setting(&chosen, &expansion, self.quantity, self.lowest);
+        let setting = setting(&chosen, expansion, self.quantity, self.lowest);
         if self.amplitudes.is_empty() {
-            self.in_amplitude(&chosen, &relation, &powers, setting)
+            self.in_amplitude(&chosen, &subject, &powers, setting)
         } else {
-            self.in_terms(&chosen, &relation, setting)
+            self.in_terms(&chosen, &subject, setting)
         }
+    }
+
+    fn expansion(&self, chosen: &Chosen) -> Result<Expansion, Failure> {
+        let (oscillator, order) = (chosen.oscillator.clone(), self.order);
+        let expansion = parallel::until_asked(&format!("the series to order {order}"), move || {
+            expand(&oscillator, order, &Gauge::Fundamental)
+        });
+        expansion.ok_or_else(early)?.map_err(|error| Failure::no_answer("expansion", error))
     }
 
     fn in_amplitude(
         &self,
         chosen: &Chosen,
-        relation: &Relation<'_>,
+        subject: &Subject,
         powers: &[usize],
         setting: Setting,
     ) -> Result<Picture, Failure> {
+        let relation = &subject.relation();
         let radius = relation.radius().filter(|radius| radius.value().is_finite());
         let to = match &self.to {
             Some(text) => positive(chosen, "--to", text)?.to_f64(),
             None => BEYOND * radius.map_or(UNKNOWN_RADIUS, |radius| radius.value()),
         };
-        let sampled = sampled(relation, to);
+        let sampled = subject.sampled(to);
+        if sampled.is_empty() && interrupt::asked() {
+            return Err(early());
+        }
         if sampled.is_empty() {
             let reason = "there is no motion at these amplitudes: give a smaller --to";
             return Err(Failure::no_answer("figure series", reason));
@@ -98,21 +117,18 @@ impl Series {
         Ok(against_amplitude(&lines, radius, to, &setting))
     }
 
-    fn in_terms(
-        &self,
-        chosen: &Chosen,
-        relation: &Relation<'_>,
-        setting: Setting,
-    ) -> Result<Picture, Failure> {
+    fn in_terms(&self, chosen: &Chosen, subject: &Subject, setting: Setting) -> Result<Picture, Failure> {
         if self.amplitudes.len() > MOST_AMPLITUDES {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", self.amplitudes.len());
             return Err(Failure::usage("--amplitudes", reason));
         }
         let mut lines = vec![];
+        let relation = subject.relation();
         for text in &self.amplitudes {
             let displacement = positive(chosen, "--amplitudes", text)?;
             let amplitude = displacement.to_f64();
-            let exact = relation.exact_from(&displacement).map_err(|error| no_exact(text, &error))?;
+            let Some(exact) = subject.exact_at(displacement) else { break };
+            let exact = exact.map_err(|error| no_exact(text, &error))?;
             let evaluation = relation.evaluation_at(amplitude);
             let errors = evaluation
                 .steps()
@@ -123,7 +139,44 @@ impl Series {
                 errors: errors.collect(),
             });
         }
-        Ok(against_terms(&lines, &setting))
+        if lines.is_empty() { Err(early()) } else { Ok(against_terms(&lines, &setting)) }
+    }
+}
+
+/// That there is nothing to draw yet.
+fn early() -> Failure {
+    Failure::Interrupted("interrupted before the first error was known: nothing is drawn".to_owned())
+}
+
+/// What the picture is about, as work that nobody waits for after Ctrl-C needs it.
+#[derive(Clone)]
+struct Subject {
+    oscillator: Arc<Oscillator>,
+    expansion: Arc<Expansion>,
+    quantity: Quantity,
+}
+
+impl Subject {
+    fn relation(&self) -> Relation<'_> {
+        Relation::new(&self.oscillator, &self.expansion, self.quantity)
+    }
+
+    fn exact_at(&self, amplitude: Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+        let own = self.clone();
+        parallel::until_asked("the exact values", move || own.relation().exact_from(&amplitude))
+    }
+
+    /// Even steps from zero up to where motions end, or go around another equilibrium too.
+    fn sampled(&self, to: f64) -> Vec<Sample> {
+        let own = self.clone();
+        let how_far = |done| format!("{done} of at most {SAMPLES} amplitudes");
+        parallel::sent_until_asked(how_far, move |sender| {
+            let relation = own.relation();
+            let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
+            for sample in amplitudes.map_while(|amplitude| Sample::at(&relation, amplitude)) {
+                parallel::send(sender, sample);
+            }
+        })
     }
 }
 
@@ -210,14 +263,11 @@ struct Sample {
     evaluation: Evaluation,
 }
 
-/// Even steps from zero up to where motions end, or go around another equilibrium too.
-fn sampled(relation: &Relation<'_>, to: f64) -> Vec<Sample> {
-    let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
-    let sample = |amplitude| {
+impl Sample {
+    fn at(relation: &Relation<'_>, amplitude: f64) -> Option<Self> {
         let exact = relation.exact_at(amplitude).ok().filter(|exact| exact.encloses.is_none())?;
-        Some(Sample { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
-    };
-    amplitudes.map_while(sample).collect()
+        Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
+    }
 }
 
 /// The sum of the terms up to a power.

@@ -1,6 +1,6 @@
 //! The series in numbers, as JSON and CSV.
 
-use super::{Numbers, Quotient, certainty};
+use super::{NOT_REACHED, Numbers, Quotient, certainty};
 use crate::output::json::{self, Record};
 use crate::output::series::coefficient;
 use crate::output::{csv, number};
@@ -14,7 +14,6 @@ pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()
     let variable = &answer.expansion.variable;
     let amplitude_is = if variable.is_strength() { variable.name() } else { "x_max" };
     let steps: Vec<Value> = numbers.evaluation.steps().iter().map(|step| record(numbers, step)).collect();
-    let pade: Vec<Value> = numbers.pade.iter().map(|quotient| quotient_record(numbers, quotient)).collect();
     let smallest = numbers.evaluation.smallest_term().map(|step| step.power);
     let record = Record::new()
         .with("oscillator", answer.key)
@@ -24,17 +23,22 @@ pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()
         .with("amplitude_is", amplitude_is)
         .number("amplitude", numbers.amplitude);
     let record = with_radius(with_exact(record, numbers), numbers);
-    let record = record
-        .with("smallest_term_power", smallest)
-        .with("steps", steps)
-        .with("pade", pade)
-        .with("terms_needed", terms_needed(numbers));
-    json::document(out, record)
+    let record = record.with("smallest_term_power", smallest).with("steps", steps);
+    let record = with_pade(record, numbers).with("terms_needed", terms_needed(numbers));
+    json::document(out, if numbers.missing().is_some() { record.with("interrupted", true) } else { record })
+}
+
+fn with_pade(record: Record, numbers: &Numbers<'_>) -> Record {
+    match &numbers.pade {
+        Some(pade) => record
+            .with("pade", Value::from_iter(pade.iter().map(|quotient| quotient_record(numbers, quotient)))),
+        None => record.number_or("pade", None, NOT_REACHED),
+    }
 }
 
 fn with_exact(record: Record, numbers: &Numbers<'_>) -> Record {
     match &numbers.exact {
-        Ok(exact) => {
+        Some(Ok(exact)) => {
             let road = match exact.road {
                 Road::Elliptic => "elliptic integrals",
                 Road::Integration => "integration of the equation of motion",
@@ -49,17 +53,19 @@ fn with_exact(record: Record, numbers: &Numbers<'_>) -> Record {
                 None => record,
             }
         }
-        Err(reason) => record.number_or("exact", None, &reason.to_string()),
+        Some(Err(reason)) => record.number_or("exact", None, &reason.to_string()),
+        None => record.number_or("exact", None, NOT_REACHED),
     }
 }
 
 fn with_radius(record: Record, numbers: &Numbers<'_>) -> Record {
     let (value, certainty) = match &numbers.radius {
-        Some(Radius::Known(value)) => (Some(*value), Some("proven")),
-        Some(Radius::Estimated(found)) => (Some(found.radius), Some("estimated")),
-        None => (None, None),
+        Some(Some(Radius::Known(value))) => (Some(*value), Some("proven")),
+        Some(Some(Radius::Estimated(found))) => (Some(found.radius), Some("estimated")),
+        Some(None) | None => (None, None),
     };
-    record.number_or("radius", value, "there are too few coefficients").with("radius_is", certainty)
+    let why_none = if numbers.radius.is_none() { NOT_REACHED } else { "there are too few coefficients" };
+    record.number_or("radius", value, why_none).with("radius_is", certainty)
 }
 
 fn record(numbers: &Numbers<'_>, step: &Step) -> Value {

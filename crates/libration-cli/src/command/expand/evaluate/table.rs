@@ -1,12 +1,12 @@
 //! The series in numbers, to read.
 
 use super::super::listing::{self, Symbols};
-use super::{Numbers, Quotient};
+use super::{NOT_REACHED, Numbers, Quotient};
 use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet, write_text};
 use libration::algebra::Rational;
-use libration::comparison::{ExactValue, Quantity, Radius, Road};
+use libration::comparison::{Quantity, Radius, Road};
 use libration::perturbation::{Certainty, Evaluation, Precision, Step};
 use std::io::{self, Write};
 
@@ -20,11 +20,13 @@ pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()
     write_steps(out, numbers)?;
     writeln!(out)?;
     sheet(out, &summary(numbers))?;
-    if !numbers.pade.is_empty() {
-        writeln!(out)?;
-        write_pade(out, numbers)?;
+    match numbers.pade.as_deref() {
+        None | Some([]) => Ok(()),
+        Some(pade) => {
+            writeln!(out)?;
+            write_pade(out, numbers, pade)
+        }
     }
-    Ok(())
 }
 
 fn symbol(numbers: &Numbers<'_>) -> String {
@@ -95,7 +97,7 @@ fn row(numbers: &Numbers<'_>, step: &Step) -> Vec<String> {
         shortened(&numbers.relation.series()[step.power], numbers.answer.expansion.precision),
         rounded(step.term, 5),
         rounded(step.sum, 15),
-        error(&numbers.exact, step.sum),
+        error(numbers, step.sum),
         if step.remainder.size.is_finite() { rounded(step.remainder.size, 3) } else { "no bound".to_owned() },
         if smallest { "← smallest term" } else { "" }.to_owned(),
     ]
@@ -108,13 +110,13 @@ fn shortened(value: &Rational, precision: Precision) -> String {
 }
 
 /// The distance from the exact value, as far as that is known.
-fn error<E>(exact: &Result<ExactValue, E>, value: f64) -> String {
-    match exact {
-        Ok(exact) if (value - exact.value).abs() <= exact.uncertainty => {
+fn error(numbers: &Numbers<'_>, value: f64) -> String {
+    match numbers.known() {
+        Some(exact) if (value - exact.value).abs() <= exact.uncertainty => {
             format!("below {}", at_most(exact.uncertainty))
         }
-        Ok(exact) => rounded(value - exact.value, 3),
-        Err(_) => "unknown".to_owned(),
+        Some(exact) => rounded(value - exact.value, 3),
+        None => "unknown".to_owned(),
     }
 }
 
@@ -131,20 +133,22 @@ fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
 
 fn exact(numbers: &Numbers<'_>) -> String {
     match &numbers.exact {
-        Ok(exact) => {
+        Some(Ok(exact)) => {
             let road = match exact.road {
                 Road::Elliptic => "by elliptic integrals",
                 Road::Integration => "by integrating the equation of motion",
             };
             format!("{}, right to {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
         }
-        Err(reason) => format!("none: {reason}"),
+        Some(Err(reason)) => format!("none: {reason}"),
+        None => NOT_REACHED.to_owned(),
     }
 }
 
 fn convergence(numbers: &Numbers<'_>) -> String {
     let symbol = symbol(numbers);
-    match numbers.radius {
+    let Some(radius) = numbers.radius else { return NOT_REACHED.to_owned() };
+    match radius {
         None => "too few terms to estimate a radius: give a larger --order".to_owned(),
         Some(Radius::Known(radius)) => {
             let inside = numbers.amplitude.abs() < radius;
@@ -192,8 +196,8 @@ fn needed(evaluation: &Evaluation, counts: impl Iterator<Item = (f64, Option<usi
     format!("after the first: {}", counted.join(", "))
 }
 
-fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
-    let last = numbers.pade.last().map_or(0, |last| last.degree);
+fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>, pade: &[Quotient]) -> io::Result<()> {
+    let last = pade.last().map_or(0, |last| last.degree);
     let mut table = Table::new(vec![
         Column::words("Padé"),
         Column::numbers("value"),
@@ -201,7 +205,7 @@ fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
         Column::words(""),
     ]);
     let shown = |quotient: &&Quotient| quotient.degree.is_power_of_two() || quotient.degree == last;
-    for quotient in numbers.pade.iter().filter(shown) {
+    for quotient in pade.iter().filter(shown) {
         let degree = quotient.degree;
         let pole = quotient.pole_before.map(|pole| format!("has a pole before, at {}", short(pole, 5)));
         table.row(
@@ -209,7 +213,7 @@ fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
             vec![
                 format!("[{degree}/{degree}]"),
                 rounded(quotient.value, 15),
-                error(&numbers.exact, quotient.value),
+                error(numbers, quotient.value),
                 pole.unwrap_or_default(),
             ],
         )?;
