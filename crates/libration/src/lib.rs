@@ -49,6 +49,8 @@
 //! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
 //! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
 //! | [`algebra`] | exact rationals, floats of any precision, polynomials in named variables, and the rings of all of them |
+//! | [`roots`] | where a condition ends or a function vanishes, from a bracket |
+//! | [`quadrature`] | integrals of functions of one variable, each with what it misses |
 //! | [`series`] | truncated power series over any ring |
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
@@ -78,6 +80,8 @@ pub mod period_formulas;
 
 pub mod algebra;
 mod linear;
+pub mod quadrature;
+pub mod roots;
 pub mod series;
 
 pub mod expression;

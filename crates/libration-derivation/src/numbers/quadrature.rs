@@ -1,4 +1,5 @@
-//! Integrals to many digits, also of integrands that are infinite at an end.
+//! Integrals to many digits, also of integrands that are infinite at an end, by halving the step until nothing changes: what the
+//! quadrature of the library does with a fixed number of places, for `f64`s.
 
 use std::sync::OnceLock;
 

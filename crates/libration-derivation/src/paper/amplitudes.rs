@@ -1,27 +1,23 @@
 //! Amplitudes in degrees, and where a continuous function of the amplitude takes a value.
 
 use libration::quantity::Angle;
+use libration::roots::{Tolerance, bisect};
 
 /// The amplitude between two others (in radians) at which `f` changes its sign, by bisection to the spacing of
-/// `f64`; `None` when it does not.
+/// `f64`; `None` when it does not, or has no value on the way.
 pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Option<f64>) -> Option<f64> {
     let at = |radians: f64| f(&Angle::from_radians(radians).ok()?);
     let sign_at_low = at(low)?.signum();
     if at(high)?.signum().to_bits() == sign_at_low.to_bits() {
         return None;
     }
-    let (mut low, mut high) = (low, high);
-    loop {
-        let middle = f64::midpoint(low, high);
-        if middle <= low || middle >= high {
-            return Some(high);
-        }
-        if at(middle)?.signum().to_bits() == sign_at_low.to_bits() {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let mut has_values = true;
+    let [_, high] = bisect([low, high], Tolerance::LAST_BIT, |radians| {
+        let value = at(radians);
+        has_values &= value.is_some();
+        value.is_some_and(|value| value.signum().to_bits() == sign_at_low.to_bits())
+    });
+    has_values.then_some(high)
 }
 
 /// The amplitude of so many degrees.

@@ -1,5 +1,5 @@
 //! Integrals over a quarter period of what is smooth and periodic beyond it, where the midpoint rule converges
-//! faster than any power.
+//! faster than any power. As the rest of the evidence it has nothing from the quadrature of the library.
 
 use std::f64::consts::FRAC_PI_2;
 

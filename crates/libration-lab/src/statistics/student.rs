@@ -2,6 +2,8 @@
 
 use std::f64::consts::FRAC_2_PI;
 
+use libration::roots::{Tolerance, bisect};
+
 /// The probability that |t| of Student's distribution is at least this large; whole degrees of freedom, one or more.
 ///
 /// The finite sums 26.7.3 and 26.7.4 of Abramowitz and Stegun.
@@ -43,12 +45,8 @@ pub(crate) fn quantile(probability: f64, dof: f64) -> f64 {
 
 /// Where a condition that holds at zero ceases to hold.
 fn root(holds: impl Fn(f64) -> bool) -> f64 {
-    let (mut below, mut above) = (0.0, 1e6);
-    while above - below > 1e-10 * above {
-        let middle = 0.5 * (below + above);
-        *(if holds(middle) { &mut below } else { &mut above }) = middle;
-    }
-    below
+    let [root, _] = bisect([0.0, 1e6], Tolerance::relative(1e-10), holds);
+    root
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 1 to 1e4")]

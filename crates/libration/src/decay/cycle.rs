@@ -10,6 +10,7 @@ use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
 use crate::elliptic::agm::{self, Complete};
 use crate::pendulum::Amplitude;
+use crate::quadrature::equal_steps;
 
 /// The cycle of one amplitude.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +139,6 @@ impl Cycle {
         };
         let above = (1..).take_while(|&step| f64::from(step) < TAIL * STEPS_PER_UNIT);
         let below = (0..).take_while(|&step| f64::from(step) * (exponent + 1.0) < TAIL * STEPS_PER_UNIT);
-        let sum: f64 = above.chain(below.map(|step: i32| -step)).map(term).sum();
-        4.0 * sum / STEPS_PER_UNIT
+        4.0 * equal_steps(STEPS_PER_UNIT, above.chain(below.map(|step: i32| -step)), term).value
     }
 }

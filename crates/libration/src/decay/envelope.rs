@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::cycle::{Cycle, small_cycle_integral};
-use super::quadrature::gauss;
 use super::{Decay, LEAST_AMPLITUDE};
 use crate::pendulum::Amplitude;
+use crate::quadrature::gauss;
 
 /// How fast the amplitude is said to fall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +97,7 @@ impl<'a> Envelope<'a> {
 
     /// The time that a further fall takes, in units of 1/ω0.
     fn duration(&self, fall: f64, further: f64) -> f64 {
-        further * gauss(|part| self.slowness(fall + further * part))
+        further * gauss(|part| self.slowness(fall + further * part)).value
     }
 
     /// The time that the logarithm of tan(A/2) takes to fall by one, when dA = sin A d(ln tan(A/2)) and dE = sin A dA.

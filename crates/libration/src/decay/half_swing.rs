@@ -11,6 +11,7 @@ use super::{Damping, Ending, LEAST_AMPLITUDE};
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::pendulum::Amplitude;
 use crate::quantity::Angle;
+use crate::roots::{Tolerance, bisect};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
 
 /// Swings of a pendulum with some damping, ω0 = 1.
@@ -141,12 +142,7 @@ fn system(gravity: &str, damping: &Damping) -> System {
 
 /// Where the velocity, positive inside the step and not at its end, becomes zero.
 fn zero_of_velocity(step: &Step) -> f64 {
-    let (mut before, mut after) = (step.start(), step.end());
-    loop {
-        let middle = 0.5 * (before + after);
-        if middle <= before || middle >= after {
-            return after;
-        }
-        *(if step.state_at(middle)[1] > 0.0 { &mut before } else { &mut after }) = middle;
-    }
+    let moves = |time| step.state_at(time)[1] > 0.0;
+    let [_, rest] = bisect([step.start(), step.end()], Tolerance::LAST_BIT, moves);
+    rest
 }

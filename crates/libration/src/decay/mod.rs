@@ -12,7 +12,6 @@ mod error;
 mod damping;
 
 mod cycle;
-mod quadrature;
 
 mod envelope;
 

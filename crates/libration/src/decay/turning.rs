@@ -1,7 +1,7 @@
 //! Close to a turning point, where powers of the velocity that are not whole have no Taylor series.
 
 use super::Damping;
-use super::quadrature::double_exponential;
+use crate::quadrature::double_exponential;
 
 /// How long the pendulum needs next to a turning point, and how far it goes.
 pub(super) struct Passage {
@@ -35,7 +35,7 @@ pub(super) fn arrival(speed: f64, gravity: f64, damping: &Damping) -> Passage {
 /// dt = dv/a and dx = v dv/a.
 fn passage(speed: f64, acceleration: impl Fn(f64) -> f64) -> Passage {
     Passage {
-        duration: speed * double_exponential(|part| 1.0 / acceleration(speed * part)),
-        distance: speed * speed * double_exponential(|part| part / acceleration(speed * part)),
+        duration: speed * double_exponential(|part| 1.0 / acceleration(speed * part)).value,
+        distance: speed * speed * double_exponential(|part| part / acceleration(speed * part)).value,
     }
 }

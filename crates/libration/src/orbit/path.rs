@@ -1,5 +1,6 @@
 //! A motion as the steps of its integration.
 
+use crate::roots::{Tolerance, bisect};
 use crate::taylor::{Effort, IntegrationError, KeptStep, Moment, Solution, Step, System, integrate};
 use std::ops::ControlFlow;
 
@@ -108,7 +109,7 @@ pub(super) fn until(
 pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     const SOON: f64 = 1e-3;
     let value = |time: f64| step.state_at(time)[number];
-    let (mut before, mut after) = (step.start(), step.end());
+    let (mut before, after) = (step.start(), step.end());
     if value(before) == 0.0 {
         before += SOON * (after - before);
     }
@@ -116,11 +117,6 @@ pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     if value(after) * sign > 0.0 {
         return None;
     }
-    loop {
-        let middle = 0.5 * (before + after);
-        if middle <= before || middle >= after {
-            return Some(after);
-        }
-        if value(middle) * sign > 0.0 { before = middle } else { after = middle }
-    }
+    let [_, after] = bisect([before, after], Tolerance::LAST_BIT, |time| value(time) * sign > 0.0);
+    Some(after)
 }

@@ -5,6 +5,7 @@
 
 use crate::algebra::{BigFloat, Floats, Ring};
 use crate::expression::{Jet, Tape};
+use crate::roots::{Tolerance, bisect};
 use crate::taylor::KeptStep;
 
 /// Position and velocity.
@@ -204,14 +205,9 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
     let sign = value(if polynomial[0] == 0.0 { SOON } else { 0.0 });
     let turned = |part: f64| value(part) * sign <= 0.0;
     let after = (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)).find(|part| turned(*part))?;
-    let mut bracket = ((after - 1.0 / f64::from(LOOKS)).max(SOON), after);
-    loop {
-        let middle = 0.5 * (bracket.0 + bracket.1);
-        if middle <= bracket.0 || middle >= bracket.1 {
-            return Some(middle);
-        }
-        if turned(middle) { bracket.1 = middle } else { bracket.0 = middle }
-    }
+    let before = (after - 1.0 / f64::from(LOOKS)).max(SOON);
+    let [before, after] = bisect([before, after], Tolerance::LAST_BIT, |part| !turned(part));
+    Some(f64::midpoint(before, after))
 }
 
 /// The step in double precision, of length one in its own unit.

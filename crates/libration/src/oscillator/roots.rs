@@ -1,5 +1,7 @@
 //! Places where a function of one variable vanishes, to double precision.
 
+use crate::roots::{Tolerance, bisect};
+
 /// The interval searched for zeros of what is no polynomial.
 pub(super) const SEARCHED: f64 = 10.0;
 /// The pieces it is cut into; of two zeros within one piece both are missed.
@@ -23,7 +25,7 @@ pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Seen {
     for pair in values.windows(2) {
         let ((a, fa), (b, fb)) = (pair[0], pair[1]);
         if fa * fb < 0.0 {
-            let zero = bisected(&f, a, b);
+            let zero = sign_change(&f, [a, b]);
             // At a pole the function grows where it changes sign.
             found.extend(Some(zero).filter(|&zero| f(zero).abs() <= fa.abs().max(fb.abs())));
         }
@@ -64,22 +66,17 @@ fn monotonic_zeros(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
     found.extend(
         ends.windows(2)
             .filter(|pair| value(pair[0]) * value(pair[1]) < 0.0)
-            .map(|pair| bisected(value, pair[0], pair[1])),
+            .map(|pair| sign_change(value, [pair[0], pair[1]])),
     );
     found.sort_by(f64::total_cmp);
     Some(found)
 }
 
 /// Where the sign changes between two places, to the last bit.
-fn bisected(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
-    let negative_at_a = f(a) < 0.0;
-    loop {
-        let middle = 0.5 * (a + b);
-        if middle <= a || middle >= b {
-            return if f(a).abs() < f(b).abs() { a } else { b };
-        }
-        if (f(middle) < 0.0) == negative_at_a { a = middle } else { b = middle }
-    }
+fn sign_change(f: impl Fn(f64) -> f64, ends: [f64; 2]) -> f64 {
+    let negative = f(ends[0]) < 0.0;
+    let [a, b] = bisect(ends, Tolerance::LAST_BIT, |x| (f(x) < 0.0) == negative);
+    if f(a).abs() < f(b).abs() { a } else { b }
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ mod formula;
 mod grid;
 mod known;
 mod law;
+mod maximum;
 mod real;
-mod root;
 mod search;
 mod swing;
 

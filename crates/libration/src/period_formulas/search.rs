@@ -5,12 +5,13 @@ use std::ops::ControlFlow;
 use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
-use super::root::{maximum_between, zero_between};
+use super::maximum::maximum_between;
 use super::swing::SwingAmplitude;
 use crate::quantity::Angle;
+use crate::roots::{Tolerance, zero_between};
 
 /// To this distance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
-const COORDINATE_TOLERANCE: f64 = 4e-15;
+const COORDINATE_TOLERANCE: Tolerance = Tolerance::absolute(4e-15);
 /// Two errors closer than this, relatively, are the same error.
 const SAME: f64 = 8.0 * f64::EPSILON;
 
@@ -269,7 +270,7 @@ fn zeros(points: &[Coordinate], values: &[f64], f: &mut dyn FnMut(f64) -> f64) -
     let mut found = Vec::new();
     for pair in known.windows(2) {
         if (pair[0].1 > 0.0) != (pair[1].1 > 0.0) {
-            found.push(zero_between(f, pair[0], pair[1], COORDINATE_TOLERANCE));
+            found.extend(zero_between([pair[0], pair[1]], COORDINATE_TOLERANCE, &mut *f));
         }
     }
     for triple in known.windows(3) {
@@ -297,7 +298,7 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
     let bottom = (place, -sign * depth);
     [triple[0], triple[2]]
         .into_iter()
-        .map(|side| zero_between(f, side, bottom, COORDINATE_TOLERANCE))
+        .filter_map(|side| zero_between([side, bottom], COORDINATE_TOLERANCE, &mut *f))
         .collect()
 }
 

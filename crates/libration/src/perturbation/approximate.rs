@@ -175,7 +175,8 @@ fn slope(floats: Floats, condition: &[BigFloat], s: &BigFloat) -> BigFloat {
     at(floats, &weighted.collect::<Vec<_>>(), s)
 }
 
-/// The smallest s at which the condition changes from negative to positive, between 2⁻⁴⁰ and 2⁴⁰, by bisection.
+/// The smallest s at which the condition changes from negative to positive, between 2⁻⁴⁰ and 2⁴⁰, by as many
+/// bisections as the floats have bits.
 fn attracting_root(floats: Floats, condition: &[BigFloat]) -> Option<BigFloat> {
     const STEPS_PER_OCTAVE: i64 = 32;
     let negative = |s: &BigFloat| at(floats, condition, s) < floats.zero();

@@ -105,7 +105,8 @@ impl Condition {
         Some((below.coarsened(), above))
     }
 
-    /// The fraction of least denominator in ever smaller intervals about the change of sign, once it is a root.
+    /// The fraction of least denominator in ever smaller intervals about the change of sign, once it is a root: of
+    /// fractions, so that each step of the bisection has one to try.
     fn rational_root(&self, low: &Rational, high: &Rational) -> Option<Rational> {
         let (mut low, mut high) = (low.clone(), high.clone());
         if low == high {

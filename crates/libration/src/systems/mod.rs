@@ -9,7 +9,6 @@ mod error;
 mod model;
 
 mod energy;
-mod line_integral;
 
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;

@@ -6,6 +6,7 @@
 
 use super::Contact;
 use super::sign_change::{bernstein, first_sign_change, sign_changes};
+use crate::roots::{Tolerance, bisect};
 
 /// One formula on its way.
 #[derive(Clone, Copy, Debug)]
@@ -51,15 +52,11 @@ impl Stretch<'_> {
     }
 
     /// The one zero between two places where it has different signs.
-    fn zero_between(&self, mut before: f64, mut behind: f64) -> f64 {
+    fn zero_between(&self, before: f64, behind: f64) -> f64 {
         let negative_behind = self.at(behind) < 0.0;
-        loop {
-            let middle = 0.5 * (before + behind);
-            if middle <= before || middle >= behind {
-                return behind;
-            }
-            if (self.at(middle) < 0.0) == negative_behind { behind = middle } else { before = middle }
-        }
+        let is_before = |tau| (self.at(tau) < 0.0) != negative_behind;
+        let [_, behind] = bisect([before, behind], Tolerance::LAST_BIT, is_before);
+        behind
     }
 
     /// The first place in the step where it changes its sign or comes within the blur of zero.

@@ -16,6 +16,7 @@ use super::turning_point::Extreme;
 use super::{Cycle, Cycles, CyclesError, CyclesWarning, HalfSwing, Options};
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;
+use libration::roots::{Tolerance, bisect};
 
 /// With fewer rows in a period nothing can be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
@@ -164,18 +165,15 @@ fn settled(found: &Found, seen: Seen, longest: f64) -> (Vec<Option<HalfSwing>>, 
 /// amplitudes are larger and the cycles say a smaller one, so that there is one answer between 0 and the period.
 fn t0_of_velocities(found: &Found, period: f64) -> f64 {
     let complete = found.rows(&found.half_swings(Seen::AngularVelocity, f64::INFINITY)).len();
-    let (mut below, mut above) = (0.1 * period, period);
-    while above - below > 1e-12 * period {
-        let middle = 0.5 * (below + above);
-        let half_swings = found.half_swings(Seen::AngularVelocity, TAU / middle);
+    let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
+        let half_swings = found.half_swings(Seen::AngularVelocity, TAU / t0);
         let rows = found.rows(&half_swings);
         // Cycles that would lead over the top say that T0 is smaller, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
         let said = rows.iter().map(Row::small_angle_period).chain(beyond).collect();
-        let larger = median(said).is_some_and(|said| said > middle);
-        *(if larger { &mut below } else { &mut above }) = middle;
-    }
-    below
+        median(said).is_some_and(|said| said > t0)
+    });
+    t0
 }
 
 impl Cycle {

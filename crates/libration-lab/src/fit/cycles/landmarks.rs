@@ -10,6 +10,7 @@ use super::window::Window;
 use crate::measurement::{Seen, Trace};
 use crate::statistics::{median, robust_deviation};
 use libration::pendulum::period_ratio;
+use libration::roots::{Tolerance, bisect};
 use std::f64::consts::FRAC_PI_2;
 
 /// Rounds of measuring; each divides what the first guess was wrong by through far more than ten.
@@ -131,12 +132,9 @@ impl Guess {
 /// The amplitude that goes with a fastest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where
 /// the exact law tells ω0 from the quarter.
 fn amplitude_from_quarter(velocity: f64, quarter: f64) -> f64 {
-    let (mut below, mut above) = (0.0, LARGEST_AMPLITUDE);
-    while above - below > 1e-6 {
-        let middle = 0.5 * (below + above);
-        let omega0 = FRAC_PI_2 * period_ratio(middle) / quarter;
-        let fits = 2.0 * omega0 * libm::sin(0.5 * middle) < velocity;
-        *(if fits { &mut below } else { &mut above }) = middle;
-    }
-    below
+    let [amplitude, _] = bisect([0.0, LARGEST_AMPLITUDE], Tolerance::absolute(1e-6), |amplitude| {
+        let omega0 = FRAC_PI_2 * period_ratio(amplitude) / quarter;
+        2.0 * omega0 * libm::sin(0.5 * amplitude) < velocity
+    });
+    amplitude
 }

@@ -12,6 +12,7 @@ use crate::statistics::count;
 use crate::statistics::median;
 use libration::elliptic::Modulus;
 use libration::quantity::Quantity;
+use libration::roots::{Tolerance, bisect};
 
 /// What periods with their amplitudes tell.
 pub(super) struct BySpeeds {
@@ -50,19 +51,16 @@ impl Swings {
     /// The amplitudes of all passages by their speeds, with the T0 that goes with them.
     pub(super) fn amplitudes(&self, width: f64) -> Amplitudes {
         let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
-        let (mut below, mut above) = (0.1 * longest, longest);
         // With a larger T0 the amplitudes are larger and the periods say a smaller one.
-        while above - below > 1e-12 * longest {
-            let middle = 0.5 * (below + above);
-            let amplitudes = self.amplitudes_for(width, middle);
+        let [t0, _] = bisect([0.1 * longest, longest], Tolerance::absolute(1e-12 * longest), |t0| {
+            let amplitudes = self.amplitudes_for(width, t0);
             let said = self.cycles.iter().map(|&cycle| {
                 let ratio = amplitudes.of_cycle(cycle).map_or(f64::INFINITY, |a| Law::exact().ratio_at(a));
                 self.period(cycle) / ratio
             });
-            let larger = median(said.collect()).is_some_and(|said| said > middle);
-            *(if larger { &mut below } else { &mut above }) = middle;
-        }
-        self.amplitudes_for(width, below)
+            median(said.collect()).is_some_and(|said| said > t0)
+        });
+        self.amplitudes_for(width, t0)
     }
 
     fn amplitudes_for(&self, width: f64, t0: f64) -> Amplitudes {

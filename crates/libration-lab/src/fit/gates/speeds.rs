@@ -4,6 +4,7 @@
 //! bottom has θ′ = 2ω0 sin(A/2) cn(ω0τ): τ is zero at the centre, and off it the passages are T/2 ± 2τ apart.
 
 use libration::elliptic::Modulus;
+use libration::roots::{Tolerance, bisect};
 
 /// The largest amplitude that is looked for, in radians.
 const LARGEST: f64 = 3.13;
@@ -16,15 +17,11 @@ pub(super) fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64)
         let sine = libm::sin(0.5 * amplitude);
         Modulus::from_modulus(sine).map_or(f64::NAN, |modulus| sine * modulus.jacobi(omega0 * from_bottom).cn)
     };
-    let (mut below, mut above) = (0.0, LARGEST);
-    if wanted.is_nan() || wanted >= speed(above) {
+    if wanted.is_nan() || wanted >= speed(LARGEST) {
         return None;
     }
-    while above - below > 1e-12 {
-        let middle = 0.5 * (below + above);
-        *(if speed(middle) < wanted { &mut below } else { &mut above }) = middle;
-    }
-    Some(below)
+    let [amplitude, _] = bisect([0.0, LARGEST], Tolerance::absolute(1e-12), |it| speed(it) < wanted);
+    Some(amplitude)
 }
 
 #[cfg(test)]

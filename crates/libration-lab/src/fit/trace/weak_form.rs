@@ -116,13 +116,9 @@ fn window(times: &[f64], angles: &[f64], centre: f64, half: f64, interval: f64) 
         [second * deviation, -v * v * v * sine, v * v * v * cosine, -6.0 * u * v * v / half * deviation]
     };
     let values: Vec<[f64; 4]> = times.iter().zip(angles).map(terms).collect();
-    let mut sums = [0.0; 4];
-    for (pair, time) in values.windows(2).zip(times.windows(2)) {
-        for (sum, (a, b)) in sums.iter_mut().zip(pair[0].iter().zip(pair[1])) {
-            *sum += 0.5 * (a + b) * (time[1] - time[0]);
-        }
-    }
-    Some(sums)
+    Some(
+        [0, 1, 2, 3].map(|term| integral(times, &values.iter().map(|terms| terms[term]).collect::<Vec<_>>())),
+    )
 }
 
 /// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles.
@@ -145,7 +141,7 @@ fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
     (angles, Some(bias))
 }
 
-/// By trapezoids.
+/// Of samples, by trapezoids.
 fn integral(times: &[f64], values: &[f64]) -> f64 {
     let pairs = times.windows(2).zip(values.windows(2));
     pairs.map(|(time, value)| 0.5 * (value[0] + value[1]) * (time[1] - time[0])).sum()

@@ -1,0 +1,153 @@
+//! Interpolation that is never much slower than bisection, for functions that cost much to evaluate.
+
+use super::Tolerance;
+
+/// A place and the value there.
+type Point = (f64, f64);
+
+/// A zero of a function between two places, given with its values there, which must be of opposite sign; `None` where they are not,
+/// and where the function has no value on the way. An end where it vanishes is the zero.
+///
+/// The method of Oliveira and Takahashi: interpolation, kept within a shrinking window about the middle. Infinite values are values
+/// with a sign. A function that jumps over zero is taken to vanish where it jumps.
+///
+/// # Accuracy
+/// Of the two last places, which are as near each other as the tolerance allows, or neighbours among the `f64`s, it is the one
+/// where the function is nearer to zero. The evaluations are ten more than those of bisection at most; for smooth functions
+/// about ten are enough to the last bit.
+///
+/// # Examples
+/// ```
+/// use libration::roots::{Tolerance, zero_between};
+/// let cubic = |x: f64| x * x * x - 2.0;
+/// let zero = zero_between([(0.0, cubic(0.0)), (3.0, cubic(3.0))], Tolerance::LAST_BIT, cubic);
+/// assert!(zero.is_some_and(|zero| (zero - 2.0_f64.cbrt()).abs() < 3e-16));
+/// assert_eq!(zero_between([(2.0, cubic(2.0)), (3.0, cubic(3.0))], Tolerance::LAST_BIT, cubic), None);
+/// ```
+///
+/// # References
+/// I. F. D. Oliveira and R. H. C. Takahashi, ACM TOMS 47, 5 (2021), doi:10.1145/3423597.
+pub fn zero_between(ends: [Point; 2], tolerance: Tolerance, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
+    let [mut low, mut high] = ends;
+    if let Some(end) = ends.iter().find(|end| end.1 == 0.0) {
+        return Some(end.0);
+    }
+    if low.1.is_nan() || high.1.is_nan() || (low.1 > 0.0) == (high.1 > 0.0) {
+        return None;
+    }
+    let mut window = 2.0 * (high.0 - low.0).abs();
+    while let Some(x) = next(low, high, window, tolerance) {
+        let value = f(x);
+        if value.is_nan() {
+            return None;
+        }
+        if value == 0.0 {
+            return Some(x);
+        }
+        *(if (value > 0.0) == (low.1 > 0.0) { &mut low } else { &mut high }) = (x, value);
+        window /= 2.0;
+    }
+    Some(if low.1.abs() < high.1.abs() { low.0 } else { high.0 })
+}
+
+/// Where to look next in a bracket that is still too wide: a place truly inside, or it would not become narrower.
+fn next(low: Point, high: Point, window: f64, tolerance: Tolerance) -> Option<f64> {
+    let ends = [low.0.min(high.0), low.0.max(high.0)];
+    let inner = [ends[0].next_up(), ends[1].next_down()];
+    let width = tolerance.width(ends);
+    if inner[0] > inner[1] || ends[1] - ends[0] <= width || !(ends[1] - ends[0]).is_finite() {
+        return None;
+    }
+    Some(truncated(low, high, window, width).clamp(inner[0], inner[1]))
+}
+
+/// Interpolation moved towards the middle, at most as far from it as bisection would still allow.
+fn truncated(low: Point, high: Point, window: f64, tolerance: f64) -> f64 {
+    let middle = f64::midpoint(low.0, high.0);
+    let width = high.0 - low.0;
+    let interpolated = (high.1 * low.0 - low.1 * high.0) / (high.1 - low.1);
+    if !interpolated.is_finite() {
+        return middle;
+    }
+    let towards = (middle - interpolated).signum();
+    let shift = (0.2 * width * width / window.abs().max(tolerance)).min((middle - interpolated).abs());
+    let truncated = interpolated + towards * shift;
+    let radius = (window - width.abs()).max(0.0) / 2.0 + tolerance;
+    if (truncated - middle).abs() <= radius { truncated } else { middle - towards * radius }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bisect;
+    use super::*;
+
+    /// The zero and the number of evaluations.
+    fn counted(a: f64, b: f64, tolerance: Tolerance, f: impl Fn(f64) -> f64) -> (Option<f64>, u32) {
+        let mut count = 0;
+        let zero = zero_between([(a, f(a)), (b, f(b))], tolerance, |x| {
+            count += 1;
+            f(x)
+        });
+        (zero, count)
+    }
+
+    #[test]
+    fn zeros_of_smooth_functions_are_found_to_the_last_bit_in_few_evaluations() {
+        let (zero, count) = counted(0.0, 3.0, Tolerance::LAST_BIT, |x| x * x * x - 2.0);
+        assert!((zero.unwrap() - 1.2599210498948732).abs() < 3e-16, "{zero:?}");
+        assert!(count <= 15, "{count}");
+    }
+
+    /// Jumps, poles, high powers and functions flat on one side, in brackets of any size.
+    #[test]
+    fn no_function_takes_ten_evaluations_more_than_bisection() {
+        type Wild = fn(f64, f64) -> f64;
+        let wild: [Wild; 6] = [
+            |x, c| if x < c { -1.0 } else { 1.0 },
+            |x, c| if x < c { -1e-300 } else { 1e300 },
+            |x, c| if x < c { -f64::INFINITY } else { 1.0 },
+            |x, c| libm::pow(x - c, 21.0),
+            |x, c| libm::exp(40.0 * (x - c)) - 1.0,
+            |x, c| 1.0 / (x - c),
+        ];
+        let tolerances = [
+            Tolerance::LAST_BIT,
+            Tolerance::absolute(1e-9),
+            Tolerance::absolute(0.1),
+            Tolerance::relative(1e-6),
+        ];
+        let brackets = [(-1.0, 1.0), (0.0, 2.0), (-1e10, 1e-3), (1.0, -1e10)];
+        for (f, &tolerance) in wild.iter().flat_map(|f| tolerances.iter().map(move |it| (f, it))) {
+            for (number, (a, b)) in (1..200).flat_map(|n| brackets.map(|bracket| (n, bracket))) {
+                let c = a + (b - a) * f64::from(number) / 200.0 * 0.999;
+                let (zero, count) = counted(a, b, tolerance, |x| f(x, c));
+                let mut bisections = 0;
+                let _ = bisect([a, b], tolerance, |x| {
+                    bisections += 1;
+                    (f(x, c) > 0.0) == (f(a, c) > 0.0)
+                });
+                assert!(zero.is_some() && count <= bisections + 10, "{c}: {zero:?}, {count}, {bisections}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_jump_is_enclosed_to_the_tolerance() {
+        let (zero, _) =
+            counted(0.0, 5.0, Tolerance::absolute(1e-12), |x| if x < 1.0 { -1.0 } else { f64::INFINITY });
+        assert!((zero.unwrap() - 1.0).abs() <= 1e-12, "{zero:?}");
+        let (zero, _) = counted(0.0, 5.0, Tolerance::LAST_BIT, |x| if x < 1.0 { -1.0 } else { 2.0 });
+        assert_eq!(zero, Some(1.0_f64.next_down()));
+    }
+
+    #[test]
+    fn without_a_change_of_sign_there_is_no_zero() {
+        assert_eq!(counted(1.0, 2.0, Tolerance::LAST_BIT, |x| x).0, None);
+        assert_eq!(counted(-1.0, f64::NAN, Tolerance::LAST_BIT, |x| x).0, None);
+        assert_eq!(
+            counted(-1.0, 2.0, Tolerance::LAST_BIT, |x| if x.abs() < 0.9 { f64::NAN } else { x }).0,
+            None
+        );
+        assert_eq!(counted(0.0, 2.0, Tolerance::LAST_BIT, |x| x).0, Some(0.0));
+    }
+}
