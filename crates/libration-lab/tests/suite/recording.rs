@@ -1,9 +1,10 @@
 //! Files as instruments write them: what is told from them, and what is chosen instead.
 
+use libration::quantity::{Angle, Dimension, parse};
 use libration_lab::measurement::{
     Choices, Column, Format, MeasurementError, Options, Recording, Seen, Stamps, Table, Traces, Unit,
 };
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 fn recording(file: &[u8]) -> Recording {
     Recording::read(file, &Options::default()).unwrap()
@@ -21,8 +22,32 @@ fn named(name: &str) -> Option<Column> {
     Some(Column::Name(name.into()))
 }
 
+/// As text on a command line is read.
 fn radians(degrees: f64) -> f64 {
-    degrees * (PI / 180.0)
+    format!("{degrees}deg").parse::<Angle>().unwrap().radians()
+}
+
+#[test]
+fn degrees_in_a_file_are_those_of_the_command_line_to_the_last_bit() {
+    let tenths = || {
+        (-1800..=1800)
+            .map(|n: i32| format!("{}{}.{}", if n < 0 { "-" } else { "" }, n.abs() / 10, n.abs() % 10))
+    };
+    for (heading, command) in
+        [("angle (deg)", "deg"), ("velocity (deg/s)", "deg/s"), ("angle (mrad)", "mrad")]
+    {
+        let rows: String = tenths().zip(0..).map(|(angle, row)| format!("{row}.5,{angle}\n")).collect();
+        let found = traces(&format!("time (s),{heading}\n{rows}"), &Choices::default()).unwrap();
+        for (found, text) in found.traces[0].values().iter().zip(tenths()) {
+            let text = format!("{text} {command}");
+            let dimension = if command == "deg/s" { Dimension::AngularVelocity } else { Dimension::Angle };
+            let meant = match command {
+                "deg" => text.parse::<Angle>().unwrap().radians(),
+                _ => parse(&text, dimension).unwrap().value,
+            };
+            assert_eq!(found.to_bits(), (meant + 0.0 * found).to_bits(), "{text}");
+        }
+    }
 }
 
 /// A swing from 1 rad, sampled 60 times a second.

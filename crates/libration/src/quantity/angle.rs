@@ -4,7 +4,6 @@ use std::fmt;
 use std::ops::Neg;
 
 use super::QuantityError;
-use super::pi_combination::PiCombination;
 use crate::double_double::{DoubleDouble, two_sum};
 
 /// Angles above this many radians have no turns that an `f64` could count.
@@ -38,33 +37,6 @@ pub struct Angle {
 }
 
 impl Angle {
-    /// The angle of this many radians, exactly this `f64`.
-    ///
-    /// # Errors
-    /// NaN, infinite, or so large (above 2⁵³ radians) that its turns cannot be counted.
-    pub fn from_radians(radians: f64) -> Result<Self, QuantityError> {
-        if radians.abs() <= DoubleDouble::PI.hi {
-            // π in three words: the first difference is exact, and what is left of it is not cancelled again.
-            let complement = two_sum(DoubleDouble::PI.hi, -radians.abs()) + DoubleDouble::PI_TAIL;
-            return Ok(Self { turns: 0, in_turn: radians.into(), complement });
-        }
-        if radians.abs() <= LARGEST_RADIANS {
-            return Ok(PiCombination::radians(radians).to_angle());
-        }
-        Err(QuantityError::NotAnAngle(radians))
-    }
-
-    /// The angle of this many degrees, exactly this `f64`.
-    ///
-    /// # Errors
-    /// As [`Angle::from_radians`].
-    pub fn from_degrees(degrees: f64) -> Result<Self, QuantityError> {
-        if degrees.abs() <= LARGEST_RADIANS {
-            return Ok(PiCombination::degrees(degrees).to_angle());
-        }
-        Err(QuantityError::NotAnAngle(degrees))
-    }
-
     /// The angle π − `complement`, exactly this `f64`; `complement` within [0, π] radians.
     ///
     /// # Errors

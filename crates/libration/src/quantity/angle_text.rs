@@ -12,6 +12,7 @@ use super::angle::LARGEST_RADIANS;
 use super::decimal::{Decimal, LONGEST_TEXT};
 use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
+use super::unit::DEGREE;
 use super::{Angle, QuantityError};
 
 const HOW_TO_WRITE: &str = "write 60deg, 1.2rad, 1.2 (radians), pi-1e-6 or 180deg-1e-9deg";
@@ -134,7 +135,7 @@ impl Term {
         let number = self.number.exact() / &self.divisor;
         match self.unit {
             Unit::Unsaid | Unit::Radians => PiCombination { pi_multiple: RBig::ZERO, rest: number },
-            Unit::Degrees => PiCombination::from_degrees(number),
+            Unit::Degrees => DEGREE.times(number),
             Unit::Pi => PiCombination { pi_multiple: number, rest: RBig::ZERO },
         }
     }

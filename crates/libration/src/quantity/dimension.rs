@@ -12,6 +12,8 @@ pub enum Dimension {
     Time,
     /// In metres per second squared.
     Acceleration,
+    /// In radians.
+    Angle,
     /// In radians per second.
     AngularVelocity,
     /// In metres per second.
@@ -32,6 +34,7 @@ impl Dimension {
             Self::Length => "1m, 120 cm, 35 in, 1.200(3) m or 1.200 ± 0.003 m (a bare number is in metres)",
             Self::Time => "2s, 500ms, 2.007(2) s or 2.007 ± 0.002 s (a bare number is in seconds)",
             Self::Acceleration => "9.81m/s^2, 981 cm/s^2 or 9.81 ± 0.02 m/s^2 (a bare number is in m/s^2)",
+            Self::Angle => "0.3rad, 17deg or 17.0(5) deg (a bare number is in radians)",
             Self::AngularVelocity => "0.3rad/s, 30deg/s or 33 rpm (a bare number is in rad/s)",
             Self::Velocity => "0.3m/s, 20 cm/s or 5 km/h (a bare number is in m/s)",
             Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
@@ -47,6 +50,7 @@ impl fmt::Display for Dimension {
             Self::Length => "a length",
             Self::Time => "a time",
             Self::Acceleration => "an acceleration",
+            Self::Angle => "an angle",
             Self::AngularVelocity => "an angular velocity",
             Self::Velocity => "a velocity",
             Self::Mass => "a mass",

@@ -15,6 +15,7 @@ mod digits;
 mod dimension;
 mod displacement;
 mod error;
+mod exact_angle;
 mod excerpt;
 mod fraction;
 mod nearest;
@@ -23,6 +24,7 @@ mod pi_combination;
 mod progression;
 mod range;
 mod range_error;
+mod shortest;
 mod unit;
 
 pub use angle::Angle;
@@ -34,9 +36,19 @@ pub use displacement::Displacement;
 pub use error::QuantityError;
 pub use excerpt::excerpt;
 pub(crate) use nearest::nearest;
-pub use physical::{Quantity, parse};
+pub use physical::{Quantity, in_si, parse};
 pub use range::{AngleRange, NumberRange, angles, exact_angles, exact_numbers, numbers};
 pub use range_error::RangeError;
+
+/// The standard acceleration of free fall, in m/s² (CGPM 1901).
+///
+/// # Examples
+/// ```
+/// use libration::quantity::{Dimension, STANDARD_GRAVITY, parse};
+/// assert_eq!(parse("1 g", Dimension::Acceleration)?.value, STANDARD_GRAVITY);
+/// # Ok::<(), libration::quantity::QuantityError>(())
+/// ```
+pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 #[cfg(test)]
 mod tests;

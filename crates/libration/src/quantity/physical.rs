@@ -49,6 +49,27 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
     Ok(Quantity { value, uncertainty })
 }
 
+/// What [`parse`] makes of a number, written with as few digits as read back as it, with a unit behind it: the value in the SI unit of
+/// the dimension, rounded once. What is not finite stays so; `None` where no unit of this name measures this, and beyond the
+/// range of `f64`.
+///
+/// # Examples
+/// ```
+/// use libration::quantity::{Angle, Dimension, in_si};
+///
+/// let angle = in_si(17.3, "deg", Dimension::Angle).ok_or("degrees measure angles")?;
+/// assert_eq!(angle, "17.3deg".parse::<Angle>()?.radians());
+/// // The product of two rounded numbers is another number.
+/// assert_ne!(angle, 17.3 * (std::f64::consts::PI / 180.0));
+/// assert_eq!(in_si(1.0, "s", Dimension::Angle), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn in_si(number: f64, unit: &str, dimension: Dimension) -> Option<f64> {
+    let unit = Unit::named(unit, dimension).filter(|unit| unit.dimension == dimension)?;
+    if number.is_finite() { unit.to_si(number) } else { Some(number) }
+}
+
 /// A quantity before it is rounded, in its SI unit.
 pub(super) struct ExactQuantity {
     pub(super) value: PiCombination,

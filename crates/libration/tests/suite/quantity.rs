@@ -1,7 +1,7 @@
 //! Text means the decimal: quantities, ranges and lists.
 
 use libration::quantity::{
-    Angle, AngleRange, Dimension, NumberRange, QuantityError, RangeError, angles, numbers, parse,
+    Angle, AngleRange, Dimension, NumberRange, QuantityError, RangeError, angles, in_si, numbers, parse,
 };
 
 #[test]
@@ -200,4 +200,42 @@ fn uncertainties_may_be_zero_and_larger_than_the_value() {
     assert_eq!(uncertainty("1m±0m"), Some(0.0));
     assert_eq!(uncertainty("1m"), None);
     assert!(parse("1m±-1m", Dimension::Length).is_err());
+}
+
+#[test]
+fn numbers_in_a_unit_are_what_their_text_is() {
+    let units = [
+        ("deg", Dimension::Angle),
+        ("turn", Dimension::Angle),
+        ("mrad", Dimension::Angle),
+        ("deg/s", Dimension::AngularVelocity),
+        ("ms", Dimension::Time),
+        ("ns", Dimension::Time),
+        ("min", Dimension::Time),
+        ("cm", Dimension::Length),
+        ("in", Dimension::Length),
+    ];
+    // Few digits and many, also next to where two words no longer tell the rounding, and to the ends of the range.
+    let tenths = (-1800..=1800).map(|n| f64::from(n) / 10.0);
+    let others = (1..400_i32).map(|n| libm::sin(f64::from(n)) * libm::pow(10.0, f64::from(n % 60 - 30)));
+    let ends = [f64::MIN_POSITIVE, 5e-324, 1e-310, 1e300, f64::EPSILON, 9_007_199_254_740_993.0, 1e22, 1e23];
+    for number in tenths.chain(others).chain(ends) {
+        for (unit, dimension) in units {
+            let written = parse(&format!("{number:e} {unit}"), dimension).unwrap().value;
+            let found = in_si(number, unit, dimension).unwrap();
+            assert_eq!(found.to_bits(), (written + 0.0 * number).to_bits(), "{number:e} {unit}");
+        }
+    }
+    assert_eq!(in_si(1.0, "s", Dimension::Length), None);
+    assert_eq!(in_si(1.0, "parsec", Dimension::Length), None);
+    assert_eq!(in_si(f64::MAX, "min", Dimension::Time), None);
+    assert!(in_si(f64::NAN, "deg", Dimension::Angle).is_some_and(f64::is_nan));
+}
+
+#[test]
+fn an_angle_is_a_quantity_too() {
+    let angle = parse("17.0(5) deg", Dimension::Angle).unwrap();
+    assert_eq!(angle.value.to_bits(), "17deg".parse::<Angle>().unwrap().radians().to_bits());
+    assert!((angle.uncertainty.unwrap().to_degrees() - 0.5).abs() < 1e-15);
+    assert!(parse("17deg", Dimension::Length).unwrap_err().to_string().contains("an angle"));
 }

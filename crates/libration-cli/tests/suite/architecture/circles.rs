@@ -11,7 +11,6 @@ pub(crate) const REMAINING: &[&str] = &[
     "libration-derivation: : check document print",
     "libration-derivation: paper/black_vel: accuracy regimes",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
-    "libration: quantity: angle pi_combination",
     "libration: taylor: flight trial",
 ];
 

@@ -1,8 +1,9 @@
 //! Units as instruments spell them.
 
-use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;
+
+use libration::quantity::{Dimension, in_si};
 
 /// A unit of time, angle, angular velocity or length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,28 +124,27 @@ impl Unit {
         }
     }
 
-    /// A value in seconds, radians, radians per second or metres; counts and pixels stay as they are.
+    /// A value in seconds, radians, radians per second or metres, the same as of the text on a command line: the decimal with fewest
+    /// digits that reads back as the number, converted exactly and rounded once. Counts and pixels stay as they are.
     #[must_use]
     pub fn to_si(self, value: f64) -> f64 {
-        match self {
-            Self::Millisecond | Self::Millimetre | Self::Milliradian => value / 1e3,
-            Self::Microsecond => value / 1e6,
-            Self::Nanosecond => value / 1e9,
-            Self::Minute => value * 60.0,
-            Self::Degree | Self::DegreePerSecond => value * (PI / 180.0),
-            Self::Turn => value * TAU,
-            Self::Centimetre => value / 1e2,
-            // 0.0254 itself is no double.
-            Self::Inch => value * 254.0 / 1e4,
-            _ => value,
-        }
+        let dimension = match self.measures() {
+            Measures::Time => Dimension::Time,
+            Measures::Angle => Dimension::Angle,
+            Measures::AngularVelocity => Dimension::AngularVelocity,
+            Measures::Length => Dimension::Length,
+        };
+        in_si(value, self.name(), dimension).unwrap_or(value)
+    }
+
+    fn name(self) -> &'static str {
+        UNITS.iter().find(|(unit, ..)| *unit == self).map_or("", |(_, name, _)| name)
     }
 }
 
 impl fmt::Display for Unit {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = UNITS.iter().find(|(unit, ..)| unit == self).map_or("", |(_, name, _)| name);
-        out.write_str(name)
+        out.write_str(self.name())
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::Quantity;
 
-/// Names in lower case without units.
+/// Names in lower case without units. Of the letters that are angles in equations (`quantity::is_angle_name`) only θ and φ: in a
+/// header α is as often an acceleration, and β and γ are anything.
 const NAMES: [(Quantity, &[&str]); 7] = [
     (
         Quantity::Time,
