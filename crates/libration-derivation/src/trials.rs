@@ -9,7 +9,7 @@ use super::formula::{Decimal, Formula, Name, Relation, Statement, Unit, number, 
 use super::numbers::{DIGITS, PRECISION};
 use libration::algebra::{BigFloat, Rational, Ring};
 use libration::pendulum::{Amplitude, Pendulum};
-use libration::quantity::Angle;
+use libration::quantity::{Angle, STANDARD_GRAVITY};
 
 /// What sides in these digits may differ by, a singular integral's lost half included.
 const CLOSE: f64 = 1e-30;
@@ -246,7 +246,7 @@ fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<()
 }
 
 fn example(degrees: f64) -> Result<Swing, DerivationError> {
-    let pendulum = Pendulum::new(1.0, 9.80665)?;
+    let pendulum = Pendulum::new(1.0, STANDARD_GRAVITY)?;
     let angle = Angle::from_degrees(degrees).expect("the degrees are finite");
     Ok(Swing { pendulum, amplitude: Amplitude::new(angle)? })
 }

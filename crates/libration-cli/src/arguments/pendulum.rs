@@ -4,11 +4,9 @@ use super::text;
 use crate::failure::Failure;
 use crate::output::{json::Record, number};
 use libration::pendulum::{Motion, Pendulum};
-use libration::quantity::Angle;
+use libration::quantity::{Angle, STANDARD_GRAVITY};
 
 const DEFAULT_LENGTH: f64 = 1.0;
-/// The standard acceleration of free fall.
-const DEFAULT_GRAVITY: f64 = 9.80665;
 
 /// The options that describe the pendulum.
 #[derive(Clone, Copy, Debug, clap::Args)]
@@ -27,7 +25,7 @@ impl PendulumOptions {
     }
 
     pub(crate) fn gravity(self) -> f64 {
-        self.gravity.unwrap_or(DEFAULT_GRAVITY)
+        self.gravity.unwrap_or(STANDARD_GRAVITY)
     }
 
     /// Whether neither was given.

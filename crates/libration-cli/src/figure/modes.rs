@@ -4,15 +4,15 @@ use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
 use super::parameters::of_model;
 use super::style;
-use crate::output::number::short;
+use crate::output::number::{count, short};
 use libration::normal_modes::{Behaviour, Mode, NormalModes};
 use libration::systems::Model;
 
 /// The parts of the coordinates, one curve a mode.
 pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
     let mut series = vec![];
-    let count = f64::from(u32::try_from(modes.variables.len()).unwrap_or(u32::MAX));
-    series.push(Series::line("", style::reference(), [(0.5, 0.0), (count + 0.5, 0.0)]));
+    let last = count(modes.variables.len());
+    series.push(Series::line("", style::reference(), [(0.5, 0.0), (last + 0.5, 0.0)]));
     for (number, mode) in modes.modes.iter().enumerate() {
         let places = (1_u32..).map(f64::from);
         let points: Vec<(f64, f64)> = places.zip(mode.shape.iter().map(|part| part.re)).collect();
@@ -20,7 +20,7 @@ pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
         series.push(Series::line(&label(number, mode), style::markers(number), points));
     }
     let names = modes.variables.iter().map(|name| symbol(name)).collect();
-    let x = Axis::linear("coordinate", 0.5, count + 0.5).in_units(Units::Names(names));
+    let x = Axis::linear("coordinate", 0.5, last + 0.5).in_units(Units::Names(names));
     let y = Axis::linear("part in the mode", -1.1, 1.1);
     let title = format!("Normal modes of the {}", model.title());
     Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(model))

@@ -3,6 +3,12 @@
 use libration::quantity::Quantity;
 pub(crate) use libration::quantity::{rounded, short, with_uncertainty};
 
+/// A number of things as an `f64`.
+#[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
+pub(crate) fn count(things: usize) -> f64 {
+    things as f64
+}
+
 /// The shortest decimal that reads back as the same number; `nan`, `inf` and `-inf` otherwise.
 pub(crate) fn exact(value: f64) -> String {
     serde_json::Number::from_f64(value).map_or_else(|| rounded(value, 1), |number| number.to_string())

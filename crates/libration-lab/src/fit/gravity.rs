@@ -7,9 +7,6 @@ use libration::quantity::Quantity;
 /// (2013), doi:10.1002/grl.50838.
 pub const GRAVITY_ON_EARTH: [f64; 2] = [9.7639, 9.8337];
 
-/// The standard acceleration of free fall, in m/s² (3rd General Conference on Weights and Measures, 1901).
-pub const STANDARD_GRAVITY: f64 = 9.80665;
-
 /// Whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, which chance makes of a
 /// right one less often than once in 700 times.
 #[must_use]

@@ -39,7 +39,7 @@ pub use budget::{
 pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError, alternatives};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
-pub use gravity::{GRAVITY_ON_EARTH, STANDARD_GRAVITY, is_nowhere_on_earth};
+pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 pub use law::Law;
 pub use lengths::{
     CountedAs, LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions,

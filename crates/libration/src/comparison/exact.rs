@@ -3,6 +3,7 @@
 use super::Quantity;
 use super::enclosed::other_equilibrium;
 use crate::algebra::Rational;
+use crate::elementary::count;
 use crate::expression::Expression;
 use crate::orbit::{NoOrbit, Orbit, Place};
 use crate::oscillator::{Kind, Oscillator};
@@ -231,10 +232,10 @@ impl Found {
     fn cosine(&self, k: usize, unit: f64) -> (f64, f64) {
         let harmonics = self.orbit.harmonics(0);
         let term = |n: usize| harmonics.terms.get(n).copied().unwrap_or_default();
-        let turn = real(k) * libm::atan2(term(1).sine, term(1).cosine);
+        let turn = count(k) * libm::atan2(term(1).sine, term(1).cosine);
         let turned = term(k).cosine * libm::cos(turn) + term(k).sine * libm::sin(turn);
         let mean = if k == 0 { self.equilibrium } else { 0.0 };
-        ((turned - mean) / unit, (self.uncertainty_of_places() * (1.0 + real(k)) + harmonics.rest) / unit)
+        ((turned - mean) / unit, (self.uncertainty_of_places() * (1.0 + count(k)) + harmonics.rest) / unit)
     }
 
     /// How far a place may be off at any time: by what the uncertainty of the period makes of the velocity, on both sides, as much as
@@ -246,9 +247,4 @@ impl Found {
         let moved = 16.0 * self.orbit.period_uncertainty() / self.orbit.period() * (high - low);
         4.0 * late + moved + 16.0 * f64::EPSILON * low.abs().max(high.abs())
     }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "orders are far below 2^53")]
-fn real(order: usize) -> f64 {
-    order as f64
 }

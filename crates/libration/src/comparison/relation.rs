@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
 use super::{Approximant, Quantity};
 use crate::algebra::{Rational, Rationals};
+use crate::elementary::count;
 use crate::oscillator::Oscillator;
 use crate::perturbation::{Convergence, Evaluation, Expansion, Pade, is_pendulum, pendulum_period_remainder};
 use crate::quantity::Displacement;
@@ -113,7 +114,7 @@ impl<'a> Relation<'a> {
         let stride = present.iter().fold(0, |stride, n| greatest_common_divisor(stride, n - first));
         let spread: Vec<Rational> = self.series[first..].iter().step_by(stride.max(1)).cloned().collect();
         let pade = Pade::new(&spread, degree, degree)?;
-        Some(Approximant { pade, first: real(first), stride: real(stride.max(1)) })
+        Some(Approximant { pade, first: count(first), stride: count(stride.max(1)) })
     }
 
     /// The value without the series, as the motion itself has it, at exactly this `f64`. Harmonics of limit cycles are in the
@@ -168,11 +169,6 @@ fn nothing(order: usize) -> Vec<Rational> {
 
 fn greatest_common_divisor(a: usize, b: usize) -> usize {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
-fn real(power: usize) -> f64 {
-    power as f64
 }
 
 #[cfg(test)]

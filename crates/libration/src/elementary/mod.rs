@@ -17,6 +17,13 @@ pub(crate) use hyperbolic::sinh_cosh;
 pub(crate) use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
 pub(crate) use sine::sin_cos_of_turns;
 
+/// A number of things, an order or a degree as an `f64`.
+#[inline(always)]
+#[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
+pub(crate) const fn count(things: usize) -> f64 {
+    things as f64
+}
+
 /// Σ coefficients\[i\]·xⁱ, even and odd powers summed apart to shorten the chain of dependent operations.
 #[inline(always)]
 pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::periodic::Orbit;
 use crate::algebra::Complex;
+use crate::elementary::count;
 use std::f64::consts::TAU;
 
 /// The coefficients of cos nΩt and sin nΩt, the time being counted from the orbit's start.
@@ -63,7 +64,7 @@ impl Orbit {
     }
 
     fn sampled(&self, number: usize, samples: usize) -> Vec<Complex> {
-        let part = |j: usize| self.period() * real(j) / real(samples);
+        let part = |j: usize| self.period() * count(j) / count(samples);
         let value = |time: f64| self.state_at(time).get(number).copied().unwrap_or(f64::NAN);
         (0..samples).map(|j| Complex::from(value(part(j)))).collect()
     }
@@ -78,7 +79,7 @@ fn kept(mut terms: Vec<Harmonic>, rest: f64, samples: usize) -> Harmonics {
 
 /// The harmonics below half the number of samples.
 fn transform(samples: &[Complex]) -> Vec<Harmonic> {
-    let weight = 1.0 / real(samples.len());
+    let weight = 1.0 / count(samples.len());
     let sums = fourier(samples);
     let term = |(n, sum): (usize, &Complex)| {
         let factor = if n == 0 { weight } else { 2.0 * weight };
@@ -94,13 +95,8 @@ fn fourier(samples: &[Complex]) -> Vec<Complex> {
     }
     let part = |first: usize| fourier(&samples.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
     let (even, odd) = (part(0), part(1));
-    let turn = |k: usize| Complex::unit(-TAU * real(k) / real(samples.len()));
+    let turn = |k: usize| Complex::unit(-TAU * count(k) / count(samples.len()));
     let turned: Vec<Complex> = odd.iter().enumerate().map(|(k, value)| turn(k) * *value).collect();
     let sums = even.iter().zip(&turned).map(|(a, b)| *a + *b);
     sums.chain(even.iter().zip(&turned).map(|(a, b)| *a - *b)).collect()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "counts of samples are far below 2^53")]
-fn real(count: usize) -> f64 {
-    count as f64
 }

@@ -4,6 +4,7 @@
 //! them is a difference of δ² in energy. So every number is carried in so many bits that what is left of them is enough.
 
 use crate::algebra::{BigFloat, Floats, Ring};
+use crate::elementary::count;
 use crate::expression::{Jet, Tape};
 use crate::roots::{Tolerance, bisect};
 use crate::taylor::KeptStep;
@@ -101,9 +102,9 @@ impl<'a> Motion<'a> {
 
     /// Where the last terms are below the last bit of a number whose first bit is 2^size, and fall.
     fn length(&self, series: &Series, size: isize) -> Result<f64, NoLeg> {
-        let bits = f64::from(u32::try_from(self.ring.precision).unwrap_or(u32::MAX)) + 4.0;
+        let bits = count(self.ring.precision) + 4.0;
         let exponents: Vec<(f64, f64)> = (series.x.iter().enumerate())
-            .filter_map(|(n, c)| Some((real(n), real_exponent(c.exponent()? - size))))
+            .filter_map(|(n, c)| Some((count(n), real_exponent(c.exponent()? - size))))
             .collect();
         let last = exponents.iter().filter(|(n, _)| *n > f64::from(self.order) - LAST);
         let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
@@ -213,10 +214,6 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
 /// The step in double precision, of length one in its own unit.
 fn kept(series: &Series, start: f64, end: f64, unit: f64) -> KeptStep {
     KeptStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
-}
-
-fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]

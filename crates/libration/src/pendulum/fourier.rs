@@ -6,6 +6,7 @@
 
 use super::{Libration, Motion, Rotation};
 use crate::double_double::DoubleDouble;
+use crate::elementary::count;
 use crate::elementary::two_word;
 use crate::elliptic::Modulus;
 
@@ -93,8 +94,7 @@ fn terms(
     orders
         .take(limit)
         .map(|n| {
-            #[expect(clippy::cast_precision_loss, reason = "orders stay far below 2⁵³")]
-            let times = n as f64;
+            let times = count(n);
             let angle = coefficient(n, times);
             Harmonic { n, angle: angle.to_f64(), velocity: (angle * fundamental * times).to_f64() }
         })

@@ -3,6 +3,7 @@
 //! A polynomial has no more zeros inside an interval than its coefficients in Bernstein's basis change sign: G. Farin,
 //! *Curves and Surfaces for CAGD*, 5th ed., Morgan Kaufmann 2002, section 6.
 
+use crate::elementary::count;
 use std::ops::ControlFlow;
 
 /// The first place in 0 < x ≤ 1 behind which Σ cₙxⁿ has the other sign; `None` if there is none.
@@ -68,7 +69,6 @@ fn search(
 /// the polynomial stays.
 pub(super) fn bernstein(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.len().saturating_sub(1);
-    let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     let coefficient = |i: usize| {
         let mut ratio = 1.0;
         let mut sum = 0.0;

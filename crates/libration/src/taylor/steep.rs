@@ -7,6 +7,7 @@ use super::block::{Block, Row};
 use super::boundary::reached;
 use super::sign_change::{scaled, sign_changes};
 use crate::algebra::Function;
+use crate::elementary::count;
 use crate::expression::{Operation, Tape};
 
 /// How a value on the tape enters what can change by powers of ten.
@@ -42,8 +43,7 @@ impl<P> Steep<P> {
 /// The arguments of such functions that the first so many formulas on a tape are made of, and of powers beyond the third part of an
 /// order: from zero series of this order show little of them, or nothing.
 pub(super) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
-    let high =
-        |&(_, exponent): &(usize, f64)| 3.0 * exponent > f64::from(u32::try_from(order).unwrap_or(u32::MAX));
+    let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
     let powers = powers(tape, formulas).into_iter().filter(high);
     let mut found: Vec<_> =
         powers.map(|(of, exponent)| Steep { of, enters: Enters::Power(exponent) }).collect();

@@ -4,6 +4,7 @@
 
 use super::block::{Block, Row};
 use crate::algebra::lanes;
+use crate::elementary::count;
 use crate::elementary::rough::{exp2, log2};
 
 /// How exact an integration shall be, and when it shall give up.
@@ -160,8 +161,4 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radi
         of_sizes: lanes(|lane| if largest[lane] > LEAST { radius[lane] } else { f64::INFINITY }),
         of_nothing: lanes(|lane| if largest[lane] > LEAST { f64::INFINITY } else { radius[lane] }),
     }
-}
-
-fn count(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }

@@ -5,6 +5,7 @@ use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
+use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::{interrupt, parallel};
 use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
@@ -133,7 +134,7 @@ impl Series {
             let errors = evaluation
                 .steps()
                 .iter()
-                .filter_map(|step| Some((real(step.power), resolved_error(step.sum, &exact)?)));
+                .filter_map(|step| Some((count(step.power), resolved_error(step.sum, &exact)?)));
             lines.push(Line {
                 label: format!("{} = {}", setting.abscissa.symbol, setting.abscissa.shown(amplitude)),
                 errors: errors.collect(),
@@ -281,9 +282,4 @@ fn radius_label(radius: &Radius) -> &'static str {
         Radius::Known(_) => "radius of convergence",
         Radius::Estimated(_) => "radius of convergence, estimated",
     }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
-fn real(power: usize) -> f64 {
-    power as f64
 }

@@ -4,10 +4,11 @@ use super::answer::Answer;
 use crate::output;
 use crate::output::number::{self, rounded, short, with_uncertainty};
 use crate::output::table::{Column, Table, paragraph, sheet};
+use libration::quantity::STANDARD_GRAVITY;
 use libration_lab::fit::cycles::Cycles;
 use libration_lab::fit::swings::FittedPendulum;
 use libration_lab::fit::trace::{Comparison, Parameter, Standing};
-use libration_lab::fit::{DampingTerm, STANDARD_GRAVITY, alternatives};
+use libration_lab::fit::{DampingTerm, alternatives};
 use libration_lab::measurement::Seen;
 use std::io::{self, Write};
 

@@ -3,6 +3,7 @@
 use super::super::chart::{Axis, Panel, Picture, Series, Units};
 use super::super::range::around;
 use super::super::style;
+use crate::output::number::count;
 use libration_lab::fit::trace::Autocorrelation;
 use std::f64::consts::TAU;
 
@@ -21,10 +22,10 @@ pub(crate) fn residuals(correlation: &Autocorrelation, residuals: &[f64]) -> Pic
 fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
     let shown = &correlation.correlations[..correlation.correlations.len().min(LAGS + 1)];
     let points: Vec<(f64, f64)> =
-        shown.iter().enumerate().skip(1).map(|(lag, &value)| (number(lag), value)).collect();
-    let last = number(shown.len().saturating_sub(1).max(1));
+        shown.iter().enumerate().skip(1).map(|(lag, &value)| (count(lag), value)).collect();
+    let last = count(shown.len().saturating_sub(1).max(1));
     // Two standard deviations of the autocorrelation of as much noise.
-    let bound = 2.0 / number(rows).sqrt();
+    let bound = 2.0 / count(rows).sqrt();
     let line = |label, height| Series::line(label, style::reference(), [(0.0, height), (last, height)]);
     let (low, high) = around(points.iter().map(|point| point.1).chain([-bound, bound]));
     let series = vec![
@@ -39,12 +40,12 @@ fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
 
 fn histogram(residuals: &[f64]) -> Panel {
     let deviation =
-        (residuals.iter().map(|value| value * value).sum::<f64>() / number(residuals.len())).sqrt();
+        (residuals.iter().map(|value| value * value).sum::<f64>() / count(residuals.len())).sqrt();
     let width = 2.0 * WIDEST / f64::from(BARS);
     let edge = |bar: u32| width.mul_add(f64::from(bar), -WIDEST);
     let inside = |bar: u32| {
         let within = |value: &&f64| (edge(bar)..edge(bar + 1)).contains(&(**value / deviation));
-        number(residuals.iter().filter(within).count())
+        count(residuals.iter().filter(within).count())
     };
     let outline = (0..BARS).flat_map(|bar| {
         let height = inside(bar);
@@ -53,7 +54,7 @@ fn histogram(residuals: &[f64]) -> Panel {
     let outline: Vec<(f64, f64)> = outline.collect();
     let normal = (0..=4 * BARS).map(|part| {
         let x = 2.0_f64.mul_add(WIDEST * f64::from(part) / f64::from(4 * BARS), -WIDEST);
-        (x, number(residuals.len()) * width * (-0.5 * x * x).exp() / TAU.sqrt())
+        (x, count(residuals.len()) * width * (-0.5 * x * x).exp() / TAU.sqrt())
     });
     let normal: Vec<(f64, f64)> = normal.collect();
     let (_, high) = around(outline.iter().chain(&normal).map(|point| point.1));
@@ -63,9 +64,4 @@ fn histogram(residuals: &[f64]) -> Panel {
     ];
     let x = Axis::linear("residual / standard deviation", -WIDEST, WIDEST).in_units(Units::Whole);
     Panel { x, y: Axis::linear("rows", 0.0, high), series, share: 1.0 }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2⁵³")]
-fn number(count: usize) -> f64 {
-    count as f64
 }

@@ -1,7 +1,7 @@
 //! About what the values swing: a fixed value, or one that is followed where it wanders.
 
 use super::turning_point::Extreme;
-use crate::statistics::{median, robust_deviation};
+use crate::statistics::{count, median, robust_deviation};
 
 /// Fewer middles of swings than this do not tell a wandering centre from noise.
 const FEWEST_TO_FOLLOW: usize = 5;
@@ -64,8 +64,7 @@ impl Centre {
         // √(1 + 4 + 1)/4 of the noise of one extreme.
         let expected = 0.612 * noise;
         // Centres share extremes with their neighbours: about half as many are independent.
-        #[expect(clippy::cast_precision_loss, reason = "no trace in memory has 2^53 rows")]
-        let independent = (0.5 * middles.len() as f64).max(1.0);
+        let independent = (0.5 * count(middles.len())).max(1.0);
         let uncertainty = scatter.max(expected) / independent.sqrt();
         let wanders = middles.len() >= FEWEST_TO_FOLLOW && scatter > WANDERING * expected;
         let (wander, followed) = if wanders { (scatter, middles) } else { (0.0, vec![]) };

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::fit::trace::DampingTerm;
+use crate::statistics::count;
 use libration::decay::{cycle_integral, small_cycle_integral};
 use libration::pendulum::{Amplitude, period_ratio};
 use libration::quantity::Angle;
@@ -24,8 +25,7 @@ pub(super) struct DecayRates {
 impl DecayRates {
     /// The rates up to this amplitude, in radians.
     pub(super) fn new(omega0: f64, largest: f64) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
-        let step = (1.05 * largest).clamp(0.01, LARGEST_AMPLITUDE) / PLACES as f64;
+        let step = (1.05 * largest).clamp(0.01, LARGEST_AMPLITUDE) / count(PLACES);
         let table = |exponent: f64| (0..=PLACES).map(|place| enhancement(exponent, step, place)).collect();
         Self { step, tables: [0.0, 1.0, 2.0].map(table), omega0 }
     }
@@ -48,8 +48,7 @@ impl DecayRates {
         let place = amplitude / self.step;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the table")]
         let first = (place.floor().clamp(1.0, 398.0) as usize) - 1;
-        #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
-        let x = (place - first as f64).clamp(0.0, 3.0);
+        let x = (place - count(first)).clamp(0.0, 3.0);
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| table[first + k]);
         a * (x - 1.0) * (x - 2.0) * (x - 3.0) / -6.0
             + b * x * (x - 2.0) * (x - 3.0) / 2.0
@@ -60,8 +59,7 @@ impl DecayRates {
 
 /// φₙ over its limit for small amplitudes.
 fn enhancement(exponent: f64, step: f64, place: usize) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
-    let radians = step * place as f64;
+    let radians = step * count(place);
     let amplitude = Angle::from_radians(radians).ok().and_then(|angle| Amplitude::new(angle).ok());
     let Some(amplitude) = amplitude.filter(|_| place > 0) else { return 1.0 };
     let loss = cycle_integral(exponent, &amplitude) / small_cycle_integral(exponent, radians);

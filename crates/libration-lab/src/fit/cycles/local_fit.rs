@@ -1,5 +1,6 @@
 //! A curve with a few coefficients through a few points, robust to an outlier among them.
 
+use crate::statistics::count;
 use nalgebra::{DMatrix, DVector};
 
 /// Rounds of weighting.
@@ -72,8 +73,7 @@ impl Points {
         let coefficients: Vec<f64> = cholesky.solve(&(matrix.transpose() * right)).iter().copied().collect();
         let residuals = self.residuals(&coefficients);
         let spare = points.saturating_sub(width);
-        #[expect(clippy::cast_precision_loss, reason = "a window has few points")]
-        let enlarged = if spare > 0 { (points as f64 / spare as f64).sqrt() } else { 0.0 };
+        let enlarged = if spare > 0 { (count(points) / count(spare)).sqrt() } else { 0.0 };
         let covariance = cholesky.inverse();
         let usable = coefficients.iter().chain(covariance.iter()).all(|x| x.is_finite());
         let residuals = residuals.into_iter().map(|residual| residual * enlarged).collect();

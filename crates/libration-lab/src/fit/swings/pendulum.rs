@@ -5,10 +5,9 @@ use std::f64::consts::TAU;
 use super::options::SwingsOptions;
 use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, budget};
 use crate::fit::cycles::{Cycles, CyclesError};
-use crate::fit::gravity::STANDARD_GRAVITY;
 use crate::fit::trace::TraceFit;
 use crate::fit::typical_amplitude::typical_amplitude;
-use libration::quantity::Quantity;
+use libration::quantity::{Quantity, STANDARD_GRAVITY};
 
 /// What ω0 says with the length of the pendulum, or without one.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,7 @@
 //! The measured growth of a deviation, and what can be read from it.
 
+use crate::elementary::count;
+
 /// Into so many blocks the record is cut.
 pub(super) const BLOCKS: usize = 10;
 
@@ -106,8 +108,4 @@ impl Record {
     pub(super) fn duration(&self) -> f64 {
         self.interval * count(self.intervals())
     }
-}
-
-fn count(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }

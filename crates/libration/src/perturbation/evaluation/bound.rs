@@ -1,5 +1,6 @@
 //! The proven remainder of the pendulum's period series.
 
+use crate::elementary::count;
 use std::f64::consts::PI;
 
 /// A bound of what is missing from T/T0 = Σ tₙθ0²ⁿ when it is cut off after θ0^(2·corrections); the true remainder is
@@ -20,21 +21,16 @@ pub fn pendulum_period_remainder(amplitude: f64, corrections: usize) -> f64 {
     if x.is_nan() || x >= 1.0 {
         return if x.is_nan() { x } else { f64::INFINITY };
     }
-    let n = real(corrections);
+    let n = count(corrections);
     // Σ xⁿ/n beyond the corrections: some terms, and for the rest a geometric series.
     let first = libm::pow(x, n + 1.0);
     let (mut power, mut sum) = (first, 0.0);
     for j in 1..=TERMS_SUMMED {
-        sum += power / (n + real(j));
+        sum += power / (n + count(j));
         power *= x;
     }
-    let rest = power / ((n + real(TERMS_SUMMED + 1)) * (1.0 - x));
+    let rest = power / ((n + count(TERMS_SUMMED + 1)) * (1.0 - x));
     // x is right to four roundings, which its powers multiply.
-    let rounding = 1.0 + (n + 2.0 * real(TERMS_SUMMED)) * 4.0 * f64::EPSILON / (1.0 - x);
+    let rounding = 1.0 + (n + 2.0 * count(TERMS_SUMMED)) * 4.0 * f64::EPSILON / (1.0 - x);
     LARGEST * (sum + rest) * rounding
-}
-
-#[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
-fn real(count: usize) -> f64 {
-    count as f64
 }

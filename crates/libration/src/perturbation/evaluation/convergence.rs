@@ -1,6 +1,7 @@
 //! The radius of convergence of a series, and where its nearest singularity is, estimated from its coefficients.
 
 use crate::algebra::{BigFloat, Rational};
+use crate::elementary::count;
 
 /// Where a power series Σ cₙxⁿ converges, as its coefficients suggest. It is an estimate: no finite number of
 /// coefficients decides.
@@ -83,7 +84,7 @@ struct Inverse {
 
 impl Inverse {
     fn to_convergence(self, stride: usize, singularity: Singularity) -> Convergence {
-        let root = |inverse: f64| libm::pow(inverse, -1.0 / real(stride));
+        let root = |inverse: f64| libm::pow(inverse, -1.0 / count(stride));
         Convergence {
             radius: root(self.value),
             at_least: root(self.value + self.uncertainty),
@@ -109,7 +110,7 @@ fn one_singularity(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> 
         positive if positive == later.len() => Singularity::Positive,
         _ => return None,
     };
-    let weighted = |n: usize, power: f64| Some(libm::pow(real(n), power) * ratio(n)?.abs());
+    let weighted = |n: usize, power: f64| Some(libm::pow(count(n), power) * ratio(n)?.abs());
     let line = |n: usize| Some(weighted(n, 1.0)? - weighted(n - 1, 1.0)?);
     let parabola =
         |n: usize| Some(0.5 * (weighted(n, 2.0)? - 2.0 * weighted(n - 1, 2.0)? + weighted(n - 2, 2.0)?));
@@ -134,7 +135,7 @@ fn pair_of_singularities(coefficients: &[Rational]) -> Option<(Inverse, Singular
         let inverse = libm::sqrt(square);
         let before = c(n - 1).checked_div(&c(n))?.to_f64() * inverse;
         let after = c(n + 1).checked_div(&c(n))?.to_f64() / inverse;
-        Some((1.0 / real(n), inverse, 0.5 * (before + after))).filter(|_| square > 0.0)
+        Some((1.0 / count(n), inverse, 0.5 * (before + after))).filter(|_| square > 0.0)
     };
     let estimates: Vec<(f64, f64, f64)> = (end / 2..end).filter_map(estimate).collect();
     // Where one pair decides, a determinant has the wrong sign at most now and then.
@@ -160,7 +161,7 @@ fn intercept(points: &[(f64, f64)]) -> Option<Inverse> {
 
 /// The value at zero of the line of least squares, and the root mean square distance of the points from it.
 fn line_at_zero(points: &[(f64, f64)]) -> Option<(f64, f64)> {
-    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / real(points.len());
+    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count(points.len());
     let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
     let slope = mean(&|p| (p.0 - x) * (p.1 - y)) / mean(&|p| (p.0 - x) * (p.0 - x));
     let value = y - slope * x;
@@ -173,7 +174,7 @@ fn by_roots(coefficients: &[Rational]) -> Inverse {
     let end = coefficients.len() - 1;
     let root = |n: usize| {
         let magnitude = BigFloat::from_rational(&coefficients[n].magnitude(), 64);
-        if magnitude.is_zero() { 0.0 } else { libm::exp(magnitude.ln().to_f64() / real(n)) }
+        if magnitude.is_zero() { 0.0 } else { libm::exp(magnitude.ln().to_f64() / count(n)) }
     };
     let largest = |from: usize, to: usize| (from..=to).map(root).fold(0.0, f64::max);
     let (earlier, later) = (largest(end / 3, 2 * end / 3), largest(2 * end / 3 + 1, end));
@@ -182,9 +183,4 @@ fn by_roots(coefficients: &[Rational]) -> Inverse {
 
 fn greatest_common_divisor(a: usize, b: usize) -> usize {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "indices are far below 2^53")]
-fn real(n: usize) -> f64 {
-    n as f64
 }

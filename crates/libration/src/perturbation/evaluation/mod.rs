@@ -7,6 +7,7 @@ mod roots;
 
 use crate::algebra::{BigFloat, Rational};
 use crate::double_double::DoubleDouble;
+use crate::elementary::count;
 
 pub use bound::pendulum_period_remainder;
 pub use convergence::{Convergence, Singularity};
@@ -185,7 +186,6 @@ fn beyond_the_last(coefficients: &[Rational], terms: &[(usize, BigFloat)], x: f6
     largest * next / (1.0 - next)
 }
 
-#[expect(clippy::cast_precision_loss, reason = "powers are far below 2^53")]
 fn power_of(base: f64, exponent: usize) -> f64 {
-    libm::pow(base, exponent as f64)
+    libm::pow(base, count(exponent))
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::algebra::Complex;
+use crate::elementary::count;
 
 /// The roots of Σ cₙzⁿ by Ehrlich's and Aberth's method, by ascending magnitude; none for a constant. Simple roots are right to
 /// rounding errors times their condition, multiple ones to fewer digits. The coefficients must be finite, and the
@@ -16,8 +17,8 @@ pub(super) fn roots(coefficients: &[f64]) -> Vec<Complex> {
         return vec![];
     }
     // On a circle with the mean magnitude of the roots, in no symmetric position.
-    let radius = libm::pow((coefficients[0] / coefficients[degree]).abs(), 1.0 / real(degree));
-    let start = |k| Complex::unit(TAU * (real(k) + 0.3) / real(degree)).scaled(radius);
+    let radius = libm::pow((coefficients[0] / coefficients[degree]).abs(), 1.0 / count(degree));
+    let start = |k| Complex::unit(TAU * (count(k) + 0.3) / count(degree)).scaled(radius);
     let mut roots: Vec<Complex> = (0..degree).map(start).collect();
     for _ in 0..ENOUGH {
         let moved = improve(coefficients, &mut roots);
@@ -57,7 +58,7 @@ fn newton_step(coefficients: &[f64], z: Complex) -> Complex {
     let inverse = ONE / z;
     let (value, slope) = value_and_slope(coefficients.iter(), inverse);
     // p(z) = zⁿ r(1/z).
-    z / (Complex::from(real(coefficients.len() - 1)) - inverse * slope / value)
+    z / (Complex::from(count(coefficients.len() - 1)) - inverse * slope / value)
 }
 
 /// Horner's scheme; the coefficient of the highest power comes first.
@@ -71,11 +72,6 @@ pub(super) fn value_and_slope<'a>(
     })
 }
 
-#[expect(clippy::cast_precision_loss, reason = "a degree")]
-fn real(n: usize) -> f64 {
-    n as f64
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,7 +82,7 @@ mod tests {
         (coefficients[0], coefficients[12]) = (-1.0, 1.0);
         let found = roots(&coefficients);
         for k in 0..12 {
-            let root = Complex::unit(TAU * real(k) / 12.0);
+            let root = Complex::unit(TAU * count(k) / 12.0);
             assert!(found.iter().any(|z| (*z - root).abs() < 1e-15 * 12.0));
         }
     }

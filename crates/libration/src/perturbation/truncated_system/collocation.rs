@@ -4,6 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::algebra::{Complex, Rational};
+use crate::elementary::count;
 
 /// The force and the phases at which it is taken.
 #[derive(Clone, Debug)]
@@ -26,7 +27,7 @@ impl Collocation {
     pub(super) fn new(harmonics: u32, force: &[Rational]) -> Self {
         let force: Vec<f64> = force.iter().step_by(2).map(Rational::to_f64).collect();
         let points = (2 * force.len() * (2 * harmonics as usize - 1)) / 4 + 1;
-        let phase = |m: usize| odd(m) * FRAC_PI_2 / real(2 * points);
+        let phase = |m: usize| odd(m) * FRAC_PI_2 / count(2 * points);
         let multiples = |m| (0..harmonics as usize).map(move |i| libm::cos(odd(i) * phase(m)));
         Self { cosines: (0..points).map(|m| multiples(m).collect()).collect(), force }
     }
@@ -43,7 +44,7 @@ impl Collocation {
     /// Where the last term of the force is as large as the linear one.
     pub(super) fn nonlinear_size(&self) -> f64 {
         let last = self.force.last().map_or(1.0, |factor| factor.abs());
-        libm::pow(last, -1.0 / real(self.degree() - 1))
+        libm::pow(last, -1.0 / count(self.degree() - 1))
     }
 
     /// The same with x measured in other units: the force g(s·x)/s.
@@ -92,7 +93,7 @@ impl Collocation {
     }
 
     fn points(&self) -> f64 {
-        real(self.cosines.len())
+        count(self.cosines.len())
     }
 }
 
@@ -103,12 +104,7 @@ pub(super) fn harmonic_squared(i: usize) -> f64 {
 
 /// The i-th odd number.
 fn odd(i: usize) -> f64 {
-    real(2 * i + 1)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "numbers of points and harmonics are small")]
-pub(super) fn real(count: usize) -> f64 {
-    count as f64
+    count(2 * i + 1)
 }
 
 fn weighted(weights: &[f64], values: &[Complex]) -> Complex {

@@ -10,9 +10,10 @@
 
 use std::f64::consts::TAU;
 
-use super::collocation::{Collocation, harmonic_squared, real};
+use super::collocation::{Collocation, harmonic_squared};
 use super::newton::{Linearization, newton, refine, solve, target};
 use crate::algebra::Complex;
+use crate::elementary::count;
 
 /// a₁, a₃, … and Δ².
 #[derive(Clone, Debug, PartialEq)]
@@ -191,9 +192,9 @@ fn moved(z: &[Complex], direction: &[Complex], step: f64) -> Vec<Complex> {
 /// A list of ratios with one more: zero, or each root of `power`; of the first that is not zero one root is enough.
 fn extended(begun: &[Complex], power: Complex, roots: usize) -> Vec<Vec<Complex>> {
     let first = begun.iter().all(|ratio| ratio.abs() == 0.0);
-    let exponent = 1.0 / real(roots);
+    let exponent = 1.0 / count(roots);
     let phase = libm::atan2(power.im, power.re) * exponent;
-    let root = |j| Complex::unit(phase + TAU * real(j) * exponent).scaled(libm::pow(power.abs(), exponent));
+    let root = |j| Complex::unit(phase + TAU * count(j) * exponent).scaled(libm::pow(power.abs(), exponent));
     let choices = (0..if first { 1 } else { roots }).map(root);
     std::iter::once(Complex::default()).chain(choices).map(|next| [begun, &[next]].concat()).collect()
 }
