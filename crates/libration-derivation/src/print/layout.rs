@@ -387,13 +387,7 @@ fn needs_brackets(style: Style, argument: &Formula) -> bool {
 }
 
 fn head(function: Function, exponent: Option<Layout>) -> Layout {
-    let word = match function {
-        Function::Asin => "arcsin",
-        Function::Acos => "arccos",
-        Function::Atan => "arctan",
-        function => function.name(),
-    };
-    scripts(Layout::Word(word.to_owned()), None, exponent)
+    scripts(Layout::Word(function.word().to_owned()), None, exponent)
 }
 
 fn scripts(base: Layout, below: Option<Layout>, above: Option<Layout>) -> Layout {

@@ -53,24 +53,7 @@ impl Ring for Doubles {
     }
 
     fn value(&self, function: Function, at: &f64) -> Option<f64> {
-        let at = *at;
-        Some(match function {
-            Function::Sqrt => at.sqrt(),
-            Function::Sin => libm::sin(at),
-            Function::Cos => libm::cos(at),
-            Function::Tan => libm::tan(at),
-            Function::Asin => libm::asin(at),
-            Function::Acos => libm::acos(at),
-            Function::Atan => libm::atan(at),
-            Function::Sinh => libm::sinh(at),
-            Function::Cosh => libm::cosh(at),
-            Function::Tanh => libm::tanh(at),
-            Function::Exp => libm::exp(at),
-            Function::Ln => libm::log(at),
-            Function::Abs => at.abs(),
-            Function::Sign if at == 0.0 => 0.0,
-            Function::Sign => at.signum(),
-        })
+        Some(function.at_double(*at))
     }
 
     fn power(&self, a: &f64, exponent: &Rational) -> Option<f64> {

@@ -1,6 +1,6 @@
 //! Multi-precision floats as a ring: for coefficients that are no fractions.
 
-use super::{BigFloat, Function, Rational, Ring};
+use super::{BigFloat, Function, Growth, Rational, Ring};
 
 /// Binary floats of a fixed precision, in bits; every operation rounds to nearest.
 #[derive(Clone, Copy, Debug)]
@@ -12,16 +12,6 @@ pub struct Floats {
 impl Floats {
     fn integer(self, value: i64) -> BigFloat {
         BigFloat::from_integer(value, self.precision)
-    }
-
-    /// (eˣ ± e⁻ˣ)/2.
-    fn hyperbolic(self, x: &BigFloat, sine: bool) -> BigFloat {
-        // The difference loses the leading bits of small x.
-        let lost = usize::try_from(-x.exponent().unwrap_or(0)).unwrap_or(0);
-        let wide = x.clone() + BigFloat::from_integer(0, self.precision + 2 * lost + 8);
-        let (grown, decayed) = (wide.exp(), (-wide).exp());
-        let twice = if sine { grown - decayed } else { grown + decayed };
-        self.rounded(&twice.halved())
     }
 
     /// Powers with whole exponents by squaring, with the bits to spare that n multiplications may lose; `None` where the result
@@ -100,29 +90,8 @@ impl Ring for Floats {
     fn value(&self, function: Function, at: &BigFloat) -> Option<BigFloat> {
         // An exact zero has no precision of its own.
         let at = &self.rounded(at);
-        let (zero, one) = (self.zero(), self.integer(1));
-        let positive = *at > zero;
-        let magnitude = if positive { at.clone() } else { -at.clone() };
-        if at.exponent().is_some_and(|exponent| exponent > largest_exponent(function)) {
-            return None;
-        }
-        match function {
-            Function::Sqrt => (positive || at.is_zero()).then(|| at.sqrt()),
-            Function::Sin => Some(at.sin()),
-            Function::Cos => Some(at.cos()),
-            Function::Tan => self.divide(&at.sin(), &at.cos()),
-            Function::Asin => (magnitude <= one).then(|| at.asin()),
-            Function::Acos => (magnitude <= one).then(|| at.acos()),
-            Function::Atan => Some(at.atan()),
-            Function::Sinh => Some(self.hyperbolic(at, true)),
-            Function::Cosh => Some(self.hyperbolic(at, false)),
-            Function::Tanh => self.divide(&self.hyperbolic(at, true), &self.hyperbolic(at, false)),
-            Function::Exp => Some(at.exp()),
-            Function::Ln => positive.then(|| at.ln()),
-            Function::Abs => Some(magnitude),
-            Function::Sign if at.is_zero() => Some(zero),
-            Function::Sign => Some(if positive { one } else { -one }),
-        }
+        let too_large = at.exponent().is_some_and(|exponent| exponent > largest_exponent(function.growth()));
+        if too_large { None } else { function.at_float(at, self.precision) }
     }
 
     fn power(&self, a: &BigFloat, exponent: &Rational) -> Option<BigFloat> {
@@ -146,11 +115,11 @@ impl Ring for Floats {
 const MOST_PLACES: usize = 1 << 21;
 
 /// Arguments beyond this power of two take too long: exponentials of a million take a second, of a billion minutes.
-const fn largest_exponent(function: Function) -> isize {
-    match function {
-        Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => 20,
-        Function::Abs | Function::Sign | Function::Sqrt | Function::Ln => isize::MAX,
-        _ => 40,
+const fn largest_exponent(growth: Growth) -> isize {
+    match growth {
+        Growth::Exponential | Growth::Hyperbolic => 20,
+        Growth::Power => isize::MAX,
+        Growth::Bounded => 40,
     }
 }
 

@@ -54,21 +54,7 @@ impl Ring for Rationals {
 
     /// The rational values at rational places: those at zero, ln 1, and the roots of squares.
     fn value(&self, function: Function, at: &Rational) -> Option<Rational> {
-        let one = Rational::from(1);
-        match function {
-            Function::Sqrt => at.square_root(),
-            Function::Abs => Some(at.magnitude()),
-            Function::Sign if at.is_zero() => Some(self.zero()),
-            Function::Sign => Some(if at.is_negative() { -one } else { one }),
-            Function::Cos | Function::Cosh | Function::Exp => at.is_zero().then_some(one),
-            Function::Ln | Function::Acos => (*at == one).then(|| self.zero()),
-            Function::Sin
-            | Function::Tan
-            | Function::Asin
-            | Function::Atan
-            | Function::Sinh
-            | Function::Tanh => at.is_zero().then(|| self.zero()),
-        }
+        function.at_rational(at)
     }
 
     fn power(&self, a: &Rational, exponent: &Rational) -> Option<Rational> {

@@ -2,6 +2,7 @@
 
 use super::simplify::{call, difference, negative, power, product, quotient, sum};
 use super::{Expression, Function, Symbol};
+use crate::algebra::{Divisor, Pair, Rule, Slope};
 
 impl Expression {
     /// The partial derivative with respect to a symbol, in the form of [`simplified`](Self::simplified). A symbol and
@@ -59,23 +60,31 @@ fn of_power(a: &Expression, b: &Expression, by: &Symbol) -> Expression {
 fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression {
     let of = |function| call(function, u.clone());
     let square = |a: Expression| power(a, Expression::from(2));
-    let one_minus_square = || difference(Expression::from(1), square(u.clone()));
-    match function {
-        Function::Sin => product(of(Function::Cos), inner),
-        Function::Cos => negative(product(of(Function::Sin), inner)),
-        Function::Sinh => product(of(Function::Cosh), inner),
-        Function::Cosh => product(of(Function::Sinh), inner),
-        Function::Exp => product(of(Function::Exp), inner),
-        Function::Tan => quotient(inner, square(of(Function::Cos))),
-        Function::Tanh => quotient(inner, square(of(Function::Cosh))),
-        Function::Ln => quotient(inner, u.clone()),
-        Function::Sqrt => quotient(inner, product(Expression::from(2), of(Function::Sqrt))),
-        Function::Abs => product(of(Function::Sign), inner),
-        Function::Sign => Expression::from(0),
-        Function::Asin => quotient(inner, call(Function::Sqrt, one_minus_square())),
-        Function::Acos => negative(quotient(inner, call(Function::Sqrt, one_minus_square()))),
-        Function::Atan => quotient(inner, sum(Expression::from(1), square(u.clone()))),
+    match function.rule() {
+        Rule::Itself => product(of(function), inner),
+        Rule::Paired(Pair { functions: [first, second], .. }) if function == first => {
+            product(of(second), inner)
+        }
+        Rule::Paired(Pair { functions: [first, _], slope }) => signed(slope, product(of(first), inner)),
+        Rule::Quotient(Pair { functions: [_, second], .. }) => quotient(inner, square(of(second))),
+        Rule::Root => quotient(inner, product(Expression::from(2), of(function))),
+        Rule::Modulus => product(of(Function::Sign), inner),
+        Rule::Step => Expression::from(0),
+        Rule::Inverse(slope, divisor) => {
+            let divisor = match divisor {
+                Divisor::Argument => u.clone(),
+                Divisor::OneAndSquare => sum(Expression::from(1), square(u.clone())),
+                Divisor::RootOfOneLessSquare => {
+                    call(Function::Sqrt, difference(Expression::from(1), square(u.clone())))
+                }
+            };
+            signed(slope, quotient(inner, divisor))
+        }
     }
+}
+
+fn signed(slope: Slope, tree: Expression) -> Expression {
+    if slope == Slope::Plus { tree } else { negative(tree) }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! A tape evaluated on power series, one power of the variable after the other.
 
 use super::Function;
-use super::tape::{Operation, Slope, Tape};
-use crate::algebra::Ring;
+use super::tape::{Operation, Tape};
+use crate::algebra::{Ring, Slope};
 use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };

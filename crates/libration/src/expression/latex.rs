@@ -125,22 +125,7 @@ fn product(a: &Expression, b: &Expression, text: &mut String) {
 }
 
 fn call(function: Function, a: &Expression, text: &mut String) {
-    let (open, close) = match function {
-        Function::Sqrt => ("\\sqrt{", "}"),
-        Function::Exp => ("\\mathrm{e}^{", "}"),
-        Function::Abs => ("\\left|", "\\right|"),
-        Function::Sin => ("\\sin\\left(", "\\right)"),
-        Function::Cos => ("\\cos\\left(", "\\right)"),
-        Function::Tan => ("\\tan\\left(", "\\right)"),
-        Function::Asin => ("\\arcsin\\left(", "\\right)"),
-        Function::Acos => ("\\arccos\\left(", "\\right)"),
-        Function::Atan => ("\\arctan\\left(", "\\right)"),
-        Function::Sinh => ("\\sinh\\left(", "\\right)"),
-        Function::Cosh => ("\\cosh\\left(", "\\right)"),
-        Function::Tanh => ("\\tanh\\left(", "\\right)"),
-        Function::Ln => ("\\ln\\left(", "\\right)"),
-        Function::Sign => ("\\operatorname{sgn}\\left(", "\\right)"),
-    };
+    let [open, close] = function.latex();
     text.push_str(open);
     a.write_latex(text);
     text.push_str(close);

@@ -38,7 +38,7 @@ pub use no_value::NoValue;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use side::Side;
 pub use tape::WithoutValue;
-pub(crate) use tape::{Operation, Slope, Tape};
+pub(crate) use tape::{Operation, Tape};
 
 /// A formula. The tree is what was written: nothing is reordered or simplified unless asked for.
 ///

@@ -1,7 +1,7 @@
 //! Parts of a formula that have no real value, whatever its symbols stand for.
 
 use super::{Expression, Function, Jet, Tape};
-use crate::algebra::{BigFloat, Floats, Rational};
+use crate::algebra::{BigFloat, Domain, Floats};
 use crate::quantity::excerpt;
 
 /// Bits in which constants that are no fractions are evaluated.
@@ -38,16 +38,16 @@ impl Expression {
                 (below_zero && base.vanishes()).then_some("zero has no negative powers")
             }
             Self::Call(function, argument) => {
-                let Domain { low, high, why } = domain(*function)?;
+                let Domain { low, high, why } = function.domain()?;
                 let value = argument.constant_in_digits()?;
-                let beyond = |bound: &Rational, sign: i64| {
-                    let past = value.clone() - BigFloat::from_rational(bound, PRECISION);
+                let beyond = |bound: i64, sign: i64| {
+                    let past = value.clone() - BigFloat::from_integer(bound, PRECISION);
                     let past = if sign < 0 { -past } else { past };
                     past > BigFloat::from_integer(0, PRECISION) && past.exponent() > Some(NOISE)
                 };
                 let at_pole = *function == Function::Ln && argument.vanishes();
                 let outside =
-                    low.is_some_and(|low| beyond(&low, -1)) || high.is_some_and(|high| beyond(&high, 1));
+                    low.is_some_and(|low| beyond(low, -1)) || high.is_some_and(|high| beyond(high, 1));
                 (at_pole || outside).then_some(why)
             }
             _ => None,
@@ -59,32 +59,6 @@ impl Expression {
         let tape = Tape::new(&[self], &[]).ok()?;
         let jet = Jet::new(&Floats { precision: PRECISION }, &tape, &[]).ok()?.result(0).first()?.clone();
         Some(jet)
-    }
-}
-
-/// Where a function has real values.
-struct Domain {
-    low: Option<Rational>,
-    high: Option<Rational>,
-    why: &'static str,
-}
-
-/// `None` for functions that have values everywhere, but at poles.
-fn domain(function: Function) -> Option<Domain> {
-    let zero = || Some(Rational::from(0));
-    match function {
-        Function::Sqrt => {
-            Some(Domain { low: zero(), high: None, why: "the root of a negative number is not real" })
-        }
-        Function::Ln => {
-            Some(Domain { low: zero(), high: None, why: "the logarithm is for numbers above zero" })
-        }
-        Function::Asin | Function::Acos => Some(Domain {
-            low: Some(Rational::from(-1)),
-            high: Some(Rational::from(1)),
-            why: "sines and cosines lie between -1 and 1",
-        }),
-        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@
 mod polynomial;
 
 use super::{Expression, Function, Symbol};
-use crate::algebra::Rational;
+use crate::algebra::{Parity, Rational};
 use polynomial::Polynomial;
 
 /// Products of two terms, more for long coefficients, that one formula may cost.
@@ -183,24 +183,6 @@ fn value_of(function: Function, argument: NormalForm) -> NormalForm {
     };
     let value = NormalForm::polynomial(Polynomial::atom(Atom::Call(function, Box::new(argument))));
     if odd { value.negated() } else { value }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parity {
-    Even,
-    Odd,
-}
-
-impl Function {
-    fn parity(self) -> Option<Parity> {
-        match self {
-            Self::Cos | Self::Cosh | Self::Abs => Some(Parity::Even),
-            Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh | Self::Sign => {
-                Some(Parity::Odd)
-            }
-            Self::Sqrt | Self::Acos | Self::Exp | Self::Ln => None,
-        }
-    }
 }
 
 #[cfg(test)]

@@ -316,13 +316,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// The function of a name, some of which have two.
+/// The function of a name, or of the word that it is printed with.
 fn function(name: &str) -> Option<Function> {
-    match name {
-        "arcsin" => Some(Function::Asin),
-        "arccos" => Some(Function::Acos),
-        "arctan" => Some(Function::Atan),
-        "sgn" => Some(Function::Sign),
-        _ => Function::by_name(name),
-    }
+    Function::by_name(name).or_else(|| Function::ALL.into_iter().find(|function| function.word() == name))
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Expression, Function, Symbol};
-use crate::algebra::{Rational, Rationals, Ring};
+use crate::algebra::{Divisor, Pair, Rational, Rationals, Ring, Rule, Slope};
 
 /// One operation; operands are places of earlier operations. A place holds the result of its operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -40,13 +40,6 @@ pub(crate) enum Operation {
     },
     Abs(usize),
     Sign(usize),
-}
-
-/// The sign in the derivative of sin, cos, sinh and cosh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Slope {
-    Plus,
-    Minus,
 }
 
 /// Formulas of the same inputs as one list of operations, without repetitions.
@@ -253,26 +246,30 @@ impl Writer<'_> {
         if let Some(value) = self.known(of).and_then(|at| Rationals.value(function, at)) {
             return self.place(Operation::Number(value));
         }
-        match function {
-            Function::Sqrt => {
+        match function.rule() {
+            Rule::Root => {
                 let half = Rational::new(1, 2).expect("two is not zero");
                 self.place(Operation::Power(of, half))
             }
-            Function::Exp => self.place(Operation::Exp(of)),
-            Function::Abs => self.place(Operation::Abs(of)),
-            Function::Sign => self.place(Operation::Sign(of)),
-            Function::Sin => self.pair(function, Function::Cos, Slope::Minus, of).0,
-            Function::Cos => self.pair(Function::Sin, function, Slope::Minus, of).1,
-            Function::Sinh => self.pair(function, Function::Cosh, Slope::Plus, of).0,
-            Function::Cosh => self.pair(Function::Sinh, function, Slope::Plus, of).1,
-            Function::Tan | Function::Tanh => self.tangent(function, of),
-            Function::Ln => self.place(Operation::Inverse { function, of, divisor: of }),
-            Function::Asin | Function::Acos | Function::Atan => self.inverse(function, of),
+            Rule::Itself => self.place(Operation::Exp(of)),
+            Rule::Modulus => self.place(Operation::Abs(of)),
+            Rule::Step => self.place(Operation::Sign(of)),
+            Rule::Paired(pair) => {
+                let (first, second) = self.pair(pair, of);
+                if function == pair.functions[0] { first } else { second }
+            }
+            Rule::Quotient(_) => self.tangent(function, of),
+            Rule::Inverse(slope, divisor) => {
+                let divisor = self.divisor(divisor, of);
+                let divisor =
+                    if slope == Slope::Plus { divisor } else { self.place(Operation::Negate(divisor)) };
+                self.place(Operation::Inverse { function, of, divisor })
+            }
         }
     }
 
     /// The first function has the second for its derivative; the second the first, with a sign.
-    fn pair(&mut self, first: Function, second: Function, slope: Slope, of: usize) -> (usize, usize) {
+    fn pair(&mut self, Pair { functions: [first, second], slope }: Pair, of: usize) -> (usize, usize) {
         let next = self.operations.len();
         let (function, plus) = (first, Slope::Plus);
         let wanted = Operation::Paired { function, of, other: next + 1, slope: plus };
@@ -297,17 +294,15 @@ impl Writer<'_> {
         place
     }
 
-    /// asin′ = 1/√(1 − u²), acos′ = −1/√(1 − u²), atan′ = 1/(1 + u²).
-    fn inverse(&mut self, function: Function, of: usize) -> usize {
+    fn divisor(&mut self, divisor: Divisor, of: usize) -> usize {
+        if divisor == Divisor::Argument {
+            return of;
+        }
         let (one, square) = (self.number(1), self.place(Operation::Multiply(of, of)));
-        let divisor = if function == Function::Atan {
-            self.place(Operation::Add(one, square))
-        } else {
-            let under = self.place(Operation::Subtract(one, square));
-            self.function(Function::Sqrt, under)
-        };
-        let divisor =
-            if function == Function::Acos { self.place(Operation::Negate(divisor)) } else { divisor };
-        self.place(Operation::Inverse { function, of, divisor })
+        if divisor == Divisor::OneAndSquare {
+            return self.place(Operation::Add(one, square));
+        }
+        let under = self.place(Operation::Subtract(one, square));
+        self.function(Function::Sqrt, under)
     }
 }

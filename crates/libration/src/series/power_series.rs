@@ -2,7 +2,7 @@
 
 use super::recurrences::{Both, weighted_integral, weighted_integral_of_quotient, weighted_power};
 use super::truncated::{product, reciprocal};
-use crate::algebra::{Function, Rational, Rationals, Ring};
+use crate::algebra::{Divisor, Function, Pair, Rational, Rationals, Ring, Rule, Slope};
 
 /// Truncated power series as numbers: the slice of their first coefficients, the constant term first. Operations give as many
 /// coefficients as their operands determine; a quotient in which powers of the variable cancel has fewer.
@@ -75,8 +75,7 @@ impl<R: Ring> PowerSeries<R> {
     fn pair(
         &self,
         a: &[R::Element],
-        [sine, cosine]: [Function; 2],
-        sign: i64,
+        Pair { functions: [sine, cosine], slope }: Pair,
     ) -> Option<[Vec<R::Element>; 2]> {
         let ring = &self.coefficients;
         let weighted = self.weighted(a);
@@ -89,9 +88,17 @@ impl<R: Ring> PowerSeries<R> {
             };
             let (s, c) = (integral(&cosines)?, integral(&sines)?);
             sines.push(s);
-            cosines.push(ring.times_integer(&c, sign));
+            cosines.push(if slope == Slope::Plus { c } else { ring.negate(&c) });
         }
         Some([sines, cosines])
+    }
+
+    fn divisor(&self, divisor: Divisor, a: &[R::Element]) -> Option<Vec<R::Element>> {
+        match divisor {
+            Divisor::Argument => Some(a.to_vec()),
+            Divisor::OneAndSquare => self.one_and_square(1, a),
+            Divisor::RootOfOneLessSquare => self.value(Function::Sqrt, &self.one_and_square(-1, a)?),
+        }
     }
 
     /// The c with c′ = a′/r.
@@ -172,38 +179,33 @@ impl<R: Ring> Ring for PowerSeries<R> {
     fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let first = at.first()?;
-        let circular = || self.pair(at, [Function::Sin, Function::Cos], -1);
-        let hyperbolic = || self.pair(at, [Function::Sinh, Function::Cosh], 1);
-        let quotient = |[sine, cosine]: [Self::Element; 2]| self.divide(&sine, &cosine);
-        match function {
-            Function::Sqrt => self.power(at, &Rational::new(1, 2)?),
-            Function::Sin => circular().map(|[sine, _]| sine),
-            Function::Cos => circular().map(|[_, cosine]| cosine),
-            Function::Tan => quotient(circular()?),
-            Function::Sinh => hyperbolic().map(|[sine, _]| sine),
-            Function::Cosh => hyperbolic().map(|[_, cosine]| cosine),
-            Function::Tanh => quotient(hyperbolic()?),
-            Function::Exp => {
+        match function.rule() {
+            Rule::Root => self.power(at, &Rational::new(1, 2)?),
+            Rule::Paired(pair) => {
+                let [sine, cosine] = self.pair(at, pair)?;
+                Some(if function == pair.functions[0] { sine } else { cosine })
+            }
+            Rule::Quotient(pair) => {
+                let [sine, cosine] = self.pair(at, pair)?;
+                self.divide(&sine, &cosine)
+            }
+            Rule::Itself => {
                 let weighted = self.weighted(at);
                 let next =
                     |n: usize, c: Both<'_, _>| Some(weighted_integral(ring, &weighted[1..=n], c.plain));
                 self.solve(ring.value(function, first)?, at.len(), next)
             }
-            Function::Ln => self.integral_of_quotient(ring.value(function, first)?, at, at),
-            Function::Atan => {
-                self.integral_of_quotient(ring.value(function, first)?, at, &self.one_and_square(1, at)?)
+            Rule::Inverse(slope, divisor) => {
+                let divisor = self.divisor(divisor, at)?;
+                let divisor = if slope == Slope::Plus { divisor } else { self.negate(&divisor) };
+                self.integral_of_quotient(ring.value(function, first)?, at, &divisor)
             }
-            Function::Asin | Function::Acos => {
-                let root = self.value(Function::Sqrt, &self.one_and_square(-1, at)?)?;
-                let root = if function == Function::Asin { root } else { self.negate(&root) };
-                self.integral_of_quotient(ring.value(function, first)?, at, &root)
-            }
-            Function::Abs | Function::Sign if ring.is_zero(first) => None,
-            Function::Abs => {
+            Rule::Modulus | Rule::Step if ring.is_zero(first) => None,
+            Rule::Modulus => {
                 let sign = self.constant(ring.value(Function::Sign, first)?, at);
                 Some(self.multiply(&sign, at))
             }
-            Function::Sign => Some(self.constant(ring.value(function, first)?, at)),
+            Rule::Step => Some(self.constant(ring.value(function, first)?, at)),
         }
     }
 

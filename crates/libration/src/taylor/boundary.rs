@@ -42,8 +42,7 @@ pub(super) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec
             Operation::Divide(_, divisor) => divisor,
             // Natural powers are products.
             Operation::Power(base, _) => base,
-            Operation::Inverse { function: Function::Ln, of, .. } => of,
-            Operation::Inverse { function: Function::Asin | Function::Acos, divisor, .. } => divisor,
+            Operation::Inverse { function, divisor, .. } if function.domain().is_some() => divisor,
             Operation::Tangent { function: Function::Tan, of } => {
                 add(of, Forbidden::OddQuarterTurns);
                 continue;
@@ -80,7 +79,8 @@ fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
         Operation::Multiply(a, b) => [zeros(tape, a, first_sign), zeros(tape, b, first_sign)].concat(),
         // Where the divisor or the base of a power vanishes is a boundary of its own.
         Operation::Negate(a) | Operation::Divide(a, _) | Operation::Power(a, _) => zeros(tape, a, first_sign),
-        Operation::Exp(_) | Operation::Paired { function: Function::Cosh, .. } => vec![],
+        Operation::Exp(_) => vec![],
+        Operation::Paired { function, .. } if !function.has_zeros() => vec![],
         _ => vec![place],
     }
 }

@@ -4,8 +4,8 @@
 //! of times, so here that is asked once.
 
 use super::block::{Block, Row};
-use crate::algebra::{Doubles, Function, Lanes, Ring, lanes};
-use crate::expression::{Operation, Slope, Tape};
+use crate::algebra::{Doubles, Function, Lanes, Ring, Slope, lanes};
+use crate::expression::{Operation, Tape};
 use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };

@@ -6,7 +6,7 @@
 use super::block::{Block, Row};
 use super::boundary::reached;
 use super::sign_change::{scaled, sign_changes};
-use crate::algebra::Function;
+use crate::algebra::Growth;
 use crate::elementary::count;
 use crate::expression::{Operation, Tape};
 
@@ -50,8 +50,11 @@ pub(super) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<St
     for place in reached(tape, formulas) {
         let steep = match tape.operations()[place] {
             Operation::Exp(of) => Steep { of, enters: Enters::Exponent },
-            Operation::Paired { function: Function::Cosh | Function::Sinh, of, .. }
-            | Operation::Tangent { function: Function::Tanh, of } => Steep { of, enters: Enters::Hyperbolic },
+            Operation::Paired { function, of, .. } | Operation::Tangent { function, of }
+                if function.growth() == Growth::Hyperbolic =>
+            {
+                Steep { of, enters: Enters::Hyperbolic }
+            }
             _ => continue,
         };
         if !tape.is_constant(steep.of) && !found.contains(&steep) {
