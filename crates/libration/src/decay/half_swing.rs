@@ -7,8 +7,10 @@ use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use super::turning::{self, arrival, departure};
-use super::{Damping, Ending, LEAST_AMPLITUDE};
+use super::{Damping, DampingTerm, Ending, LEAST_AMPLITUDE};
+use crate::algebra::{BigFloat, Rational};
 use crate::double_double::{DoubleDouble, two_sum};
+use crate::expression::{Equation, Expression, Function, Symbol};
 use crate::pendulum::Amplitude;
 use crate::quantity::Angle;
 use crate::roots::{Tolerance, bisect};
@@ -39,11 +41,12 @@ const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_0
 
 impl HalfSwing {
     pub(super) fn new(damping: &Damping) -> Self {
-        let frame = |gravity: &str, bottom| Frame { system: system(gravity, damping), bottom };
+        let frame = |gravity, bottom| Frame { system: system(gravity, damping), bottom };
+        let sine = Expression::Call(Function::Sin, Box::new(Expression::Symbol(Symbol::plain("x"))));
         Self {
             damping: damping.clone(),
-            from_bottom: frame("-sin(x)", DoubleDouble::ZERO),
-            from_top: frame("sin(x)", DoubleDouble::PI),
+            from_bottom: frame(Expression::Negate(Box::new(sine.clone())), DoubleDouble::ZERO),
+            from_top: frame(sine, DoubleDouble::PI),
         }
     }
 
@@ -132,12 +135,25 @@ impl Frame {
 }
 
 /// x″ = gravity − Σ cₙ x′ⁿ.
-fn system(gravity: &str, damping: &Damping) -> System {
-    let terms =
-        damping.terms().iter().map(|term| format!(" - {:e}*(x')^{:e}", term.coefficient, term.exponent));
-    let equation = format!("x'' = {gravity}{}", terms.collect::<String>());
-    let equation = equation.parse().expect("finite numbers can be read, and there are few terms");
+fn system(gravity: Expression, damping: &Damping) -> System {
+    let velocity = Expression::Symbol(Symbol::plain("x").with_primes(1));
+    let drag = |term: &DampingTerm| {
+        let power = Expression::Power(Box::new(velocity.clone()), Box::new(number(term.exponent)));
+        Expression::Multiply(Box::new(number(term.coefficient)), Box::new(power))
+    };
+    let acceleration = damping
+        .terms()
+        .iter()
+        .map(drag)
+        .fold(gravity, |sum, drag| Expression::Subtract(Box::new(sum), Box::new(drag)));
+    let equation = Equation::of_accelerations(vec!["x".to_owned()], vec![acceleration.simplified()]);
     System::new(&equation).expect("no parameter is left")
+}
+
+/// A finite number as it is.
+fn number(value: f64) -> Expression {
+    let exact = BigFloat::from_f64(value, 64).map_or_else(|| Rational::from(0), |value| value.to_rational());
+    Expression::Number(exact)
 }
 
 /// Where the velocity, positive inside the step and not at its end, becomes zero.
@@ -145,4 +161,28 @@ fn zero_of_velocity(step: &Step) -> f64 {
     let moves = |time| step.state_at(time)[1] > 0.0;
     let [_, rest] = bisect([step.start(), step.end()], Tolerance::LAST_BIT, moves);
     rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_equation_is_that_of_its_text() {
+        let terms = [(0.0, 0.25), (0.5, 0.1), (1.0, 1e-300), (2.0, 3.0), (2.7, 7.5)];
+        let terms = terms.map(|(exponent, coefficient)| DampingTerm { exponent, coefficient });
+        let damping = Damping::new(&terms).unwrap();
+        let text: String =
+            terms.iter().map(|term| format!(" - {:e}*(x')^{:e}", term.coefficient, term.exponent)).collect();
+        let text: Equation = format!("x'' = sin(x){text}").parse().unwrap();
+        let state = [0.7, 0.3];
+        let start = Moment { time: 0.0, state: state.to_vec() };
+        let HalfSwing { from_top: Frame { system, .. }, .. } = HalfSwing::new(&damping);
+        let velocity = |system: &System| {
+            let end = integrate(system, &start, &[0.01], &EFFORT, |_| ControlFlow::Continue(())).unwrap().end;
+            end.state[1]
+        };
+        assert!(velocity(&system).is_finite());
+        assert_eq!(velocity(&system).to_bits(), velocity(&System::new(&text).unwrap()).to_bits());
+    }
 }

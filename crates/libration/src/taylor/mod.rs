@@ -52,4 +52,4 @@ pub use solution::{Moment, Solution};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
-pub use tangent::with_tangents;
+pub use tangent::{with_sensitivities, with_tangents};

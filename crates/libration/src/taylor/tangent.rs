@@ -18,15 +18,46 @@ use crate::expression::{Equation, Expression, Symbol};
 /// ```
 #[must_use]
 pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
+    with_sensitivities(equation, &[], deviations)
+}
+
+/// The same, the first deviations being those by some parameters: δx″ = ∂F/∂p + Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, which from
+/// δx = δx′ = 0 on is how the motion changes with p. Then follow so many copies for the start.
+///
+/// # Examples
+/// ```
+/// use libration::taylor::with_sensitivities;
+/// let damped = with_sensitivities(&"x'' = -k*x - b*x'".parse()?, &["k", "b"], 0);
+/// assert_eq!(damped.variables(), ["x", "delta1 x", "delta2 x"]);
+/// assert_eq!(damped.accelerations()[1].to_string(), "-k*delta1 x - b*delta1 x' - x");
+/// assert_eq!(damped.accelerations()[2].to_string(), "-k*delta2 x - b*delta2 x' - x'");
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+///
+/// # References
+/// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993, section I.14.
+#[must_use]
+pub fn with_sensitivities(equation: &Equation, parameters: &[&str], deviations: usize) -> Equation {
     let mut variables = equation.variables().to_vec();
     let mut accelerations = equation.accelerations().to_vec();
-    for number in 1..=deviations {
+    let starts = std::iter::repeat_n(None, deviations);
+    for (number, parameter) in (1..).zip(parameters.iter().map(Some).chain(starts)) {
         let deviation = |name: &str| format!("delta{number} {name}");
         variables.extend(equation.variables().iter().map(|name| deviation(name)));
-        let formulas = equation.accelerations().iter();
-        accelerations.extend(formulas.map(|formula| total_differential(formula, equation, &deviation)));
+        let change = |formula: &Expression| {
+            let by_motion = total_differential(formula, equation, &deviation);
+            match parameter {
+                Some(name) => sum(by_motion, formula.derivative(&Symbol::plain(name))).simplified(),
+                None => by_motion.simplified(),
+            }
+        };
+        accelerations.extend(equation.accelerations().iter().map(change));
     }
     Equation::of_accelerations(variables, accelerations)
+}
+
+fn sum(a: Expression, b: Expression) -> Expression {
+    Expression::Add(Box::new(a), Box::new(b))
 }
 
 /// How a formula changes with all coordinates and velocities.
@@ -43,8 +74,7 @@ fn total_differential(
         let deviation = Expression::Symbol(deviation.with_primes(primes));
         Expression::Multiply(Box::new(slope), Box::new(deviation))
     });
-    let sum = terms.reduce(|sum, term| Expression::Add(Box::new(sum), Box::new(term)));
-    sum.unwrap_or_else(|| Expression::from(0)).simplified()
+    terms.reduce(sum).unwrap_or_else(|| Expression::from(0))
 }
 
 #[cfg(test)]

@@ -9,8 +9,10 @@
 use std::ops::ControlFlow;
 
 use super::{DampingTerm, DampingTerms};
-use libration::expression::{Expression, Symbol};
-use libration::taylor::{Contact, Direction, Effort, Event, Launch, Moment, Solution, System};
+use libration::expression::{Equation, Expression, Symbol};
+use libration::taylor::{
+    Contact, Direction, Effort, Event, Launch, Moment, Solution, System, with_sensitivities,
+};
 
 /// Pendulums with these kinds of damping.
 #[derive(Clone, Debug)]
@@ -30,12 +32,9 @@ const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20
 
 impl Swing {
     pub(super) fn new(terms: DampingTerms) -> Self {
-        let names = ["k"].into_iter().chain(terms.iter().map(symbol));
-        let system = equations(terms)
-            .parse()
-            .ok()
-            .and_then(|equation| System::with_parameters(&equation, &names.collect::<Vec<_>>()).ok());
-        let system = system.expect("the equations can be read, and all their parameters are open");
+        let names: Vec<&str> = ["k"].into_iter().chain(terms.iter().map(symbol)).collect();
+        let equation = with_sensitivities(&equation(terms), &names, 2);
+        let system = System::with_parameters(&equation, &names).expect("all parameters are open");
         let turning = [Direction::Rising, Direction::Falling].map(|direction| {
             let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
             Event { formula, direction, terminal: true }
@@ -130,41 +129,22 @@ impl Swing {
     }
 }
 
+/// The equation of motion with these kinds of damping.
+fn equation(terms: DampingTerms) -> Equation {
+    let all = "theta'' = -k*sin(theta) - d*sign(theta') - b*theta' - c*theta'*abs(theta')";
+    let all: Equation = all.parse().expect("this can be read");
+    let kinds = [DampingTerm::Dry, DampingTerm::Linear, DampingTerm::Quadratic];
+    let absent = kinds.into_iter().filter(|&term| !terms.has(term));
+    let zeros: Vec<_> = absent.map(|term| (symbol(term), Expression::from(0))).collect();
+    all.with(&zeros).expect("these are parameters, and zero leaves the acceleration")
+}
+
 fn symbol(term: DampingTerm) -> &'static str {
     match term {
         DampingTerm::Dry => "d",
         DampingTerm::Linear => "b",
         DampingTerm::Quadratic => "c",
     }
-}
-
-/// What a kind of damping adds to the acceleration, without its coefficient.
-fn drag(term: DampingTerm) -> &'static str {
-    match term {
-        DampingTerm::Dry => "sign(theta')",
-        DampingTerm::Linear => "theta'",
-        DampingTerm::Quadratic => "theta'*abs(theta')",
-    }
-}
-
-/// The equation of motion, then those of its derivatives.
-fn equations(terms: DampingTerms) -> String {
-    let drags: String = terms.iter().map(|term| format!(" - {}*{}", symbol(term), drag(term))).collect();
-    let slopes: String = terms
-        .iter()
-        .filter_map(|term| match term {
-            DampingTerm::Dry => None,
-            DampingTerm::Linear => Some(" - b*U'"),
-            DampingTerm::Quadratic => Some(" - 2*c*abs(theta')*U'"),
-        })
-        .collect();
-    let sources = ["sin(theta)"].into_iter().chain(terms.iter().map(drag)).map(|drag| format!(" - {drag}"));
-    let sources = sources.chain([String::new(), String::new()]);
-    let deviations = (1..).zip(sources).map(|(number, source)| {
-        let name = format!("u{number}");
-        format!("; {name}'' = -k*cos(theta)*{name}{}{source}", slopes.replace('U', &name))
-    });
-    format!("theta'' = -k*sin(theta){drags}{}", deviations.collect::<String>())
 }
 
 #[cfg(test)]
