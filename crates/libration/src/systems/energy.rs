@@ -1,10 +1,10 @@
 //! Conserved energies, and how well a motion keeps them.
 
 use super::NoEnergy;
+use super::line_integral::work;
 use crate::algebra::Doubles;
 use crate::double_double::DoubleDouble;
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
-use crate::quadrature::gauss_kronrod;
 use crate::taylor::Moment;
 
 /// The conserved energy of a system.
@@ -199,11 +199,7 @@ impl EnergyBalance<'_> {
     fn by_work(&mut self, state: &[f64]) -> (f64, f64) {
         let coordinates = self.energy.coordinates;
         let from = self.account.last.clone();
-        let work = gauss_kronrod(|s| {
-            let place: Vec<f64> = from.iter().zip(state).map(|(a, b)| a + s * (b - a)).collect();
-            let forces = self.values(&place);
-            (0..coordinates).map(|i| forces[i] * (state[i] - from[i])).sum()
-        });
+        let work = work(&from, state, |place| self.values(place));
         let [high, low] = self.account.potential;
         let potential = DoubleDouble::new(high, low) + DoubleDouble::from(-work.value);
         self.account.potential = [potential.hi, potential.lo];

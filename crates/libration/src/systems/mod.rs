@@ -9,6 +9,7 @@ mod error;
 mod model;
 
 mod energy;
+mod line_integral;
 
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;
