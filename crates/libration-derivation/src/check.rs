@@ -2,10 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use super::document::Prose;
 use super::evaluate::{Analysis, NoValue, Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Statement, Unit, rounded};
 use super::numbers::Coefficients;
+use super::prose::Prose;
+use super::typeset::statement_latex;
 use libration::algebra::{Rationals, Ring};
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError};
@@ -317,14 +318,12 @@ pub(super) fn side<R: Analysis>(
     ring: &R,
     values: &Values<R::Element>,
 ) -> Result<R::Element, DerivationError> {
-    evaluate(formula, ring, values).map_err(|reason| DerivationError::Unchecked {
-        formula: super::print::statement_latex(statement),
-        reason,
-    })
+    evaluate(formula, ring, values)
+        .map_err(|reason| DerivationError::Unchecked { formula: statement_latex(statement), reason })
 }
 
 pub(super) fn failed(statement: &Statement, reason: String) -> DerivationError {
-    DerivationError::Failed { formula: super::print::statement_latex(statement), reason }
+    DerivationError::Failed { formula: statement_latex(statement), reason }
 }
 
 impl Check {

@@ -11,8 +11,11 @@
 //! # Ok::<(), libration_derivation::DerivationError>(())
 //! ```
 
-mod document;
 mod formula;
+mod prose;
+mod typeset;
+
+mod document;
 
 mod check;
 mod evaluate;
@@ -32,11 +35,13 @@ pub mod paper;
 mod tests;
 
 pub use check::{Against, Check, DerivationError, Equation};
-pub use document::{Block, Derivation, Prose, Span, Step, Table};
+pub use document::{Block, Derivation, Step, Table};
 pub use elliptic::elliptic;
 pub use evaluate::NoValue;
 pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation, perturbation_watched};
-pub use print::{formula_latex, statement_latex, to_html, to_latex, to_markdown};
+pub use print::{to_html, to_latex, to_markdown};
+pub use prose::{Prose, Span};
 pub use published::formulas;
 pub use trials::Swing;
+pub use typeset::{formula_latex, statement_latex};

@@ -1,11 +1,12 @@
 //! The integral as the arithmetic–geometric mean.
 
 use super::super::check::{DerivationError, Equation, Given, same_series_where};
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{
     Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, order,
     rounded, series, sin, sqrt,
 };
+use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::super::words::{complete_integral, cos_half_amplitude, period, small_swing_period};
 use libration::algebra::Function;

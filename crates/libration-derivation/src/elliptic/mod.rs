@@ -8,7 +8,8 @@ mod substitution;
 pub(super) use mean::theta_series;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation, Prose};
+use super::document::{Block, Derivation};
+use super::prose::Prose;
 use super::trials::{Swing, Trials};
 
 /// The period at any amplitude from the conservation of energy, with the numbers of a swing if one is given.

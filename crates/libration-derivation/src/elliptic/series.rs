@@ -1,11 +1,12 @@
 //! The integral as a series, term by term.
 
 use super::super::check::{DerivationError, equal_rationals, same_series};
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{
     Formula, Name, Statement, Unit, agm, apply, cos, derivative, double_factorial, integral, letter,
     monomial, number, order, polynomial, rounded, series, sin, sqrt,
 };
+use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::super::words::{
     amplitude, complete_integral, cos_half_amplitude, period_ratio, sin_half_amplitude, theta_0,

@@ -1,8 +1,9 @@
 //! How good the series are at an amplitude.
 
 use super::super::check::DerivationError;
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{Decimal, Formula, Name, Unit, letter, number, rounded};
+use super::super::prose::Prose;
 use super::Released;
 use super::amplitude::of_amplitude;
 use super::ansatz::harmonic_name;

@@ -1,8 +1,9 @@
 //! The shortcut: few harmonics, a force cut off, and the equations that are left solved as they stand.
 
 use super::super::check::DerivationError;
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{Decimal, Formula, Unit, cos, letter, number, rounded};
+use super::super::prose::Prose;
 use super::Released;
 use super::accuracy::{EXAMPLE, is_angle};
 use super::ansatz::harmonic_name;

@@ -15,7 +15,8 @@ mod substitution;
 mod tests;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation, Prose, Step};
+use super::document::{Block, Derivation, Step};
+use super::prose::Prose;
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;

@@ -4,6 +4,7 @@
 use std::sync::LazyLock;
 
 use super::amplitudes::in_degrees;
+use libration::algebra::Rational;
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
 use libration::quantity::Angle;
 
@@ -58,6 +59,13 @@ pub(super) fn ratio_reached(a: &str, b: &str, factor: f64) -> Option<Vec<f64>> {
 /// |error of a|/|error of b| at an amplitude in degrees.
 pub(super) fn ratio_at(a: &str, b: &str, degrees: f64) -> Option<f64> {
     Some((error_at(a, degrees)? / error_at(b, degrees)?).abs())
+}
+
+/// The quotient of exact leading errors of the same power.
+pub(super) fn ratio_of_leading_errors(a: &str, b: &str) -> Option<Rational> {
+    let leading = |key: &str| PeriodFormula::by_key(key).ok()?.leading_error().cloned();
+    let (a, b) = (leading(a)?, leading(b)?);
+    (a.power == b.power).then(|| a.coefficient.checked_div(&b.coefficient)).flatten()
 }
 
 /// The fractional error at an amplitude in radians.

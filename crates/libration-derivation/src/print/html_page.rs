@@ -1,10 +1,11 @@
 //! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
 
 use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Prose, Table};
-use super::escape::html;
-use super::layout::{self, Layout, Lines, Style};
-use super::mathml::mathml;
+use super::super::document::{Block, Derivation, Table};
+use super::super::prose::Prose;
+use super::super::typeset::escape::html;
+use super::super::typeset::layout::{self, Layout, Lines, Style};
+use super::super::typeset::mathml;
 use super::{sentence, write_blocks};
 
 const STYLE: &str = "

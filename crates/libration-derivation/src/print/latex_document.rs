@@ -1,8 +1,10 @@
 //! Derivations as a LaTeX document that needs amsmath alone.
 
-use super::super::document::{Block, Derivation, Prose, Table};
-use super::escape::latex_text;
-use super::{inline_latex, sentence, statement_latex, write_blocks};
+use super::super::document::{Block, Derivation, Table};
+use super::super::prose::Prose;
+use super::super::typeset::escape::latex_text;
+use super::super::typeset::{inline_latex, statement_latex};
+use super::{sentence, write_blocks};
 
 const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
 \\usepackage{amsmath}

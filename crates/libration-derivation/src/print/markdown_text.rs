@@ -1,9 +1,11 @@
 //! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
 
 use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Prose, Table};
-use super::escape::markdown;
-use super::{inline_latex, sentence, statement_latex, write_blocks};
+use super::super::document::{Block, Derivation, Table};
+use super::super::prose::Prose;
+use super::super::typeset::escape::markdown;
+use super::super::typeset::{inline_latex, statement_latex};
+use super::{sentence, write_blocks};
 
 /// The derivation in Markdown: displayed formulas in `math` fences, others between dollars.
 #[must_use]

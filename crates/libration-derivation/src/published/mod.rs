@@ -7,7 +7,8 @@ mod separatrix;
 mod series;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation, Prose};
+use super::document::{Block, Derivation};
+use super::prose::Prose;
 use super::trials::{Swing, Trials};
 use super::words::{period, period_ratio, theta_0};
 

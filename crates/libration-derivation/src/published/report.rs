@@ -1,8 +1,9 @@
 //! A formula, its leading error, and the errors of all of them side by side.
 
 use super::super::check::{Check, DerivationError, Equation, Given, failed, same_series_where};
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{Formula, Name, Statement, Unit, agm, monomial, number, order, rounded};
+use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::super::words::{amplitude, cos_half_amplitude, period, small_swing_period, theta_0};
 use libration::period_formulas::PeriodFormula;

@@ -1,10 +1,11 @@
 //! The period near the upright position, from the motion on the separatrix.
 
 use super::super::check::{DerivationError, same_series};
-use super::super::document::{Prose, Step, Table};
+use super::super::document::{Step, Table};
 use super::super::formula::{
     Formula, Name, Statement, Unit, call, cos, integral, letter, ln, number, order, rounded, sin,
 };
+use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::super::words::{amplitude, omega_0, period_ratio, small_swing_period, theta_0};
 use super::report::{exact_ratio, stated};

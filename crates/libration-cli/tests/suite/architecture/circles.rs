@@ -8,8 +8,6 @@ use super::source::Source;
 pub(crate) const REMAINING: &[&str] = &[
     "libration-cli: : arguments command document figure",
     "libration-cli: command/simulate: report run sheet watch",
-    "libration-derivation: : check document print",
-    "libration-derivation: paper/black_vel: accuracy regimes",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
     "libration: taylor: flight trial",
 ];

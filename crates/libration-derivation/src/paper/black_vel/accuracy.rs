@@ -6,13 +6,11 @@ use crate::paper::amplitudes::in_degrees;
 use crate::paper::compare::{ROUNDING, decimal};
 use crate::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, holds_on, in_words, intervals_in_words, leaders,
-    ratio_at, ratio_reached,
+    ratio_at, ratio_of_leading_errors, ratio_reached,
 };
 use crate::paper::finding::Finding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
-use libration::algebra::Rational;
-use libration::period_formulas::PeriodFormula;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub(super) const STATEMENTS: &[Statement] = &[
@@ -57,13 +55,6 @@ pub(super) const STATEMENTS: &[Statement] = &[
     )
     .paraphrased(),
 ];
-
-/// The quotient of exact leading errors of the same power.
-pub(super) fn ratio_of_leading_errors(a: &str, b: &str) -> Option<Rational> {
-    let leading = |key: &str| PeriodFormula::by_key(key).ok()?.leading_error().cloned();
-    let (a, b) = (leading(a)?, leading(b)?);
-    (a.power == b.power).then(|| a.coefficient.checked_div(&b.coefficient)).flatten()
-}
 
 fn ratios(a: &str, b: &str) -> Option<String> {
     let at = [1.0, 30.0, 60.0, 90.0, 120.0, 150.0, 179.0]

@@ -1,11 +1,11 @@
 //! What the text says of Fig. 1: which formula is the best where.
 
-use super::accuracy::ratio_of_leading_errors;
 use super::text_after;
 use crate::paper::amplitudes::in_degrees;
 use crate::paper::compare::{decimal, first_difference};
 use crate::paper::errors::{
-    PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders, ratio_at,
+    PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders,
+    ratio_at, ratio_of_leading_errors,
 };
 use crate::paper::finding::Finding;
 use crate::paper::period_series::ratio_series;

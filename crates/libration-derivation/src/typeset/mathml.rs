@@ -4,7 +4,7 @@ use super::escape::html;
 use super::layout::Layout;
 
 /// The layout as the inside of a `math` element.
-pub(super) fn mathml(layout: &Layout) -> String {
+pub(crate) fn mathml(layout: &Layout) -> String {
     match layout {
         Layout::Row(parts) => format!("<mrow>{}</mrow>", row(parts)),
         Layout::Letter(letter) => element("mi", letter),

@@ -1,7 +1,7 @@
 //! Text made harmless: every character stands for itself in the form it is written to.
 
 /// For the text of HTML and MathML.
-pub(super) fn html(text: &str) -> String {
+pub(crate) fn html(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
             '&' => escaped.push_str("&amp;"),
@@ -15,7 +15,7 @@ pub(super) fn html(text: &str) -> String {
 }
 
 /// For the text of LaTeX, which is given Unicode by inputenc and T1 fonts; what these do not have is spelt.
-pub(super) fn latex_text(text: &str) -> String {
+pub(crate) fn latex_text(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
             '\\' => escaped.push_str("\\textbackslash{}"),
@@ -36,7 +36,7 @@ pub(super) fn latex_text(text: &str) -> String {
 }
 
 /// For the text of Markdown: nothing becomes emphasis, a link, a heading or HTML.
-pub(super) fn markdown(text: &str) -> String {
+pub(crate) fn markdown(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
             '<' => escaped.push_str("&lt;"),

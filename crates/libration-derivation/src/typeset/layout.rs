@@ -6,7 +6,7 @@ use libration::algebra::{Function, Rational};
 
 /// What is set side by side, above and below.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Layout {
+pub(crate) enum Layout {
     Row(Vec<Self>),
     /// The letter of a variable.
     Letter(String),
@@ -46,7 +46,7 @@ pub(super) enum Layout {
 
 /// Where a formula stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Style {
+pub(crate) enum Style {
     /// On its own line: fractions are stacked.
     Display,
     /// Within a sentence: fractions have a slash.
@@ -54,16 +54,16 @@ pub(super) enum Style {
 }
 
 /// A statement in lines: what stands left of the first relation, and the lines right of it, each with its sign.
-pub(super) struct Lines {
-    pub(super) left: Layout,
-    pub(super) right: Vec<Layout>,
+pub(crate) struct Lines {
+    pub(crate) left: Layout,
+    pub(crate) right: Vec<Layout>,
 }
 
 /// Characters that a line has room for.
 const ROOM: usize = 66;
 
 /// A chain of more than two formulas has a line for each, a sum that is too long several.
-pub(super) fn statement(statement: &Statement) -> Lines {
+pub(crate) fn statement(statement: &Statement) -> Lines {
     let mut right = Vec::new();
     for (relation, formula) in &statement.rest {
         let mut sign = Some(sign_of(*relation));
@@ -133,7 +133,7 @@ fn sign_of(relation: Relation) -> Layout {
 }
 
 impl Style {
-    pub(super) fn formula(self, formula: &Formula) -> Layout {
+    pub(crate) fn formula(self, formula: &Formula) -> Layout {
         match formula {
             Formula::Number(value) => self.number(value),
             Formula::Decimal(value) => decimal(value),
