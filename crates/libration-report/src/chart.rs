@@ -11,6 +11,48 @@ pub struct Picture {
     pub panels: Vec<Panel>,
     /// The height of all axes as a part of their width, where no height is asked for.
     pub aspect: f64,
+    /// What moves beside the axes, for pictures that can move.
+    pub animation: Option<Animation>,
+}
+
+/// Bodies that move beside the axes, and dots that follow curves in them, again and again.
+#[derive(Clone, Debug)]
+pub struct Animation {
+    /// How long once takes, in seconds.
+    pub seconds: f64,
+    /// What moves beside the axes.
+    pub mechanism: Mechanism,
+    /// What moves in them.
+    pub dots: Vec<MovingDot>,
+}
+
+/// Bodies at evenly spaced times.
+#[derive(Clone, Debug)]
+pub enum Mechanism {
+    /// In a plane, on rods: places to the right and upwards, all in one unit of length.
+    Plane(Vec<Hanging>),
+    /// On level rails, one above the other: their places, a list for each body.
+    Rails(Vec<Vec<f64>>),
+}
+
+/// A body on a rod.
+#[derive(Clone, Debug)]
+pub struct Hanging {
+    /// Where it is.
+    pub places: Vec<(f64, f64)>,
+    /// Where the other end of the rod is.
+    pub held: Vec<(f64, f64)>,
+}
+
+/// A dot that moves in the axes.
+#[derive(Clone, Debug)]
+pub struct MovingDot {
+    /// The number of the panel.
+    pub panel: usize,
+    /// The colour of what it follows.
+    pub colour: &'static str,
+    /// Where it is at evenly spaced times.
+    pub places: Vec<(f64, f64)>,
 }
 
 /// One pair of axes with what is drawn in them.
@@ -116,7 +158,7 @@ pub enum Mark {
 impl Picture {
     /// A picture of the usual shape, about that of a page laid across.
     pub fn new(title: &str, panels: Vec<Panel>) -> Self {
-        Self { title: title.to_owned(), parameters: vec![], panels, aspect: 0.6 }
+        Self { title: title.to_owned(), parameters: vec![], panels, aspect: 0.6, animation: None }
     }
 
     /// The picture with what it was made with under its title.

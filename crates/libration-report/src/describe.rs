@@ -18,7 +18,11 @@ pub(crate) fn picture(picture: &Picture) -> String {
             self::panel(panel, across)
         })
         .collect();
-    parameters.into_iter().chain(panels.into_iter().rev()).collect::<Vec<_>>().join(" ")
+    let moves = picture
+        .animation
+        .as_ref()
+        .map(|animation| format!("Beside the axes it moves, once in {} s.", short(animation.seconds)));
+    parameters.into_iter().chain(panels.into_iter().rev()).chain(moves).collect::<Vec<_>>().join(" ")
 }
 
 fn panel(panel: &Panel, across: &str) -> String {

@@ -1,5 +1,6 @@
 //! A picture as a scene.
 
+use crate::animation;
 use crate::chart::{Panel, Picture};
 use crate::describe;
 use crate::format::{Format, TooSmall};
@@ -34,6 +35,8 @@ pub fn draw(picture: &Picture, format: &Format) -> Result<Scene, TooSmall> {
         description: describe::picture(picture),
         words: words(picture, &frame, em),
         panels: panels.map(|(panel, cell)| of_panel(panel, cell, &frame, em)).collect(),
+        moving: animation::moving(picture, &frame, em),
+        seconds: picture.animation.as_ref().map_or(0.0, |animation| animation.seconds),
     })
 }
 
@@ -57,9 +60,7 @@ fn words(picture: &Picture, frame: &Frame, em: f64) -> Vec<Shape> {
 }
 
 fn of_panel(panel: &Panel, cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
-    let (left, right, bottom) = (frame.left * em, frame.right * em, (cell.top + cell.height) * em);
-    let top = cell.top * em;
-    let place = |(x, y): Place| (left + x * (right - left), bottom - y * (bottom - top));
+    let place = |parts: Place| frame.place(cell, parts, em);
     let mut shapes: Vec<Shape> = vec![];
     shapes.extend(panel.series.iter().flat_map(|series| marks::of_series(series, panel, em, &place)));
     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(place).to_vec();

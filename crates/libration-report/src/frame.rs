@@ -5,6 +5,7 @@ use crate::chart::{Axis, Panel, Picture};
 use crate::format::{Format, TooSmall};
 use crate::legend::Legend;
 use crate::letters::{LINE, width, wrapped};
+use crate::scene::Place;
 use crate::ticks::{self, Ticks};
 
 /// All lengths below are in sizes of a letter. Around everything:
@@ -33,6 +34,10 @@ const AXES: f64 = 0.85;
 /// Axes that are shorter show nothing.
 const SHORTEST: f64 = 6.0;
 
+/// The side of the square beside the axes in which something moves: a part of the width, but not less than this.
+const STAGE: f64 = 0.28;
+const SMALLEST_STAGE: f64 = 9.0;
+
 /// A space at which no line is broken.
 const TIE: &str = "\u{a0}";
 
@@ -46,6 +51,8 @@ pub(crate) struct Frame {
     pub(crate) left: f64,
     pub(crate) right: f64,
     pub(crate) cells: Vec<Cell>,
+    /// The side of the square left of the axes in which something moves; zero where nothing does.
+    pub(crate) stage: f64,
 }
 
 /// The parts of a panel.
@@ -63,6 +70,19 @@ pub(crate) struct Cell {
 }
 
 impl Frame {
+    /// Where parts of the axes are on the canvas.
+    pub(crate) fn place(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
+        let across = self.left + x * (self.right - self.left);
+        (em * across, em * (cell.top + (1.0 - y) * cell.height))
+    }
+
+    /// The middle of the square in which something moves, beside the middle of all axes.
+    pub(crate) fn middle_of_stage(&self) -> Place {
+        let ends = self.cells.first().zip(self.cells.last());
+        let middle = ends.map_or(0.0, |(first, last)| 0.5 * (first.top + last.top + last.height));
+        (PADDING + 0.5 * self.stage, middle)
+    }
+
     /// The frame of the picture in the format, if that holds it.
     pub(crate) fn new(picture: &Picture, format: &Format) -> Result<Self, TooSmall> {
         let em = format.text;
@@ -90,7 +110,14 @@ fn least_width(picture: &Picture) -> f64 {
     let axes = |panel: &Panel| ticks::least_length(&panel.x, x_extent).max(SHORTEST);
     let axes = picture.panels.iter().map(axes).fold(SHORTEST, f64::max);
     let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
-    left.fold(0.0, f64::max) + axes + right(picture) + PADDING
+    let least = left.fold(0.0, f64::max) + axes + right(picture) + PADDING;
+    if picture.animation.is_some() { least + SMALLEST_STAGE } else { least }
+}
+
+/// The side of the square in which something moves.
+fn stage(picture: &Picture, wide: f64) -> f64 {
+    let side = (STAGE * wide).min(SMALLEST_STAGE + wide - least_width(picture)).max(SMALLEST_STAGE);
+    if picture.animation.is_some() { side } else { 0.0 }
 }
 
 /// The least height of the axes of a panel: the name beside them takes two lines or three.
@@ -170,7 +197,8 @@ impl Words {
     fn least_height(&self, picture: &Picture) -> f64 {
         let all: f64 = picture.panels.iter().map(|panel| panel.share).sum();
         let needed = picture.panels.iter().map(|panel| shortest(panel) * all / panel.share);
-        self.fixed() + needed.fold(0.0, f64::max)
+        let stage = if picture.animation.is_some() { SMALLEST_STAGE } else { 0.0 };
+        self.fixed() + needed.fold(stage, f64::max)
     }
 
     fn laid_out(self, picture: &Picture, width: f64, height: f64) -> Frame {
@@ -187,7 +215,8 @@ impl Words {
             picture.panels.iter().zip(heights.clone()).zip(&y_ticks).map(|((panel, height), ticks)| {
                 left(panel, height, ticks.labelled.iter().map(|(_, label)| label.clone()))
             });
-        let left = beside.fold(0.0, f64::max);
+        let stage = stage(picture, width);
+        let left = stage + beside.fold(0.0, f64::max);
         let right = width - PADDING - right(picture);
         let mut top = self.head();
         let mut cells = vec![];
@@ -209,7 +238,7 @@ impl Words {
             });
             top += above + height + below;
         }
-        Frame { width, height, title, parameters, left, right, cells }
+        Frame { width, height, title, parameters, left, right, cells, stage }
     }
 }
 

@@ -12,6 +12,7 @@ pub mod style;
 pub mod svg;
 
 mod advances;
+mod animation;
 mod clip;
 mod describe;
 mod draw;

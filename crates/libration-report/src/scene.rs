@@ -18,6 +18,36 @@ pub struct Scene {
     pub words: Vec<Shape>,
     /// The axes, each with what stands in and around them.
     pub panels: Vec<Vec<Shape>>,
+    /// What moves, in front of everything.
+    pub moving: Vec<Moving>,
+    /// How long each movement takes once, in seconds.
+    pub seconds: f64,
+}
+
+/// A shape that moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moving {
+    /// A line or a dot.
+    pub form: MovingForm,
+    /// As `#RRGGBB`.
+    pub colour: &'static str,
+    /// The corners of the line, or the middle of the dot, at evenly spaced times from the first to the last.
+    pub frames: Vec<Vec<Place>>,
+}
+
+/// How a moving shape looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MovingForm {
+    /// An open line.
+    Line {
+        /// Its width.
+        width: f64,
+    },
+    /// A filled circle.
+    Dot {
+        /// Its radius.
+        radius: f64,
+    },
 }
 
 /// A thing to draw.

@@ -1,6 +1,6 @@
 //! A scene as SVG: with a view box, a title and a description, and colours for light and for dark pages.
 
-use crate::scene::{Anchor, Form, Place, Role, Scene, Shape, Text};
+use crate::scene::{Anchor, Form, Moving, MovingForm, Place, Role, Scene, Shape, Text};
 use crate::style::{DARK, PAPER};
 use std::fmt::Write;
 
@@ -36,8 +36,74 @@ fn element(scene: &Scene, size: &str) -> String {
     }
     svg += "<g class=\"words\">\n";
     svg.extend(scene.words.iter().map(shape));
-    svg += "</g>\n</svg>";
-    svg
+    svg += "</g>\n";
+    svg += &animation(scene);
+    svg + "</svg>"
+}
+
+/// What moves; still, as it begins, for those who want to see nothing move.
+fn animation(scene: &Scene) -> String {
+    if scene.moving.is_empty() {
+        return String::new();
+    }
+    let still = |moving: &Moving| {
+        self::moving(&Moving { frames: moving.frames[..1].to_vec(), ..moving.clone() }, 0.0)
+    };
+    let group = |class: &str, shapes: String| format!("<g class=\"{class}\">\n{shapes}</g>\n");
+    let begun = scene.moving.iter().filter(|moving| !moving.frames.is_empty());
+    [
+        "<style>.still{display:none}@media (prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}</style>\n"
+            .to_owned(),
+        group("still", begun.clone().map(still).collect()),
+        group("moving", begun.map(|moving| self::moving(moving, scene.seconds)).collect()),
+    ]
+    .concat()
+}
+
+fn moving(moving: &Moving, seconds: f64) -> String {
+    let numbers = |number: fn(&Place) -> f64| -> Vec<String> {
+        moving.frames.iter().filter_map(|places| places.first()).map(|place| rounded(number(place))).collect()
+    };
+    let colour = moving.colour;
+    match moving.form {
+        MovingForm::Line { width } => {
+            let corners = |places: &Vec<Place>| {
+                let corners: Vec<String> =
+                    places.iter().map(|(x, y)| format!("{},{}", rounded(*x), rounded(*y))).collect();
+                corners.join(" ")
+            };
+            let corners: Vec<String> = moving.frames.iter().map(corners).collect();
+            format!(
+                "<polyline fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linejoin=\"round\" points=\"{}\">{}</polyline>\n",
+                rounded(width),
+                corners[0],
+                animated("points", &corners, seconds)
+            )
+        }
+        MovingForm::Dot { radius } => {
+            let (x, y) = (numbers(|place| place.0), numbers(|place| place.1));
+            format!(
+                "<circle fill=\"{colour}\" r=\"{}\" cx=\"{}\" cy=\"{}\">{}{}</circle>\n",
+                rounded(radius),
+                x[0],
+                y[0],
+                animated("cx", &x, seconds),
+                animated("cy", &y, seconds)
+            )
+        }
+    }
+}
+
+/// An attribute that takes these values one after the other, evenly, for ever; nothing if it stays.
+fn animated(attribute: &str, values: &[String], seconds: f64) -> String {
+    if values.iter().all(|value| *value == values[0]) {
+        return String::new();
+    }
+    format!(
+        "<animate attributeName=\"{attribute}\" dur=\"{}s\" repeatCount=\"indefinite\" values=\"{}\"/>",
+        rounded(seconds),
+        values.join(";")
+    )
 }
 
 /// On dark screens, not on paper, each colour becomes its dark one.

@@ -23,6 +23,10 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
 
 /// Draws the picture in its size into its file, and says so in a sentence.
 pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, Failure> {
+    if picture.animation.is_some() && is(path, "png") {
+        let reason = format!("{} cannot move: give a name that ends in .svg", path.display());
+        return Err(Failure::usage("--animate", reason));
+    }
     let scene = sizes.scene(picture)?;
     let bytes = if is(path, "svg") || path == Path::new("-") {
         svg::file(&scene).into_bytes()

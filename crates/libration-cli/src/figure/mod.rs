@@ -1,5 +1,6 @@
 //! The pictures: what each one shows, how large it is, and the file it is written to.
 
+pub(crate) mod animation;
 pub(crate) mod backbone;
 pub(crate) mod decay;
 pub(crate) mod errors;

@@ -1,5 +1,6 @@
 //! The coordinates of a system in time.
 
+use super::animation::Sampled;
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::symbol;
 use super::parameters::{of_model, of_start};
@@ -68,14 +69,19 @@ impl Trace {
         }
     }
 
+    /// The same with the bodies that move.
+    pub(crate) fn animated(&self, model: &Model, start: &[f64]) -> Picture {
+        let sampled = Sampled { times: &self.times, values: &self.values };
+        let units = units(model);
+        sampled.animated(self.picture(model, start), model, |coordinate| {
+            let unit = model.coordinates()[coordinate].unit.as_str();
+            (units.iter().position(|shown| *shown == unit).unwrap_or(0), scale(unit))
+        })
+    }
+
     /// A panel for each unit, with the coordinates that have it.
     pub(crate) fn picture(&self, model: &Model, start: &[f64]) -> Picture {
-        let mut units: Vec<&str> = vec![];
-        for coordinate in model.coordinates() {
-            if !units.contains(&coordinate.unit.as_str()) {
-                units.push(&coordinate.unit);
-            }
-        }
+        let units = units(model);
         let time = Axis::linear("time t / s", self.end.min(0.0), self.end.max(0.0));
         let mut panels: Vec<Panel> = units.iter().map(|unit| self.panel(model, unit, &time)).collect();
         let last = panels.len().saturating_sub(1);
@@ -106,7 +112,7 @@ impl Trace {
     fn panel(&self, model: &Model, unit: &str, time: &Axis) -> Panel {
         let shown = model.coordinates().iter().zip(&self.values).enumerate();
         let shown: Vec<_> = shown.filter(|(_, (coordinate, _))| coordinate.unit == unit).collect();
-        let scale = if unit == "rad" { 1_f64.to_degrees() } else { 1.0 };
+        let scale = scale(unit);
         let alone = shown.len() == 1;
         let mut series: Vec<Series> = shown
             .iter()
@@ -126,6 +132,22 @@ impl Trace {
         let y = if unit == "rad" { y.in_units(Units::Degrees) } else { y };
         Panel { x: time.clone(), y, series, share: 1.0 }
     }
+}
+
+/// The units of the coordinates, each once.
+fn units(model: &Model) -> Vec<&str> {
+    let mut units: Vec<&str> = vec![];
+    for coordinate in model.coordinates() {
+        if !units.contains(&coordinate.unit.as_str()) {
+            units.push(&coordinate.unit);
+        }
+    }
+    units
+}
+
+/// From a unit to that of its axis.
+fn scale(unit: &str) -> f64 {
+    if unit == "rad" { 1_f64.to_degrees() } else { 1.0 }
 }
 
 fn label(names: &str, unit: &str) -> String {

@@ -13,6 +13,10 @@ pub(crate) struct Drawing {
     pub(crate) panels: Vec<Panel>,
     pub(crate) texts: Vec<Text>,
     pub(crate) shapes: Vec<Shape>,
+    /// The corners of lines and the middles of dots that move, at one time after the other.
+    pub(crate) moving: Vec<Vec<Vec<Place>>>,
+    /// How long that takes once, in seconds.
+    pub(crate) seconds: f64,
 }
 
 /// A pair of axes: its corners on the canvas, and what stands in it.
@@ -100,9 +104,17 @@ fn pieces(path: &str) -> Vec<Vec<Place>> {
 
 impl Drawing {
     pub(crate) fn read(svg: &str) -> Self {
-        let mut drawing = Self { width: 0.0, height: 0.0, panels: vec![], texts: vec![], shapes: vec![] };
+        let mut drawing = Self {
+            width: 0.0,
+            height: 0.0,
+            panels: vec![],
+            texts: vec![],
+            shapes: vec![],
+            moving: vec![],
+            seconds: 0.0,
+        };
         let mut members: Vec<(Vec<usize>, Vec<usize>)> = vec![];
-        let mut is_panel = false;
+        let (mut is_panel, mut is_moving) = (false, false);
         for (name, attributes, text) in elements(svg) {
             match name {
                 "svg" => {
@@ -117,6 +129,7 @@ impl Drawing {
                 }
                 "g" => {
                     is_panel = attributes["class"] == "panel";
+                    is_moving = attributes["class"] == "moving";
                     if is_panel {
                         members.push((vec![], vec![]));
                     }
@@ -140,6 +153,12 @@ impl Drawing {
                         drawing.shapes.push(Shape { class, colour, points });
                     }
                 }
+                "polyline" if is_moving => drawing.moving.push(vec![pairs(attributes["points"])]),
+                "circle" if is_moving => {
+                    let middle = (number(&attributes, "cx"), number(&attributes, "cy"));
+                    drawing.moving.push(vec![vec![middle]]);
+                }
+                "animate" => drawing.animate(&attributes),
                 _ => {}
             }
         }
@@ -151,6 +170,23 @@ impl Drawing {
             drawing.panels.insert(0, panel);
         }
         drawing
+    }
+
+    /// Gives the last moving shape its places.
+    fn animate(&mut self, attributes: &BTreeMap<&str, &str>) {
+        assert_eq!(attributes["repeatCount"], "indefinite");
+        self.seconds = attributes["dur"].trim_end_matches('s').parse().unwrap();
+        let values: Vec<&str> = attributes["values"].split(';').collect();
+        let frames = self.moving.last_mut().unwrap();
+        frames.resize(values.len(), frames[0].clone());
+        for (frame, value) in frames.iter_mut().zip(values) {
+            match attributes["attributeName"] {
+                "points" => *frame = pairs(value),
+                "cx" => frame[0].0 = value.parse().unwrap(),
+                "cy" => frame[0].1 = value.parse().unwrap(),
+                other => panic!("{other} moves"),
+            }
+        }
     }
 
     /// The texts of a class, line by line.
@@ -243,7 +279,7 @@ impl Panel {
         Self { left, top, width: right - left, height: bottom - top, x, y: Scale::of(up), shapes }
     }
 
-    fn data_at(&self, (x, y): Place) -> Place {
+    pub(crate) fn data_at(&self, (x, y): Place) -> Place {
         (self.x.value_at(x), self.y.value_at(y))
     }
 

@@ -247,6 +247,79 @@ fn a_motion_in_time_with_its_events() {
     );
 }
 
+/// The angle of a rod from the downward vertical.
+fn angle(rod: &[Place]) -> f64 {
+    (rod[1].0 - rod[0].0).atan2(rod[1].1 - rod[0].1)
+}
+
+#[test]
+fn a_pendulum_swings_beside_its_curve() {
+    let drawing = drawn("motion|150deg|--times|0:10:5|--animate", "--figure");
+    close(drawing.seconds, 10.0, 0.0);
+    let [rod, axle, body, dot] = &drawing.moving[..] else { panic!("{} shapes move", drawing.moving.len()) };
+    assert_eq!([rod, body, dot].map(Vec::len), [301; 3]);
+    assert!(axle.iter().all(|at| *at == axle[0]));
+    let start = libration::quantity::Angle::from_degrees(150.0).unwrap();
+    let motion = libration::pendulum::Pendulum::new(1.0, 9.80665).unwrap().released_from(start).unwrap();
+    for frame in 0..=300 {
+        let time = f64::from(u32::try_from(frame).unwrap()) / 30.0;
+        let expected = motion.state_at(time).angle;
+        close(angle(&rod[frame]), expected, 2e-4);
+        assert_eq!(body[frame][0], rod[frame][1]);
+        let (t, degrees) = drawing.panels[0].data_at(dot[frame][0]);
+        let (x, y) = drawing.panels[0].resolution();
+        close(t, time, 3.0 * x);
+        close(degrees, expected.to_degrees(), 3.0 * y);
+    }
+    let inside =
+        |(x, y): &Place| (0.0..drawing.panels[0].left).contains(x) && (0.0..drawing.height).contains(y);
+    assert!(rod.iter().flatten().all(inside));
+}
+
+#[test]
+fn bodies_move_as_the_system_has_them_and_long_motions_run_faster() {
+    let drawing = drawn(
+        "simulate|double_pendulum|--set|l2=1/2|--initial|theta1=40deg|--times|0:50:1|--animate",
+        "--figure",
+    );
+    close(drawing.seconds, 25.0, 0.0);
+    assert!(drawing.of_class("parameters").join(" ").contains("shown 2 times as fast"));
+    let [upper, lower] = [0, 1].map(|rod| &drawing.moving[rod]);
+    let length = |rod: &[Place]| (rod[1].0 - rod[0].0).hypot(rod[1].1 - rod[0].1);
+    for (upper, lower) in upper.iter().zip(lower) {
+        assert_eq!(upper[1], lower[0]);
+        close(length(upper) / length(lower), 2.0, 1e-3);
+    }
+    close(angle(&upper[0]).to_degrees(), 40.0, 0.02);
+    let rails = drawn("simulate|x''=-x|--initial|x=1|--times|0:0.5:0.5|--animate", "--figure");
+    close(rails.seconds, 1.0, 0.0);
+    assert!(rails.of_class("parameters").join(" ").contains("shown 2 times as slowly"));
+    let [_, body, dot] = &rails.moving[..] else { panic!("{} shapes move", rails.moving.len()) };
+    let ends = |places: &[Vec<Place>]| [places[0][0], places[places.len() - 1][0]];
+    let [[from, _], [to, _]] = ends(body).map(|(x, y)| [x, y]);
+    assert!(
+        from > to && body.windows(2).all(|pair| pair[1][0].0 <= pair[0][0].0),
+        "x falls from 1 to cos 0.5"
+    );
+    let (x, y) = rails.panels[0].resolution();
+    let last = rails.panels[0].data_at(ends(dot)[1]);
+    close(last.0, 0.5, 3.0 * x);
+    close(last.1, 0.5_f64.cos(), 3.0 * y);
+}
+
+#[test]
+fn what_cannot_move_is_refused() {
+    for (question, reason) in [
+        ("motion 60deg --animate --figure a.png", "cannot move: give a name that ends in .svg"),
+        ("motion 60deg --animate", "--figure"),
+        ("simulate pendulum --times 0:1:1 --animate --axes theta,theta' --figure a.svg", "--axes"),
+    ] {
+        let output = crate::command::libration(question);
+        let message = crate::command::message(&output);
+        assert!(output.status.code() == Some(2) && message.contains(reason), "{question}: {message}");
+    }
+}
+
 #[test]
 fn a_motion_in_the_phase_plane() {
     let drawing = drawn("simulate|x''=-4*x|--initial|x=1|--times|0:10:1|--axes|x,x'", "--figure");

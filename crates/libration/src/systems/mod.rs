@@ -8,15 +8,17 @@ mod coordinate;
 mod error;
 mod model;
 
+mod bodies;
 mod energy;
 mod line_integral;
 
+pub use bodies::{Bodies, Body};
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;
 pub use energy::{Energy, EnergyAccount, EnergyBalance};
 pub use error::{ModelError, NoEnergy, UnknownSystem};
 pub use model::Model;
-pub use named::{NamedCoordinate, NamedSystem, NoSuchPendulum, Parameter};
+pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, Parameter};
 
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! Equations of motion with their values, and the words for them.
 
-use super::{Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
-use crate::expression::{Equation, EquationError, Expression, Symbol, WithoutValue};
+use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
+use crate::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
 use crate::oscillator::{NamedOscillator, Oscillator};
 use crate::taylor::System;
 
@@ -33,6 +33,8 @@ struct Known {
     energy: Expression,
     power: Expression,
     drive_frequency: Option<Expression>,
+    /// The place of each body, and where it is held.
+    bodies: Vec<[[Expression; 2]; 2]>,
 }
 
 /// Values for parameters, which may be written as in a formula.
@@ -72,7 +74,10 @@ impl Model {
             Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), rest })
         });
         let coordinates = coordinates.collect::<Result<_, ModelError>>()?;
+        let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
+        let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.held)?]));
         let known = Known {
+            bodies: bodies.collect::<Result<_, ModelError>>()?,
             energy: put_in(named.energy)?,
             power: put_in(named.power)?,
             drive_frequency: named.drive_frequency.map(put_in).transpose()?,
@@ -183,6 +188,18 @@ impl Model {
         self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
     }
 
+    /// Where its bodies are, if that is known: named systems tell, and angles of other equations are those of rods on one axle.
+    #[must_use]
+    pub fn bodies(&self) -> Option<Bodies> {
+        let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
+        let places = match &self.known {
+            Some(known) => known.bodies.clone(),
+            None if self.coordinates.iter().all(Coordinate::is_angle) => names.iter().map(hanging).collect(),
+            None => return None,
+        };
+        Bodies::new(&places, &names).ok()
+    }
+
     /// What the energy of a named system gains per time, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
@@ -203,6 +220,13 @@ impl Model {
             None => Energy::of_forces(&self.equation),
         }
     }
+}
+
+/// The end of a rod of length one on an axle at zero, and the axle.
+fn hanging(angle: &Symbol) -> [[Expression; 2]; 2] {
+    let angle = || Box::new(Expression::Symbol(angle.clone()));
+    let up = Expression::Negate(Box::new(Expression::Call(Function::Cos, angle())));
+    [[Expression::Call(Function::Sin, angle()), up], [Expression::from(0), Expression::from(0)]]
 }
 
 /// The equation with the given values, and default ones for all others that are not left open.

@@ -36,12 +36,24 @@ pub struct NamedSystem {
     pub drive_frequency: Option<&'static str>,
     /// Whether the parameter n is a power of a velocity, which has to be whole: others have no derivatives at rest.
     pub whole_powers: bool,
+    /// Its bodies, and what they hang on.
+    pub bodies: &'static [NamedBody],
     /// What it describes, and how the coordinates are measured.
     pub description: &'static str,
     /// For which motions and parameters it holds.
     pub domain: &'static str,
     /// Where it comes from; `attributed to` where that is not read but remembered.
     pub source: &'static str,
+}
+
+/// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the
+/// rod. Formulas of the coordinates, the parameters and the time.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedBody {
+    /// Where it is, to the right and upwards.
+    pub place: [&'static str; 2],
+    /// Where the other end of the rod or the spring is that holds it.
+    pub held: [&'static str; 2],
 }
 
 /// A coordinate of a named system.

@@ -247,6 +247,32 @@ fn every_system_obeys_lagranges_equations_of_its_masses() {
 }
 
 #[test]
+fn bodies_are_where_the_masses_are_on_rods_of_one_length() {
+    for (system, mechanism) in Open::all().zip(MECHANISMS) {
+        // Its centre of mass stands for the body, at the distance one.
+        let masses = if system.named.key == "physical_pendulum" { BOB } else { mechanism.masses };
+        assert_eq!(system.named.bodies.len(), masses.len(), "{}", system.named.key);
+        for (body, [_, _, x, y, z]) in system.named.bodies.iter().zip(masses) {
+            let lengths = (0..TRIALS).map(|trial| {
+                let numbers = system.numbers(trial);
+                let value = |text: &str| numbers.value(&formula(text));
+                let place = body.place.map(value);
+                assert_eq!(place, [value(x), value(z)], "{}", system.named.key);
+                let held = body.held.map(value);
+                let length = (place[0] - held[0]).hypot(place[1] - held[1]).hypot(value(y));
+                let names = ["r", "l", "l1", "l2"].map(Symbol::plain);
+                (length, names.map(|name| numbers.0.get(&name).copied()))
+            });
+            for (length, [r, l, l1, l2]) in lengths {
+                let is_upper = body.held == ["0", "0"];
+                let rod = r.or(if is_upper { l1 } else { l2 }).or(l).unwrap_or(1.0);
+                assert!((length - rod).abs() < 1e-15, "{}: {length} {rod}", system.named.key);
+            }
+        }
+    }
+}
+
+#[test]
 fn every_energy_is_that_of_the_masses() {
     for (mechanism, system) in
         MECHANISMS.iter().zip(Open::all()).filter(|(mechanism, _)| !mechanism.pivot_moves())

@@ -20,7 +20,8 @@ use std::path::PathBuf;
   libration motion 150deg --times 0:10:0.5 --csv
   libration motion 0 --velocity 7rad/s --times 0,1,2    # a rotation
   libration motion pi-1e-300 --times 0:2000:100         # almost upright
-  libration motion 90deg --compare small-angle,fourier-3 --figure motion.svg")]
+  libration motion 90deg --compare small-angle,fourier-3 --figure motion.svg
+  libration motion 150deg --times 0:10:1 --animate --figure swing.svg")]
 pub(crate) struct Motion {
     /// The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, turns are counted
     #[arg(value_parser = arguments::angle)]
@@ -36,6 +37,9 @@ pub(crate) struct Motion {
     /// Draw the motion to FILE.svg or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Show the pendulum as it swings beside its curve: an SVG that moves by itself, in a browser
+    #[arg(long, requires = "figure")]
+    animate: bool,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
@@ -65,6 +69,10 @@ impl Motion {
                 let picture = figure::motion::compared(&motion, &comparison, times.ends());
                 let made_with = self.made_with();
                 let picture = picture.with_parameters(made_with);
+                let picture = match self.animate {
+                    true => figure::animation::of_motion(picture, &motion, times.ends()),
+                    false => picture,
+                };
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],

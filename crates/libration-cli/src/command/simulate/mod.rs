@@ -30,6 +30,8 @@ use std::path::{Path, PathBuf};
     --initial \"theta=60deg,theta'=0\" --times 0:100:0.1 --csv
   libration simulate double_pendulum --times 0:20:0.1 \\
     --initial theta1=120deg,theta2=120deg --figure double.svg
+  libration simulate double_pendulum --times 0:20:1 --animate \\
+    --initial theta1=120deg,theta2=120deg --figure moving.svg
   libration simulate damped_pendulum --set c=0.1 --initial theta=170deg \\
     --times 0:60:1 --figure plane.svg --axes \"theta,theta'\"
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 \\
@@ -74,6 +76,9 @@ pub(crate) struct Simulate {
     /// What the picture shows instead of the coordinates against time: one number of the state against another, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
+    /// Show the bodies as they move beside the curves: an SVG that moves by itself, in a browser
+    #[arg(long, requires = "figure", conflicts_with = "axes")]
+    animate: bool,
     #[command(flatten)]
     sizes: figure::Sizes,
     /// Write the answer to a file, whole or not at all, or into a stream; the endings .json and .csv choose the form, - is the
@@ -114,7 +119,12 @@ impl Simulate {
             .as_deref()
             .map(|names| arguments::pair_of_state(&model, "--axes", names))
             .transpose()?;
-        let figure = self.figure.as_deref().map(|path| run::Figure { path, sizes: &self.sizes, axes });
+        let figure = self.figure.as_deref().map(|path| run::Figure {
+            path,
+            sizes: &self.sizes,
+            axes,
+            animate: self.animate,
+        });
         let (ending, written) = match &self.output {
             None => {
                 let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;

@@ -34,6 +34,8 @@ pub(super) struct Figure<'a> {
     pub(super) sizes: &'a figure::Sizes,
     /// What it shows, if not the coordinates against time.
     pub(super) axes: Option<[Shown; 2]>,
+    /// Whether the bodies move beside the curves.
+    pub(super) animate: bool,
 }
 
 /// How an integration ended.
@@ -81,6 +83,7 @@ impl Motion<'_> {
                 let start = &self.initial.state;
                 let picture = match &figure.axes {
                     Some(axes) => trace.plane(self.model, start, axes),
+                    None if figure.animate => trace.animated(self.model, start),
                     None => trace.picture(self.model, start),
                 };
                 vec![figure::file::write(figure.path, &picture, figure.sizes)?]

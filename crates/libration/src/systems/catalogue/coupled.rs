@@ -1,7 +1,7 @@
 //! Pendulums of more than one coordinate.
 
 use super::{GRAVITY, OMEGA0, angle, parameter};
-use crate::systems::{NamedCoordinate, NamedSystem};
+use crate::systems::{NamedBody, NamedCoordinate, NamedSystem};
 
 const fn length(name: &'static str, rest: &'static str) -> NamedCoordinate {
     NamedCoordinate { name, unit: "m", rest }
@@ -24,6 +24,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
+        bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], held: ["0", "0"] }],
         description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
         domain: "r above zero",
         source: "derived from its Lagrangian; attributed to A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
@@ -52,6 +53,13 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
+        bodies: &[
+            NamedBody { place: ["l1*sin(theta1)", "-l1*cos(theta1)"], held: ["0", "0"] },
+            NamedBody {
+                place: ["l1*sin(theta1) + l2*sin(theta2)", "-l1*cos(theta1) - l2*cos(theta2)"],
+                held: ["l1*sin(theta1)", "-l1*cos(theta1)"],
+            },
+        ],
         description: "a pendulum that hangs from the bob of another, both rods massless; both angles from the downward vertical",
         domain: "all motions",
         source: "derived from its Lagrangian, solved for the accelerations; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 5",
@@ -68,6 +76,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
+        bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], held: ["0", "0"] }],
         description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
         domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
         source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
@@ -85,6 +94,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
+        bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], held: ["0", "0"] }],
         description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
         domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
         source: "derived from the force of the rod that keeps its length; attributed to J. L. Lagrange, Mecanique analytique (1788)",
@@ -112,6 +122,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
+        bodies: &[
+            NamedBody { place: ["sin(theta1)", "-cos(theta1)"], held: ["0", "0"] },
+            NamedBody { place: ["sin(theta2)", "-cos(theta2)"], held: ["0", "0"] },
+        ],
         description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
         domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",
         source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20",

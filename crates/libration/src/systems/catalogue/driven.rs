@@ -1,7 +1,7 @@
 //! One pendulum that is driven: by a torque, or by its pivot.
 
-use super::{OMEGA0, SWING_ENERGY, THETA, parameter};
-use crate::systems::{NamedSystem, Parameter};
+use super::{HANGING, OMEGA0, SWING_ENERGY, THETA, parameter};
+use crate::systems::{NamedBody, NamedSystem, Parameter};
 
 const DAMPING: Parameter = parameter("c", "0", "1/s", "linear damping");
 const PIVOT: Parameter =
@@ -25,6 +25,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "A*cos(omega*t)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
         whole_powers: false,
+        bodies: HANGING,
         description: "a torque that alternates drives the pendulum at its axis; the standard example of chaos",
         domain: "all motions",
         source: "attributed to G. L. Baker and J. P. Gollub, Chaotic Dynamics, Cambridge University Press (1996)",
@@ -46,6 +47,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "a*omega^2*cos(omega*t)*sin(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
         whole_powers: false,
+        bodies: &[NamedBody {
+            place: ["sin(theta)", "a*cos(omega*t) - cos(theta)"],
+            held: ["0", "a*cos(omega*t)"],
+        }],
         description: "the pivot is at the height a*l*cos(omega*t), whose acceleration adds to gravity; energy in the frame of the pivot; fast and strong driving holds the pendulum upright",
         domain: "all motions",
         source: "derived in the frame of the pivot; attributed to A. Stephenson, Phil. Mag. 15, 233 (1908), and P. L. Kapitza, Zh. Eksp. Teor. Fiz. 21, 588 (1951)",
@@ -67,6 +72,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "a*omega^2*cos(omega*t)*cos(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
         whole_powers: false,
+        bodies: &[NamedBody {
+            place: ["a*cos(omega*t) + sin(theta)", "-cos(theta)"],
+            held: ["a*cos(omega*t)", "0"],
+        }],
         description: "the pivot is at a*l*cos(omega*t) along the horizontal in the plane of the swing; energy in the frame of the pivot",
         domain: "all motions",
         source: "derived in the frame of the pivot; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 30",

@@ -4,7 +4,7 @@ mod coupled;
 mod driven;
 mod free;
 
-use super::named::{NamedCoordinate, NamedSystem, Parameter};
+use super::named::{NamedBody, NamedCoordinate, NamedSystem, Parameter};
 use crate::quantity::{excerpt, nearest};
 use crate::systems::UnknownSystem;
 
@@ -32,6 +32,9 @@ const THETA: &[NamedCoordinate] = &[angle("theta")];
 const fn angle(name: &'static str) -> NamedCoordinate {
     NamedCoordinate { name, unit: "rad", rest: "0" }
 }
+
+/// One pendulum on a fixed axle.
+const HANGING: &[NamedBody] = &[NamedBody { place: ["sin(theta)", "-cos(theta)"], held: ["0", "0"] }];
 
 /// The energy of one pendulum over its moment of inertia, zero at rest at the bottom.
 const SWING_ENERGY: &str = "theta'^2/2 + 2*omega0^2*sin(theta/2)^2";

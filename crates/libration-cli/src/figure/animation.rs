@@ -1,0 +1,188 @@
+//! A motion that is shown as it goes on, beside its curves.
+
+use super::chart::{Animation, Hanging, Mechanism, MovingDot, Picture};
+use crate::output::number;
+use libration::pendulum::Motion;
+use libration::systems::{Bodies, Model};
+use libration::taylor::Moment;
+
+/// As screens need it for a movement without jerks.
+const FRAMES_PER_SECOND: f64 = 30.0;
+/// Longer ones run faster than they are, so that files stay below a few hundred kilobytes.
+const LONGEST: f64 = 30.0;
+const SHORTEST: f64 = 1.0;
+
+/// How a stretch of time is played: as it is, or so many times as fast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Playing {
+    from: f64,
+    span: f64,
+    /// Seconds of the motion in one second on the screen: 1, 2 or 5 times a power of ten.
+    speed: f64,
+}
+
+impl Playing {
+    /// From one time to another, which may be before it.
+    pub(crate) fn new(from: f64, to: f64) -> Self {
+        let span = to - from;
+        let seconds = span.abs();
+        let speed = if (SHORTEST..=LONGEST).contains(&seconds) || seconds == 0.0 {
+            1.0
+        } else if seconds > LONGEST {
+            steps(1).find(|speed| seconds / speed <= LONGEST).unwrap_or(f64::INFINITY)
+        } else {
+            steps(-1).find(|speed| seconds / speed >= SHORTEST).unwrap_or(f64::MIN_POSITIVE)
+        };
+        Self { from, span, speed }
+    }
+
+    fn seconds(&self) -> f64 {
+        (self.span.abs() / self.speed).clamp(SHORTEST, LONGEST)
+    }
+
+    /// The times that are shown.
+    fn times(&self) -> Vec<f64> {
+        const MOST: u32 = 1000;
+        let frames = (1..MOST).find(|frames| f64::from(*frames) >= self.seconds() * FRAMES_PER_SECOND);
+        let frames = frames.unwrap_or(MOST);
+        (0..=frames).map(|frame| self.from + self.span * f64::from(frame) / f64::from(frames)).collect()
+    }
+
+    /// What is said of the speed, if it is not the true one.
+    fn said(&self) -> Option<String> {
+        let said = |factor: f64, how: &str| format!("shown {} times as {how}", number::short(factor, 3));
+        match self.speed {
+            speed if speed > 1.0 => Some(said(speed, "fast")),
+            speed if speed < 1.0 => Some(said(1.0 / speed, "slowly")),
+            _ => None,
+        }
+    }
+
+    fn animated(self, picture: Picture, mechanism: Mechanism, dots: Vec<MovingDot>) -> Picture {
+        let parameters = picture.parameters.iter().cloned().chain(self.said()).collect();
+        Picture {
+            parameters,
+            animation: Some(Animation { seconds: self.seconds(), mechanism, dots }),
+            ..picture
+        }
+    }
+}
+
+/// 1, 2, 5, 10 and so on, or their inverses.
+fn steps(direction: i32) -> impl Iterator<Item = f64> {
+    let powers = (0..300).flat_map(|power| [1.0, 2.0, 5.0].map(|first| first * 10_f64.powi(power)));
+    powers.map(move |step| if direction > 0 { step } else { 1.0 / step })
+}
+
+/// The picture of a pendulum's motion with the pendulum beside it.
+pub(crate) fn of_motion(picture: Picture, motion: &Motion, (from, to): (f64, f64)) -> Picture {
+    let playing = Playing::new(from, to);
+    let times = playing.times();
+    let angles: Vec<f64> = times.iter().map(|time| motion.state_at(*time).angle).collect();
+    let bodies = Model::by_key("pendulum", &[], &[]).ok().and_then(|model| model.bodies());
+    let mechanism = bodies.map(|bodies| in_plane(&bodies, &times, std::slice::from_ref(&angles)));
+    let dot = MovingDot {
+        panel: 0,
+        colour: super::style::curve(0).colour,
+        places: times.iter().zip(&angles).map(|(time, angle)| (*time, angle.to_degrees())).collect(),
+    };
+    match mechanism {
+        Some(mechanism) => playing.animated(picture, mechanism, vec![dot]),
+        None => picture,
+    }
+}
+
+/// The coordinates of a motion at some times.
+pub(crate) struct Sampled<'a> {
+    pub(crate) times: &'a [f64],
+    /// One list for each coordinate.
+    pub(crate) values: &'a [Vec<f64>],
+}
+
+impl Sampled<'_> {
+    /// A coordinate between two samples, on a straight line.
+    fn value(&self, coordinate: usize, time: f64) -> f64 {
+        let values = &self.values[coordinate];
+        let next = self.times.partition_point(|known| known.abs() < time.abs());
+        let (Some(first), Some(second)) = (next.checked_sub(1), self.times.get(next)) else {
+            return values.get(next).or(values.last()).copied().unwrap_or(0.0);
+        };
+        let part = (time - self.times[first]) / (second - self.times[first]);
+        values[first] + part * (values[next] - values[first])
+    }
+
+    /// The picture of the coordinates with the bodies of the system beside it; each dot is to be on the panel and in the
+    /// scale that are given for its coordinate.
+    pub(crate) fn animated(
+        &self,
+        picture: Picture,
+        model: &Model,
+        shown: impl Fn(usize) -> (usize, f64),
+    ) -> Picture {
+        let ends = self.times.first().zip(self.times.last());
+        let Some((from, to)) = ends else { return picture };
+        let playing = Playing::new(*from, *to);
+        let times = playing.times();
+        let coordinates = 0..model.coordinates().len();
+        let values: Vec<Vec<f64>> = coordinates
+            .clone()
+            .map(|coordinate| times.iter().map(|time| self.value(coordinate, *time)).collect())
+            .collect();
+        let mechanism = match model.bodies() {
+            Some(bodies) => in_plane(&bodies, &times, &values),
+            None => Mechanism::Rails(values.clone()),
+        };
+        let dots = coordinates.map(|coordinate| {
+            let (panel, scale) = shown(coordinate);
+            let points = times.iter().zip(&values[coordinate]);
+            MovingDot {
+                panel,
+                colour: super::style::curve(coordinate).colour,
+                places: points.map(|(time, value)| (*time, scale * value)).collect(),
+            }
+        });
+        playing.animated(picture, mechanism, dots.collect())
+    }
+}
+
+fn in_plane(bodies: &Bodies, times: &[f64], values: &[Vec<f64>]) -> Mechanism {
+    let states = times.iter().enumerate().map(|(frame, &time)| {
+        let coordinates = values.iter().map(|values| values[frame]);
+        // Bodies are where the coordinates say, however fast they are.
+        let state = coordinates.clone().chain(coordinates.map(|_| 0.0)).collect();
+        bodies.at(&Moment { time, state })
+    });
+    let frames: Vec<_> = states.collect();
+    let body = |number: usize| {
+        let places = |place: fn(&libration::systems::Body) -> [f64; 2]| {
+            frames.iter().map(|bodies| place(&bodies[number]).into()).collect()
+        };
+        Hanging { places: places(|body| body.place), held: places(|body| body.held) }
+    };
+    Mechanism::Plane((0..frames.first().map_or(0, Vec::len)).map(body).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_second_is_a_second_where_that_can_be_watched() {
+        for (to, speed, frames) in
+            [(10.0, 1.0, 301), (30.0, 1.0, 901), (30.1, 2.0, 453), (-100.0, 5.0, 601), (1e-3, 1e-3, 31)]
+        {
+            let playing = Playing::new(0.0, to);
+            assert!((playing.speed / speed - 1.0).abs() < 1e-12, "{to}: {}", playing.speed);
+            let times = playing.times();
+            assert_eq!((times.len(), times[0], times.last()), (frames, 0.0, Some(&to)));
+        }
+    }
+
+    #[test]
+    fn coordinates_between_samples_are_on_straight_lines() {
+        let sampled = Sampled { times: &[0.0, -1.0, -3.0], values: &[vec![0.0, 2.0, 6.0]] };
+        for (time, value) in [(0.0, 0.0), (-0.5, 1.0), (-1.0, 2.0), (-2.0, 4.0), (-3.0, 6.0), (-4.0, 6.0)] {
+            assert_eq!(sampled.value(0, time), value, "{time}");
+        }
+    }
+}
