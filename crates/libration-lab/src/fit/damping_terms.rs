@@ -28,6 +28,16 @@ impl DampingTerm {
         }
     }
 
+    /// Of the velocity, as [`decay`](libration::decay) counts them.
+    #[must_use]
+    pub fn exponent(self) -> f64 {
+        match self {
+            Self::Dry => 0.0,
+            Self::Linear => 1.0,
+            Self::Quadratic => 2.0,
+        }
+    }
+
     /// Of its coefficient; `1` where there is none.
     #[must_use]
     pub fn unit(self) -> &'static str {
@@ -97,6 +107,13 @@ impl DampingTerms {
     #[must_use]
     pub fn is_part_of(self, other: Self) -> bool {
         self.iter().all(|term| other.has(term))
+    }
+}
+
+impl FromIterator<DampingTerm> for DampingTerms {
+    fn from_iter<I: IntoIterator<Item = DampingTerm>>(terms: I) -> Self {
+        let terms: Vec<DampingTerm> = terms.into_iter().collect();
+        Self(DampingTerm::ALL.map(|term| terms.contains(&term)))
     }
 }
 

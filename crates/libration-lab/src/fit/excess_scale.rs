@@ -1,11 +1,10 @@
 //! The one-parameter test of a law: T = T0·[1 + β(R(A) − 1)], where β = 1 is the law itself.
 
+use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
 use crate::statistics::count;
-
-const MOST_ROUNDS: usize = 100;
 
 /// β with T0 left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,27 +58,9 @@ pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit
     if points.iter().all(|point| point.ratio.to_bits() == points[0].ratio.to_bits()) {
         return Err(FitError::EqualAmplitudes);
     }
-    let line = settle(&points, table.weighting())?;
+    let solve = |variances: &[f64]| Line::through(&points, variances);
+    let (line, _) = settled(&points, table.weighting(), "beta", solve)?;
     Ok(line.to_fit(&points, table.weighting()))
-}
-
-/// The line with the weights that belong to its slope; unit weights without uncertainties.
-fn settle(points: &[Point], weighting: Weighting) -> Result<Line, FitError> {
-    let mut line = Line::through(points, &vec![1.0; points.len()]);
-    if weighting == Weighting::Scatter {
-        return Ok(line);
-    }
-    for _ in 0..MOST_ROUNDS {
-        let variances: Vec<f64> = points.iter().map(|point| point.variance(line.slope)).collect();
-        let renewed = Line::through(points, &variances);
-        // The slope is settled when it moves by far less than its own uncertainty.
-        if (renewed.slope - line.slope).abs() <= 1e-12 * (renewed.slope.abs() + renewed.slope_variance.sqrt())
-        {
-            return Ok(renewed);
-        }
-        line = renewed;
-    }
-    Err(FitError::NoConvergence("beta"))
 }
 
 /// T = mean + slope·(x − centre) with x = R − 1, and the variances of its uncorrelated two parameters.
@@ -90,6 +71,17 @@ struct Line {
     mean_variance: f64,
     slope_variance: f64,
     chi2: f64,
+}
+
+impl Weighted for Line {
+    fn scale(&self) -> f64 {
+        self.slope
+    }
+
+    /// The slope may be zero, of which its uncertainty knows.
+    fn size(&self) -> f64 {
+        self.slope.abs() + self.slope_variance.sqrt()
+    }
 }
 
 impl Line {

@@ -15,6 +15,7 @@
 mod budget;
 pub mod cycles;
 mod damping_terms;
+mod effective_weights;
 mod error;
 mod excess_scale;
 pub mod gates;

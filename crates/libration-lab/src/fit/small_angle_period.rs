@@ -1,14 +1,10 @@
 //! T0 under a law T = T0·R(A).
 
+use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
 use crate::statistics::count;
-
-/// The weights settle by a factor of (σ of T0)/T0 or so each time.
-const MOST_ROUNDS: usize = 100;
-/// Rounding moves T0 by less.
-const SETTLED: f64 = 1e-13;
 
 /// T0 under one law.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +59,8 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "T0" });
     }
     let points = law.points(&table.rows)?;
-    let (t0, variances) = settle(&points, table.weighting())?;
+    let solve = |variances: &[f64]| T0(weighted_t0(&points, variances));
+    let (T0(t0), variances) = settled(&points, table.weighting(), "T0", solve)?;
     let residuals: Vec<f64> = points.iter().map(|point| point.row.period - t0 * point.ratio).collect();
     let dof = points.len() - 1;
     let variances = variances.unwrap_or_else(|| vec![sum_of_squares(&residuals) / count(dof); points.len()]);
@@ -81,21 +78,17 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     })
 }
 
-/// T0 with the weights that belong to it, and the variances; none of those without uncertainties.
-fn settle(points: &[Point], weighting: Weighting) -> Result<(f64, Option<Vec<f64>>), FitError> {
-    let mut t0 = weighted_t0(points, &vec![1.0; points.len()]);
-    if weighting == Weighting::Scatter {
-        return Ok((t0, None));
+/// T0 in the making.
+struct T0(f64);
+
+impl Weighted for T0 {
+    fn scale(&self) -> f64 {
+        self.0
     }
-    for _ in 0..MOST_ROUNDS {
-        let variances: Vec<f64> = points.iter().map(|point| point.variance(t0)).collect();
-        let renewed = weighted_t0(points, &variances);
-        if (renewed - t0).abs() <= SETTLED * t0.abs() {
-            return Ok((renewed, Some(variances)));
-        }
-        t0 = renewed;
+
+    fn size(&self) -> f64 {
+        self.0.abs()
     }
-    Err(FitError::NoConvergence("T0"))
 }
 
 /// Σ R T/σ² over Σ R²/σ².

@@ -6,6 +6,7 @@
 mod random;
 mod synthetic_trace;
 
+mod continuation;
 mod fit;
 mod fit_budget;
 mod fit_cycles;

@@ -118,40 +118,6 @@ fn an_unclosed_quote_or_a_megabyte_of_one_cell_is_an_error_not_a_stall() {
 }
 
 #[test]
-fn no_bytes_make_the_reader_panic() {
-    const PIECES: [&[u8]; 16] = [
-        b"1",
-        b"2,5",
-        b"-3.5e2",
-        b",",
-        b";",
-        b"\t",
-        b" ",
-        b"\n",
-        b"\r\n",
-        b"\r",
-        b"\"",
-        b"#",
-        b"A",
-        b"nan",
-        b"\xc3\xa9",
-        b"\xff",
-    ];
-    let mut seed = 1u64;
-    let mut read = 0;
-    for _ in 0..50_000 {
-        let mut bytes = Vec::new();
-        for _ in 0..12 {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            bytes.extend(PIECES[usize::try_from(seed >> 60).unwrap()]);
-        }
-        let table = Table::read(&bytes, &Options::default());
-        read += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
-    }
-    assert!(read > 100, "only {read} of the tables were read at all");
-}
-
-#[test]
 fn every_unit_is_turned_into_that_of_the_si() {
     use std::f64::consts::{PI, TAU};
     for (unit, expected) in [

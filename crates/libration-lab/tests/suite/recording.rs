@@ -567,8 +567,8 @@ fn passages_without_a_unit_are_seconds_only_where_a_pendulum_has_such_periods() 
 }
 
 #[test]
-fn no_bytes_make_the_reader_panic() {
-    const PIECES: [&[u8]; 24] = [
+fn no_bytes_make_a_reader_panic() {
+    const PIECES: [&[u8]; 25] = [
         b"1",
         b"2,5",
         b"-3.5e2",
@@ -581,6 +581,7 @@ fn no_bytes_make_the_reader_panic() {
         b"\r",
         b"\"",
         b"#",
+        b"A",
         b"x",
         b"t",
         b"angle",
@@ -604,14 +605,17 @@ fn no_bytes_make_the_reader_panic() {
         Choices { unit: Some(Unit::Degree), time: Some(Column::Number(1)), ..Choices::default() },
         Choices { x: Some(Column::Number(1)), y: Some(Column::Number(2)), ..Choices::default() },
     ];
-    let mut read = 0;
-    for _ in 0..20_000 {
-        let bytes: Vec<u8> = (0..16).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
+    let (mut read, mut tables) = (0, 0);
+    for _ in 0..30_000 {
+        let length = 12 + next(5);
+        let bytes: Vec<u8> = (0..length).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
+        let table = Table::read(&bytes, &Options::default());
+        tables += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
         let Ok(recording) = Recording::read(&bytes, &Options::default()) else { continue };
         let found = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
         read += found + usize::from(recording.gate_times(&choices[0]).is_ok());
     }
-    assert!(read > 100, "only {read} were read at all");
+    assert!(read > 100 && tables > 100, "only {read} recordings and {tables} tables were read at all");
     let book = include_bytes!("../data/workbook.xls");
     for _ in 0..2_000 {
         let mut bytes = book.to_vec();

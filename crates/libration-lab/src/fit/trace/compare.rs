@@ -314,7 +314,12 @@ mod tests {
             damping,
             correlations: (0..n).map(unit).collect(),
             parameters,
-            traces: vec![super::super::FittedTrace { fitted: vec![], residuals: vec![], outliers: vec![] }],
+            traces: vec![super::super::FittedTrace {
+                begins: 0.0,
+                fitted: vec![],
+                residuals: vec![],
+                outliers: vec![],
+            }],
             degrees_of_freedom: 100 - n,
             independent_rows: 100.0,
             chi2_per_dof: None,

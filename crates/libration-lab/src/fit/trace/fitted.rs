@@ -31,6 +31,8 @@ pub struct Parameter {
 /// What the model says of one trace.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedTrace {
+    /// When its first row was, in the clock of the trace, in s.
+    pub begins: f64,
     /// What should have been seen, in the unit of the trace, row by row.
     pub fitted: Vec<f64>,
     /// What was seen less that.

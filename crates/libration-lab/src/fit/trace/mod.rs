@@ -39,9 +39,12 @@ mod compare;
 mod fitted;
 mod information;
 
+mod continuation;
+
 pub use super::{DampingTerm, DampingTerms, DampingTermsError};
 pub use autocorrelation::Autocorrelation;
 pub use compare::{Averaged, Comparison, Standing, compare};
+pub use continuation::{ContinuationError, FittedDecay, FittedTurningPoint};
 pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;

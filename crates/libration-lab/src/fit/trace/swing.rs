@@ -35,14 +35,7 @@ impl Swing {
         let names: Vec<&str> = ["k"].into_iter().chain(terms.iter().map(symbol)).collect();
         let equation = with_sensitivities(&equation(terms), &names, 2);
         let system = System::with_parameters(&equation, &names).expect("all parameters are open");
-        let turning = [Direction::Rising, Direction::Falling].map(|direction| {
-            let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
-            Event { formula, direction, terminal: true }
-        });
-        let system = match terms.has(DampingTerm::Dry) {
-            true => system.with_events(&turning).expect("the velocity is a number of the state"),
-            false => system,
-        };
+        let system = if terms.has(DampingTerm::Dry) { until_it_turns(system) } else { system };
         Self { system, terms }
     }
 
@@ -127,6 +120,33 @@ impl Swing {
         derivatives[0] = derivatives[0].map(|derivative| 2.0 * omega0 * derivative);
         Sample { state, derivatives }
     }
+}
+
+/// When, and at which angle, a pendulum with this damping turns that is at this angle with this velocity at zero time; nothing where
+/// it does not within that time, or cannot be followed.
+pub(super) fn turning_point(
+    terms: DampingTerms,
+    omega0: f64,
+    coefficients: &[f64],
+    start: [f64; 2],
+    longest: f64,
+) -> Option<[f64; 2]> {
+    let names: Vec<&str> = ["k"].into_iter().chain(terms.iter().map(symbol)).collect();
+    let system = System::with_parameters(&equation(terms), &names).expect("all parameters are open");
+    let parameters = [omega0 * omega0].iter().chain(coefficients).copied().collect();
+    let start = Moment { time: 0.0, state: start.to_vec() };
+    let launch = Launch { start, parameters, times: &[longest] };
+    let solution = launch.integrate(&until_it_turns(system), &EFFORT, |_| ControlFlow::Continue(())).ok()?;
+    solution.events.first().map(|turn| [turn.time, turn.state[0]])
+}
+
+/// The motion ends where the velocity changes its sign.
+fn until_it_turns(system: System) -> System {
+    let turning = [Direction::Rising, Direction::Falling].map(|direction| {
+        let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
+        Event { formula, direction, terminal: true }
+    });
+    system.with_events(&turning).expect("the velocity is a number of the state")
 }
 
 /// The equation of motion with these kinds of damping.

@@ -170,7 +170,7 @@ fn fitted(search: &Search<'_>, all: &[f64]) -> Vec<FittedTrace> {
         let fitted =
             trace.values().iter().zip(&residuals).map(|(value, residual)| value - residual).collect();
         let outliers = (0..column.len()).filter(|&row| huber::is_outlier(column[row], scale)).collect();
-        FittedTrace { fitted, residuals, outliers }
+        FittedTrace { begins: trace.times()[0], fitted, residuals, outliers }
     };
     search.traces.iter().zip(split(all, search.traces)).map(one).collect()
 }

@@ -1,0 +1,96 @@
+//! Weights that belong to what they are to find: effective variances depend on by how much the period changes with the amplitude.
+
+use super::law::Point;
+use super::{FitError, Weighting};
+
+/// The weights settle by a factor of (σ of T0)/T0 or so each time.
+const MOST_ROUNDS: usize = 100;
+/// Rounding moves what is found by less, and so would the next round.
+const SETTLED: f64 = 1e-12;
+
+/// What is found with weights.
+pub(super) trait Weighted {
+    /// By what the slope of the law is multiplied: T0, or T0β.
+    fn scale(&self) -> f64;
+
+    /// The size beside which a change of the scale counts; more than itself where it may be zero.
+    fn size(&self) -> f64;
+}
+
+/// What `solve` finds with the variances that belong to it, and these; with unit weights, and none of them, without uncertainties.
+///
+/// # Errors
+/// [`FitError::NoConvergence`] of these parameters.
+pub(super) fn settled<S: Weighted>(
+    points: &[Point],
+    weighting: Weighting,
+    parameters: &'static str,
+    solve: impl Fn(&[f64]) -> S,
+) -> Result<(S, Option<Vec<f64>>), FitError> {
+    let mut found = solve(&vec![1.0; points.len()]);
+    if weighting == Weighting::Scatter {
+        return Ok((found, None));
+    }
+    for _ in 0..MOST_ROUNDS {
+        let variances: Vec<f64> = points.iter().map(|point| point.variance(found.scale())).collect();
+        let renewed = solve(&variances);
+        if (renewed.scale() - found.scale()).abs() <= SETTLED * renewed.size() {
+            return Ok((renewed, Some(variances)));
+        }
+        found = renewed;
+    }
+    Err(FitError::NoConvergence(parameters))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::{Law, PeriodTable, Uncertainties};
+
+    struct Found(f64);
+
+    impl Weighted for Found {
+        fn scale(&self) -> f64 {
+            self.0
+        }
+
+        fn size(&self) -> f64 {
+            self.0.abs()
+        }
+    }
+
+    fn points(with_uncertainties: bool) -> (Vec<Point>, Weighting) {
+        let columns = [0.1, 0.1];
+        let given = with_uncertainties.then_some(&columns[..]);
+        let uncertainties = Uncertainties { amplitudes: given, periods: given };
+        let table = PeriodTable::new(&[1.0, 2.0], &[2.1, 2.5], uncertainties).unwrap();
+        (Law::exact().points(&table.rows).unwrap(), table.weighting())
+    }
+
+    #[test]
+    fn what_is_found_belongs_to_its_own_weights() {
+        let (points, weighting) = points(true);
+        let solve = |variances: &[f64]| Found(1.0 + variances[1]);
+        let (Found(scale), variances) = settled(&points, weighting, "T0", solve).unwrap();
+        let variance = variances.unwrap()[1];
+        assert!(
+            (scale - 1.0 - variance).abs() < 1e-15
+                && (points[1].variance(scale) / variance - 1.0).abs() < 1e-11
+        );
+    }
+
+    #[test]
+    fn what_does_not_settle_is_refused() {
+        let (points, weighting) = points(true);
+        let away = |variances: &[f64]| Found(variances[1] * 1e6);
+        let refused = settled(&points, weighting, "T0", away).map(|_| ());
+        assert_eq!(refused, Err(FitError::NoConvergence("T0")));
+    }
+
+    #[test]
+    fn without_uncertainties_all_rows_count_alike() {
+        let (points, weighting) = points(false);
+        let (Found(sum), variances) = settled(&points, weighting, "T0", |v| Found(v.iter().sum())).unwrap();
+        assert!((sum - 2.0).abs() < 1e-15 && variances.is_none());
+    }
+}

@@ -1,0 +1,228 @@
+//! A fitted swing that goes on after its last row, as [`decay`] describes it.
+
+use std::f64::consts::{PI, TAU};
+
+use super::swing::{Swing, turning_point};
+use super::{DampingTerm, TraceFit};
+use libration::decay::{self, Damping, Decay, DecayError, TurningPoint};
+use libration::pendulum::{Pendulum, PendulumError};
+use libration::quantity::{Angle, Quantity};
+
+/// A fitted swing from one of its turning points on.
+#[derive(Clone, Debug)]
+pub struct FittedDecay {
+    /// When it turns there, in the clock of the trace, in s.
+    pub start: f64,
+    /// The release from there.
+    pub decay: Decay,
+}
+
+/// Where and when a fitted swing turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FittedTurningPoint {
+    /// In the clock of the trace, in s.
+    pub time: Quantity,
+    /// From the bottom, in radians.
+    pub amplitude: Quantity,
+}
+
+/// Why a fitted swing cannot be continued.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ContinuationError {
+    /// Traces are counted from zero.
+    #[error("the fit has {traces} traces and none with the number {trace}: count from zero")]
+    NoTrace {
+        /// What was asked for.
+        trace: usize,
+        /// How many there are.
+        traces: usize,
+    },
+    /// It comes to rest before, or goes over the top for as long as a hundred periods.
+    #[error("the fitted motion does not turn after the first row: give a trace that swings to and fro")]
+    DoesNotTurn,
+    /// A frequency or an angle that no pendulum has.
+    #[error(transparent)]
+    Pendulum(#[from] PendulumError),
+    /// A damping that `decay` does not take: none at all, or a coefficient below zero.
+    #[error(transparent)]
+    Decay(#[from] DecayError),
+}
+
+/// In periods of small swings.
+const LONGEST: f64 = 100.0;
+/// Derivatives are differences over this part of an uncertainty, upwards, since coefficients of damping are never negative.
+const STEP: f64 = 0.1;
+
+impl TraceFit {
+    /// The fitted damping as [`decay`] takes it.
+    ///
+    /// # Errors
+    /// No damping in the model, or a coefficient below zero.
+    pub fn decay_damping(&self) -> Result<Damping, DecayError> {
+        self.motion_parameters(0).damping()
+    }
+
+    /// The swing of a trace from a turning point on, the first that is a quarter of a period after the first row: what `decay`
+    /// knows of it are the amplitude at any time, all turning points, and where it ends.
+    ///
+    /// # Errors
+    /// No such trace, no damping in the model or a coefficient below zero, a motion that does not turn.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::decay::{Damping, Decay, Law};
+    /// use libration::pendulum::Pendulum;
+    /// use libration_lab::fit::trace::{TraceOptions, fit_traces};
+    /// use libration_lab::measurement::{Seen, Trace};
+    /// use std::ops::ControlFlow;
+    ///
+    /// // Ten seconds of a swing that falls from 0.2 rad by exp(−0.01 t), by the law of small amplitudes.
+    /// let angle = |time: f64| 0.2 * (-0.01 * time).exp() * (3.0 * time).cos();
+    /// let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
+    /// let angles = times.iter().map(|&time| angle(time)).collect();
+    /// let trace = Trace::new("small", Seen::Angle, times, angles, None)?;
+    /// let go_on = &mut || ControlFlow::Continue(());
+    /// let fit = fit_traces(&[trace], "linear".parse()?, &TraceOptions::default(), go_on)?;
+    /// let continued = fit.decay(0)?;
+    /// let after_a_minute = continued.decay.envelope(Law::Averaged).amplitude_at(60.0 - continued.start);
+    /// assert!((after_a_minute / 0.2 / (-0.6_f64).exp() - 1.0).abs() < 0.02);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn decay(&self, trace: usize) -> Result<FittedDecay, ContinuationError> {
+        let begins = self.begin(trace)?;
+        let mut found = self.motion_parameters(trace).decay()?;
+        found.start += begins;
+        Ok(found)
+    }
+
+    /// The turning points of a trace from that of [`decay`](Self::decay) to a time in its clock, after its end too, with what the
+    /// parameters leave open. Another model of the damping may say something else.
+    ///
+    /// # Errors
+    /// As [`decay`](Self::decay).
+    pub fn turning_points(
+        &self,
+        trace: usize,
+        until: f64,
+    ) -> Result<Vec<FittedTurningPoint>, ContinuationError> {
+        let begins = self.begin(trace)?;
+        let parameters = self.motion_parameters(trace);
+        let found = parameters.turns(until - begins)?;
+        let moved = (0..parameters.places.len()).map(|place| {
+            let step = STEP * self.parameters[parameters.places[place]].uncertainty;
+            parameters.moved(place, step).turns(until - begins + TAU / parameters.values[0])
+        });
+        let moved = moved.collect::<Result<Vec<_>, _>>()?;
+        let apart = 0.5 * PI / parameters.values[0];
+        let with_uncertainty = |[time, amplitude]: [f64; 2]| {
+            let changes: Option<Vec<[f64; 2]>> =
+                moved.iter().map(|turns| change(turns, [time, amplitude], apart)).collect();
+            let deviation = |of: usize| Some(self.deviation(&parameters.places, changes.as_ref()?, of));
+            let [of_time, of_amplitude] = [deviation(0)?, deviation(1)?];
+            Some(FittedTurningPoint {
+                time: Quantity { value: begins + time, uncertainty: Some(of_time) },
+                amplitude: Quantity { value: amplitude, uncertainty: Some(of_amplitude) },
+            })
+        };
+        Ok(found.into_iter().map_while(with_uncertainty).collect())
+    }
+
+    fn begin(&self, trace: usize) -> Result<f64, ContinuationError> {
+        let missing = ContinuationError::NoTrace { trace, traces: self.traces.len() };
+        self.traces.get(trace).map(|trace| trace.begins).ok_or(missing)
+    }
+
+    /// The standard deviation of what changes by so much with one uncertainty of each parameter.
+    fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
+        let product = |(i, &a): (usize, &usize)| -> f64 {
+            let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
+            changes[i][of] * row.sum::<f64>()
+        };
+        places.iter().enumerate().map(product).sum::<f64>().max(0.0).sqrt()
+    }
+
+    fn motion_parameters(&self, trace: usize) -> MotionParameters {
+        let is_of_motion = |name: &str, own: Option<usize>| match own {
+            None => name != "scale",
+            Some(own) => own == trace && name != "offset",
+        };
+        let named = self.parameters.iter().enumerate();
+        let of_motion = named.filter(|(_, parameter)| is_of_motion(parameter.name, parameter.trace));
+        let (places, values) = of_motion.map(|(place, parameter)| (place, parameter.value)).unzip();
+        MotionParameters { terms: self.damping.iter().collect(), places, values }
+    }
+}
+
+/// By how much a turning point differs from the one at its time, in one uncertainty; none where there is none.
+fn change(turns: &[[f64; 2]], [time, amplitude]: [f64; 2], apart: f64) -> Option<[f64; 2]> {
+    let nearest = turns.iter().min_by(|a, b| (a[0] - time).abs().total_cmp(&(b[0] - time).abs()))?;
+    let differs = [nearest[0] - time, nearest[1] - amplitude];
+    (differs[0].abs() < apart).then(|| differs.map(|difference| difference / STEP))
+}
+
+/// ω0, the coefficients of the damping, the first angle and the first velocity of a trace.
+struct MotionParameters {
+    terms: Vec<DampingTerm>,
+    /// Where they stand among the parameters of the fit.
+    places: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl MotionParameters {
+    fn moved(&self, place: usize, step: f64) -> Self {
+        let mut values = self.values.clone();
+        values[place] += step;
+        Self { terms: self.terms.clone(), places: self.places.clone(), values }
+    }
+
+    fn coefficients(&self) -> &[f64] {
+        &self.values[1..=self.terms.len()]
+    }
+
+    fn damping(&self) -> Result<Damping, DecayError> {
+        let term = |(term, &coefficient): (&DampingTerm, &f64)| decay::DampingTerm {
+            exponent: term.exponent(),
+            coefficient,
+        };
+        Damping::new(&self.terms.iter().zip(self.coefficients()).map(term).collect::<Vec<_>>())
+    }
+
+    /// With the time of the release after the first row.
+    fn decay(&self) -> Result<FittedDecay, ContinuationError> {
+        let damping = self.damping()?;
+        let [start, angle] = self.turning_point().ok_or(ContinuationError::DoesNotTurn)?;
+        let angle = angle - TAU * libm::round(angle / TAU);
+        let angle = Angle::from_radians(angle).map_err(|_| ContinuationError::DoesNotTurn)?;
+        let pendulum = Pendulum::from_angular_frequency(self.values[0])?;
+        Ok(FittedDecay { start, decay: Decay::new(pendulum, damping, angle)? })
+    }
+
+    /// The first one a quarter of a period after the first row, before which a motion that is released there may turn or not,
+    /// by the error of its velocity.
+    fn turning_point(&self) -> Option<[f64; 2]> {
+        let (omega0, first) = (self.values[0], self.terms.len() + 1);
+        let terms = self.terms.iter().copied().collect();
+        let quarter = 0.5 * PI / omega0;
+        let start = [self.values[first], self.values[first + 1]];
+        let state = Swing::new(terms).samples(omega0, self.coefficients(), start, &[0.0, quarter])?[1].state;
+        let longest = LONGEST * TAU / omega0;
+        let [time, angle] = turning_point(terms, omega0, self.coefficients(), state, longest)?;
+        Some([quarter + time, angle])
+    }
+
+    /// Times after the first row with amplitudes.
+    fn turns(&self, until: f64) -> Result<Vec<[f64; 2]>, ContinuationError> {
+        let FittedDecay { start, decay } = self.decay()?;
+        let pair = |turn: TurningPoint| [start + turn.time, turn.amplitude.radians()];
+        let mut found = vec![];
+        for turn in decay.swings() {
+            let turn = pair(turn?);
+            if turn[0] > until {
+                break;
+            }
+            found.push(turn);
+        }
+        Ok(found)
+    }
+}
