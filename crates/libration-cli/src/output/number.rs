@@ -15,7 +15,8 @@ pub(crate) fn exact(value: f64) -> String {
 }
 
 /// `1.637 ± 0.002 s`, or without an uncertainty where none is known.
-pub(crate) fn quantity(quantity: Quantity, unit: &str) -> String {
+pub(crate) fn quantity(quantity: impl Into<Quantity>, unit: &str) -> String {
+    let quantity = quantity.into();
     with_uncertainty(quantity.value, quantity.uncertainty.unwrap_or(0.0), unit)
 }
 

@@ -5,16 +5,14 @@ use super::{FitError, Weighting};
 
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
 const MOST_ROUNDS: usize = 100;
-/// Rounding moves what is found by less, and so would the next round.
-const SETTLED: f64 = 1e-12;
 
 /// What is found with weights.
 pub(super) trait Weighted {
     /// By what the slope of the law is multiplied: T0, or T0β.
     fn scale(&self) -> f64;
 
-    /// The size beside which a change of the scale counts; more than itself where it may be zero.
-    fn size(&self) -> f64;
+    /// A change of the scale that is none: rounding makes less of one, and so would the next round.
+    fn negligible(&self) -> f64;
 }
 
 /// What `solve` finds with the variances that belong to it, and these; with unit weights, and none of them, without uncertainties.
@@ -34,7 +32,7 @@ pub(super) fn settled<S: Weighted>(
     for _ in 0..MOST_ROUNDS {
         let variances: Vec<f64> = points.iter().map(|point| point.variance(found.scale())).collect();
         let renewed = solve(&variances);
-        if (renewed.scale() - found.scale()).abs() <= SETTLED * renewed.size() {
+        if (renewed.scale() - found.scale()).abs() <= renewed.negligible() {
             return Ok((renewed, Some(variances)));
         }
         found = renewed;
@@ -54,8 +52,8 @@ mod tests {
             self.0
         }
 
-        fn size(&self) -> f64 {
-            self.0.abs()
+        fn negligible(&self) -> f64 {
+            1e-12 * self.0.abs()
         }
     }
 
@@ -82,8 +80,9 @@ mod tests {
     #[test]
     fn what_does_not_settle_is_refused() {
         let (points, weighting) = points(true);
-        let away = |variances: &[f64]| Found(variances[1] * 1e6);
-        let refused = settled(&points, weighting, "T0", away).map(|_| ());
+        // Small weights ask for 1, and those of 1 for 10.
+        let to_and_fro = |variances: &[f64]| Found(if variances[1] > 0.1 { 1.0 } else { 10.0 });
+        let refused = settled(&points, weighting, "T0", to_and_fro).map(|_| ());
         assert_eq!(refused, Err(FitError::NoConvergence("T0")));
     }
 

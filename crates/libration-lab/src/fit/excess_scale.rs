@@ -1,5 +1,6 @@
-//! The one-parameter test of a law: T = T0·[1 + β(R(A) − 1)], where β = 1 is the law itself.
+//! β of a law by a table of periods.
 
+use super::beta::Beta;
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
@@ -9,20 +10,11 @@ use crate::statistics::count;
 /// β with T0 left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExcessScaleFit {
-    /// The factor on the law's excess R − 1: 1 is the law, 0 a constant period.
-    pub beta: f64,
-    /// Its standard deviation from the uncertainties of the rows, [enlarged](Scatter) where they scatter more; without them from
-    /// the scatter.
-    pub beta_uncertainty: f64,
-    /// By the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, be it above or below one.
-    /// None without a degree of freedom.
-    pub beta_uncertainty_scaled: Option<f64>,
-    /// The period of small swings that goes with β, in seconds.
-    pub t0: f64,
-    /// Its standard deviation, in seconds, likewise.
-    pub t0_uncertainty: f64,
-    /// The correlation of T0 and β.
-    pub correlation: f64,
+    /// With uncertainties from those of the rows, [enlarged](Scatter) where they scatter more; without them from the scatter.
+    pub beta: Beta,
+    /// The uncertainty of β by the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, be it
+    /// above or below one. None without a degree of freedom.
+    pub uncertainty_scaled: Option<f64>,
     /// The sum of the squared residuals over their effective variances; none without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom: rows less two.
@@ -78,9 +70,9 @@ impl Weighted for Line {
         self.slope
     }
 
-    /// The slope may be zero, of which its uncertainty knows.
-    fn size(&self) -> f64 {
-        self.slope.abs() + self.slope_variance.sqrt()
+    /// Far less than its own uncertainty, of a slope that may be zero.
+    fn negligible(&self) -> f64 {
+        1e-12 * (self.slope.abs() + self.slope_variance.sqrt())
     }
 }
 
@@ -107,19 +99,15 @@ impl Line {
         // Unit weights: the variance of a row is the scatter about the line.
         let unit = if weighted { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
         let t0 = self.mean - self.slope * self.centre;
-        let beta = self.slope / t0;
         let t0_variance = self.mean_variance + self.centre * self.centre * self.slope_variance;
-        let covariance = -self.centre * self.slope_variance;
-        let beta_variance =
-            (self.slope_variance - 2.0 * beta * covariance + beta * beta * t0_variance) / (t0 * t0);
-        let t0_beta_covariance = (covariance - beta * t0_variance) / t0;
+        let both = -self.centre * self.slope_variance;
+        let covariance = |unit: f64| {
+            [[t0_variance, both], [both, self.slope_variance]].map(|row| row.map(|entry| entry * unit))
+        };
+        let beta = |unit: f64| Beta::of_line([t0, self.slope], covariance(unit));
         ExcessScaleFit {
-            beta,
-            beta_uncertainty: (beta_variance * unit).sqrt(),
-            beta_uncertainty_scaled: per_dof.map(|per_dof| (beta_variance * per_dof).sqrt()),
-            t0,
-            t0_uncertainty: (t0_variance * unit).sqrt(),
-            correlation: t0_beta_covariance / (t0_variance * beta_variance).sqrt(),
+            beta: beta(unit),
+            uncertainty_scaled: per_dof.map(|per_dof| beta(per_dof).factor.uncertainty),
             chi2,
             dof,
         }

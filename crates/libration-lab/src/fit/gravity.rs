@@ -1,7 +1,7 @@
 //! What gravity can be.
 
 use super::significance::SIGNIFICANT;
-use libration::quantity::Quantity;
+use super::uncertain::Uncertain;
 
 /// The least and the greatest gravity on the surface of the Earth, in m/s²: C. Hirt and others, Geophys. Res. Lett. 40, 4279
 /// (2013), doi:10.1002/grl.50838.
@@ -10,9 +10,9 @@ pub const GRAVITY_ON_EARTH: [f64; 2] = [9.7639, 9.8337];
 /// Whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, which chance makes of a
 /// right one less often than once in 700 times.
 #[must_use]
-pub fn is_nowhere_on_earth(gravity: Quantity) -> bool {
+pub fn is_nowhere_on_earth(gravity: Uncertain) -> bool {
     let [least, greatest] = GRAVITY_ON_EARTH;
-    let margin = SIGNIFICANT * gravity.uncertainty.unwrap_or(0.0);
+    let margin = SIGNIFICANT * gravity.uncertainty;
     gravity.value < least - margin || gravity.value > greatest + margin
 }
 
@@ -22,16 +22,16 @@ mod tests {
 
     #[test]
     fn three_uncertainties_beyond_the_earth_are_too_much() {
-        let gravity = |value: f64, uncertainty: Option<f64>| Quantity { value, uncertainty };
+        let gravity = |value: f64, uncertainty: f64| Uncertain { value, uncertainty };
         let [least, greatest] = GRAVITY_ON_EARTH;
         for edge in [least, greatest] {
-            assert!(!is_nowhere_on_earth(gravity(edge, None)));
+            assert!(!is_nowhere_on_earth(gravity(edge, 0.0)));
         }
-        assert!(is_nowhere_on_earth(gravity(least.next_down(), None)));
-        assert!(is_nowhere_on_earth(gravity(greatest.next_up(), None)));
-        assert!(!is_nowhere_on_earth(gravity(greatest + 0.299, Some(0.1))));
-        assert!(is_nowhere_on_earth(gravity(greatest + 0.301, Some(0.1))));
-        assert!(!is_nowhere_on_earth(gravity(least - 0.299, Some(0.1))));
-        assert!(is_nowhere_on_earth(gravity(least - 0.301, Some(0.1))));
+        assert!(is_nowhere_on_earth(gravity(least.next_down(), 0.0)));
+        assert!(is_nowhere_on_earth(gravity(greatest.next_up(), 0.0)));
+        assert!(!is_nowhere_on_earth(gravity(greatest + 0.299, 0.1)));
+        assert!(is_nowhere_on_earth(gravity(greatest + 0.301, 0.1)));
+        assert!(!is_nowhere_on_earth(gravity(least - 0.299, 0.1)));
+        assert!(is_nowhere_on_earth(gravity(least - 0.301, 0.1)));
     }
 }

@@ -12,6 +12,7 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+mod beta;
 mod budget;
 pub mod cycles;
 mod damping_terms;
@@ -31,7 +32,9 @@ mod small_angle_period;
 pub mod swings;
 pub mod trace;
 mod typical_amplitude;
+mod uncertain;
 
+pub use beta::Beta;
 pub use budget::{
     AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE,
     CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
@@ -52,3 +55,4 @@ pub use periods::{Options, PeriodFit, periods};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};
+pub use uncertain::Uncertain;

@@ -86,8 +86,8 @@ impl Weighted for T0 {
         self.0
     }
 
-    fn size(&self) -> f64 {
-        self.0.abs()
+    fn negligible(&self) -> f64 {
+        1e-13 * self.0.abs()
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use libration::decay::{DecayError, Ending};
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
+use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{ContinuationError, FittedTurningPoint, TraceFit, TraceOptions, fit_traces};
 
 use crate::random::Random;
@@ -40,9 +41,7 @@ fn pulls(found: &[FittedTurningPoint], truth: &[[f64; 2]], time: f64) -> [f64; 2
     assert!(distance(point) < 1.2, "{point:?}");
     let apart = |turn: &[f64; 2]| (turn[0] - point.time.value).abs();
     let true_one = truth.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap();
-    let pull = |quantity: libration::quantity::Quantity, truth: f64| {
-        (quantity.value - truth) / quantity.uncertainty.unwrap()
-    };
+    let pull = |found: Uncertain, truth: f64| (found.value - truth) / found.uncertainty;
     [pull(point.time, true_one[0]), pull(point.amplitude, true_one[1])]
 }
 
@@ -62,10 +61,7 @@ fn a_continued_swing_meets_the_true_one_within_its_uncertainty() {
             }
         }
         // What is not known of the damping makes the amplitude the less certain the further it is followed.
-        let relative = |place: usize| {
-            let amplitude = found[0][place].amplitude;
-            amplitude.uncertainty.unwrap() / amplitude.value
-        };
+        let relative = |place: usize| found[0][place].amplitude.relative();
         let [early, late] = [10, found[0].len() - 1].map(relative);
         assert!(late > 3.0 * early, "{early} {late}");
     }

@@ -71,10 +71,10 @@ fn the_synthetic_table_gives_what_scipy_gives() {
             && close(fit.constant.chi2_per_dof().unwrap(), 20545.848, 1e-7)
     );
     let beta = fit.beta.unwrap();
-    let of_beta = stated(beta.beta_uncertainty, beta.scatter());
-    assert!(close(beta.beta, 1.00784786, 1e-7) && close(of_beta, 0.00404745, 1e-5), "{beta:?}");
-    let of_t0 = stated(beta.t0_uncertainty, beta.scatter());
-    assert!(close(beta.t0, 2.0001208, 1e-7) && close(of_t0, 0.00088428, 1e-5), "{beta:?}");
+    let of_beta = stated(beta.beta.factor.uncertainty, beta.scatter());
+    assert!(close(beta.beta.factor.value, 1.00784786, 1e-7) && close(of_beta, 0.00404745, 1e-5), "{beta:?}");
+    let of_t0 = stated(beta.beta.t0.uncertainty, beta.scatter());
+    assert!(close(beta.beta.t0.value, 2.0001208, 1e-7) && close(of_t0, 0.00088428, 1e-5), "{beta:?}");
     assert!(close(beta.chi2_per_dof().unwrap(), 1.0066201, 1e-6));
 }
 
@@ -83,7 +83,7 @@ fn the_synthetic_table_gives_its_truth_back() {
     let fit = periods(&synthetic(), &[], &Options::default()).unwrap();
     assert!((fit.exact.t0 - 2.0).abs() < 3.0 * fit.exact.t0_uncertainty);
     let beta = fit.beta.unwrap();
-    assert!((beta.beta - 1.0).abs() < 3.0 * beta.beta_uncertainty);
+    assert!((beta.beta.factor.value - 1.0).abs() < 3.0 * beta.beta.factor.uncertainty);
     assert_eq!((fit.outliers.len(), fit.weighting), (0, Weighting::PeriodsAndAmplitudes));
 }
 
@@ -96,10 +96,11 @@ fn without_uncertainties_scipy_gives_the_same_too() {
     assert_eq!((fit.exact.chi2, fit.exact.chi2_per_dof()), (None, None));
     let beta = fit.beta.unwrap();
     assert!(
-        close(beta.beta, 1.007327361, 1e-7) && close(beta.beta_uncertainty, 0.00424653, 1e-5),
+        close(beta.beta.factor.value, 1.007327361, 1e-7)
+            && close(beta.beta.factor.uncertainty, 0.00424653, 1e-5),
         "{beta:?}"
     );
-    assert_eq!(beta.beta_uncertainty_scaled, Some(beta.beta_uncertainty));
+    assert_eq!(beta.uncertainty_scaled, Some(beta.beta.factor.uncertainty));
 }
 
 #[test]
@@ -112,7 +113,7 @@ fn periods_that_follow_a_law_are_explained_by_it_alone() {
     let bernoulli = |a: f64| 1.0 + a * a / 16.0;
     let fit = periods(&table, &[Law::new("bernoulli", &bernoulli)], &Options::default()).unwrap();
     assert!(close(fit.exact.t0, 1.7, 1e-14) && fit.exact.chi2.unwrap() < 1e-20);
-    assert!(close(fit.beta.unwrap().beta, 1.0, 1e-13));
+    assert!(close(fit.beta.unwrap().beta.factor.value, 1.0, 1e-13));
     let (key, other) = &fit.others[0];
     assert!(key == "bernoulli" && other.as_ref().unwrap().chi2_per_dof().unwrap() > 100.0);
     assert!(fit.constant.chi2_per_dof().unwrap() > 1000.0);
@@ -172,7 +173,7 @@ fn the_uncertainties_are_the_scatter_of_repeated_experiments() {
             excess_scale(&table, &Law::exact()).unwrap(),
         );
         t0_squares += square((law.t0 - 2.0) / law.t0_uncertainty);
-        beta_squares += square((beta.beta - 1.0) / beta.beta_uncertainty);
+        beta_squares += square((beta.beta.factor.value - 1.0) / beta.beta.factor.uncertainty);
         chi2 += law.chi2_per_dof().unwrap();
     }
     // Four standard deviations of the mean square of 1000 normal pulls, and of the mean of 1000 χ²/39.
@@ -191,15 +192,16 @@ fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_answer() {
     let halved = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
     let full = excess_scale(&synthetic(), &Law::exact()).unwrap();
     let half = excess_scale(&halved, &Law::exact()).unwrap();
-    assert!(close(half.beta, full.beta, 1e-10));
+    assert!(close(half.beta.factor.value, full.beta.factor.value, 1e-10));
     assert!(close(half.chi2.unwrap(), 4.0 * full.chi2.unwrap(), 1e-9));
     assert!(full.scatter().unwrap().enlargement() > 1.0);
-    for (ours, wanted) in
-        [(half.beta_uncertainty, full.beta_uncertainty), (half.t0_uncertainty, full.t0_uncertainty)]
-    {
+    for (ours, wanted) in [
+        (half.beta.factor.uncertainty, full.beta.factor.uncertainty),
+        (half.beta.t0.uncertainty, full.beta.t0.uncertainty),
+    ] {
         assert!(close(ours, wanted, 1e-9), "{ours} {wanted}");
     }
-    assert!(close(half.beta_uncertainty_scaled.unwrap(), full.beta_uncertainty_scaled.unwrap(), 1e-9));
+    assert!(close(half.uncertainty_scaled.unwrap(), full.uncertainty_scaled.unwrap(), 1e-9));
     let t0 = |table: &PeriodTable| small_angle_period(table, &Law::exact()).unwrap();
     assert!(close(t0(&halved).t0_uncertainty, t0(&synthetic()).t0_uncertainty, 1e-9));
     assert!(close(t0(&halved).uncertainty_degrees_of_freedom(), 39.0, 1e-12));
@@ -214,7 +216,11 @@ fn uncertainties_too_large_by_a_factor_are_not_made_smaller() {
     let fit = excess_scale(&table, &Law::exact()).unwrap();
     let scatter = fit.scatter().unwrap();
     assert!(close(scatter.enlargement(), 1.0, 1e-15) && scatter.verdict() == ScatterVerdict::Less);
-    assert!(close(fit.beta_uncertainty * scatter.birge_ratio(), fit.beta_uncertainty_scaled.unwrap(), 1e-12));
+    assert!(close(
+        fit.beta.factor.uncertainty * scatter.birge_ratio(),
+        fit.uncertainty_scaled.unwrap(),
+        1e-12
+    ));
     let t0 = small_angle_period(&table, &Law::exact()).unwrap();
     assert!(t0.uncertainty_degrees_of_freedom().is_infinite());
 }

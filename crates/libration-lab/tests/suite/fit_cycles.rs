@@ -54,7 +54,10 @@ fn pulls(case: &Synthetic, traces: u64) -> [f64; 2] {
     for seed in 0..traces {
         let found = of(case, seed);
         let beta = found.beta.unwrap();
-        let errors = [(found.t0 - case.t0()) / found.t0_uncertainty, (beta.beta - 1.0) / beta.uncertainty];
+        let errors = [
+            (found.t0 - case.t0()) / found.t0_uncertainty,
+            (beta.factor.value - 1.0) / beta.factor.uncertainty,
+        ];
         for (square, error) in squares.iter_mut().zip(errors) {
             *square += error * error;
         }
@@ -93,7 +96,7 @@ fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
     // Rounding leaves an error of quantum/√12.
     assert!((found.noise / (quantum / 12.0_f64.sqrt()) - 1.0).abs() < 0.2, "{}", found.noise);
     let beta = found.beta.unwrap();
-    assert!((beta.beta - 1.0).abs() < 0.005, "{beta:?}");
+    assert!((beta.factor.value - 1.0).abs() < 0.005, "{beta:?}");
 }
 
 /// A trace with some of its rows changed or left out.
@@ -381,15 +384,15 @@ fn bars_of_cycles_are_not_those_of_a_slow_departure_from_the_law() {
 fn radians_that_are_called_degrees_are_recognised() {
     let right = Synthetic { noise: 0.002, amplitude: 0.8, ..Synthetic::USUAL }.trace(&mut Random::seeded(7));
     let found = found_in(&right);
-    assert!(!are_radians(found.beta.unwrap().beta, found.cycles.iter()));
+    assert!(!are_radians(found.beta.unwrap().factor.value, found.cycles.iter()));
     let called = found_in(&changed(&right, |_, value| Some(value * DEGREE)));
-    let beta = called.beta.unwrap().beta;
+    let beta = called.beta.unwrap().factor.value;
     // (180/π)² and what the next terms of the series add at 46°.
     assert!((3283.0..3800.0).contains(&beta), "{beta}");
     assert!(are_radians(beta, called.cycles.iter()));
     // Angles that are too small by another factor are no radians.
     let other = found_in(&changed(&right, |_, value| Some(value / 40.0)));
-    assert!(!are_radians(other.beta.unwrap().beta, other.cycles.iter()));
+    assert!(!are_radians(other.beta.unwrap().factor.value, other.cycles.iter()));
 }
 
 #[test]

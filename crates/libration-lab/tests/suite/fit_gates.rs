@@ -73,7 +73,7 @@ fn speeds_at_the_gate_give_t0_and_the_exact_law_wherever_it_stands() {
         assert_eq!(fit.t0_source, Some(T0Source::Speeds));
         agrees(&fit, 1e-3);
         let beta = fit.beta.unwrap();
-        assert!((beta.beta - 1.0).abs() < 4.0 * beta.uncertainty + 1e-3, "{beta:?}");
+        assert!((beta.factor.value - 1.0).abs() < 4.0 * beta.factor.uncertainty + 1e-3, "{beta:?}");
         let first = fit.cycles[0].amplitude.unwrap();
         assert!((first - RELEASE).abs() < 0.03, "{first}");
         assert!((fit.part_between - 0.5).abs() > 0.3 * gate.abs(), "{}", fit.part_between);

@@ -188,7 +188,7 @@ fn rows_that_scatter_less_than_stated_are_told_and_nothing_is_made_smaller() {
         fit.warnings.iter().any(|warning| warning.to_string().contains("belong to the offset"))
     };
     assert!(told(&little) && !told(&enough));
-    let g = |fit: &LengthsFit| fit.gravity().uncertainty.unwrap();
+    let g = |fit: &LengthsFit| fit.gravity().uncertainty;
     assert!((g(&scattered(0.25)) / g(&scattered(1.0)) - 2.0).abs() < 1e-6);
 }
 
@@ -212,7 +212,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     assert!((of(BudgetInput::Slope).change() / -line - 1.0).abs() < 1e-12);
     let squares = [line, 0.004 * found.best().g.value, 0.01 * whole].map(|part| part * part);
     let together = squares.iter().sum::<f64>().sqrt();
-    assert!((found.gravity().uncertainty.unwrap() / together - 1.0).abs() < 1e-4);
+    assert!((found.gravity().uncertainty / together - 1.0).abs() < 1e-4);
     for clock in [-0.1, f64::NAN, f64::INFINITY] {
         let refused = lengths(&columns, &LengthsOptions { bob_radius: None, clock: Some(clock) });
         assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");

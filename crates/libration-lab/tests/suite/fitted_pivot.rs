@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-use libration_lab::fit::cycles::{self, Beta, Coefficient, Cycles, beta_of_traces};
+use libration_lab::fit::Beta;
+use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
 use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, FittedPivot, Options, Recording, Seen, Trace, TraceError};
 
@@ -44,11 +45,11 @@ fn pulls(amplitude: f64, seeds: u64) -> [f64; 4] {
     for seed in 0..seeds {
         let trace = positions(amplitude, 5e-4, seed);
         let (fit, cycles) = (fitted(&trace), cycles_of(&trace));
-        let (t0, t0_uncertainty) = fit.small_angle_period();
+        let t0 = fit.small_angle_period();
         let offset = fit.parameter("offset").unwrap();
         let truth = Synthetic::USUAL.t0();
         let errors = [
-            (t0 - truth) / t0_uncertainty,
+            (t0.value - truth) / t0.uncertainty,
             offset.value / offset.uncertainty,
             (cycles.t0 - truth) / cycles.t0_uncertainty,
             cycles.offset / cycles.offset_uncertainty,
@@ -170,10 +171,15 @@ fn beta_through_parts_about_one_pivot_is_as_uncertain_as_the_pivot_leaves_it() {
     let mut random = Random::seeded(2);
     let betas: Vec<Beta> =
         (0..30).map(|_| beta_of(&three_parts(&about_a_drawn_pivot(&swing, &mut random)))).collect();
-    let pulls: Vec<f64> = betas.iter().map(|beta| (beta.beta - 1.0) / beta.uncertainty).collect();
+    let pulls: Vec<f64> =
+        betas.iter().map(|beta| (beta.factor.value - 1.0) / beta.factor.uncertainty).collect();
     assert!(are_pulls(&pulls), "{pulls:?}");
     // Angles that are 5 mm in a metre too small make R − 1 too small by twice that part.
-    assert!(betas.iter().all(|beta| (0.8..1.3).contains(&(beta.uncertainty / 0.01))), "{:?}", betas[0]);
+    assert!(
+        betas.iter().all(|beta| (0.8..1.3).contains(&(beta.factor.uncertainty / 0.01))),
+        "{:?}",
+        betas[0]
+    );
 }
 
 /// Their errors are independent, and less remains of them in the mean.
@@ -183,10 +189,15 @@ fn beta_through_recordings_with_pivots_of_their_own_is_better_known() {
     let mut random = Random::seeded(3);
     let mut two = || [(); 2].map(|()| about_a_drawn_pivot(&swing, &mut random));
     let betas: Vec<Beta> = (0..30).map(|_| beta_of(&two())).collect();
-    let pulls: Vec<f64> = betas.iter().map(|beta| (beta.beta - 1.0) / beta.uncertainty).collect();
+    let pulls: Vec<f64> =
+        betas.iter().map(|beta| (beta.factor.value - 1.0) / beta.factor.uncertainty).collect();
     assert!(are_pulls(&pulls), "{pulls:?}");
     let expected = 0.01 / 2.0_f64.sqrt();
-    assert!(betas.iter().all(|beta| (0.8..1.3).contains(&(beta.uncertainty / expected))), "{:?}", betas[0]);
+    assert!(
+        betas.iter().all(|beta| (0.8..1.3).contains(&(beta.factor.uncertainty / expected))),
+        "{:?}",
+        betas[0]
+    );
 }
 
 /// Amplitudes fall by 2d/ω0² in a half swing, so that a scale that is half a percent wrong makes d as wrong.

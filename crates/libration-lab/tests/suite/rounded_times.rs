@@ -2,6 +2,7 @@
 
 use crate::random::Random;
 use libration::pendulum::Pendulum;
+use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{DampingTerms, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, Options, Recording, Trace};
 use std::f64::consts::TAU;
@@ -35,7 +36,7 @@ fn three_significant_digits_cost_no_row_and_no_truth() {
     for (rate, begin) in [(30.0, 0.0), (25.0, 0.0123)] {
         let trace = trace(rate, begin);
         assert_eq!(trace.len(), if rate > 29.0 { 1656 } else { 1380 });
-        let (period, uncertainty) = fitted(trace).small_angle_period();
+        let Uncertain { value: period, uncertainty } = fitted(trace).small_angle_period();
         let error = (period - TAU / OMEGA0).abs();
         assert!(error < 2.0 * uncertainty, "{rate}: off by {error:e}, stated {uncertainty:e}");
         // The times leave the interval open by up to 2e-4 of it, of which the uncertainty is a third or less.

@@ -50,8 +50,8 @@ impl Answer<'_> {
             .number_or("t0_s", part(fit.t0), no_t0)
             .number_or("t0_uncertainty_s", spread(fit.t0), no_t0)
             .with("t0_by", source(fit.t0_source))
-            .number_or("beta", fit.beta.map(|beta| beta.beta), no_beta)
-            .number_or("beta_uncertainty", fit.beta.map(|beta| beta.uncertainty), no_beta)
+            .number_or("beta", fit.beta.map(|beta| beta.factor.value), no_beta)
+            .number_or("beta_uncertainty", fit.beta.map(|beta| beta.factor.uncertainty), no_beta)
             .number_or("gravity_m_per_s2", self.budget.map(|(budget, _)| budget.g), no_gravity)
             .number_or(
                 "gravity_uncertainty_m_per_s2",
@@ -131,7 +131,7 @@ impl Answer<'_> {
             lines.push(("amplitude", format!("{degrees}°  ({which})")));
         }
         if let Some(beta) = fit.beta {
-            let text = number::with_uncertainty(beta.beta, beta.uncertainty, "");
+            let text = beta.factor;
             lines.push(("β", format!("{text}  (1 is the exact law)")));
         }
         if let Some((budget, length)) = self.budget {

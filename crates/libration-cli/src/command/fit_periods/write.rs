@@ -58,11 +58,11 @@ impl Answer<'_> {
         let why_none = beta.err().map(ToString::to_string).unwrap_or_default();
         let beta = beta.ok();
         record
-            .number_or("beta", beta.map(|beta| beta.beta), &why_none)
-            .number_or("beta_uncertainty", beta.map(|beta| beta.beta_uncertainty), &why_none)
+            .number_or("beta", beta.map(|beta| beta.beta.factor.value), &why_none)
+            .number_or("beta_uncertainty", beta.map(|beta| beta.beta.factor.uncertainty), &why_none)
             .number_or(
                 "beta_uncertainty_scaled",
-                beta.and_then(|beta| beta.beta_uncertainty_scaled),
+                beta.and_then(|beta| beta.uncertainty_scaled),
                 "chi² per degree of freedom is needed to scale it",
             )
     }
@@ -162,10 +162,7 @@ impl Answer<'_> {
     fn beta_line(&self) -> String {
         match &self.fit.beta {
             Ok(beta) => {
-                format!(
-                    "{}  (1 is the exact law)",
-                    number::with_uncertainty(beta.beta, beta.beta_uncertainty, "")
-                )
+                format!("{}  (1 is the exact law)", beta.beta.factor)
             }
             Err(error) => format!("none: {error}"),
         }

@@ -52,7 +52,7 @@ fn of_fit(answer: &Answer<'_>) -> Record {
         .with("rows", fit.rows())
         .with("converged", fit.converged)
         .number("small_angle_period_s", period.value)
-        .number("small_angle_period_uncertainty_s", period.uncertainty.unwrap_or(f64::NAN))
+        .number("small_angle_period_uncertainty_s", period.uncertainty)
 }
 
 fn parameter(parameter: &Parameter) -> Record {
@@ -85,9 +85,9 @@ fn of_cycles(record: Record, answer: &Answer<'_>) -> Record {
     let beta = answer.swings.beta.as_ref();
     let why_none = beta.err().map(ToString::to_string).unwrap_or_default();
     let beta = beta.ok();
-    record.with("cycles", cycles).number_or("beta", beta.map(|beta| beta.beta), &why_none).number_or(
+    record.with("cycles", cycles).number_or("beta", beta.map(|beta| beta.factor.value), &why_none).number_or(
         "beta_uncertainty",
-        beta.map(|beta| beta.uncertainty),
+        beta.map(|beta| beta.factor.uncertainty),
         &why_none,
     )
 }
@@ -115,7 +115,7 @@ fn of_pendulum(record: Record, answer: &Answer<'_>) -> Record {
             .number("gravity_uncertainty_m_per_s2", budget.uncertainty),
         FittedPendulum::Length(length) => record
             .number("length_in_standard_gravity_m", length.value)
-            .number("length_in_standard_gravity_uncertainty_m", length.uncertainty.unwrap_or(f64::NAN))
+            .number("length_in_standard_gravity_uncertainty_m", length.uncertainty)
             .note("give --length to have gravity"),
     }
 }
@@ -139,8 +139,8 @@ fn trace(answer: &Answer<'_>, number: usize) -> Record {
         .with("outlier_rows", fitted.outliers.clone())
         .number_or("t0_by_cycles_s", cycles.ok().map(|cycles| cycles.t0), &no_cycles)
         .number_or("t0_by_cycles_uncertainty_s", cycles.ok().map(|cycles| cycles.t0_uncertainty), &no_cycles)
-        .number_or("beta", beta.map(|beta| beta.beta), OPEN)
-        .number_or("beta_uncertainty", beta.map(|beta| beta.uncertainty), OPEN)
+        .number_or("beta", beta.map(|beta| beta.factor.value), OPEN)
+        .number_or("beta_uncertainty", beta.map(|beta| beta.factor.uncertainty), OPEN)
 }
 
 fn findings(answer: &Answer<'_>) -> Vec<Value> {
@@ -160,7 +160,7 @@ fn comparison(comparison: &Comparison) -> Value {
 
 fn model(comparison: &Comparison, place: usize, weight: f64) -> Value {
     let fit = &comparison.fits[place];
-    let (period, uncertainty) = fit.small_angle_period();
+    let period = fit.small_angle_period();
     let negative: Vec<&str> = fit.negative_terms().into_iter().map(DampingTerm::name).collect();
     let coefficients = fit.damping.iter().filter_map(|term| fit.parameter(term.name()));
     Record::new()
@@ -170,8 +170,8 @@ fn model(comparison: &Comparison, place: usize, weight: f64) -> Value {
         .number("excess_aicc", comparison.excess_information[place])
         .number("weight", weight)
         .number("independent_rows", comparison.independent_rows)
-        .number("small_angle_period_s", period)
-        .number("small_angle_period_uncertainty_s", uncertainty)
+        .number("small_angle_period_s", period.value)
+        .number("small_angle_period_uncertainty_s", period.uncertainty)
         .with("takes_energy", fit.takes_energy())
         .with("negative_terms", negative)
         .with("coefficients", coefficients.map(|each| parameter(each).into()).collect::<Vec<Value>>())

@@ -121,7 +121,7 @@ pub(super) fn beta(answer: &Answer<'_>) -> String {
         Ok(beta) => {
             let angles =
                 if answer.swings.scale_is_fitted() { "; of the angles before they are scaled" } else { "" };
-            format!("{}  (1 is the exact law{angles})", with_uncertainty(beta.beta, beta.uncertainty, ""))
+            format!("{}  (1 is the exact law{angles})", beta.factor)
         }
         Err(reason) => format!("none: {reason}"),
     }
@@ -206,13 +206,13 @@ pub(super) fn trace_rows(answer: &Answer<'_>) -> Vec<Vec<String>> {
 fn of_cycles(found: &Cycles) -> [String; 5] {
     let sizes = || found.cycles.iter().map(|cycle| cycle.amplitude.to_degrees());
     let size = |size: Option<f64>| size.map_or("–".to_owned(), |size| format!("{}°", rounded(size, 3)));
-    let beta = found.beta.as_ref().map(|beta| with_uncertainty(beta.beta, beta.uncertainty, ""));
+    let beta = found.beta.as_ref().map(|beta| beta.factor);
     [
         found.cycles.len().to_string(),
         size(sizes().reduce(f64::max)),
         size(sizes().reduce(f64::min)),
         with_uncertainty(found.t0, found.t0_uncertainty, ""),
-        beta.unwrap_or_else(|_| "–".to_owned()),
+        beta.map_or("–".to_owned(), |beta| beta.to_string()),
     ]
 }
 
@@ -274,13 +274,12 @@ pub(super) fn model_rows(answer: &Answer<'_>, comparison: &Comparison) -> Vec<Ve
     let row = |place: usize| {
         let fit = &comparison.fits[place];
         let rms = in_unit(answer, fit.rms, 4);
-        let (period, uncertainty) = fit.small_angle_period();
         vec![
             fit.damping.to_string(),
             format!("{:.1}", comparison.excess_information[place]),
             format!("{:.2}", weights[place]),
             rms,
-            with_uncertainty(period, uncertainty, ""),
+            fit.small_angle_period().to_string(),
             remark(comparison, place),
         ]
     };

@@ -24,7 +24,7 @@ pub(super) use derivative::derivative;
 pub use input::BudgetInput;
 pub use warning::BudgetWarning;
 
-use libration::quantity::Quantity;
+use super::uncertain::Uncertain;
 
 /// Why there is no budget.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -153,8 +153,8 @@ pub struct Budget {
 impl Budget {
     /// g with its uncertainty.
     #[must_use]
-    pub fn gravity(&self) -> Quantity {
-        Quantity { value: self.g, uncertainty: Some(self.uncertainty) }
+    pub fn gravity(&self) -> Uncertain {
+        Uncertain { value: self.g, uncertainty: self.uncertainty }
     }
 
     /// Whether g is nearly a straight line over the uncertainties of its inputs: the bend is below a tenth of the uncertainty.

@@ -48,11 +48,11 @@ mod warning;
 pub use analysis::cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
-pub use period_law::Beta;
 pub use several::beta_of_traces;
 pub use unit::{BeyondATurn, are_radians, beyond_a_turn};
 pub use warning::CyclesWarning;
 
+use super::Beta;
 use row::Row;
 
 /// How cycles are analysed.

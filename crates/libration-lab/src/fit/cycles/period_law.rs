@@ -4,7 +4,7 @@
 use super::CyclesError;
 use super::generalised::{Generalised, Scatter, fit};
 use super::row::{Row, Side};
-use crate::fit::{Law, SIGNIFICANT};
+use crate::fit::{Beta, Law};
 use crate::statistics::{mean, median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
@@ -23,46 +23,6 @@ pub(in crate::fit) struct PeriodLaw {
     pub(in crate::fit) chi2_per_dof: Option<f64>,
     /// Of the periods.
     pub(in crate::fit) scatter: Scatter,
-}
-
-/// The test of the exact law: T = T0·[1 + β(R − 1)].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beta {
-    /// 1 for the exact law, 0 for a constant period.
-    pub beta: f64,
-    /// With the uncertainties of the amplitudes, and by the scatter of the cycles where that is larger than the noise
-    /// explains.
-    pub uncertainty: f64,
-    /// The period of small swings that goes with β, in seconds.
-    pub t0: f64,
-    /// In seconds, likewise.
-    pub t0_uncertainty: f64,
-    /// Of T0 and β.
-    pub correlation: f64,
-    /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
-    pub chi2_per_dof: Option<f64>,
-}
-
-impl Beta {
-    /// By how many of its uncertainties it differs from that of the exact law.
-    #[must_use]
-    pub fn deviation(&self) -> f64 {
-        (self.beta - 1.0).abs() / self.uncertainty
-    }
-
-    /// Whether that is more than chance: [`SIGNIFICANT`].
-    #[must_use]
-    pub fn differs_from_one(&self) -> bool {
-        self.deviation() > SIGNIFICANT
-    }
-
-    /// By which part of them the angles are too small, if a wrong scale is why β is not 1, since R − 1 goes with the square of the
-    /// amplitude; none above a fifth, which no camera, protractor or gyroscope is wrong by.
-    #[must_use]
-    pub fn scale_error(&self) -> Option<f64> {
-        const MOST: f64 = 0.2;
-        Some(0.5 * (self.beta - 1.0)).filter(|part| part.abs() < MOST)
-    }
 }
 
 impl Side {
@@ -136,7 +96,8 @@ pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     }
     amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
-    settled(rows, &columns, 1).map(|found| Beta::of(&found)).ok_or(open)
+    let found = settled(rows, &columns, 1).ok_or(open)?;
+    Ok(Beta::of_line([found.coefficients[0], found.coefficients[1]], found.covariance))
 }
 
 /// Refuses amplitudes of which more than 5 % of the variance of T/T0 is their noise: a regression on values with errors is drawn
@@ -159,23 +120,6 @@ fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize) -> Option<Gen
         found = Some(renewed);
     }
     found
-}
-
-impl Beta {
-    /// β is the quotient of slope and T0.
-    fn of(fit: &Generalised) -> Self {
-        let (t0, beta) = (fit.coefficients[0], fit.coefficients[1] / fit.coefficients[0]);
-        let [own, both, slope] = [fit.covariance[0][0], fit.covariance[0][1], fit.covariance[1][1]];
-        let variance = (slope - 2.0 * beta * both + beta * beta * own) / (t0 * t0);
-        Self {
-            beta,
-            uncertainty: variance.sqrt(),
-            t0,
-            t0_uncertainty: own.sqrt(),
-            correlation: (both - beta * own) / t0 / (own * variance).sqrt(),
-            chi2_per_dof: fit.chi2_per_dof,
-        }
-    }
 }
 
 /// Among fewer rows than this none can be said to be far from the others.

@@ -3,29 +3,19 @@
 use std::f64::consts::TAU;
 
 use super::fall::Fall;
-use super::{Beta, Cycles, Envelope, HalfSwing};
+use super::{Cycles, Envelope, HalfSwing};
 
 /// Adds the difference to what would be found with the pivot moved by one standard deviation.
 pub(super) fn add(found: &mut Cycles, moved: Cycles) {
     found.t0_uncertainty = libm::hypot(found.t0_uncertainty, moved.t0 - found.t0);
     found.offset_uncertainty = libm::hypot(found.offset_uncertainty, moved.offset - found.offset);
     if let (Ok(beta), Ok(moved)) = (&mut found.beta, &moved.beta) {
-        *beta = with(beta, moved);
+        *beta = beta.with_error(moved);
     }
     if let Ok(envelope) = &mut found.envelope {
         widen(envelope, &paired(&found.half_swings, &moved.half_swings, 0.25 * moved.t0), TAU / moved.t0);
     }
     found.about_moved_pivot.push(moved.rows);
-}
-
-/// β with an error more, by what it is with the pivot moved.
-pub(super) fn with(beta: &Beta, moved: &Beta) -> Beta {
-    let [of_t0, of_beta] = [moved.t0 - beta.t0, moved.beta - beta.beta];
-    let (t0_uncertainty, uncertainty) =
-        (libm::hypot(beta.t0_uncertainty, of_t0), libm::hypot(beta.uncertainty, of_beta));
-    let both = beta.correlation * beta.t0_uncertainty * beta.uncertainty + of_t0 * of_beta;
-    let correlation = both / (t0_uncertainty * uncertainty);
-    Beta { uncertainty, t0_uncertainty, correlation, ..*beta }
 }
 
 /// The coefficients of every law with what they change by when these are the half swings. Which extremes are outliers, and how

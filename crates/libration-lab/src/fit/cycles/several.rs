@@ -1,6 +1,5 @@
 //! β through the cycles of several traces of one pendulum.
 
-use super::pivot;
 use super::row::Row;
 use super::{Beta, Cycles, CyclesError, period_law};
 use crate::measurement::{FittedPivot, Trace};
@@ -36,7 +35,7 @@ pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) 
             let own = trace.fitted_pivot().filter(|own| own.is_that_of(pivot));
             own.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
         });
-        period_law::beta(&moved).map_or(beta, |moved| pivot::with(&beta, &moved))
+        period_law::beta(&moved).map_or(beta, |moved| beta.with_error(&moved))
     };
     Ok(errors.fold(found, with_error))
 }

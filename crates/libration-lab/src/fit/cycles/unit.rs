@@ -71,7 +71,8 @@ pub fn are_radians<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> bo
     let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
     let fit = table.ok().and_then(|table| excess_scale(&table, &Law::exact()).ok());
     fit.is_some_and(|fit| {
-        let uncertainty = fit.beta_uncertainty.max(fit.beta_uncertainty_scaled.unwrap_or(0.0));
-        (fit.beta - 1.0).abs() < BETA_OF_A_PENDULUM.max(3.0 * uncertainty) && uncertainty < 1.0
+        let beta = fit.beta.factor;
+        let uncertainty = beta.uncertainty.max(fit.uncertainty_scaled.unwrap_or(0.0));
+        (beta.value - 1.0).abs() < BETA_OF_A_PENDULUM.max(3.0 * uncertainty) && uncertainty < 1.0
     })
 }

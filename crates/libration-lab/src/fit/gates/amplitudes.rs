@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use super::speeds::amplitude;
 use super::swings::Swings;
-use crate::fit::Law;
+use crate::fit::cycles::period_law;
 use crate::fit::cycles::row::{Row, Side};
-use crate::fit::cycles::{Beta, period_law};
 use crate::fit::typical_amplitude::typical_amplitude;
+use crate::fit::{Beta, Law};
 use crate::statistics::count;
 use crate::statistics::median;
 use libration::elliptic::Modulus;
@@ -92,12 +92,12 @@ impl Swings {
             Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
         };
         let t0_by_width = slope(&|rows| Some(period_law::exact(rows)?.t0))?;
-        let beta_by_width = slope(&|rows| Some(period_law::beta(rows).ok()?.beta));
+        let beta_by_width = slope(&|rows| Some(period_law::beta(rows).ok()?.factor.value));
         let spread = width.uncertainty.unwrap_or(0.0);
         let whole = libm::hypot(law.t0_uncertainty, t0_by_width * spread);
         let part_of_scatter = law.t0_uncertainty * law.t0_uncertainty / (whole * whole);
         let widen = |(beta, by_width): (Beta, f64)| Beta {
-            uncertainty: libm::hypot(beta.uncertainty, by_width * spread),
+            factor: beta.factor.with_error(by_width * spread),
             ..beta
         };
         Some(BySpeeds {

@@ -27,7 +27,7 @@ pub use error::GatesError;
 pub use gravity::GateGeometry;
 pub use warning::GatesWarning;
 
-use crate::fit::cycles::Beta;
+use crate::fit::Beta;
 use libration::quantity::Quantity;
 
 /// What the times of a gate without states are.

@@ -14,8 +14,8 @@ pub use model::{LengthFit, LengthModel};
 pub use table::{LengthColumns, LengthTable};
 pub use warning::{CountedAs, LengthsWarning};
 
-use super::FitError;
 use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
+use super::{FitError, Uncertain};
 use libration::quantity::Quantity;
 
 /// What is known besides the table.
@@ -49,8 +49,8 @@ impl LengthsFit {
 
     /// The best g with all of its uncertainty, in m/s².
     #[must_use]
-    pub fn gravity(&self) -> Quantity {
-        Quantity { value: self.best().g.value, uncertainty: Some(self.combined.standard) }
+    pub fn gravity(&self) -> Uncertain {
+        Uncertain { value: self.best().g.value, uncertainty: self.combined.standard }
     }
 
     /// The fit of a law, where the rows determine it.

@@ -36,7 +36,7 @@ pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
 
 fn radians(found: &SwingsFit) -> Option<Warning> {
     let beta = found.beta.as_ref().ok().filter(|_| found.angles_are_radians())?;
-    Some(Warning::AnglesAreRadians { beta: beta.beta })
+    Some(Warning::AnglesAreRadians { beta: beta.factor.value })
 }
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {
@@ -93,7 +93,7 @@ fn beta(found: &SwingsFit) -> Option<Warning> {
 fn periods(found: &SwingsFit) -> Option<Warning> {
     let is_meant = !found.scale_is_fitted() && found.strong_damping().is_none();
     let (by_cycles, deviation) = found.other_period().filter(|_| is_meant)?;
-    let by_motion = found.fit.small_angle_period().0;
+    let by_motion = found.fit.small_angle_period().value;
     Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation })
 }
 

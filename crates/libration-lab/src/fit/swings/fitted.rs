@@ -1,10 +1,9 @@
 //! Everything that recordings of swings say.
 
 use super::{Advice, FittedPendulum, Warning};
-use crate::fit::cycles::{Beta, Cycle, Cycles, CyclesError};
+use crate::fit::cycles::{Cycle, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, TraceFit};
-use crate::fit::{DampingTerms, SIGNIFICANT};
-use libration::quantity::Quantity;
+use crate::fit::{Beta, DampingTerms, SIGNIFICANT, Uncertain};
 
 /// Everything that recordings of swings say.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +27,7 @@ pub struct SwingsFit {
 impl SwingsFit {
     /// T0, in s: averaged over the models that the data leave.
     #[must_use]
-    pub fn small_angle_period(&self) -> Quantity {
+    pub fn small_angle_period(&self) -> Uncertain {
         small_angle_period(&self.fit, self.comparison.as_ref())
     }
 
@@ -78,21 +77,15 @@ impl SwingsFit {
         /// damping adds as much (`without_noise_every_cycle_obeys_the_exact_law`).
         const WORTH_A_WORD: f64 = 1e-4;
         let [Ok(cycles)] = &self.cycles[..] else { return None };
-        let (period, uncertainty) = self.fit.small_angle_period();
-        let difference = (cycles.t0 - period).abs();
-        let deviation = difference / libm::hypot(cycles.t0_uncertainty, uncertainty);
-        (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period).then_some((cycles.t0, deviation))
+        let period = self.fit.small_angle_period();
+        let difference = (cycles.t0 - period.value).abs();
+        let deviation = period.with_error(cycles.t0_uncertainty).deviation_from(cycles.t0);
+        (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period.value)
+            .then_some((cycles.t0, deviation))
     }
 }
 
 /// Of a fit, or averaged over those that the data leave.
-pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Quantity {
-    let (value, uncertainty) = comparison.map_or_else(
-        || fit.small_angle_period(),
-        |comparison| {
-            let averaged = comparison.small_angle_period();
-            (averaged.value, averaged.uncertainty)
-        },
-    );
-    Quantity { value, uncertainty: Some(uncertainty) }
+pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Uncertain {
+    comparison.map_or_else(|| fit.small_angle_period(), |comparison| comparison.small_angle_period().into())
 }

@@ -90,7 +90,7 @@ fn zero(found: &SwingsFit, seen: Seen) -> Option<Advice> {
 fn rows(found: &SwingsFit, faults: &[Faults]) -> Option<Advice> {
     /// In a period; nearly twice what the cycles need at least.
     const FEW: f64 = 15.0;
-    let (period, _) = found.fit.small_angle_period();
+    let period = found.fit.small_angle_period().value;
     let rows = faults.iter().filter_map(|faults| faults.clock.as_ref().map(|clock| period / clock.interval));
     let rows_per_period = rows.reduce(f64::min)?;
     (rows_per_period < FEW).then_some(Advice::SampleFaster { rows_per_period })

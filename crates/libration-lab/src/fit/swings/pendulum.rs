@@ -7,6 +7,7 @@ use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, bud
 use crate::fit::cycles::{Cycles, CyclesError};
 use crate::fit::trace::TraceFit;
 use crate::fit::typical_amplitude::typical_amplitude;
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::{Quantity, STANDARD_GRAVITY};
 
 /// What ω0 says with the length of the pendulum, or without one.
@@ -20,13 +21,13 @@ pub enum FittedPendulum {
         length: Quantity,
     },
     /// The length, in m, of a simple pendulum where gravity is [the standard one](STANDARD_GRAVITY).
-    Length(Quantity),
+    Length(Uncertain),
 }
 
 /// Of the period of small swings that the motions of this fit have.
 pub(super) fn pendulum(
     fit: &TraceFit,
-    t0: Quantity,
+    t0: Uncertain,
     cycles: &[Result<Cycles, CyclesError>],
     options: &SwingsOptions<'_>,
 ) -> Result<FittedPendulum, BudgetError> {
@@ -34,7 +35,7 @@ pub(super) fn pendulum(
     let ratios =
         cycles.iter().flatten().flat_map(|found| found.cycles.iter().map(|cycle| cycle.period_ratio));
     let period = MeasuredPeriod {
-        t0,
+        t0: t0.into(),
         amplitude: typical_amplitude(ratios),
         // What a fitted scale is worth is part of T0 already.
         angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),
@@ -47,9 +48,9 @@ pub(super) fn pendulum(
 }
 
 /// Of a simple pendulum in standard gravity.
-fn length(t0: Quantity) -> Quantity {
+fn length(t0: Uncertain) -> Uncertain {
     let value = STANDARD_GRAVITY * (t0.value / TAU) * (t0.value / TAU);
-    Quantity { value, uncertainty: t0.uncertainty.map(|of_t0| 2.0 * value * of_t0 / t0.value) }
+    Uncertain { value, uncertainty: 2.0 * value * t0.relative() }
 }
 
 /// A damped motion was fitted, whose T0 is that without damping; an undamped one leaves the damping in it.

@@ -1,13 +1,14 @@
 //! How far β and the fitted motion can be relied on, which several warnings and pieces of advice need to know.
 
 use super::SwingsFit;
-use crate::fit::cycles::{self, Beta};
+use crate::fit::Beta;
+use crate::fit::cycles;
 
 impl SwingsFit {
     /// Whether the angles are radians that were taken for degrees.
     pub(super) fn angles_are_radians(&self) -> bool {
         let cycles = self.all_cycles().map(|(_, cycle)| cycle);
-        self.beta.as_ref().is_ok_and(|beta| cycles::are_radians(beta.beta, cycles))
+        self.beta.as_ref().is_ok_and(|beta| cycles::are_radians(beta.factor.value, cycles))
     }
 
     /// By which part the amplitude falls in a cycle, where that is so much that the period of single cycles, which the exact law

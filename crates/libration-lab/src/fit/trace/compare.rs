@@ -7,6 +7,7 @@ use super::information::information;
 use super::problem::Minimum;
 use super::search::{Search, better};
 use super::{DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, huber, uncertainty};
+use crate::fit::Uncertain;
 use crate::measurement::Trace;
 
 /// The same traces under several models.
@@ -64,6 +65,12 @@ pub struct Averaged {
     pub uncertainty: f64,
     /// The spread between the models alone, as a standard deviation.
     pub spread: f64,
+}
+
+impl From<Averaged> for Uncertain {
+    fn from(Averaged { value, uncertainty, .. }: Averaged) -> Self {
+        Self { value, uncertainty }
+    }
 }
 
 impl Comparison {
@@ -155,7 +162,10 @@ impl Comparison {
     /// 2π/ω0, averaged over the models, in s.
     #[must_use]
     pub fn small_angle_period(&self) -> Averaged {
-        self.averaged(|fit| Some(fit.small_angle_period()))
+        self.averaged(|fit| {
+            let period = fit.small_angle_period();
+            Some((period.value, period.uncertainty))
+        })
     }
 
     /// A shared parameter, averaged over the models that have it; none if no model has.

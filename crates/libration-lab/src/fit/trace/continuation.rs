@@ -4,9 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use super::swing::{Swing, turning_point};
 use super::{DampingTerm, TraceFit};
+use crate::fit::Uncertain;
 use libration::decay::{self, Damping, Decay, DecayError, TurningPoint};
 use libration::pendulum::{Pendulum, PendulumError};
-use libration::quantity::{Angle, Quantity};
+use libration::quantity::Angle;
 
 /// A fitted swing from one of its turning points on.
 #[derive(Clone, Debug)]
@@ -21,9 +22,9 @@ pub struct FittedDecay {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedTurningPoint {
     /// In the clock of the trace, in s.
-    pub time: Quantity,
+    pub time: Uncertain,
     /// From the bottom, in radians.
-    pub amplitude: Quantity,
+    pub amplitude: Uncertain,
 }
 
 /// Why a fitted swing cannot be continued.
@@ -121,8 +122,8 @@ impl TraceFit {
             let deviation = |of: usize| Some(self.deviation(&parameters.places, changes.as_ref()?, of));
             let [of_time, of_amplitude] = [deviation(0)?, deviation(1)?];
             Some(FittedTurningPoint {
-                time: Quantity { value: begins + time, uncertainty: Some(of_time) },
-                amplitude: Quantity { value: amplitude, uncertainty: Some(of_amplitude) },
+                time: Uncertain { value: begins + time, uncertainty: of_time },
+                amplitude: Uncertain { value: amplitude, uncertainty: of_amplitude },
             })
         };
         Ok(found.into_iter().map_while(with_uncertainty).collect())

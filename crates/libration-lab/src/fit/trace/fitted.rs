@@ -4,6 +4,7 @@ use crate::statistics::count;
 use std::f64::consts::PI;
 
 use super::{Autocorrelation, DampingTerm, DampingTerms};
+use crate::fit::Uncertain;
 
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -88,12 +89,12 @@ impl TraceFit {
         self.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    /// 2π/ω0, the period of the smallest swings, in s, with its standard uncertainty.
+    /// 2π/ω0, the period of the smallest swings, in s.
     #[must_use]
-    pub fn small_angle_period(&self) -> (f64, f64) {
+    pub fn small_angle_period(&self) -> Uncertain {
         let omega0 = &self.parameters[0];
         let period = 2.0 * PI / omega0.value;
-        (period, period * omega0.uncertainty / omega0.value)
+        Uncertain { value: period, uncertainty: period * omega0.uncertainty / omega0.value }
     }
 
     /// Whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single

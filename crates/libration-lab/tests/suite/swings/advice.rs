@@ -25,10 +25,7 @@ fn the_length_is_to_be_given_with_an_uncertainty_and_to_be_measured_better_where
 /// Relative uncertainties of the length at which it has just more, and just less, than half of the variance of gravity.
 #[test]
 fn half_of_the_variance_decides() {
-    let relative_of_period = {
-        let (period, uncertainty) = found(&[trace(&SWING)], &linear()).fit.small_angle_period();
-        2.0 * uncertainty / period
-    };
+    let relative_of_period = { 2.0 * found(&[trace(&SWING)], &linear()).fit.small_angle_period().relative() };
     // u(l)/l = 0.7·u(g)/g where u(l)/l is 0.7/√0.51 of the rest, if the period has all of it.
     let at_the_edge = 0.7 / 0.51_f64.sqrt() * relative_of_period;
     let told = |part: f64| has(&advice(&SWING, &of_length(1.09, Some(1.09 * part))), "measure_length_better");

@@ -5,7 +5,6 @@ use crate::document::{Block, Figure};
 use crate::figure::chart::Picture;
 use crate::figure::parameters::found;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
-use libration::quantity::Quantity;
 use libration_lab::fit::cycles::HalfSwing;
 use libration_lab::fit::trace::TraceFit;
 use libration_lab::measurement::Seen;
@@ -18,7 +17,7 @@ fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
     Fitted {
         trace: &answer.measured.traces[trace],
         fitted: &answer.swings.fit.traces[trace],
-        small_angle_period: answer.swings.fit.small_angle_period().0,
+        small_angle_period: answer.swings.fit.small_angle_period().value,
     }
 }
 
@@ -30,8 +29,7 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let aspect =
         pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    let (t0, uncertainty) = answer.swings.fit.small_angle_period();
-    let t0 = found("T₀", Quantity { value: t0, uncertainty: Some(uncertainty) }, "s");
+    let t0 = found("T₀", answer.swings.fit.small_angle_period().into(), "s");
     let picture = Picture::new("Swing and fitted motion", panels);
     let damping = format!("damping: {}", answer.swings.fit.damping);
     Picture { aspect, ..picture.with_parameters([t0, damping]) }
@@ -79,10 +77,10 @@ pub(super) fn of_periods(answer: &Answer<'_>) -> Vec<Block> {
     if answer.swings.all_cycles().next().is_none() {
         return vec![];
     }
-    let beta = answer.swings.beta.as_ref().ok().map(|beta| (beta.beta, beta.t0));
+    let beta = answer.swings.beta.as_ref().ok().map(|beta| (beta.factor.value, beta.t0.value));
     let caption = "The period of every cycle against its amplitude, with the exact law for the fitted T₀, the constant period of the \
                    small-angle formula, and the law with the fitted β";
-    let picture = draw::periods(&swings, answer.swings.fit.small_angle_period().0, beta);
+    let picture = draw::periods(&swings, answer.swings.fit.small_angle_period().value, beta);
     vec![figure("periods", caption.to_owned(), picture)]
 }
 
@@ -119,7 +117,7 @@ fn of_model(
     let own = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == "offset");
     let offset = own?.value;
     let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
-    let window = fit.small_angle_period().0 / 6.0;
+    let window = fit.small_angle_period().value / 6.0;
     let amplitude = |half: &HalfSwing| {
         let extreme = extreme(measured.times(), &sizes, half.time, window).unwrap_or(f64::NAN);
         match measured.seen() {

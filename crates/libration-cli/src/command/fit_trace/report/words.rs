@@ -5,9 +5,8 @@ use super::super::sheet;
 use crate::document::{Block, Table};
 use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
-use libration::quantity::Quantity;
 use libration_lab::fit::swings::FittedPendulum;
-use libration_lab::fit::{DampingTerm, alternatives};
+use libration_lab::fit::{DampingTerm, Uncertain, alternatives};
 
 /// The few numbers that were asked for.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
@@ -22,7 +21,7 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
         row("rms residual", sheet::residual(answer)),
     ];
     let value = std::f64::consts::TAU / period.value;
-    let speed = Quantity { value, uncertainty: period.uncertainty.map(|of_t0| value * of_t0 / period.value) };
+    let speed = Uncertain { value, uncertainty: value * period.relative() };
     rows.insert(1, row("ω₀ = 2π/T₀", number::quantity(speed, "rad/s")));
     if let Some(expanded) = sheet::expanded(answer) {
         rows.insert(3, row("expanded uncertainty of gravity", expanded));
@@ -118,12 +117,12 @@ pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
         Err(reason) => format!("β cannot be told: {reason}."),
         Ok(beta) if beta.differs_from_one() => format!(
             "β = {}: this is {} uncertainties from 1. A wrong scale of the angles is the usual reason.",
-            with_uncertainty(beta.beta, beta.uncertainty, ""),
+            beta.factor,
             rounded(beta.deviation(), 2)
         ),
         Ok(beta) => format!(
             "β = {}, which agrees with the exact law and with a right scale of the angles.",
-            with_uncertainty(beta.beta, beta.uncertainty, "")
+            beta.factor
         ),
     };
     vec![Block::words(law), Block::words(verdict)]
