@@ -26,6 +26,7 @@ fn the_example_of_lengths_gives_its_truth_back() {
     assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0);
     assert!(pull(&answer, "offset_m", "offset_uncertainty_m", 0.025) < 3.0);
     assert!(answer["warnings"][0].as_str().unwrap().contains("offset is needed"));
+    assert_eq!(answer["warning_kinds"][0], "offset_needed");
     let sheet = text(&format!("fit lengths {lengths}"));
     assert!(sheet.contains("offset+gyration") && sheet.contains("gravity"));
 }
@@ -272,6 +273,7 @@ fn a_gravity_found_nowhere_is_doubted() {
     let answer = json(&format!("fit lengths {halves}"));
     assert!((answer["gravity_m_per_s2"].as_f64().unwrap() - 39.24).abs() < 1e-8);
     assert!(answer["warnings"].to_string().contains("--half-periods"));
+    assert!(answer["warning_kinds"].to_string().contains("gravity_contradicted"));
     assert!(!text(&format!("fit lengths {halves} --half-periods")).contains("doubtful"));
     let metres = file("lengths-no-unit", &rows("L,T", &swings(1.0)));
     assert!(text(&format!("fit lengths {metres}")).contains("check the units"));

@@ -57,6 +57,9 @@ fn the_answer_has_the_fields_that_are_promised() {
     {
         assert!(answer[field].is_array(), "{field}");
     }
+    let [advice, kinds] = ["advice", "advice_kinds"].map(|field| answer[field].as_array().unwrap());
+    assert_eq!((kinds.len(), &kinds[0]), (advice.len(), &Value::from("give_length")));
+    assert!(advice[0].as_str().unwrap().ends_with("(--length)"), "{advice:?}");
     for field in ["rms_residual_rad", "beta", "beta_uncertainty", "small_angle_period_s"] {
         assert!(answer[field].is_number(), "{field}");
     }
