@@ -1,9 +1,9 @@
 //! How the estimate of a Lyapunov exponent settles with the time measured.
 
 use super::chart::{Axis, Panel, Picture, Series};
-use super::parameters::{self, of_model, of_start};
+use super::names::name;
+use super::parameters::{self, Angles, of_model, of_start};
 use super::range::around;
-use super::section::name;
 use super::style;
 use crate::command::lyapunov::Answer;
 use libration::quantity::Quantity;
@@ -24,7 +24,8 @@ pub(crate) fn convergence(answer: &Answer<'_>) -> Picture {
     let title = format!("Largest Lyapunov exponent: {}, {}", name(answer.model), answer.found.verdict);
     let found = &answer.found;
     let exponent = Quantity { value: found.exponent, uncertainty: Some(found.uncertainty) };
-    let made_with = [of_model(answer.model), of_start(answer.model, &answer.initial)].concat();
+    let made_with =
+        [of_model(answer.model), of_start(answer.model, &answer.initial, Angles::Degrees)].concat();
     let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
     picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", exponent, "1/s")]))
 }

@@ -1,4 +1,22 @@
-//! Names of coordinates and velocities as axes show them.
+//! Names of systems, coordinates and velocities as titles and axes show them.
+
+use libration::systems::Model;
+
+/// What a system is called in a title: equations that were typed are themselves, or their coordinates if they are long.
+pub(crate) fn name(model: &Model) -> String {
+    const SHORT: usize = 70;
+    let equation = model.equation().to_string();
+    match model.key() {
+        Some(_) => model.title().to_owned(),
+        None if equation.chars().count() <= SHORT => equation.replace('\'', "′"),
+        None => model.coordinates().iter().map(|it| symbol(&it.name)).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// The same in the middle of a sentence.
+pub(crate) fn subject(model: &Model) -> String {
+    if model.key().is_some() { format!("the {}", name(model)) } else { name(model) }
+}
 
 /// `θ₁` for theta1, `θ₁′` for its velocity.
 pub(crate) fn symbol(name: &str) -> String {

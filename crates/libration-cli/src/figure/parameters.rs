@@ -53,13 +53,20 @@ pub(crate) fn of_model(model: &Model) -> Vec<String> {
     model.values().iter().filter_map(parameter).collect()
 }
 
+/// In what the angles of a start are written: in what the axes of the picture are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Angles {
+    Degrees,
+    Radians,
+}
+
 /// The state a motion begins in, if it is of few numbers: `θ₁(0) = 60°`. What is at rest is not named.
-pub(crate) fn of_start(model: &Model, state: &[f64]) -> Vec<String> {
+pub(crate) fn of_start(model: &Model, state: &[f64], angles: Angles) -> Vec<String> {
     let named = model.state_names().into_iter().zip(model.state_units()).zip(state);
     let moved: Vec<_> = named.filter(|(_, value)| value.abs() > 0.0).collect();
     let number = |((name, unit), value): &((String, String), &f64)| {
         let name = format!("{}(0)", symbol(name));
-        if unit == "rad" {
+        if unit == "rad" && angles == Angles::Degrees {
             format!("{name} = {}°", shown(value.to_degrees()))
         } else {
             said(&name, **value, unit)

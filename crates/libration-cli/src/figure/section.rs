@@ -1,14 +1,13 @@
 //! Poincaré sections and bifurcation diagrams: many dots.
 
 use super::chart::{Axis, Look, Panel, Picture, Series, Units};
-use super::names::symbol;
-use super::parameters::{of_model, of_start};
+use super::names::{name, symbol};
+use super::parameters::{Angles, of_model, of_start};
 use super::range::around;
 use super::style;
 use crate::command::bifurcation::{Diagram, Sweep};
 use crate::command::section::Answer;
 use libration::chaos::{PoincareSection, folded};
-use libration::systems::Model;
 use std::f64::consts::PI;
 
 /// One number of the state: what the axis is called, and whether it is an angle, folded into a turn.
@@ -32,7 +31,7 @@ pub(crate) fn section(answer: &Answer<'_>, [across, up]: &[Shown; 2]) -> Picture
     let title = format!("Poincaré section: {}", name(answer.model));
     let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
     let start = match &answer.starts[..] {
-        [start] => of_start(answer.model, start),
+        [start] => of_start(answer.model, start, Angles::Radians),
         _ => vec![],
     };
     Picture { aspect: 0.8, ..picture.with_parameters([of_model(answer.model), start].concat()) }
@@ -59,14 +58,6 @@ pub(crate) fn bifurcation(diagram: &Diagram<'_>, up: &Shown) -> Picture {
     let y = up.axis(series.iter().flat_map(|one| one.points.iter().map(|point| point.y)));
     let title = format!("Bifurcation diagram: {}", name(diagram.model));
     Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(diagram.model))
-}
-
-/// What a system is called in a title: equations that were typed are themselves, if they are short.
-pub(super) fn name(model: &Model) -> String {
-    const SHORT: usize = 70;
-    let equation = model.equation().to_string();
-    let is_short = model.key().is_none() && equation.chars().count() <= SHORT;
-    if is_short { equation.replace('\'', "′") } else { model.title().to_owned() }
 }
 
 impl Shown {

@@ -2,8 +2,8 @@
 
 use super::animation::Sampled;
 use super::chart::{Axis, Panel, Picture, Series, Units};
-use super::names::symbol;
-use super::parameters::{of_model, of_start};
+use super::names::{subject, symbol};
+use super::parameters::{Angles, of_model, of_start};
 use super::range::around;
 use super::section::Shown;
 use super::style;
@@ -88,8 +88,8 @@ impl Trace {
         for panel in &mut panels[..last] {
             panel.x.label.clear();
         }
-        let made_with = [of_model(model), of_start(model, start)].concat();
-        Picture::new(&format!("Motion of the {}", model.title()), panels).with_parameters(made_with)
+        let made_with = [of_model(model), of_start(model, start, Angles::Degrees)].concat();
+        Picture::new(&format!("Motion of {}", subject(model)), panels).with_parameters(made_with)
     }
 
     /// One number of the state against another.
@@ -98,14 +98,14 @@ impl Trace {
         let path = Series::line("", style::curve(0), values(across).zip(values(up)));
         let begin = start.get(across.place).copied().zip(start.get(up.place).copied());
         let begin = Series::line("start", style::turning_points(1), begin);
-        let title = format!("Motion of the {}: {} against {}", model.title(), up.name(), across.name());
+        let title = format!("Motion of {}: {} against {}", subject(model), up.name(), across.name());
         let panel = Panel {
             x: across.unfolded_axis(values(across)),
             y: up.unfolded_axis(values(up)),
             series: vec![path, begin],
             share: 1.0,
         };
-        let made_with = [of_model(model), of_start(model, start)].concat();
+        let made_with = [of_model(model), of_start(model, start, Angles::Radians)].concat();
         Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]).with_parameters(made_with) }
     }
 

@@ -1,6 +1,6 @@
 //! `libration figure`.
 
-use crate::command::{directory, json, libration, message, text};
+use crate::command::{directory, json, libration, message, run, text};
 use crate::drawing::Drawing;
 
 fn drawn(arguments: &str) -> String {
@@ -132,4 +132,45 @@ fn a_picture_is_as_large_as_it_is_asked_for() {
     let bytes = std::fs::read(path).unwrap();
     let side = |from: usize| u32::from_be_bytes(bytes[from..from + 4].try_into().unwrap());
     assert_eq!((side(16), side(20)), (3000, 1500), "300 pixels in an inch");
+}
+
+/// The titles and the line of parameters of a picture, angles being in the unit of the axes.
+#[test]
+fn pictures_of_typed_equations_are_titled_by_them_and_have_one_unit() {
+    let file = directory("titles").join("picture.svg");
+    let drawn = |arguments: &[&str]| {
+        let output = run(&[arguments, &["--figure", &file.display().to_string()]].concat());
+        assert!(output.status.success(), "{}", message(&output));
+        let answer = String::from_utf8(output.stdout).unwrap();
+        assert!(!answer.contains("\n\n\n") && !answer.contains("the equations of motion"), "{answer}");
+        let svg = std::fs::read_to_string(&file).unwrap();
+        let drawing = Drawing::read(&svg);
+        let of_class = |class| drawing.of_class(class).join(" ").replace('\u{a0}', " ");
+        format!("{}; {}; {svg}", of_class("title"), of_class("parameters"))
+    };
+    let simulated = ["simulate", "x'' = -x", "--initial", "x=1", "--times", "0:10:1"];
+    let in_time = drawn(&simulated);
+    assert!(in_time.contains("Motion of x′′ = -x"), "{in_time}");
+    let plane = drawn(&[&simulated[..], &["--axes", "x,x'"]].concat());
+    assert!(plane.contains("= -x: x′ against x"), "{plane}");
+    let long = "x1'' = -x1 - x2*sin(x1)*cos(x1)*sin(x1); x2'' = -x2 - x1*sin(x2)*cos(x2)";
+    let coordinates = drawn(&["simulate", long, "--initial", "x1=1", "--times", "0:10:1"]);
+    assert!(coordinates.contains("Motion of x₁, x₂"), "{coordinates}");
+    let turning = drawn(&[
+        "simulate",
+        "pendulum",
+        "--initial",
+        "theta=1",
+        "--times",
+        "0:10:1",
+        "--axes",
+        "theta,theta'",
+    ]);
+    assert!(turning.contains("θ(0) = 1 rad") && turning.contains("θ / rad"), "{turning}");
+    let section =
+        ["section", "driven_pendulum", "--set", "A=1.2,c=1/2", "--initial", "theta=0.25", "--points", "20"];
+    let section = drawn(&section);
+    assert!(section.contains("θ(0) = 0.25 rad") && section.contains("θ / rad"), "{section}");
+    let in_time = drawn(&["simulate", "pendulum", "--initial", "theta=60deg", "--times", "0:10:1"]);
+    assert!(in_time.contains("θ(0) = 60°") && in_time.contains("θ / degrees"), "{in_time}");
 }

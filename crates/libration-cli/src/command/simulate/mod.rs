@@ -132,7 +132,8 @@ impl Simulate {
             }
             Some(path) => {
                 let (ending, drawn) = write_file(motion, form, figure, path)?;
-                let answer = format!("{} written: motion of the {}", path.display(), model.title());
+                let answer =
+                    format!("{} written: motion of {}", path.display(), figure::names::subject(&model));
                 (ending, [vec![answer], drawn].concat())
             }
         };

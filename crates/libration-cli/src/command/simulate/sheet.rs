@@ -27,7 +27,10 @@ impl Report for Sheet {
             writeln!(out, "{}", paragraph("  parameters ", &parameters, 120))?;
         }
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
-        writeln!(out, "  tolerance  {:e} a step\n", motion.effort.relative)?;
+        writeln!(out, "  tolerance  {:e} a step", motion.effort.relative)?;
+        if self.listed {
+            writeln!(out)?;
+        }
         let numbers = model.state_names().into_iter().zip(model.state_units());
         self.titles = vec!["t / s".to_owned()];
         self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
