@@ -2,12 +2,18 @@
 //!
 //! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from
 //! them is a difference of δ² in energy. So every number is carried in so many bits that what is left of them is enough.
+//!
+//! Coefficients do not show everything: of e^(−20000(x − 2)²) none of those at x = 3 is above the last bit of a motion that is about
+//! to pass x = 2. So each step is compared with an integration in double precision, which looks for such forces, and is shortened
+//! until both agree. What does less than [`UNSEEN`] to a step is not found that way, nor what begins where double precision has no
+//! values.
 
-use crate::algebra::{BigFloat, Floats, Ring};
+use crate::algebra::{BigFloat, Doubles, Floats, Ring};
 use crate::elementary::count;
 use crate::expression::{Jet, Tape};
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::KeptStep;
+use crate::taylor::{Effort, KeptStep, Moment, System, integrate};
+use std::ops::ControlFlow;
 
 /// Position and velocity.
 #[derive(Clone, Debug)]
@@ -43,6 +49,7 @@ pub(super) enum NoLeg {
 
 /// An acceleration as a function of position and velocity.
 pub(super) struct Motion<'a> {
+    system: &'a System,
     tape: &'a Tape,
     ring: Floats,
     order: u32,
@@ -52,12 +59,17 @@ pub(super) struct Motion<'a> {
 const MOST_STEPS: usize = 600;
 /// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
 const LAST: f64 = 4.0;
+/// Of the place, by which the same step in double precision may end elsewhere: roundings of the start, some 1e-16 of it, grow at most as
+/// e^T from an unstable equilibrium, and where steps are so long that this is more they are halved without need.
+const UNSEEN: f64 = 1e-12;
+/// Halvings after which two integrations do not agree for another reason than the length of the step.
+const MOST_HALVINGS: u32 = 60;
 
 impl<'a> Motion<'a> {
-    pub(super) fn new(tape: &'a Tape, precision: usize) -> Self {
+    pub(super) fn new(system: &'a System, tape: &'a Tape, precision: usize) -> Self {
         // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
         let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
-        Self { tape, ring: Floats { precision }, order }
+        Self { system, tape, ring: Floats { precision }, order }
     }
 
     /// The motion that is released from rest at a place, at a time that its steps begin to count from.
@@ -68,9 +80,15 @@ impl<'a> Motion<'a> {
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
             let lost = NoLeg::Lost(duration.to_f64());
-            let series = self.series(&state).filter(|_| !is_far(&state.x, size)).ok_or(lost)?;
+            if is_far(&state.x, size) {
+                return Err(lost);
+            }
+            // Exponentials of large numbers, which take too long, have values in double precision.
+            let no_series = || if self.has_value_nearby(&state) { NoLeg::Unable } else { lost };
+            let series = self.series(&state).ok_or_else(no_series)?;
             nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
-            let length = self.length(&series, size.max(state.x.exponent().unwrap_or(size)))?;
+            let size = size.max(state.x.exponent().unwrap_or(size));
+            let length = self.tried(&state, &series, self.length(&series, size)?, size)?;
             let begin = start + duration.to_f64();
             if let Some(rest) = self.rest_within(&series, length) {
                 duration = duration + rest.clone();
@@ -85,6 +103,11 @@ impl<'a> Motion<'a> {
             state = State { x: sum_at(&series.x, &elapsed), velocity: sum_at(&series.velocity, &elapsed) };
         }
         Err(NoLeg::Unable)
+    }
+
+    fn has_value_nearby(&self, state: &State) -> bool {
+        let state = [state.x.to_f64(), state.velocity.to_f64()];
+        Jet::new(&Doubles, self.tape, &state).is_ok_and(|jet| jet.result(0)[0].is_finite())
     }
 
     /// `None` where the acceleration has no value.
@@ -110,6 +133,30 @@ impl<'a> Motion<'a> {
         let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
         let length = libm::exp2(shortest - excess(&exponents, f64::from(self.order), shortest));
         if length == f64::INFINITY { Err(NoLeg::Unable) } else { Ok(length) }
+    }
+
+    /// The length of a step, or as much of it as double precision agrees with.
+    fn tried(&self, state: &State, series: &Series, length: f64, size: isize) -> Result<f64, NoLeg> {
+        let lengths = (0..MOST_HALVINGS).map(|halvings| libm::ldexp(length, -halvings.cast_signed()));
+        let unseen = UNSEEN * libm::ldexp(1.0, i32::try_from(size).unwrap_or(i32::MAX));
+        let agrees = |length: &f64| {
+            let [place, velocity] = self.misfit(state, series, *length).unwrap_or_default();
+            place <= unseen && velocity * length <= unseen
+        };
+        lengths.into_iter().find(agrees).ok_or(NoLeg::Unable)
+    }
+
+    /// How far the same step in double precision ends from the sums of the series; `None` where it has no values.
+    fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
+        const MOST_STEPS: usize = 10_000;
+        let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
+        let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };
+        let solution = integrate(self.system, &start, &[length], &effort, |_| ControlFlow::Continue(()));
+        let solution = solution.ok()?;
+        let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
+        let ends = [&series.x, &series.velocity].map(|series| sum_at(series, &elapsed).to_f64());
+        let misfits = ends.iter().zip(&solution.end.state).map(|(own, other)| (own - other).abs());
+        misfits.collect::<Vec<_>>().try_into().ok()
     }
 
     /// When the velocity vanishes in a step, to the last bit; `None` when it does not.
@@ -219,4 +266,31 @@ fn kept(series: &Series, start: f64, end: f64, unit: f64) -> KeptStep {
 #[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]
 fn real_exponent(exponent: isize) -> f64 {
     exponent as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orbit::acceleration::Acceleration;
+
+    /// How long a motion takes from rest to rest, and where that is.
+    fn leg(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
+        let equation = equation.parse().unwrap();
+        let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
+        let leg = Motion::new(&system, &acceleration.tape, 128).leg(place, 0.0).unwrap();
+        [leg.duration, leg.end]
+    }
+
+    /// At the other end, −147.4, e^x is below the last of 128 bits, and the coefficients of a step that begins there are tiny.
+    #[test]
+    fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
+        let equation = "x'' = 1 - exp(x)";
+        let [there, end] = leg(equation, &BigFloat::from_integer(5, 128));
+        let [back, start] = leg(equation, &end);
+        assert!((there.clone() - back).to_f64().abs() < 1e-30, "{there:?}");
+        assert!((start.to_f64() - 5.0).abs() < 1e-15, "{start:?}");
+        // The energy, e^x − x, is the same at both ends.
+        let energy = 5.0_f64.exp() - 5.0;
+        assert!((end.to_f64().exp() - end.to_f64() - energy).abs() < 1e-12);
+    }
 }

@@ -176,7 +176,7 @@ impl<'a> Release<'a> {
     }
 
     fn precise_legs(&self, precision: usize) -> Result<Legs, NoLeg> {
-        let motion = Motion::new(&self.acceleration.tape, precision);
+        let motion = Motion::new(&self.system, &self.acceleration.tape, precision);
         let there = motion.leg(&self.place.to_bits(precision), 0.0)?;
         let back = match self.acceleration.is_free_of_velocity {
             true => None,

@@ -304,3 +304,16 @@ fn a_force_that_cancels_has_its_period() {
     assert_within(orbit.period(), period, orbit.period_uncertainty(), "beside the energy integral");
     assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
 }
+
+/// By mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the separatrix many bits are needed, and no
+/// coefficient of a step that goes over x = 2 shows the force there.
+#[test]
+fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
+    let equation = "x'' = -sin(x) + 5*exp(-20000*(x - 2)^2)".parse().unwrap();
+    let orbit = Orbit::released(&equation, 3.1415926).unwrap();
+    let error = (orbit.period() - 43.979_586_543_068_46).abs();
+    assert!(error <= orbit.period_uncertainty(), "{error:e} beside {:e}", orbit.period_uncertainty());
+    assert!(orbit.period_uncertainty() < 1e-13 * orbit.period());
+    let other_side = orbit.state_at(0.5 * orbit.period())[0];
+    assert!((other_side + 2.785_695_567_633_276_6).abs() < 1e-12, "{other_side}");
+}
