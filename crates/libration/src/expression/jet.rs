@@ -76,6 +76,11 @@ impl<'a, R: Ring> Jet<'a, R> {
         &self.places[self.tape.results()[formula]].plain
     }
 
+    /// The coefficients of a place on the tape.
+    pub(crate) fn series(&self, place: usize) -> &[R::Element] {
+        &self.places[place].plain
+    }
+
     /// The zeroth coefficients of all places.
     pub(crate) fn values(&self) -> impl Iterator<Item = &R::Element> {
         self.places.iter().map(|series| &series.plain[0])

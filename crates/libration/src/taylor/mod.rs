@@ -28,6 +28,7 @@ mod step_length;
 mod branches;
 mod contacts;
 mod flight;
+mod sharp;
 mod steep;
 mod sticking;
 mod trial;

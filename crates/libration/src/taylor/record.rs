@@ -1,6 +1,7 @@
 //! What is known of one motion.
 
 use super::contacts::{Contacts, Stretch};
+use super::sharp::Part;
 use super::{
     Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Launch, Moment, Occurrence,
     Solution, Step, System,
@@ -97,11 +98,17 @@ impl<'a> Record<'a> {
         let length = step.end() - step.start();
         let mut found: Vec<(f64, usize, Contact)> = vec![];
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
-            let coefficients = formula(event);
-            let stretch = Stretch { coefficients: &coefficients, start: step.start(), length, tolerance };
-            let all = contacts.found(&stretch).into_iter();
-            let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
-            found.extend(wanted.map(|(time, contact)| (time, event, contact)));
+            let whole = || Part { start: step.start(), length, coefficients: formula(event) };
+            let parts = match self.system.sharp(event) {
+                Some(sharp) => sharp.parts(step, &self.launch.parameters),
+                None => vec![whole()],
+            };
+            for Part { start, length, coefficients } in parts {
+                let stretch = Stretch { coefficients: &coefficients, start, length, tolerance };
+                let all = contacts.found(&stretch).into_iter();
+                let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
+                found.extend(wanted.map(|(time, contact)| (time, event, contact)));
+            }
         }
         found.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
         for (time, event, contact) in found {

@@ -125,7 +125,13 @@ impl Steep<Row> {
         lane: usize,
         length: f64,
     ) -> Option<f64> {
-        let series = scaled(block[self.of].iter().map(|c| c[lane]), length);
+        self.first_turn_of(&scaled(block[self.of].iter().map(|c| c[lane]), length))
+    }
+}
+
+impl<P> Steep<P> {
+    /// The same for the series of what it enters, in powers of the part of a step.
+    pub(super) fn first_turn_of(&self, series: &[f64]) -> Option<f64> {
         if series.iter().any(|c| !c.is_finite()) {
             return None;
         }
@@ -133,9 +139,9 @@ impl Steep<Row> {
         let mut turns = sign_changes(&slopes);
         match self.enters {
             Enters::Exponent | Enters::Power(_) => {}
-            Enters::Hyperbolic => turns.extend(sign_changes(&series)),
+            Enters::Hyperbolic => turns.extend(sign_changes(series)),
             // Where a divisor vanishes is a boundary.
-            Enters::Divisor if sign_changes(&series).is_empty() => {}
+            Enters::Divisor if sign_changes(series).is_empty() => {}
             Enters::Divisor => return None,
         }
         let value = |part: f64| series.iter().rev().fold(0.0, |sum, c| sum * part + c);

@@ -2,6 +2,7 @@
 
 use super::Event;
 use super::moduli::Moduli;
+use super::sharp::SharpFormula;
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 
 /// Equations of motion whose state is all coordinates, then all velocities, in the order of the equations.
@@ -26,6 +27,8 @@ pub struct System {
     tape: Tape,
     /// Of what stands in each |…| the number in a state, if it is one of the velocities.
     velocities_in_moduli: Vec<Option<usize>>,
+    /// The events whose formulas the series of a whole step do not show.
+    sharp: Vec<Option<SharpFormula>>,
 }
 
 impl System {
@@ -64,7 +67,9 @@ impl System {
         let (accelerations, watched) = formulas.split_at(variables.len());
         let mut inputs = state.clone();
         inputs.push(Symbol::plain("t"));
-        inputs.extend(parameters.iter().cloned().chain(moduli.signs()));
+        inputs.extend(parameters.iter().cloned());
+        let sharp = events.iter().map(|event| SharpFormula::new(&event.formula, &inputs)).collect();
+        inputs.extend(moduli.signs());
         let arguments = moduli.into_arguments();
         let formulas: Vec<&Expression> = accelerations.iter().chain(&arguments).chain(watched).collect();
         let tape = Tape::new(&formulas, &inputs)?;
@@ -73,7 +78,7 @@ impl System {
             number.filter(|&number| number >= variables.len())
         };
         let velocities_in_moduli = arguments.iter().map(velocity).collect();
-        Ok(Self { equation, variables, parameters, events, tape, velocities_in_moduli })
+        Ok(Self { equation, variables, parameters, events, tape, velocities_in_moduli, sharp })
     }
 
     /// The names of the numbers of a state: `theta`, `theta'`.
@@ -98,6 +103,11 @@ impl System {
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
+    }
+
+    /// The formula of an event whose series need looking after.
+    pub(super) fn sharp(&self, event: usize) -> Option<&SharpFormula> {
+        self.sharp[event].as_ref()
     }
 
     /// How many different |…| there are.

@@ -299,3 +299,35 @@ fn velocities_that_are_almost_zero_do_not_matter() {
         );
     }
 }
+
+/// x = 5 cos t passes x = 2 twice, where most of the formulas are zero on both sides of a peak.
+#[test]
+fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
+    let half_width = (libm::log(2.0) / 20_000.0).sqrt();
+    let high = libm::acos(libm::pow(0.5, 1.0 / 400.0));
+    let passages = |width: f64| {
+        let down = [2.0 + width, 2.0 - width].map(|x: f64| libm::acos(x / 5.0));
+        let up = [2.0 - width, 2.0 + width].map(|x: f64| 2.0 * PI - libm::acos(x / 5.0));
+        [down, up].concat()
+    };
+    let cases = [
+        ("exp(-20000*(x - 2)^2) - 1/2", passages(half_width)),
+        ("cosh(400*(x - 2)) - 2", passages(libm::acosh(2.0) / 400.0)),
+        ("1/(1 + 1000000*(x - 2)^2) - 1/2", passages(1e-3)),
+        ("(x/5)^400 - 1/2", vec![high, PI - high, PI + high]),
+        ("exp(-20000*(t - 3)^2) - 1/2", vec![3.0 - half_width, 3.0 + half_width]),
+        ("exp(x) - 10^(-30)", vec![]),
+    ];
+    for (formula, expected) in cases {
+        let event = Event { formula: formula.parse().unwrap(), direction: Direction::Any, terminal: false };
+        let system = System::new(&"x'' = -x".parse().unwrap()).unwrap().with_events(&[event]).unwrap();
+        let start = Moment { time: 0.0, state: vec![5.0, 0.0] };
+        let solution =
+            integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15), |_| ControlFlow::Continue(()));
+        let found: Vec<f64> = solution.unwrap().events.iter().map(|event| event.time).collect();
+        assert_eq!(found.len(), expected.len(), "{formula}: {found:?}");
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-10, "{formula}: {found} beside {expected}");
+        }
+    }
+}
