@@ -137,3 +137,18 @@ fn the_third_harmonic_is_not_small_next_to_the_top() {
     let product = where_one(2.0, 3.1, |it| (it.terms[0].angle * it.terms[1].angle).abs());
     assert!((product - 2.89776545350273670491012503848).abs() < 1e-12, "{product}");
 }
+
+/// Behind 1e-308 the terms go on as e^(−x) does among the subnormal numbers, and end at zero; none comes after.
+#[test]
+fn harmonics_end_where_numbers_do() {
+    for amplitude in [1.0, 2.5, 3.1, 3.141_592] {
+        let terms = libration(amplitude).harmonics(0.0, 100_000).terms;
+        let last = terms.last().unwrap();
+        assert!(
+            terms.len() < 100_000 && last.angle.abs() < 1e-300,
+            "{amplitude}: {} to {last:?}",
+            terms.len()
+        );
+        assert!(terms.windows(2).all(|two| two[1].angle.abs() <= two[0].angle.abs()), "{amplitude}");
+    }
+}

@@ -571,3 +571,26 @@ fn a_motion_tells_its_modulus_and_its_direction() {
         assert_eq!(prepared.motion().state_at(0.3), launched(0.0, 4.0 * direction).state_at(0.3));
     }
 }
+
+/// By mpmath, 4 arctan e^(−√9.80665·|t|) of exactly this f64; √9.80665 rounded to one word would cost 2e-14 of it.
+#[test]
+fn the_separatrix_keeps_its_complement_for_a_frequency_of_two_words() {
+    let motion = Pendulum::new(1.0, 9.80665).unwrap().on_separatrix();
+    for (time, complement) in [(150.0, 3.975_240_430_191_219e-204), (-200.0, 3.967_021_344_795_514e-272)] {
+        let state = motion.state_at(time);
+        assert!(
+            (state.complement - complement).abs() <= 4.0 * ulp(complement),
+            "{time}: {:e}",
+            state.complement
+        );
+    }
+}
+
+/// The last velocity that is taken is 1e150 times 2ω0.
+#[test]
+fn velocities_end_where_their_squares_would() {
+    let fastest = 2e150;
+    assert!(unit_pendulum().launched(radians(0.5), fastest).is_ok());
+    let beyond = unit_pendulum().launched(radians(0.5), 1.0000001 * fastest);
+    assert_eq!(beyond.unwrap_err(), PendulumError::TooFast(1.0000001 * fastest));
+}
