@@ -2,6 +2,7 @@
 
 use super::text;
 use crate::failure::Failure;
+use crate::output::field::{Field, Fields};
 use crate::output::{json::Record, number};
 use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::{Angle, STANDARD_GRAVITY};
@@ -37,18 +38,30 @@ impl PendulumOptions {
         Pendulum::new(self.length(), self.gravity()).map_err(|error| Failure::no_answer("pendulum", error))
     }
 
-    /// The lines of a sheet that say which pendulum was meant.
-    pub(crate) fn lines(self) -> [(&'static str, String); 2] {
-        let said = |given: Option<f64>| if given.is_some() { "" } else { " (default)" };
-        [
-            ("length", format!("{} m{}", number::short(self.length(), 12), said(self.length))),
-            ("gravity", format!("{} m/s²{}", number::short(self.gravity(), 12), said(self.gravity))),
-        ]
+    /// Which pendulum was meant, in JSON and in lines of a sheet.
+    pub(crate) fn fields() -> Fields<Self> {
+        type Of = Field<PendulumOptions>;
+        const GRAVITY: &str = "acceleration of free fall";
+        Fields::from([
+            Of::number("length_m", "m", "length of the pendulum", |it| it.length())
+                .line_of("length", |it| format!("{} m{}", number::short(it.length(), 12), said(it.length))),
+            Of::number("gravity_m_per_s2", "m/s²", GRAVITY, |it| it.gravity()).line_of("gravity", |it| {
+                format!("{} m/s²{}", number::short(it.gravity(), 12), said(it.gravity))
+            }),
+        ])
+    }
+
+    pub(crate) fn lines(self) -> Vec<(&'static str, String)> {
+        Self::fields().lines(&self)
     }
 
     pub(crate) fn record(self) -> Record {
-        Record::new().number("length_m", self.length()).number("gravity_m_per_s2", self.gravity())
+        Self::fields().record(&self)
     }
+}
+
+fn said(given: Option<f64>) -> &'static str {
+    if given.is_some() { "" } else { " (default)" }
 }
 
 /// The motion that starts at this angle with this velocity (rad/s).

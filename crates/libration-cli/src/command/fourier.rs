@@ -2,9 +2,11 @@
 
 use crate::arguments::{self, PendulumOptions};
 use crate::failure::Failure;
-use crate::output::table::{Column, Table, sheet};
-use crate::output::{Form, FormOptions, csv, json, json::Record, number};
-use libration::pendulum::{Harmonics, Motion, Regime};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::table::{Table, sheet};
+use crate::output::{Form, FormOptions, csv, json};
+use libration::pendulum::{Harmonic, Harmonics, Motion, Regime};
 use libration::quantity::Angle;
 use std::io::Write;
 
@@ -63,19 +65,9 @@ impl Fourier {
     }
 
     fn write_json(&self, out: &mut dyn Write, motion: &Motion, harmonics: &Harmonics) -> Result<(), Failure> {
-        let head = self
-            .pendulum
-            .record()
-            .with("regime", motion.regime().to_string())
-            .number("period_s", motion.period())
-            .number("fundamental_rad_per_s", harmonics.fundamental)
-            .number("mean_velocity_rad_per_s", harmonics.mean_velocity);
-        let terms = harmonics.terms.iter().map(|term| {
-            Record::new()
-                .with("n", term.n)
-                .number("angle_rad", term.angle)
-                .number("velocity_rad_per_s", term.velocity)
-        });
+        let head = of_motion().added_to(self.pendulum.record(), &(*motion, harmonics));
+        let of_term = of_term();
+        let terms = harmonics.terms.iter().map(|term| of_term.record(term));
         Ok(json::document_with_list(out, head, "harmonics", terms)?)
     }
 
@@ -85,36 +77,74 @@ impl Fourier {
         motion: &Motion,
         harmonics: &Harmonics,
     ) -> Result<(), Failure> {
-        let [length, gravity] = self.pendulum.lines();
-        sheet(
-            out,
-            &[
-                length,
-                gravity,
-                ("regime", motion.regime().to_string()),
-                ("period", number::seconds(motion.period(), 13)),
-                ("fundamental Ω", format!("{} rad/s", number::rounded(harmonics.fundamental, 13))),
-                ("mean velocity", format!("{} rad/s", number::rounded(harmonics.mean_velocity, 13))),
-            ],
-        )?;
+        sheet(out, &[self.pendulum.lines(), of_motion().lines(&(*motion, harmonics))].concat())?;
         writeln!(out)?;
-        let mut table = Table::new(vec![
-            Column::numbers("n"),
-            Column::numbers("angle / rad"),
-            Column::numbers("velocity / (rad/s)"),
-        ]);
-        for term in &harmonics.terms {
-            let cells = [term.angle, term.velocity].map(|value| number::rounded(value, 13));
-            table.row(out, [vec![term.n.to_string()], cells.to_vec()].concat())?;
-        }
+        let of_term = of_term();
+        let mut table = Table::new(of_term.columns());
+        harmonics.terms.iter().try_for_each(|term| table.row(out, of_term.cells(term)))?;
         Ok(table.finish(out)?)
     }
 }
 
 fn write_csv(out: &mut dyn Write, harmonics: &Harmonics) -> Result<(), Failure> {
-    csv::line(out, &["n", "angle_rad", "velocity_rad_per_s"])?;
-    for term in &harmonics.terms {
-        csv::line(out, &[term.n.to_string(), number::exact(term.angle), number::exact(term.velocity)])?;
-    }
-    Ok(())
+    let of_term = of_term();
+    csv::line(out, &of_term.csv_names())?;
+    Ok(harmonics.terms.iter().try_for_each(|term| csv::line(out, &of_term.csv_cells(term)))?)
+}
+
+/// So many digits are shown.
+const DIGITS: usize = 13;
+
+fn of_motion<'a>() -> Fields<(Motion, &'a Harmonics)> {
+    type Of<'a> = Field<(Motion, &'a Harmonics)>;
+    Fields::from([
+        Of::value("regime", "", "rest, libration or rotation", |(motion, _)| {
+            motion.regime().to_string().into()
+        })
+        .line_of("regime", |(motion, _)| motion.regime().to_string()),
+        Of::number("period_s", "s", "period, in rotation the time of a turn", |(motion, _)| motion.period())
+            .line("period", DIGITS),
+        Of::number("fundamental_rad_per_s", "rad/s", "fundamental angular frequency Ω", |(_, harmonics)| {
+            harmonics.fundamental
+        })
+        .line("fundamental Ω", DIGITS),
+        Of::number(
+            "mean_velocity_rad_per_s",
+            "rad/s",
+            "mean angular velocity, which only a rotation has",
+            |(_, harmonics)| harmonics.mean_velocity,
+        )
+        .line("mean velocity", DIGITS),
+    ])
+}
+
+fn of_term() -> Fields<Harmonic> {
+    type Of = Field<Harmonic>;
+    Fields::from([
+        Of::value("n", "1", "number of the harmonic, of frequency nΩ", |term| term.n.into())
+            .numeral("n", |term| term.n.to_string()),
+        Of::number(
+            "angle_rad",
+            "rad",
+            "coefficient of the angle: of cos nΩτ in libration, of sin nΩτ in rotation",
+            |term| term.angle,
+        )
+        .rounded("angle / rad", DIGITS),
+        Of::number(
+            "velocity_rad_per_s",
+            "rad/s",
+            "coefficient of the angular velocity: of −sin nΩτ in libration, of cos nΩτ in rotation",
+            |term| term.velocity,
+        )
+        .rounded("velocity / (rad/s)", DIGITS),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [
+        PendulumOptions::fields().described(""),
+        of_motion().described(""),
+        of_term().described("harmonics[]."),
+    ];
+    vec![Answers { command: "fourier", option: "", json: json.concat(), csv: of_term().described_in_csv() }]
 }

@@ -6,6 +6,7 @@ mod completions;
 pub(crate) mod decay;
 mod derive;
 mod expand;
+mod fields;
 mod figure;
 mod fit_gates;
 pub(crate) mod fit_lengths;
@@ -81,6 +82,7 @@ enum Question {
     Figure(figure::Figure),
     Inspect(Box<inspect::Inspect>),
     Fit(FitQuestion),
+    Fields(fields::FieldsQuestion),
     Completions(completions::Completions),
 }
 
@@ -130,6 +132,7 @@ impl Libration {
             Question::Fit(FitQuestion { fit: Fit::Lengths(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
+            Question::Fields(question) => question.answer(out),
             Question::Completions(question) => question.answer(out),
         }
     }

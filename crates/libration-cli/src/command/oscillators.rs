@@ -2,11 +2,12 @@
 
 use crate::arguments::KeyOptions;
 use crate::failure::Failure;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, FormOptions, csv};
 use libration::oscillator::{NamedOscillator, Parameter, catalogue};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// The oscillators known by name: equations, parameters, where they oscillate, and sources
@@ -28,48 +29,65 @@ pub(crate) struct Oscillators {
 impl Oscillators {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let chosen = self.keys.chosen(catalogue(), NamedOscillator::by_key)?;
+        let fields = of_oscillator();
         match self.form.form() {
             Form::Json => {
-                let records = chosen.into_iter().map(record);
+                let records = chosen.into_iter().map(|named| fields.record(named));
                 json::document_with_list(out, Record::new(), "oscillators", records)?;
             }
-            Form::Csv => write_csv(out, &chosen)?,
+            Form::Csv => {
+                csv::line(out, &fields.csv_names())?;
+                chosen.iter().try_for_each(|named| csv::line(out, &fields.csv_cells(named)))?;
+            }
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
     }
 }
 
-fn record(named: &NamedOscillator) -> Record {
-    let parameters: Vec<Value> = named.parameters.iter().map(|it| parameter_record(it).into()).collect();
-    Record::new()
-        .with("key", named.key)
-        .with("also", named.also.to_vec())
-        .with("title", named.title)
-        .with("equation", named.equation)
-        .with("parameters", parameters)
-        .with("expansion_parameter", named.expansion_parameter)
-        .with("description", named.description)
-        .with("domain", named.domain)
-        .with("source", named.source)
+fn of_oscillator() -> Fields<NamedOscillator> {
+    type Of = Field<NamedOscillator>;
+    Fields::from([
+        Of::value("key", "", "short name that commands take", |it| it.key.into()),
+        Of::list("also", "", "other names that they take", |it| json::texts(it.also.to_vec())),
+        Of::value("title", "", "usual name", |it| it.title.into()),
+        Of::value("equation", "", "equation of motion", |it| it.equation.into()),
+        Of::records("parameters", |it| {
+            it.parameters.iter().map(|parameter| of_parameter().record(parameter).into()).collect()
+        }),
+        Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
+            .only_csv(),
+        Of::value(
+            "expansion_parameter",
+            "",
+            "parameter that series are in powers of; null where they are in the amplitude",
+            |it| it.expansion_parameter.into(),
+        )
+        .only_json(),
+        Of::value("description", "", "what it describes", |it| it.description.into()).only_json(),
+        Of::value("domain", "", "where it oscillates", |it| it.domain.into()),
+        Of::value("source", "", "where the equation is from", |it| it.source.into()),
+    ])
 }
 
-fn parameter_record(parameter: &Parameter) -> Record {
-    Record::new()
-        .with("name", parameter.name)
-        .with("default", parameter.default)
-        .with("meaning", parameter.meaning)
+fn of_parameter() -> Fields<Parameter> {
+    type Of = Field<Parameter>;
+    Fields::from([
+        Of::value("name", "", "name of the parameter", |it| it.name.into()),
+        Of::value("default", "", "value where none is given", |it| it.default.into()),
+        Of::value("meaning", "", "what the parameter is", |it| it.meaning.into()),
+    ])
 }
 
-fn write_csv(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
-    csv::line(out, &["key", "title", "equation", "parameters", "domain", "source"])?;
-    for named in chosen {
-        let values: Vec<String> =
-            named.parameters.iter().map(|it| format!("{}={}", it.name, it.default)).collect();
-        let values = values.join(",");
-        csv::line(out, &[named.key, named.title, named.equation, &values, named.domain, named.source])?;
-    }
-    Ok(())
+fn defaults(named: &NamedOscillator) -> String {
+    let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
+    values.collect::<Vec<_>>().join(",")
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let of_parameter = of_parameter().described("oscillators[].parameters[].");
+    let json = [of_oscillator().described("oscillators[]."), of_parameter].concat();
+    vec![Answers { command: "oscillators", option: "", json, csv: of_oscillator().described_in_csv() }]
 }
 
 fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {

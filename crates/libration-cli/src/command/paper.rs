@@ -1,6 +1,8 @@
 //! `libration paper`: two published derivations checked equation by equation.
 
 use crate::failure::Failure;
+use crate::output::description::{Answers, descriptions};
+use crate::output::field::{Field, Fields};
 use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
 use libration_derivation::paper::{Document, Row, Verdict, rows_where};
@@ -44,7 +46,11 @@ impl Paper {
             Form::Json => {
                 json::document_with_list(out, Record::new(), "equations", chosen.iter().map(record))?;
             }
-            Form::Csv => write_csv(out, &chosen)?,
+            Form::Csv => {
+                let fields = of_statement();
+                csv::line(out, &fields.csv_names())?;
+                chosen.iter().try_for_each(|row| csv::line(out, &fields.csv_cells(row)))?;
+            }
             Form::Table => write_pages(out, &chosen)?,
         }
         Ok(())
@@ -72,62 +78,59 @@ fn document(text: &str) -> Result<Document, String> {
     found.ok_or_else(|| format!("`{text}` is no document: give black-vel or cote"))
 }
 
+/// Where a claim about numbers holds.
+const HOLDS: &str = "amplitudes, from and to, at which a claim about numbers holds";
+const PARAPHRASE: &str = "whether the formula is ours, where the document has words";
+
+fn of_statement() -> Fields<Row> {
+    type Of = Field<Row>;
+    Fields::from([
+        Of::value("document", "", "black-vel or cote", |row| row.document.key().into()),
+        Of::value("label", "", "number of the equation, or where the statement stands", |row| {
+            row.label.as_str().into()
+        }),
+        Of::value("claim", "", "what is claimed, in words", |row| row.claim.as_str().into()),
+        Of::list("printed", "", "formulas as they are printed", |row| json::texts(row.printed.clone())),
+        Of::value("printed", "", "formulas as they are printed, with ; between them", |row| {
+            row.printed.join("; ").into()
+        })
+        .only_csv(),
+        Of::value("paraphrase", "", PARAPHRASE, |row| row.paraphrase.into()).only_json(),
+        Of::value("read_from", "", "text that the statement was read from", |row| {
+            row.document.read_from().into()
+        })
+        .only_json(),
+        Of::value("verdict", "", "verified, typo, wrong or not decided, with what restricts it", |row| {
+            row.finding.summary().into()
+        }),
+        Of::value("correct", "", "what should be there, empty where nothing is wrong", |row| {
+            row.finding.correct.as_str().into()
+        }),
+        Of::value("evidence", "", "how that was found", |row| row.finding.evidence.as_str().into()),
+        Of::value("holds_for_rad", "rad", HOLDS, |row| ranges(row).into()).only_csv(),
+        Of::value("paraphrase", "", PARAPHRASE, |row| row.paraphrase.into()).only_csv(),
+    ])
+}
+
 fn record(row: &Row) -> Record {
-    let finding = &row.finding;
-    let record = Record::new()
-        .with("document", row.document.key())
-        .with("label", row.label.as_str())
-        .with("claim", row.claim.as_str())
-        .with("printed", row.printed.clone())
-        .with("paraphrase", row.paraphrase)
-        .with("read_from", row.document.read_from())
-        .with("verdict", finding.summary())
-        .with("correct", finding.correct.as_str())
-        .with("evidence", finding.evidence.as_str());
-    if finding.holds_for.is_empty() {
+    let record = of_statement().record(row);
+    if row.finding.holds_for.is_empty() {
         return record;
     }
-    let ends = finding.holds_for.iter().map(|&(from, to)| vec![json::number(from), json::number(to)]);
+    let ends = row.finding.holds_for.iter().map(|&(from, to)| json::numbers(&[from, to]));
     record.with("holds_for_rad", ends.collect::<Vec<_>>())
 }
 
-fn write_csv(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
-    csv::line(
-        out,
-        &[
-            "document",
-            "label",
-            "claim",
-            "printed",
-            "verdict",
-            "correct",
-            "evidence",
-            "holds_for_rad",
-            "paraphrase",
-        ],
-    )?;
-    for row in rows {
-        let finding = &row.finding;
-        let ranges = finding
-            .holds_for
-            .iter()
-            .map(|&(from, to)| format!("{} to {}", number::exact(from), number::exact(to)));
-        csv::line(
-            out,
-            &[
-                row.document.key().to_owned(),
-                row.label.clone(),
-                row.claim.clone(),
-                row.printed.join("; "),
-                finding.summary(),
-                finding.correct.clone(),
-                finding.evidence.clone(),
-                ranges.collect::<Vec<_>>().join("; "),
-                row.paraphrase.to_string(),
-            ],
-        )?;
-    }
-    Ok(())
+pub(crate) fn answers() -> Vec<Answers> {
+    let holds = descriptions("equations[].", &[("holds_for_rad[][]", "rad", HOLDS)]);
+    let json = [of_statement().described("equations[]."), holds].concat();
+    vec![Answers { command: "paper", option: "", json, csv: of_statement().described_in_csv() }]
+}
+
+fn ranges(row: &Row) -> String {
+    let ends = row.finding.holds_for.iter();
+    let texts = ends.map(|&(from, to)| format!("{} to {}", number::exact(from), number::exact(to)));
+    texts.collect::<Vec<_>>().join("; ")
 }
 
 /// Grouped by document, each statement as a paragraph, the count of verdicts at the end.

@@ -2,11 +2,12 @@
 
 use crate::arguments::KeyOptions;
 use crate::failure::Failure;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
 use crate::output::{Form, FormOptions, csv};
 use libration::systems::{NamedCoordinate, NamedSystem, Parameter, catalogue};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// The systems known by name: equations of motion, parameters with units, energies, and sources
@@ -31,60 +32,92 @@ pub(crate) struct Systems {
 impl Systems {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let chosen = self.keys.chosen(catalogue(), NamedSystem::by_key)?;
+        let fields = of_system();
         match self.form.form() {
             Form::Json => {
-                let records = chosen.into_iter().map(record);
+                let records = chosen.into_iter().map(|named| fields.record(named));
                 json::document_with_list(out, Record::new(), "systems", records)?;
             }
-            Form::Csv => write_csv(out, &chosen)?,
+            Form::Csv => {
+                csv::line(out, &fields.csv_names())?;
+                chosen.iter().try_for_each(|named| csv::line(out, &fields.csv_cells(named)))?;
+            }
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
     }
 }
 
-fn record(named: &NamedSystem) -> Record {
-    let parameters: Vec<Value> = named.parameters.iter().map(|it| parameter_record(it).into()).collect();
-    let coordinates: Vec<Value> = named.coordinates.iter().map(|it| coordinate_record(it).into()).collect();
-    Record::new()
-        .with("key", named.key)
-        .with("also", named.also.to_vec())
-        .with("title", named.title)
-        .with("equations", named.equations.split(';').map(str::trim).collect::<Vec<_>>())
-        .with("coordinates", coordinates)
-        .with("parameters", parameters)
-        .with("energy", named.energy)
-        .with("energy_unit", named.energy_unit)
-        .with("power", named.power)
-        .with("drive_frequency", named.drive_frequency)
-        .with("description", named.description)
-        .with("domain", named.domain)
-        .with("source", named.source)
+fn of_system() -> Fields<NamedSystem> {
+    type Of = Field<NamedSystem>;
+    Fields::from([
+        Of::value("key", "", "short name that commands take", |it| it.key.into()),
+        Of::list("also", "", "other names that they take", |it| json::texts(it.also.to_vec())),
+        Of::value("title", "", "usual name", |it| it.title.into()),
+        Of::list("equations", "", "equations of motion", |it| {
+            json::texts(it.equations.split(';').map(str::trim))
+        }),
+        Of::value("equations", "", "equations of motion, with ; between them", |it| it.equations.into())
+            .only_csv(),
+        Of::records("coordinates", |it| {
+            it.coordinates.iter().map(|coordinate| of_coordinate().record(coordinate).into()).collect()
+        }),
+        Of::records("parameters", |it| {
+            it.parameters.iter().map(|parameter| of_parameter().record(parameter).into()).collect()
+        }),
+        Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
+            .only_csv(),
+        Of::value("energy", "", "formula of the energy", |it| it.energy.into()),
+        Of::value("energy_unit", "", "what the energy is divided by, or its unit", |it| {
+            it.energy_unit.into()
+        })
+        .only_json(),
+        Of::value("power", "", "formula of what the energy gains per time", |it| it.power.into()).only_json(),
+        Of::value(
+            "drive_frequency",
+            "",
+            "parameter that is the angular frequency of the drive, or null",
+            |it| it.drive_frequency.into(),
+        )
+        .only_json(),
+        Of::value("description", "", "what it describes", |it| it.description.into()).only_json(),
+        Of::value("domain", "", "what it holds for", |it| it.domain.into()),
+        Of::value("source", "", "where the equations are from", |it| it.source.into()),
+    ])
 }
 
-fn coordinate_record(coordinate: &NamedCoordinate) -> Record {
-    Record::new().with("name", coordinate.name).with("unit", coordinate.unit).with("rest", coordinate.rest)
+fn of_coordinate() -> Fields<NamedCoordinate> {
+    type Of = Field<NamedCoordinate>;
+    Fields::from([
+        Of::value("name", "", "name of the coordinate", |it| it.name.into()),
+        Of::value("unit", "", "its unit", |it| it.unit.into()),
+        Of::value("rest", "", "its value at rest", |it| it.rest.into()),
+    ])
 }
 
-fn parameter_record(parameter: &Parameter) -> Record {
-    Record::new()
-        .with("name", parameter.name)
-        .with("default", parameter.default)
-        .with("unit", parameter.unit)
-        .with("meaning", parameter.meaning)
+fn of_parameter() -> Fields<Parameter> {
+    type Of = Field<Parameter>;
+    Fields::from([
+        Of::value("name", "", "name of the parameter", |it| it.name.into()),
+        Of::value("default", "", "value where none is given", |it| it.default.into()),
+        Of::value("unit", "", "its unit", |it| it.unit.into()),
+        Of::value("meaning", "", "what the parameter is", |it| it.meaning.into()),
+    ])
 }
 
-fn write_csv(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
-    csv::line(out, &["key", "title", "equations", "parameters", "energy", "domain", "source"])?;
-    for named in chosen {
-        let values: Vec<String> =
-            named.parameters.iter().map(|it| format!("{}={}", it.name, it.default)).collect();
-        let values = values.join(",");
-        let fields =
-            [named.key, named.title, named.equations, &values, named.energy, named.domain, named.source];
-        csv::line(out, &fields)?;
-    }
-    Ok(())
+fn defaults(named: &NamedSystem) -> String {
+    let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
+    values.collect::<Vec<_>>().join(",")
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [
+        of_system().described("systems[]."),
+        of_coordinate().described("systems[].coordinates[]."),
+        of_parameter().described("systems[].parameters[]."),
+    ];
+    let csv = of_system().described_in_csv();
+    vec![Answers { command: "systems", option: "", json: json.concat(), csv }]
 }
 
 fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {

@@ -1,6 +1,5 @@
 //! Comma-separated values, quoted where needed (RFC 4180, with bare line feeds).
 
-use super::number;
 use std::io::{self, Write};
 
 /// Writes one line.
@@ -12,11 +11,6 @@ pub(crate) fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Resu
         out.write_all(quoted(field.as_ref()).as_bytes())?;
     }
     out.write_all(b"\n")
-}
-
-/// Writes one line of unrounded numbers.
-pub(crate) fn numbers(out: &mut dyn Write, values: &[f64]) -> io::Result<()> {
-    line(out, &values.iter().map(|&value| number::exact(value)).collect::<Vec<_>>())
 }
 
 fn quoted(field: &str) -> std::borrow::Cow<'_, str> {

@@ -11,6 +11,15 @@ pub(crate) fn number(value: f64) -> Value {
     serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
 }
 
+/// Numbers, null where they are not finite.
+pub(crate) fn numbers(values: &[f64]) -> Vec<Value> {
+    values.iter().map(|&value| number(value)).collect()
+}
+
+pub(crate) fn texts(texts: impl IntoIterator<Item = impl Into<Value>>) -> Vec<Value> {
+    texts.into_iter().map(Into::into).collect()
+}
+
 /// A JSON object in the making.
 #[derive(Debug, Default)]
 pub(crate) struct Record {

@@ -1,8 +1,11 @@
 //! How answers are written: as a table to read, as JSON, as CSV, or as a file.
 
 pub(crate) mod budget;
+pub(crate) mod budget_fields;
 pub(crate) mod combined;
 pub(crate) mod csv;
+pub(crate) mod description;
+pub(crate) mod field;
 pub(crate) mod file;
 pub(crate) mod json;
 pub(crate) mod leftover;

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 const HELP_WIDTH: usize = 80;
 
 /// A fresh copy of what is tracked, of which examples use the data and the texts.
-fn clone_of_the_project(name: &str) -> PathBuf {
+pub(crate) fn clone_of_the_project(name: &str) -> PathBuf {
     let clone = directory(name);
     let root = root();
     for place in [root.join("examples"), root.clone()] {
@@ -24,12 +24,12 @@ fn clone_of_the_project(name: &str) -> PathBuf {
     clone
 }
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
 }
 
 /// Runs a line of shell with the command on the path.
-fn in_shell(line: &str, place: &Path) -> Output {
+pub(crate) fn in_shell(line: &str, place: &Path) -> Output {
     let command = Path::new(env!("CARGO_BIN_EXE_libration")).parent().unwrap().to_owned();
     let path = std::env::var_os("PATH").unwrap();
     let paths = std::iter::once(command).chain(std::env::split_paths(&path));
@@ -50,7 +50,7 @@ fn answer(line: &str, place: &Path) -> String {
 }
 
 /// The commands, each as its words; those that only hold others as well.
-fn commands() -> Vec<Vec<String>> {
+pub(crate) fn commands() -> Vec<Vec<String>> {
     let mut found = vec![vec![]];
     let mut next = 0;
     while let Some(words) = found.get(next).cloned() {
@@ -60,7 +60,7 @@ fn commands() -> Vec<Vec<String>> {
     found
 }
 
-fn help(words: &[String]) -> String {
+pub(crate) fn help(words: &[String]) -> String {
     let words: Vec<&str> = words.iter().map(String::as_str).chain(["--help"]).collect();
     let output = run(&words);
     assert!(output.status.success(), "{words:?}");
@@ -79,7 +79,7 @@ fn subcommands(help: &str) -> Vec<String> {
 }
 
 /// The examples of a help, lines that end in a backslash with the next.
-fn examples(help: &str) -> Vec<String> {
+pub(crate) fn examples(help: &str) -> Vec<String> {
     let list = help.lines().skip_while(|line| !line.starts_with("Example")).skip(1);
     let mut examples: Vec<String> = vec![];
     let mut is_continued = false;
@@ -131,13 +131,13 @@ fn examples_of_the_help_run_as_printed_in_part_two() {
 }
 
 /// A command with what is shown below it.
-struct Shown {
-    command: String,
+pub(crate) struct Shown {
+    pub(crate) command: String,
     output: Vec<String>,
 }
 
 /// The blocks of a console in a document.
-fn shown_in(text: &str) -> Vec<Shown> {
+pub(crate) fn shown_in(text: &str) -> Vec<Shown> {
     let mut shown: Vec<Shown> = vec![];
     let mut is_inside = false;
     for line in text.lines() {
@@ -178,7 +178,7 @@ fn the_readme_shows_what_comes_out() {
 }
 
 /// The commands that stand in backquotes in a table, and those of indented blocks and of blocks of shell.
-fn commands_in(text: &str) -> Vec<String> {
+pub(crate) fn commands_in(text: &str) -> Vec<String> {
     let quoted =
         text.lines().filter(|line| line.starts_with('|')).flat_map(|line| line.split('`').skip(1).step_by(2));
     let indented = text.lines().filter_map(|line| line.strip_prefix("    "));

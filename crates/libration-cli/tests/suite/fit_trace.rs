@@ -1,6 +1,7 @@
 //! `libration fit trace`.
 
 use crate::command::{directory, json, libration, message, text};
+use crate::fields::assert_described;
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -243,6 +244,7 @@ fn angular_velocities_alone_give_the_frequency() {
     let omega0 = parameter(&answer, "omega0");
     agrees(&omega0["value"], &omega0["uncertainty"], 3.0, 1e-2);
     assert!(answer["rms_residual_rad_per_s"].is_number() && answer.get("rms_residual_rad").is_none());
+    assert_described("fit trace", &answer);
 }
 
 /// Two runs of an undamped pendulum with ω0 = 3 rad/s in counts of an encoder, sampled 20 times a second; times cut to

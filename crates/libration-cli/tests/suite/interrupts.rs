@@ -1,6 +1,7 @@
 //! What is left when long work is ended early.
 
 use crate::command::{directory, message};
+use crate::fields::assert_described;
 use serde_json::Value;
 use std::io::Read;
 use std::process::{Command, Output, Stdio};
@@ -95,6 +96,7 @@ fn ctrl_c_keeps_a_series_whose_exact_value_takes_long() {
     let output = interrupted(&[&arguments[..], &["--json"]].concat(), BETWEEN);
     let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(answer["interrupted"] == true && answer["order"] == 5, "{answer:#}");
+    assert_described("expand --evaluate", &answer);
     for field in ["exact", "radius", "pade"] {
         assert!(answer[field].is_null(), "{field}: {answer:#}");
         let note = answer["note"].as_str().unwrap();
@@ -117,6 +119,7 @@ fn ctrl_c_does_not_wait_for_the_orbits_under_way() {
     let points = answer["points"].as_array().unwrap();
     assert!(answer["interrupted"] == true && (1..10).contains(&points.len()), "{answer:#}");
     assert_eq!(points[0]["amplitude"], 0.1);
+    assert_described("backbone", &answer);
     let early = interrupted(&["backbone", "--order", "999", "--amplitudes", "1"], BETWEEN);
     assert!(early.stdout.is_empty());
     assert!(
@@ -160,6 +163,7 @@ fn ctrl_c_keeps_the_orders_that_are_certain() {
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(answer["interrupted"] == true && answer["order"].as_u64().unwrap() < 999);
         assert_eq!(answer["of_amplitude"]["period_ratio"][2], "1/16");
+        assert_described("expand", &answer);
     } else {
         assert!(message(&output).contains("before any order was certain"), "{}", message(&output));
     }

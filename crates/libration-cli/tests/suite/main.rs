@@ -10,6 +10,7 @@ mod derive;
 mod drawing;
 mod examples;
 mod expand;
+mod fields;
 mod figure_data;
 mod figure_sizes;
 mod figures;

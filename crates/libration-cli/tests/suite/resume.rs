@@ -1,6 +1,7 @@
 //! Answers of `libration simulate` that are gone on from are those of one run, to the last byte.
 
 use crate::command::{directory, libration, message, text};
+use crate::fields::assert_described;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -237,6 +238,7 @@ fn ctrl_c_leaves_a_complete_file_to_go_on_from() {
     let answer: Value = serde_json::from_slice(&fs::read(&file).unwrap()).unwrap();
     let count = answer["samples"].as_array().unwrap().len();
     assert!(answer["interrupted"] == true && (1..1_000_001).contains(&count), "{count}");
+    assert_described("simulate", &answer);
     let further = format!("{question} --times 0:{}:1 --resume {} --json", count + 10, file.display());
     let answer: Value = serde_json::from_str(&text(&further)).unwrap();
     assert_eq!(answer["samples"].as_array().unwrap().len(), count + 11);

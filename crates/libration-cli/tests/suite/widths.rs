@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-const QUESTIONS: [&str; 44] = [
+pub(crate) const QUESTIONS: [&str; 45] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -53,6 +53,7 @@ const QUESTIONS: [&str; 44] = [
     "bifurcation|driven_pendulum|--set|c=1/2|--over|A=1:1.2:0.1|--initial|theta=0.2|--points|2|--skip|2",
     "lyapunov|double_pendulum|--initial|theta1=1,theta2=1|--intervals|4|--transient|1",
     "lyapunov|x''=-x|--initial|x=1|--intervals|8|--transient|1",
+    "fields|period",
     "paper|--label|25",
     "paper|--document|cote",
     "figure|errors|--formulas|bernoulli,describing_function|--output|FILE",

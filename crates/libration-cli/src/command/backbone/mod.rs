@@ -1,5 +1,6 @@
 //! `libration backbone`: the frequency of an oscillator against its amplitude.
 
+mod fields;
 mod write;
 
 use crate::arguments::{self, Asked, OscillatorOptions};
@@ -12,6 +13,8 @@ use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+pub(crate) use fields::answers;
 
 /// The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum
 ///

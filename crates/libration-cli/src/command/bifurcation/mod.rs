@@ -19,6 +19,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+pub(crate) use write::answers;
+
 /// Without another wish so many points are kept for each value.
 const POINTS: usize = 100;
 /// So many values are one piece of work.

@@ -1,10 +1,12 @@
 //! The points of a bifurcation diagram as table, JSON and CSV.
 
 use super::{Diagram, Sweep};
-use crate::output::json::{self, Record};
+use crate::output::description::{self, Answers, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use serde_json::Value;
+use libration::chaos::Points;
 use std::io::{self, Write};
 
 /// One point: the sweep, the value of the parameter, time and state.
@@ -44,59 +46,44 @@ impl Diagram<'_> {
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let stopped: Vec<String> = self.stopped().collect();
-        let head = Record::new()
-            .with("system", self.model.key())
-            .with("equation", self.model.equation().to_string())
-            .with("parameter", self.parameter.name.as_str())
-            .with("section", self.place.as_str())
-            .with("skipped", self.points.skipped)
-            .with("state", self.model.state_names())
-            .with("complete", self.is_complete())
-            .with("stopped", stopped);
-        let points = self.rows().map(|row| {
-            let state: Vec<Value> = row.state.into_iter().map(json::number).collect();
-            let place = Record::new().with("sweep", row.sweep).number("value", row.value);
-            place.number("time", row.time).with("state", state)
-        });
-        json::document_with_list(out, head, "points", points)
+        let fields = of_row();
+        let points = self.rows().map(|row| fields.record(&row).with("state", json::numbers(&row.state)));
+        json::document_with_list(out, of_diagram().record(self), "points", points)
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        let head = ["sweep", &self.parameter.name, "time"].map(str::to_owned).to_vec();
-        csv::line(out, &[head, self.model.state_names()].concat())?;
+        let fields = of_row();
+        let names = fields.csv_names_for(&self.parameter.name);
+        csv::line(out, &[names, self.model.state_names()].concat())?;
         for row in self.rows() {
-            let numbers = [row.value, row.time].into_iter().chain(row.state).map(number::exact);
-            csv::line(out, &std::iter::once(row.sweep.to_owned()).chain(numbers).collect::<Vec<_>>())?;
+            let state = row.state.iter().map(|&value| number::exact(value));
+            csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
         }
         Ok(())
     }
 
     fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
-        let points = format!(
-            "{} for each value, {}, after {} of the transient",
-            self.points.kept, self.place, self.points.skipped
-        );
-        let mut lines = vec![
-            ("system", self.model.title().to_owned()),
-            ("equation", self.model.equation().to_string()),
-            ("points", points),
-        ];
+        let mut lines = of_diagram().lines(self);
         lines.extend(self.stopped().map(|text| ("stopped", text)));
         sheet(out, &lines)?;
         if !listed {
             return Ok(());
         }
         writeln!(out)?;
-        let titles = ["sweep", &self.parameter.name, "time"].map(str::to_owned).into_iter();
-        let titles = titles.chain(self.model.state_names());
-        let mut table = Table::new(titles.map(Column::numbers).collect());
+        let fields = of_row();
+        let state = self.model.state_names().into_iter().map(Column::numbers);
+        let columns = fields.columns_for(&self.parameter.name);
+        let mut table = Table::new(columns.into_iter().chain(state).collect());
         for row in self.rows() {
-            let numbers =
-                [row.value, row.time].into_iter().chain(row.state).map(|value| number::short(value, 10));
-            table.row(out, std::iter::once(row.sweep.to_owned()).chain(numbers).collect())?;
+            let state = row.state.iter().map(|&value| number::short(value, 10));
+            table.row(out, fields.cells(&row).into_iter().chain(state).collect())?;
         }
         table.finish(out)
+    }
+
+    fn points_text(&self) -> String {
+        let Points { kept, skipped } = self.points;
+        format!("{kept} for each value, {}, after {skipped} of the transient", self.place)
     }
 
     /// The values for which the motion stopped early, and why.
@@ -107,4 +94,52 @@ impl Diagram<'_> {
             Some(format!("{} = {}: {ending}", self.parameter.name, number::short(column.value, 10)))
         })
     }
+}
+
+fn of_diagram<'a>() -> Fields<Diagram<'a>> {
+    type Of<'a> = Field<Diagram<'a>>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were understood", |it| {
+            it.model.equation().to_string().into()
+        })
+        .line_of("equation", |it| it.model.equation().to_string()),
+        Of::value("parameter", "", "name of the parameter that is varied", |it| {
+            it.parameter.name.as_str().into()
+        }),
+        Of::value("section", "", "where the points are taken, in words", |it| it.place.as_str().into())
+            .line_of("points", Diagram::points_text),
+        Of::value("skipped", "1", "points of the transient that were left out, for each value", |it| {
+            it.points.skipped.into()
+        }),
+        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
+        Of::value("complete", "", "whether each sweep has all values", |it| it.is_complete().into()),
+        Of::list("stopped", "", "values for which the motion stopped early, and why", |it| {
+            json::texts(it.stopped())
+        }),
+    ])
+}
+
+fn of_row() -> Fields<Row> {
+    type Of = Field<Row>;
+    Fields::from([
+        Of::value("sweep", "", "order of the values: up, down or same start", |it| it.sweep.into())
+            .numeral("sweep", |it| it.sweep.to_owned()),
+        Of::number("value", "", "value of the parameter, in its unit", |it| it.value)
+            .in_csv_as("KEY")
+            .short("KEY", 10),
+        Of::number("time", "s", "time of the point", |it| it.time).short("time", 10),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    const STATE: description::Row = ("state[]", "", "state there, in the order of the names");
+    const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
+    let json =
+        [of_diagram().described(""), of_row().described("points[]."), descriptions("points[].", &[STATE])];
+    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
+    vec![Answers { command: "bifurcation", option: "", json: json.concat(), csv: csv.concat() }]
 }

@@ -1,5 +1,6 @@
 //! `libration decay`: the amplitude of a damped pendulum, integrated and by two laws.
 
+mod fields;
 mod options;
 mod report;
 mod write;
@@ -15,6 +16,7 @@ use options::{DampingOptions, Extent};
 use std::io::Write;
 use std::path::PathBuf;
 
+pub(crate) use fields::answers;
 pub(crate) use report::{Report, Turn};
 
 /// How the swings of a damped pendulum die down, cycle by cycle

@@ -1,13 +1,14 @@
 //! A decay as table, JSON and CSV.
 
-use super::report::{Report, Row, Turn, in_cycles};
+use super::fields::{self, Found, Turning};
+use super::report::{Report, Turn, in_cycles};
 use crate::arguments::PendulumOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
-use crate::output::number::{exact, rounded, seconds, short};
-use crate::output::table::{Column, Table, sheet};
+use crate::output::number::{seconds, short};
+use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
-use libration::decay::{DampingTerm, Decay, Ending};
+use libration::decay::{Decay, Ending};
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -32,51 +33,35 @@ impl Answer<'_> {
     }
 
     fn head(&self) -> Record {
-        let terms: Vec<Value> =
-            self.decay.damping().terms().iter().map(|term| term_record(term).into()).collect();
-        let ending = self.report.ending.map(|ending| match ending {
-            Ending::Sticks => "sticks",
-            Ending::Vanishes => "vanishes",
-            _ => "creeps",
-        });
-        self.given
-            .map_or_else(Record::new, PendulumOptions::record)
-            .number("omega0_rad_per_s", self.decay.pendulum().angular_frequency())
-            .with("damping", terms)
-            .number("sticking_amplitude_rad", self.decay.sticking_amplitude())
-            .with("ending", ending)
-            .number("largest_error_averaged_rad", self.report.largest_error(|turn| turn.averaged).0)
-            .number("largest_error_small_amplitude_rad", self.report.largest_error(|turn| turn.small).0)
+        let of_term = fields::of_term();
+        let terms = self.decay.damping().terms().iter().map(|term| of_term.record(term).into());
+        let given = self.given.map_or_else(Record::new, PendulumOptions::record);
+        let record =
+            fields::of_pendulum().added_to(given, self.decay).with("damping", terms.collect::<Vec<Value>>());
+        fields::of_decay().added_to(record, &Found { decay: self.decay, report: self.report })
+    }
+
+    fn turnings(&self) -> impl Iterator<Item = Turning<'_>> {
+        self.report.rows(self.decay).map(|row| Turning { decay: self.decay, row })
     }
 
     fn records(&self) -> impl Iterator<Item = Record> {
-        self.report.rows(self.decay).map(|row| {
-            let record = Record::new()
-                .with("cycle", row.cycle)
-                .number("time_s", row.turn.point.time)
-                .number("amplitude_rad", row.turn.point.amplitude.radians())
-                .number("averaged_rad", row.turn.averaged)
-                .number("small_amplitude_rad", row.turn.small)
-                .number("loss_in_a_cycle", self.decay.loss_in_a_cycle(&row.turn.point.amplitude));
-            match row.whole {
-                Some(cycle) => record
-                    .number("duration_of_the_cycle_s", cycle.duration)
-                    .number("exact_period_s", cycle.exact_period),
+        let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
+        self.turnings().map(move |turning| {
+            let record = of_turning.record(&turning);
+            match &turning.row.whole {
+                Some(cycle) => of_cycle.added_to(record, cycle),
                 None => record,
             }
         })
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        let names =
-            ["cycle", "time_s", "amplitude_rad", "averaged_rad", "small_amplitude_rad", "loss_in_a_cycle"];
-        csv::line(out, &[&names[..], &["duration_of_the_cycle_s", "exact_period_s"]].concat())?;
-        for row in self.report.rows(self.decay) {
-            let Turn { point, averaged, small } = row.turn;
-            let loss = self.decay.loss_in_a_cycle(&point.amplitude);
-            let numbers = [row.cycle, point.time, point.amplitude.radians(), *averaged, *small, loss];
-            let whole = row.whole.map(|cycle| [cycle.duration, cycle.exact_period].map(exact));
-            csv::line(out, &[numbers.map(exact).to_vec(), whole.unwrap_or_default().to_vec()].concat())?;
+        let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
+        csv::line(out, &[of_turning.csv_names(), of_cycle.csv_names()].concat())?;
+        for turning in self.turnings() {
+            let whole = of_cycle.csv_cells_or_blanks(turning.row.whole.as_ref());
+            csv::line(out, &[of_turning.csv_cells(&turning), whole].concat())?;
         }
         Ok(())
     }
@@ -88,29 +73,21 @@ impl Answer<'_> {
             return Ok(());
         }
         writeln!(out)?;
-        let titles = [
-            "cycle",
-            "t / s",
-            "amplitude / °",
-            "averaged / °",
-            "small amplitudes / °",
-            "time of the cycle / s",
-            "exact T / s",
-        ];
-        let mut table = Table::new(titles.map(Column::numbers).to_vec());
+        let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
+        let mut table = Table::new([of_turning.columns(), of_cycle.columns()].concat());
         let last = self.report.turns.len() - 1;
-        for (number, row) in self.report.rows(self.decay).enumerate() {
+        for (number, turning) in self.turnings().enumerate() {
             if number.is_multiple_of(2) || number == last {
-                table.row(out, cells(&row))?;
+                let whole = of_cycle.cells_or_blanks(turning.row.whole.as_ref());
+                table.row(out, [of_turning.cells(&turning), whole].concat())?;
             }
         }
         table.finish(out)
     }
 
     fn lines(&self) -> Vec<(&'static str, String)> {
-        let mut lines = self.given.map_or_else(Vec::new, |given| given.lines().to_vec());
-        let pendulum = self.decay.pendulum();
-        lines.push(("ω0", format!("{} rad/s", rounded(pendulum.angular_frequency(), 13))));
+        let mut lines = self.given.map_or_else(Vec::new, PendulumOptions::lines);
+        lines.extend(fields::of_pendulum().lines(self.decay));
         lines.push(("equation", self.equation()));
         lines.push(("energy lost", self.losses()));
         let errors = [
@@ -169,16 +146,4 @@ impl Answer<'_> {
             ),
         }
     }
-}
-
-fn term_record(term: &DampingTerm) -> Record {
-    Record::new().number("exponent", term.exponent).number("coefficient", term.coefficient)
-}
-
-fn cells(row: &Row<'_>) -> Vec<String> {
-    let Turn { point, averaged, small } = row.turn;
-    let angles = [point.amplitude.radians(), *averaged, *small].map(|angle| rounded(angle.to_degrees(), 8));
-    let whole = row.whole.map(|cycle| [cycle.duration, cycle.exact_period].map(|time| rounded(time, 8)));
-    let time = [short(row.cycle, 12), rounded(point.time, 9)];
-    [time.to_vec(), angles.to_vec(), whole.unwrap_or_default().to_vec()].concat()
 }

@@ -1,6 +1,7 @@
 //! `libration expand`: exact perturbation series of any oscillator.
 
 mod evaluate;
+mod fields;
 mod json;
 mod listing;
 
@@ -14,6 +15,8 @@ use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progr
 use libration::quantity::Displacement;
 use std::io::Write;
 use std::sync::{Arc, Mutex};
+
+pub(crate) use fields::answers;
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///

@@ -11,6 +11,7 @@ mod spectrum;
 use crate::failure::Failure;
 use crate::figure::{Sizes, file};
 use crate::interrupt;
+use crate::output::description::Answers;
 use crate::output::{FormOptions, announce};
 use std::io::Write;
 use std::path::PathBuf;
@@ -67,4 +68,8 @@ impl Figure {
         announce(out, options.form.form(), &[drawn])?;
         interrupt::ended_early("the curves")
     }
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    report::answers()
 }

@@ -1,5 +1,6 @@
 //! `libration fit gates`: times of a photogate, cleaned, and what they say about the period.
 
+mod fields;
 mod write;
 
 use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, told};
@@ -11,6 +12,8 @@ use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesFit, gates};
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are found
 #[derive(Debug, clap::Args)]

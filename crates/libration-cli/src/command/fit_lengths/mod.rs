@@ -1,5 +1,6 @@
 //! `libration fit lengths`: measured periods against length, with an offset of the lengths.
 
+mod fields;
 mod input;
 mod write;
 
@@ -12,6 +13,8 @@ use libration::quantity::Quantity;
 use libration_lab::fit::{self, LengthsOptions};
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// Measured periods against length: gravity, and by how much all lengths are off
 #[derive(Debug, clap::Args)]

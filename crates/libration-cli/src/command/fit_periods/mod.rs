@@ -1,5 +1,6 @@
 //! `libration fit periods`: measured periods against amplitude, explained by the exact law.
 
+mod fields;
 mod input;
 mod write;
 
@@ -12,6 +13,8 @@ pub(crate) use input::Measurement;
 use libration_lab::fit::{self, Law};
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// Measured periods against amplitude: T0 under the exact law and every other, a test of the exact law, gravity
 #[derive(Debug, clap::Args)]

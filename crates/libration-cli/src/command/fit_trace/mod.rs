@@ -2,6 +2,7 @@
 
 mod answer;
 mod csv;
+mod fields;
 mod input;
 mod json;
 mod model;
@@ -20,6 +21,8 @@ use libration_lab::fit::trace::TraceOptions;
 use model::Model;
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude
 ///

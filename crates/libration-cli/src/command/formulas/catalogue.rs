@@ -1,8 +1,10 @@
 //! The formulas with their sources and errors.
 
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use crate::output::table::{Column, Table};
-use crate::output::{Form, csv, number};
+use crate::output::table::Table;
+use crate::output::{Form, csv};
 use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 use std::f64::consts::FRAC_PI_2;
@@ -25,66 +27,74 @@ impl Entry {
         let worst = formula.worst_error(&bottom, &right_angle);
         Self { formula: formula.clone(), worst_error: worst.map_or(f64::NAN, |worst| worst.error), holds_to }
     }
+}
 
-    fn record(&self) -> Record {
-        let formula = &self.formula;
-        let record = Record::new()
-            .with("key", formula.key())
-            .with("name", formula.name())
-            .with("authors", formula.authors())
-            .with("year", formula.year())
-            .with("source", formula.source())
-            .with("latex", formula.latex())
-            .with("domain", formula.domain())
-            .with("complexity", formula.complexity().rank())
-            .number("worst_error_to_90deg", self.worst_error.abs());
-        match self.holds_to {
-            Some(holds_to) => record.number("holds_to_rad", holds_to),
-            None => record,
-        }
-    }
-
-    fn year(&self) -> String {
-        self.formula.year().map(|year| year.to_string()).unwrap_or_default()
-    }
+fn of_entry() -> Fields<Entry> {
+    type Of = Field<Entry>;
+    Fields::from([
+        Of::value("key", "", "short name of the formula", |it| it.formula.key().into())
+            .words("key", |it| it.formula.key().to_owned()),
+        Of::value("name", "", "name of the formula", |it| it.formula.name().into())
+            .only_json()
+            .words("formula", |it| it.formula.name().to_owned()),
+        Of::value("authors", "", "who published it", |it| it.formula.authors().into())
+            .words("authors", |it| it.formula.authors().to_owned()),
+        Of::value("year", "", "year of the publication, null where it is not known", |it| {
+            it.formula.year().into()
+        })
+        .words("year", |it| it.formula.year().map_or_else(String::new, |year| year.to_string())),
+        Of::value("source", "", "where it was published", |it| it.formula.source().into()),
+        Of::value("latex", "", "the formula in LaTeX", |it| it.formula.latex().into()),
+        Of::value("domain", "", "where it is good, and how it ends", |it| it.formula.domain().into())
+            .only_json(),
+        Of::value("complexity", "1", "effort: an operation counts 1, a root 2, a function 3", |it| {
+            it.formula.complexity().rank().into()
+        })
+        .only_json(),
+        Of::number(
+            "worst_error_to_90deg",
+            "1",
+            "largest magnitude of its fractional error up to 90°",
+            |it| it.worst_error.abs(),
+        )
+        .rounded("error to 90°", 3),
+        Of::present(
+            "holds_to_rad",
+            "rad",
+            "amplitude up to which it keeps the tolerance that was given",
+            |it| it.holds_to,
+        )
+        .degrees("holds to / °", 12),
+    ])
 }
 
 pub(super) fn write(out: &mut dyn Write, form: Form, entries: &[Entry]) -> io::Result<()> {
+    let fields = of_entry();
     match form {
         Form::Json => {
-            json::document_with_list(out, Record::new(), "formulas", entries.iter().map(Entry::record))
+            let records = entries.iter().map(|entry| fields.record(entry));
+            json::document_with_list(out, Record::new(), "formulas", records)
         }
-        Form::Csv => write_csv(out, entries),
+        Form::Csv => {
+            csv::line(out, &fields.csv_names())?;
+            entries.iter().try_for_each(|entry| csv::line(out, &fields.csv_cells(entry)))
+        }
         Form::Table => write_table(out, entries),
     }
 }
 
-fn write_csv(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
-    let names = ["key", "authors", "year", "source", "latex", "worst_error_to_90deg", "holds_to_rad"];
-    csv::line(out, &names)?;
-    for entry in entries {
-        let formula = &entry.formula;
-        let worst_error = number::exact(entry.worst_error.abs());
-        let holds_to = entry.holds_to.map(number::exact).unwrap_or_default();
-        let words = [formula.key(), formula.authors(), &entry.year(), formula.source(), formula.latex()];
-        csv::line(out, &[words.map(str::to_owned).to_vec(), vec![worst_error, holds_to]].concat())?;
-    }
-    Ok(())
-}
-
 fn write_table(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
     let with_tolerance = entries.iter().any(|entry| entry.holds_to.is_some());
-    let mut columns = vec![Column::words("key"), Column::numbers("error to 90°")];
-    if with_tolerance {
-        columns.push(Column::numbers("holds to / °"));
-    }
-    columns.extend(["formula", "authors", "year"].map(Column::words));
-    let mut table = Table::new(columns);
-    for entry in entries {
-        let mut cells = vec![entry.formula.key().to_owned(), number::rounded(entry.worst_error.abs(), 3)];
-        cells.extend(entry.holds_to.map(|angle| number::rounded(angle.to_degrees(), 12)));
-        cells.extend([entry.formula.name(), entry.formula.authors(), &entry.year()].map(str::to_owned));
-        table.row(out, cells)?;
-    }
+    let titles = ["key", "error to 90°", "holds to / °", "formula", "authors", "year"];
+    let titles = titles.into_iter().filter(|title| with_tolerance || *title != "holds to / °");
+    let fields = of_entry().for_table(&titles.collect::<Vec<_>>());
+    let mut table = Table::new(fields.columns());
+    entries.iter().try_for_each(|entry| table.row(out, fields.cells(entry)))?;
     table.finish(out)
+}
+
+pub(super) fn answers() -> Answers {
+    let fields = of_entry();
+    let json = fields.described("formulas[].");
+    Answers { command: "formulas", option: "", json, csv: fields.described_in_csv() }
 }

@@ -2,12 +2,14 @@
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::progress::Progress;
-use crate::output::table::{Column, Table};
+use crate::output::table::Table;
 use crate::output::{Form, csv, number};
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
-use std::io::{self, Write};
+use std::io::Write;
 
 pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), Failure> {
     if formulas.len() < 2 {
@@ -22,49 +24,47 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     let mut crossovers = ErrorTable::new(formulas).all_crossovers(&mut watch);
     drop(progress);
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
+    let fields = of_crossover();
     match form {
         Form::Json => {
-            json::document_with_list(out, Record::new(), "crossovers", crossovers.iter().map(record))?;
+            let records = crossovers.iter().map(|it| fields.record(it));
+            json::document_with_list(out, Record::new(), "crossovers", records)?;
         }
-        Form::Csv => write_csv(out, &crossovers)?,
-        Form::Table => write_table(out, &crossovers)?,
+        Form::Csv => {
+            csv::line(out, &fields.csv_names())?;
+            crossovers.iter().try_for_each(|it| csv::line(out, &fields.csv_cells(it)))?;
+        }
+        Form::Table => {
+            let mut table = Table::new(fields.columns());
+            crossovers.iter().try_for_each(|it| table.row(out, fields.cells(it)))?;
+            table.finish(out)?;
+        }
     }
     out.flush()?;
     interrupt::ended_early("the crossovers")
 }
 
-fn record(crossover: &Crossover) -> Record {
-    Record::new()
-        .number("amplitude_rad", crossover.amplitude.radians())
-        .number("complement_rad", crossover.amplitude.complement())
-        .with("better_below", crossover.better_below.as_str())
-        .with("better_above", crossover.better_above.as_str())
-        .number("error", crossover.error)
+fn of_crossover() -> Fields<Crossover> {
+    type Of = Field<Crossover>;
+    Fields::from([
+        Of::number("amplitude_rad", "rad", "amplitude of the crossover", |it| it.amplitude.radians())
+            .numeral("amplitude / °", |it| number::rounded(it.amplitude.degrees(), 13)),
+        Of::number("complement_rad", "rad", "π minus that amplitude", |it| it.amplitude.complement()),
+        Of::value("better_below", "", "formula with the smaller error directly below", |it| {
+            it.better_below.as_str().into()
+        })
+        .words("better below", |it| it.better_below.clone()),
+        Of::value("better_above", "", "formula with the smaller error directly above", |it| {
+            it.better_above.as_str().into()
+        })
+        .words("better above", |it| it.better_above.clone()),
+        Of::number("error", "1", "magnitude that the fractional errors of both have there", |it| it.error)
+            .rounded("|error| there", 3),
+    ])
 }
 
-fn write_csv(out: &mut dyn Write, crossovers: &[Crossover]) -> io::Result<()> {
-    csv::line(out, &["amplitude_rad", "complement_rad", "better_below", "better_above", "error"])?;
-    for crossover in crossovers {
-        let [radians, complement, error] =
-            [crossover.amplitude.radians(), crossover.amplitude.complement(), crossover.error]
-                .map(number::exact);
-        let (below, above) = (crossover.better_below.clone(), crossover.better_above.clone());
-        csv::line(out, &[radians, complement, below, above, error])?;
-    }
-    Ok(())
-}
-
-fn write_table(out: &mut dyn Write, crossovers: &[Crossover]) -> io::Result<()> {
-    let mut table = Table::new(vec![
-        Column::numbers("amplitude / °"),
-        Column::words("better below"),
-        Column::words("better above"),
-        Column::numbers("|error| there"),
-    ]);
-    for crossover in crossovers {
-        let degrees = number::rounded(crossover.amplitude.degrees(), 13);
-        let (below, above) = (crossover.better_below.clone(), crossover.better_above.clone());
-        table.row(out, vec![degrees, below, above, number::rounded(crossover.error, 3)])?;
-    }
-    table.finish(out)
+pub(super) fn answers() -> Answers {
+    let fields = of_crossover();
+    let json = fields.described("crossovers[].");
+    Answers { command: "formulas", option: "--crossovers", json, csv: fields.described_in_csv() }
 }

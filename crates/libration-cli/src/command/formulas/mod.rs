@@ -6,6 +6,7 @@ mod crossovers;
 use crate::arguments::{self, FormulaChoice};
 use crate::failure::Failure;
 use crate::output::FormOptions;
+use crate::output::description::Answers;
 use libration::period_formulas::{ErrorTable, PeriodFormula};
 use libration::quantity::Angle;
 use std::io::Write;
@@ -75,4 +76,8 @@ impl Formulas {
 fn checked(amplitude: &Angle) -> Result<Angle, Failure> {
     let amplitude = libration::pendulum::Amplitude::new(*amplitude);
     amplitude.map(|amplitude| amplitude.angle()).map_err(|error| Failure::no_answer("--amplitude", error))
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    vec![catalogue::answers(), crossovers::answers()]
 }

@@ -1,6 +1,7 @@
 //! `libration inspect`: what a file of measurements holds.
 
 mod answer;
+mod fields;
 mod write;
 
 use crate::arguments::{RecordingOptions, read_bytes};
@@ -9,6 +10,8 @@ use crate::output::FormOptions;
 use answer::Answer;
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted
 ///

@@ -15,6 +15,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
+pub(crate) use write::answers;
+
 /// More intervals than this are never asked for.
 const MOST_INTERVALS: usize = 100_000_000;
 

@@ -1,10 +1,11 @@
 //! The exponent as a sheet with its convergence, JSON and CSV.
 
 use super::Answer;
-use crate::output::json::{self, Record};
-use crate::output::table::{Column, Table, paragraph, sheet};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::table::{Table, paragraph, sheet};
 use crate::output::{Form, csv, number};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// Where sentences are broken.
@@ -21,52 +22,86 @@ impl Answer<'_> {
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let initial: Vec<Value> = self.initial.iter().map(|value| json::number(*value)).collect();
-        let head = Record::new()
-            .with("system", self.model.key())
-            .with("equation", self.model.equation().to_string())
-            .with("state", self.model.state_names())
-            .with("initial", initial)
-            .number("transient", self.schedule.transient)
-            .number("interval", self.schedule.interval)
-            .number("exponent", self.found.exponent)
-            .number("uncertainty", self.found.uncertainty)
-            .with("verdict", self.found.verdict.to_string())
-            .with("reason", self.found.verdict.reason());
-        let convergence = self.found.convergence.iter();
-        let records = convergence
-            .map(|(time, exponent)| Record::new().number("time", *time).number("exponent", *exponent));
-        json::document_with_list(out, head, "convergence", records)
+        let fields = of_point();
+        let records = self.found.convergence.iter().map(|point| fields.record(point));
+        json::document_with_list(out, of_answer().record(self), "convergence", records)
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        csv::line(out, &["time", "exponent"])?;
-        self.found.convergence.iter().try_for_each(|(time, exponent)| csv::numbers(out, &[*time, *exponent]))
+        let fields = of_point();
+        csv::line(out, &fields.csv_names())?;
+        self.found.convergence.iter().try_for_each(|point| csv::line(out, &fields.csv_cells(point)))
     }
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
+        sheet(out, &of_answer().lines(self))?;
         let found = &self.found;
-        let exponent =
-            format!("{} ± {} 1/s", number::rounded(found.exponent, 5), number::rounded(found.uncertainty, 2));
-        sheet(
-            out,
-            &[
-                ("system", self.model.title().to_owned()),
-                ("equation", self.model.equation().to_string()),
-                ("largest Lyapunov exponent", exponent),
-            ],
-        )?;
         let verdict = format!("{}: {}", found.verdict, found.verdict.reason());
         writeln!(out, "{}", paragraph("verdict                    ", &verdict, COLUMNS))?;
         if !listed {
             return Ok(());
         }
         writeln!(out)?;
-        let mut table =
-            Table::new(vec![Column::numbers("measured / s"), Column::numbers("exponent / (1/s)")]);
-        for (time, exponent) in found.convergence.iter().rev().step_by(4).rev() {
-            table.row(out, vec![number::short(*time, 8), number::rounded(*exponent, 6)])?;
+        let fields = of_point();
+        let mut table = Table::new(fields.columns());
+        for point in self.found.convergence.iter().rev().step_by(4).rev() {
+            table.row(out, fields.cells(point))?;
         }
         table.finish(out)
     }
+}
+
+fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were understood", |it| {
+            it.model.equation().to_string().into()
+        })
+        .line_of("equation", |it| it.model.equation().to_string()),
+        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
+        Of::list("initial", "", "state at the start, in the order of those names", |it| {
+            json::numbers(&it.initial)
+        }),
+        Of::number("transient", "s", "time that passed before measuring", |it| it.schedule.transient),
+        Of::number("interval", "s", "time between two measurements of the deviation", |it| {
+            it.schedule.interval
+        }),
+        Of::number("exponent", "1/s", "largest Lyapunov exponent", |it| it.found.exponent).line_of(
+            "largest Lyapunov exponent",
+            |it| {
+                let [exponent, uncertainty] = [(it.found.exponent, 5), (it.found.uncertainty, 2)]
+                    .map(|(value, digits)| number::rounded(value, digits));
+                format!("{exponent} ± {uncertainty} 1/s")
+            },
+        ),
+        Of::number(
+            "uncertainty",
+            "1/s",
+            "standard error of the exponent from ten blocks of the time, or what the second half changed if that is more",
+            |it| it.found.uncertainty,
+        ),
+        Of::value("verdict", "", "regular, chaotic or undecided", |it| it.found.verdict.to_string().into()),
+        Of::value("reason", "", "what the verdict rests on, or what is missing", |it| {
+            it.found.verdict.reason().into()
+        }),
+    ])
+}
+
+/// The time measured, and the exponent until then.
+fn of_point() -> Fields<(f64, f64)> {
+    type Of = Field<(f64, f64)>;
+    Fields::from([
+        Of::number("time", "s", "time measured so far", |(time, _)| *time).short("measured / s", 8),
+        Of::number("exponent", "1/s", "estimate of the exponent until then", |(_, exponent)| *exponent)
+            .rounded("exponent / (1/s)", 6),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [of_answer().described(""), of_point().described("convergence[].")].concat();
+    vec![Answers { command: "lyapunov", option: "", json, csv: of_point().described_in_csv() }]
 }

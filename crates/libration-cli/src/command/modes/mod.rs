@@ -1,6 +1,7 @@
 //! `libration modes`: small oscillations of a system, and how they change with the amplitude.
 
 mod equilibrium;
+mod fields;
 mod write;
 
 use crate::arguments::SystemOptions;
@@ -11,6 +12,8 @@ use libration::normal_modes::NormalModes;
 use libration::systems::Model;
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and how they change with the amplitude
 ///

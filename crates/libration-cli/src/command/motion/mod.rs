@@ -1,5 +1,6 @@
 //! `libration motion`: angle and velocity in time, exact and approximate.
 
+mod fields;
 mod write;
 
 use crate::arguments::{self, PendulumOptions, TimeOptions};
@@ -12,6 +13,8 @@ use libration::pendulum::ApproximateMotion;
 use libration::quantity::Angle;
 use std::io::Write;
 use std::path::PathBuf;
+
+pub(crate) use fields::answers;
 
 /// Angle and velocity in time, from any starting angle and velocity
 #[derive(Debug, clap::Args)]
@@ -109,10 +112,5 @@ impl Comparison {
     /// The angle of one approximate motion at a time.
     pub(crate) fn angle_at(&self, approximation: &ApproximateMotion, time: f64) -> f64 {
         approximation.angle(self.amplitude, self.angular_frequency * time)
-    }
-
-    /// The angle of each approximate motion at a time.
-    fn angles_at(&self, time: f64) -> impl Iterator<Item = f64> + '_ {
-        self.approximations.iter().map(move |approximation| self.angle_at(approximation, time))
     }
 }

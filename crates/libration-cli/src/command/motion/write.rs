@@ -1,11 +1,13 @@
 //! The samples of a motion as table, JSON and CSV.
 
 use super::Comparison;
+use super::fields::{self, Approximation, Sample};
 use crate::arguments::PendulumOptions;
 use crate::failure::Failure;
+use crate::output::field::Fields;
 use crate::output::json::{self, Record};
-use crate::output::table::{Column, Table, sheet};
-use crate::output::{Form, csv, number};
+use crate::output::table::{Table, sheet};
+use crate::output::{Form, csv};
 use libration::pendulum::{Motion, Regime};
 use serde_json::Value;
 use std::io::{self, Write};
@@ -28,8 +30,10 @@ impl Answer<'_> {
     ) -> Result<(), Failure> {
         match form {
             Form::Json => {
-                let samples = times.map(|time| self.sample(time));
-                json::document_with_list(out, self.head(), "samples", samples)?;
+                let head = fields::of_motion().added_to(self.pendulum.record(), self.motion);
+                let (of_sample, of_approximation) = (fields::of_sample(), fields::of_approximation());
+                let samples = times.map(|time| self.record(time, &of_sample, &of_approximation));
+                json::document_with_list(out, head, "samples", samples)?;
             }
             Form::Csv => self.write_csv(out, times)?,
             Form::Table => self.write_table(out, times)?,
@@ -37,58 +41,42 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn head(&self) -> Record {
-        let amplitude = self.motion.amplitude();
-        let why_none = "only a libration has an amplitude";
-        self.pendulum
-            .record()
-            .with("regime", self.motion.regime().to_string())
-            .number("period_s", self.motion.period())
-            .number("energy_ratio", self.motion.energy_ratio())
-            .number_or("amplitude_rad", amplitude.map(|a| a.radians()), why_none)
-            .number("action_rad2_per_s", self.motion.action())
+    fn sample(&self, time: f64) -> Sample {
+        Sample { time, state: self.motion.state_at(time) }
     }
 
-    fn sample(&self, time: f64) -> Record {
-        let state = self.motion.state_at(time);
-        let record = Record::new()
-            .number("time_s", time)
-            .number("angle_rad", state.angle)
-            .with("turns", state.turns)
-            .number("angle_in_turn_rad", state.angle_in_turn)
-            .number("complement_rad", state.complement)
-            .number("velocity_rad_per_s", state.velocity);
+    fn approximations(&self, sample: Sample) -> impl Iterator<Item = Approximation<'_>> {
+        self.comparison.approximations.iter().map(move |motion| Approximation {
+            motion,
+            angle: self.comparison.angle_at(motion, sample.time),
+            exact: sample.state.angle,
+        })
+    }
+
+    fn record<'a>(
+        &'a self,
+        time: f64,
+        of_sample: &Fields<Sample>,
+        of_approximation: &Fields<Approximation<'a>>,
+    ) -> Record {
+        let sample = self.sample(time);
+        let record = of_sample.record(&sample);
         if self.comparison.approximations.is_empty() {
             return record;
         }
-        record.with("approximations", self.approximations(time, state.angle))
-    }
-
-    fn approximations(&self, time: f64, exact: f64) -> Vec<Value> {
-        let keys = self.comparison.approximations.iter().map(|motion| motion.key());
-        let record = |(key, angle): (&str, f64)| {
-            Record::new()
-                .with("key", key)
-                .number("angle_rad", angle)
-                .number("error_rad", angle - exact)
-                .into()
-        };
-        keys.zip(self.comparison.angles_at(time)).map(record).collect()
+        let approximations = self.approximations(sample).map(|it| of_approximation.record(&it).into());
+        record.with("approximations", approximations.collect::<Vec<Value>>())
     }
 
     fn write_csv(&self, out: &mut dyn Write, times: impl Iterator<Item = f64>) -> io::Result<()> {
-        let names =
-            ["time_s", "angle_rad", "turns", "angle_in_turn_rad", "complement_rad", "velocity_rad_per_s"];
-        let keys = self.comparison.approximations.iter().map(|motion| motion.key());
-        let more = keys.flat_map(|key| [format!("{key}_angle_rad"), format!("{key}_error_rad")]);
-        csv::line(out, &names.iter().map(ToString::to_string).chain(more).collect::<Vec<_>>())?;
+        let (of_sample, of_approximation) = (fields::of_sample(), fields::of_approximation());
+        let compared = self.comparison.approximations.iter();
+        let more = compared.flat_map(|motion| of_approximation.csv_names_for(motion.key()));
+        csv::line(out, &of_sample.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
         for time in times {
-            let state = self.motion.state_at(time);
-            let after = [state.angle_in_turn, state.complement, state.velocity];
-            let more = self.comparison.angles_at(time).flat_map(|angle| [angle, angle - state.angle]);
-            let mut fields = vec![number::exact(time), number::exact(state.angle), state.turns.to_string()];
-            fields.extend(after.into_iter().chain(more).map(number::exact));
-            csv::line(out, &fields)?;
+            let sample = self.sample(time);
+            let more = self.approximations(sample).flat_map(|it| of_approximation.csv_cells(&it));
+            csv::line(out, &of_sample.csv_cells(&sample).into_iter().chain(more).collect::<Vec<_>>())?;
         }
         Ok(())
     }
@@ -99,61 +87,26 @@ impl Answer<'_> {
             return Ok(());
         }
         writeln!(out)?;
-        let mut table = Table::new(self.columns());
+        let (of_sample, of_approximation) = (fields::of_sample(), fields::of_approximation());
+        let compared = self.comparison.approximations.iter();
+        let more = compared.flat_map(|motion| of_approximation.columns_for(motion.key()));
+        let mut table = Table::new(of_sample.columns().into_iter().chain(more).collect());
         for time in times {
-            table.row(out, self.cells(time))?;
+            let sample = self.sample(time);
+            let more = self.approximations(sample).flat_map(|it| of_approximation.cells(&it));
+            table.row(out, of_sample.cells(&sample).into_iter().chain(more).collect())?;
         }
         table.finish(out)
     }
 
+    /// In rotation the period has a name of its own; only a libration has an amplitude.
     fn lines(&self) -> Vec<(&'static str, String)> {
-        let [length, gravity] = self.pendulum.lines();
-        let period = match self.motion.regime() {
-            Regime::Rotation => "time of a turn",
-            _ => "period",
-        };
-        let mut lines = vec![
-            length,
-            gravity,
-            ("regime", self.motion.regime().to_string()),
-            (period, number::seconds(self.motion.period(), 13)),
-            (
-                "energy / 2mgl",
-                format!("{} (1 on the separatrix)", number::rounded(self.motion.energy_ratio(), 13)),
-            ),
-        ];
-        if let Some(amplitude) = self.motion.amplitude() {
-            let degrees = number::short(amplitude.angle().degrees(), 12);
-            lines.push((
-                "amplitude",
-                format!("{} rad = {degrees}°", number::rounded(amplitude.radians(), 13)),
-            ));
+        let mut lines = [self.pendulum.lines(), fields::of_motion().lines(self.motion)].concat();
+        lines.retain(|(_, text)| !text.is_empty());
+        let turns = self.motion.regime() == Regime::Rotation;
+        for (name, _) in lines.iter_mut().filter(|(name, _)| turns && *name == "period") {
+            *name = "time of a turn";
         }
         lines
-    }
-
-    fn columns(&self) -> Vec<Column> {
-        let fixed = ["t / s", "θ / rad", "θ / °", "turns", "π − |θ| / rad", "θ′ / (rad/s)"];
-        let names = self.comparison.approximations.iter();
-        let compared = names.flat_map(|motion| {
-            [format!("{} / rad", motion.key()), format!("error of {} / rad", motion.key())]
-        });
-        fixed.iter().map(ToString::to_string).chain(compared).map(Column::numbers).collect()
-    }
-
-    fn cells(&self, time: f64) -> Vec<String> {
-        let state = self.motion.state_at(time);
-        let mut cells = vec![
-            number::short(time, 12),
-            number::rounded(state.angle, 10),
-            number::rounded(state.angle.to_degrees(), 10),
-            state.turns.to_string(),
-            number::rounded(state.complement, 6),
-            number::rounded(state.velocity, 10),
-        ];
-        for angle in self.comparison.angles_at(time) {
-            cells.extend([number::rounded(angle, 10), number::rounded(angle - state.angle, 3)]);
-        }
-        cells
     }
 }

@@ -1,18 +1,21 @@
 //! `libration period`: the exact period, and every published formula with its error.
 
+mod fields;
 mod sheet;
 mod table;
 
 use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::json::{self, Record};
+use crate::output::json;
 use crate::output::progress::watched;
 use crate::output::{Form, FormOptions};
-use libration::pendulum::{Amplitude, Pendulum};
+use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use serde_json::Value;
 use std::io::Write;
+
+pub(crate) use fields::answers;
 
 /// The exact period at one or more amplitudes, and every published formula with its error
 #[derive(Debug, clap::Args)]
@@ -45,14 +48,6 @@ enum Order {
     Catalogue,
 }
 
-/// What one formula says at one amplitude.
-#[derive(Clone, Copy, Debug)]
-struct Estimate<'a> {
-    formula: &'a PeriodFormula,
-    ratio: f64,
-    fractional_error: f64,
-}
-
 impl Period {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let amplitudes = self.amplitudes.read()?;
@@ -61,13 +56,20 @@ impl Period {
         match self.form.form() {
             Form::Json => {
                 let formulas = self.formulas.chosen_or_all();
+                let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
                 let amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
-                let results = amplitudes.map(|a| self.record(&a, &pendulum, formulas));
+                let results = amplitudes.map(|amplitude| {
+                    let swing = Swing { amplitude, pendulum };
+                    let estimates = self.sorted(estimates(&swing, formulas));
+                    let estimates: Vec<Value> =
+                        estimates.iter().map(|estimate| of_formula.record(estimate).into()).collect();
+                    of_swing.record(&swing).with("formulas", estimates)
+                });
                 json::document_with_list(out, self.pendulum.record(), "results", results)?;
             }
             Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
             Form::Table => match amplitudes.single() {
-                Some(amplitude) => sheet::write(out, self, &amplitude, &pendulum)?,
+                Some(amplitude) => sheet::write(out, self, &Swing { amplitude, pendulum })?,
                 None => table::write(out, self, &amplitudes, &pendulum)?,
             },
         }
@@ -75,42 +77,23 @@ impl Period {
         interrupt::ended_early("the amplitudes")
     }
 
-    fn record(&self, amplitude: &Amplitude, pendulum: &Pendulum, formulas: &[PeriodFormula]) -> Record {
-        let period = pendulum.period(amplitude);
-        let estimates = self.estimates(amplitude, formulas).into_iter().map(|estimate| {
-            let record = Record::new()
-                .with("key", estimate.formula.key())
-                .number("ratio", estimate.ratio)
-                .number("period_s", pendulum.small_angle_period() * estimate.ratio)
-                .number("fractional_error", estimate.fractional_error);
-            Value::from(record)
-        });
-        Record::new()
-            .number("amplitude_rad", amplitude.radians())
-            .number("complement_rad", amplitude.complement())
-            .number("small_angle_period_s", pendulum.small_angle_period())
-            .number("period_s", period)
-            .number("frequency_hz", period.recip())
-            .number("ratio", amplitude.period_ratio())
-            .number("excess", amplitude.period_excess())
-            .number("nome", amplitude.nome())
-            .number("condition", amplitude.condition())
-            .with("formulas", estimates.collect::<Vec<_>>())
-    }
-
     /// What the formulas say, in the order asked for.
-    fn estimates<'a>(&self, amplitude: &Amplitude, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
-        let angle = amplitude.angle();
-        let errors = fractional_errors(formulas, &angle);
-        let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| Estimate {
-            formula,
-            ratio: formula.period_ratio(&angle),
-            fractional_error,
-        };
-        let mut estimates: Vec<_> = formulas.iter().zip(errors).map(estimate).collect();
+    fn sorted<'a>(&self, mut estimates: Vec<Estimate<'a>>) -> Vec<Estimate<'a>> {
         if self.sort == Order::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }
         estimates
     }
+}
+
+/// What the formulas say, in the order of the formulas.
+fn estimates<'a>(swing: &Swing, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
+    let angle = swing.amplitude.angle();
+    let errors = fractional_errors(formulas, &angle);
+    let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| {
+        let ratio = formula.period_ratio(&angle);
+        let period = swing.pendulum.small_angle_period() * ratio;
+        Estimate { formula, period, ratio, fractional_error }
+    };
+    formulas.iter().zip(errors).map(estimate).collect()
 }

@@ -17,6 +17,8 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+pub(crate) use write::answers;
+
 /// Without another wish so many points are kept.
 const POINTS: usize = 1000;
 

@@ -1,10 +1,11 @@
 //! The points of a section as table, JSON and CSV.
 
 use super::Answer;
-use crate::output::json::{self, Record};
+use crate::output::description::{self, Answers, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use serde_json::Value;
 use std::io::{self, Write};
 
 impl Answer<'_> {
@@ -17,12 +18,15 @@ impl Answer<'_> {
         }
     }
 
-    /// Number of the motion, time and state of each point.
-    fn rows(&self) -> impl Iterator<Item = (usize, f64, Vec<f64>)> + '_ {
+    fn rows(&self) -> impl Iterator<Item = Row> + '_ {
         let motions = (1..).zip(&self.sections);
-        motions
-            .flat_map(|(number, section)| section.points.iter().map(move |point| (number, point)))
-            .map(|(number, point)| (number, point.time, self.options.shown(&point.state, &self.angles)))
+        motions.flat_map(|(number, section)| section.points.iter().map(move |point| (number, point))).map(
+            |(motion, point)| Row {
+                motion,
+                time: point.time,
+                state: self.options.shown(&point.state, &self.angles),
+            },
+        )
     }
 
     fn is_complete(&self) -> bool {
@@ -30,54 +34,96 @@ impl Answer<'_> {
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let head = Record::new()
-            .with("system", self.model.key())
-            .with("equation", self.model.equation().to_string())
-            .with("section", self.place.as_str())
-            .with("skipped", self.points.skipped)
-            .with("state", self.model.state_names())
-            .with("initial", self.starts.clone())
-            .with("complete", self.is_complete());
-        let points = self.rows().map(|(motion, time, state)| {
-            let state: Vec<Value> = state.into_iter().map(json::number).collect();
-            Record::new().with("motion", motion).number("time", time).with("state", state)
-        });
-        json::document_with_list(out, head, "points", points)
+        let fields = of_row();
+        let points = self.rows().map(|row| fields.record(&row).with("state", json::numbers(&row.state)));
+        json::document_with_list(out, of_answer().record(self), "points", points)
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        let names = self.model.state_names();
-        csv::line(out, &[vec!["motion".to_owned(), "time".to_owned()], names].concat())?;
-        for (motion, time, state) in self.rows() {
-            let numbers = [time].into_iter().chain(state).map(number::exact);
-            csv::line(out, &std::iter::once(motion.to_string()).chain(numbers).collect::<Vec<_>>())?;
+        let fields = of_row();
+        csv::line(out, &[fields.csv_names(), self.model.state_names()].concat())?;
+        for row in self.rows() {
+            let state = row.state.iter().map(|&value| number::exact(value));
+            csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
         }
         Ok(())
     }
 
     fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
-        let count: usize = self.sections.iter().map(|section| section.points.len()).sum();
-        sheet(
-            out,
-            &[
-                ("system", self.model.title().to_owned()),
-                ("equation", self.model.equation().to_string()),
-                (
-                    "points",
-                    format!("{count}, {}, after {} of the transient", self.place, self.points.skipped),
-                ),
-            ],
-        )?;
+        sheet(out, &of_answer().lines(self))?;
         if !listed {
             return Ok(());
         }
         writeln!(out)?;
-        let titles = ["motion".to_owned(), "time".to_owned()].into_iter().chain(self.model.state_names());
-        let mut table = Table::new(titles.map(Column::numbers).collect());
-        for (motion, time, state) in self.rows() {
-            let numbers = [time].into_iter().chain(state).map(|value| number::rounded(value, 10));
-            table.row(out, std::iter::once(motion.to_string()).chain(numbers).collect())?;
+        let fields = of_row();
+        let state = self.model.state_names().into_iter().map(Column::numbers);
+        let mut table = Table::new(fields.columns().into_iter().chain(state).collect());
+        for row in self.rows() {
+            let state = row.state.iter().map(|&value| number::rounded(value, 10));
+            table.row(out, fields.cells(&row).into_iter().chain(state).collect())?;
         }
         table.finish(out)
     }
+
+    fn points_text(&self) -> String {
+        let count: usize = self.sections.iter().map(|section| section.points.len()).sum();
+        format!("{count}, {}, after {} of the transient", self.place, self.points.skipped)
+    }
+}
+
+/// A point of the section.
+struct Row {
+    motion: usize,
+    time: f64,
+    state: Vec<f64>,
+}
+
+fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were understood", |it| {
+            it.model.equation().to_string().into()
+        })
+        .line_of("equation", |it| it.model.equation().to_string()),
+        Of::value("section", "", "where the points are taken, in words", |it| it.place.as_str().into())
+            .line_of("points", Answer::points_text),
+        Of::value("skipped", "1", "points of the transient that were left out, for each motion", |it| {
+            it.points.skipped.into()
+        }),
+        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
+        Of::records("initial", |it| json::texts(it.starts.clone())),
+        Of::value("complete", "", "whether all points that were asked for are there", |it| {
+            it.is_complete().into()
+        }),
+    ])
+}
+
+fn of_row() -> Fields<Row> {
+    type Of = Field<Row>;
+    Fields::from([
+        Of::value("motion", "1", "number of the motion, from 1 in the order of --initial", |it| {
+            it.motion.into()
+        })
+        .numeral("motion", |it| it.motion.to_string()),
+        Of::number("time", "s", "time of the point", |it| it.time).rounded("time", 10),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    const STARTS: description::Row =
+        ("initial[][]", "", "state at the start of each motion, in the order of the names");
+    const STATE: description::Row = ("state[]", "", "state there, in the order of the names");
+    const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
+    let json = [
+        of_answer().described(""),
+        descriptions("", &[STARTS]),
+        of_row().described("points[]."),
+        descriptions("points[].", &[STATE]),
+    ];
+    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
+    vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]
 }

@@ -1,6 +1,7 @@
 //! `libration simulate`: the motion of any system in time.
 
 mod events;
+mod fields;
 mod report;
 mod resume;
 mod run;
@@ -21,6 +22,8 @@ use resume::{Earlier, Keeper, Question};
 use run::{Ending, Motion, Outcome};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+
+pub(crate) use fields::answers;
 
 /// The motion of any system in time: damped, driven, coupled, or given by its equations
 #[derive(Debug, clap::Args)]

@@ -1,0 +1,147 @@
+//! What is said of a decay, of its turning points, and of its whole cycles.
+
+use super::report::{Cycle, Report, Row};
+use crate::arguments::PendulumOptions;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use libration::decay::{DampingTerm, Decay, Ending};
+use serde_json::Value;
+
+/// A turning point of a decay.
+pub(super) struct Turning<'a> {
+    pub(super) decay: &'a Decay,
+    pub(super) row: Row<'a>,
+}
+
+/// A decay with what is found of it.
+pub(super) struct Found<'a> {
+    pub(super) decay: &'a Decay,
+    pub(super) report: &'a Report,
+}
+
+/// What stands before the terms of the damping.
+pub(super) fn of_pendulum() -> Fields<Decay> {
+    type Of = Field<Decay>;
+    Fields::from([Of::number(
+        "omega0_rad_per_s",
+        "rad/s",
+        "angular frequency of small undamped swings, √(g/l)",
+        |decay| decay.pendulum().angular_frequency(),
+    )
+    .line("ω0", 13)])
+}
+
+pub(super) fn of_term() -> Fields<DampingTerm> {
+    type Of = Field<DampingTerm>;
+    Fields::from([
+        Of::number("exponent", "1", "power n of the velocity in the term c·θ′|θ′|ⁿ⁻¹", |term| {
+            term.exponent
+        }),
+        Of::number(
+            "coefficient",
+            "rad¹⁻ⁿ sⁿ⁻²",
+            "coefficient c of the term, per moment of inertia",
+            |term| term.coefficient,
+        ),
+    ])
+}
+
+pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
+    type Of<'a> = Field<Found<'a>>;
+    Fields::from([
+        Of::number(
+            "sticking_amplitude_rad",
+            "rad",
+            "largest amplitude at which dry friction holds the pendulum",
+            |it| it.decay.sticking_amplitude(),
+        ),
+        Of::value(
+            "ending",
+            "",
+            "why the swings end: sticks, vanishes or creeps; null where they go on",
+            |it| match it.report.ending {
+                None => Value::Null,
+                Some(Ending::Sticks) => "sticks".into(),
+                Some(Ending::Vanishes) => "vanishes".into(),
+                Some(_) => "creeps".into(),
+            },
+        ),
+        Of::number(
+            "largest_error_averaged_rad",
+            "rad",
+            "largest error of the averaged law at a turning point",
+            |it| it.report.largest_error(|turn| turn.averaged).0,
+        ),
+        Of::number(
+            "largest_error_small_amplitude_rad",
+            "rad",
+            "largest error of the law of small amplitudes at a turning point",
+            |it| it.report.largest_error(|turn| turn.small).0,
+        ),
+    ])
+}
+
+pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
+    type Of<'a> = Field<Turning<'a>>;
+    Fields::from([
+        Of::number("cycle", "1", "cycles since the release: 0, 0.5, 1, …", |it| it.row.cycle)
+            .short("cycle", 12),
+        Of::number("time_s", "s", "time of the turning point", |it| it.row.turn.point.time)
+            .rounded("t / s", 9),
+        Of::number("amplitude_rad", "rad", "amplitude there, by integrating the equation of motion", |it| {
+            it.row.turn.point.amplitude.radians()
+        })
+        .degrees("amplitude / °", 8),
+        Of::number("averaged_rad", "rad", "amplitude at that time by the averaged law", |it| {
+            it.row.turn.averaged
+        })
+        .degrees("averaged / °", 8),
+        Of::number(
+            "small_amplitude_rad",
+            "rad",
+            "amplitude at that time by the law of small amplitudes",
+            |it| it.row.turn.small,
+        )
+        .degrees("small amplitudes / °", 8),
+        Of::number(
+            "loss_in_a_cycle",
+            "1",
+            "fraction of the energy lost in a cycle at that amplitude",
+            |it| it.decay.loss_in_a_cycle(&it.row.turn.point.amplitude),
+        ),
+    ])
+}
+
+/// What is there at the end of each whole cycle.
+pub(super) fn of_cycle() -> Fields<Cycle> {
+    type Of = Field<Cycle>;
+    Fields::from([
+        Of::number(
+            "duration_of_the_cycle_s",
+            "s",
+            "time that the cycle took which ends there, given for whole cycles",
+            |cycle| cycle.duration,
+        )
+        .rounded("time of the cycle / s", 8),
+        Of::number(
+            "exact_period_s",
+            "s",
+            "exact undamped period at the amplitude in the middle of that cycle",
+            |cycle| cycle.exact_period,
+        )
+        .rounded("exact T / s", 8),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [
+        PendulumOptions::fields().described(""),
+        of_pendulum().described(""),
+        of_term().described("damping[]."),
+        of_decay().described(""),
+        of_turning().described("turning_points[]."),
+        of_cycle().described("turning_points[]."),
+    ];
+    let csv = [of_turning().described_in_csv(), of_cycle().described_in_csv()];
+    vec![Answers { command: "decay", option: "", json: json.concat(), csv: csv.concat() }]
+}

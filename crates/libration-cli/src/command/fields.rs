@@ -1,0 +1,185 @@
+//! `libration fields`: what the fields of answers mean.
+
+use super::{
+    backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
+    fourier, inspect, lyapunov, modes, motion, oscillators, paper, period, section, simulate, systems,
+};
+use crate::failure::Failure;
+use crate::output::description::{Answers, Description, Row, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use crate::output::table::Table;
+use crate::output::{Form, FormOptions, csv};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// What the fields of JSON and CSV answers mean: names, units, meanings
+///
+/// In names, [] stands for each entry of a list, and capitals for a name that the question decides: KEY is the key of a
+/// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields have
+/// the way to them before their name. A unit is left out where there is none, or where the question decides it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fields period
+  libration fields fit trace
+  libration fields --json > fields.json   # of all commands
+  libration fields expand --csv")]
+pub(crate) struct FieldsQuestion {
+    /// The command, such as period or fit trace [default: all commands]
+    #[arg(value_name = "COMMAND")]
+    command: Vec<String>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What the JSON of every command has.
+const FIRST: &[Row] = &[("schema", "1", "version of the names of the fields")];
+const LAST: &[Row] =
+    &[("note", "", "why numbers beside it are null, in any object; left out where there is nothing to say")];
+
+/// The answers of all commands, in the order of the help.
+fn catalogue() -> Vec<Answers> {
+    [
+        period::answers(),
+        motion::answers(),
+        fourier::answers(),
+        formulas::answers(),
+        decay::answers(),
+        expand::answers(),
+        oscillators::answers(),
+        backbone::answers(),
+        simulate::answers(),
+        systems::answers(),
+        modes::answers(),
+        section::answers(),
+        bifurcation::answers(),
+        lyapunov::answers(),
+        paper::answers(),
+        figure::answers(),
+        inspect::answers(),
+        fit_periods::answers(),
+        fit_lengths::answers(),
+        fit_gates::answers(),
+        fit_trace::answers(),
+        answers(),
+    ]
+    .concat()
+}
+
+/// Those of `libration fields` itself.
+fn answers() -> Vec<Answers> {
+    let json = [
+        descriptions("commands[].", &[COMMAND, OPTION]),
+        of_description().described("commands[].json[]."),
+        of_description().described("commands[].csv[]."),
+    ];
+    const FORM: Row = ("form", "", "json or csv");
+    let csv = [descriptions("", &[COMMAND, OPTION, FORM]), of_description().described_in_csv()];
+    vec![Answers { command: "fields", option: "", json: json.concat(), csv: csv.concat() }]
+}
+
+const COMMAND: Row = ("command", "", "command that gives the answer");
+const OPTION: Row = ("option", "", "option that asks for this kind of answer, empty for the usual one");
+
+fn of_description() -> Fields<Description> {
+    type Of = Field<Description>;
+    Fields::from([
+        Of::value("name", "", "name of the field", |it| it.name.as_str().into())
+            .words("name", |it| it.name.clone()),
+        Of::value("unit", "", "its unit, 1 for counts and ratios", |it| it.unit.into())
+            .words("unit", |it| it.unit.to_owned()),
+        Of::value("meaning", "", "what it is", |it| it.meaning.into())
+            .words("meaning", |it| it.meaning.to_owned()),
+    ])
+}
+
+impl FieldsQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let chosen = self.chosen()?;
+        match self.form.form() {
+            Form::Json => {
+                json::document_with_list(out, Record::new(), "commands", chosen.iter().map(record))?;
+            }
+            Form::Csv => write_csv(out, &chosen)?,
+            Form::Table => write_tables(out, &chosen)?,
+        }
+        Ok(())
+    }
+
+    /// The answers asked for; `fit` stands for all fits.
+    fn chosen(&self) -> Result<Vec<Answers>, Failure> {
+        let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
+        let is_asked = |it: &Answers| {
+            let words: Vec<&str> = it.command.split(' ').collect();
+            words.starts_with(&asked)
+        };
+        let mut chosen = catalogue();
+        chosen.retain(is_asked);
+        if chosen.is_empty() {
+            let mut names: Vec<&str> = catalogue().iter().map(|it| it.command).collect();
+            names.dedup();
+            let reason = format!(
+                "`{}` has no answer with fields; those that have are {}",
+                asked.join(" "),
+                names.join(", ")
+            );
+            return Err(Failure::usage("COMMAND", reason));
+        }
+        for answers in &mut chosen {
+            answers.json =
+                [descriptions("", FIRST), std::mem::take(&mut answers.json), descriptions("", LAST)].concat();
+        }
+        Ok(chosen)
+    }
+}
+
+fn record(answers: &Answers) -> Record {
+    let of_description = of_description();
+    let records = |list: &[Description]| -> Vec<Value> {
+        list.iter().map(|description| of_description.record(description).into()).collect()
+    };
+    Record::new()
+        .with(COMMAND.0, answers.command)
+        .with(OPTION.0, answers.option)
+        .with("json", records(&answers.json))
+        .with("csv", records(&answers.csv))
+}
+
+/// The two forms that have fields, by name.
+fn forms(answers: &Answers) -> [(&'static str, &[Description]); 2] {
+    [("json", &answers.json), ("csv", &answers.csv)]
+}
+
+fn write_csv(out: &mut dyn Write, chosen: &[Answers]) -> io::Result<()> {
+    let fields = of_description();
+    let names = [COMMAND.0, OPTION.0, "form"].map(str::to_owned).to_vec();
+    csv::line(out, &[names, fields.csv_names()].concat())?;
+    for answers in chosen {
+        for (form, list) in forms(answers) {
+            for description in list {
+                let place = [answers.command, answers.option, form].map(str::to_owned).to_vec();
+                csv::line(out, &[place, fields.csv_cells(description)].concat())?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write_tables(out: &mut dyn Write, chosen: &[Answers]) -> io::Result<()> {
+    let fields = of_description();
+    for (place, answers) in chosen.iter().enumerate() {
+        for (form, list) in forms(answers) {
+            if place > 0 || form == "csv" {
+                writeln!(out)?;
+            }
+            let option =
+                if answers.option.is_empty() { String::new() } else { format!(" {}", answers.option) };
+            writeln!(out, "libration {}{option} --{form}", answers.command)?;
+            writeln!(out)?;
+            let mut table = Table::new(fields.columns());
+            list.iter().try_for_each(|description| table.row(out, fields.cells(description)))?;
+            table.finish(out)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,37 @@
+//! What users are told about the fields of answers: name, unit, meaning.
+
+/// A field of an answer. Parts of a name in capitals stand for names that the question decides.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Description {
+    /// With the way to it in JSON: `results[].formulas[].ratio`.
+    pub(crate) name: String,
+    /// `1` for ratios, empty for what is no number or has the unit of what it describes.
+    pub(crate) unit: &'static str,
+    pub(crate) meaning: &'static str,
+}
+
+impl Description {
+    pub(crate) fn new(name: &str, unit: &'static str, meaning: &'static str) -> Self {
+        Self { name: name.to_owned(), unit, meaning }
+    }
+}
+
+/// The fields of one kind of answer.
+#[derive(Clone, Debug)]
+pub(crate) struct Answers {
+    /// The command as it is typed, without `libration`.
+    pub(crate) command: &'static str,
+    /// The option that asks for this kind; empty where there is one kind only, or for the usual one.
+    pub(crate) option: &'static str,
+    pub(crate) json: Vec<Description>,
+    pub(crate) csv: Vec<Description>,
+}
+
+/// Name, unit and meaning, as they stand in a table.
+pub(crate) type Row = (&'static str, &'static str, &'static str);
+
+/// The descriptions of a table, behind `place`, such as `cycles[].` or nothing.
+pub(crate) fn descriptions(place: &str, rows: &[Row]) -> Vec<Description> {
+    let row = |&(name, unit, meaning): &Row| Description::new(&format!("{place}{name}"), unit, meaning);
+    rows.iter().map(row).collect()
+}

@@ -1,0 +1,363 @@
+//! `libration fields` describes every field of every answer, and nothing that no answer has.
+
+use crate::command::{directory, json, libration, message, text};
+use crate::examples::{
+    clone_of_the_project, commands, commands_in, examples, help, in_shell, root, shown_in,
+};
+use crate::widths;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+/// What `libration fields` says of one kind of answer.
+pub(crate) struct Kind {
+    command: String,
+    option: String,
+    json: Vec<String>,
+    csv: Vec<String>,
+}
+
+pub(crate) fn kinds() -> Vec<Kind> {
+    let of_form = |entry: &Value, form: &str| -> Vec<String> {
+        let fields = entry[form].as_array().unwrap();
+        fields.iter().map(|field| field["name"].as_str().unwrap().to_owned()).collect()
+    };
+    let text = |entry: &Value, name: &str| entry[name].as_str().unwrap().to_owned();
+    let kind = |entry: &Value| Kind {
+        command: text(entry, "command"),
+        option: text(entry, "option"),
+        json: of_form(entry, "json"),
+        csv: of_form(entry, "csv"),
+    };
+    json("fields")["commands"].as_array().unwrap().iter().map(kind).collect()
+}
+
+/// The kind of answer to a question.
+fn kind_of<'a>(kinds: &'a [Kind], words: &[String]) -> &'a Kind {
+    let of_command = |kind: &&Kind| words.starts_with(&words_of(&kind.command));
+    let asked = |kind: &&Kind| !kind.option.is_empty() && words.contains(&kind.option);
+    let usual = |kind: &&Kind| kind.option.is_empty();
+    let mut of_question = kinds.iter().filter(of_command);
+    let found = of_question.clone().find(asked).or_else(|| of_question.find(usual));
+    found.unwrap_or_else(|| panic!("nothing is said of the answers to {words:?}"))
+}
+
+fn words_of(text: &str) -> Vec<String> {
+    text.split_whitespace().map(str::to_owned).collect()
+}
+
+/// The ways to all values of an answer, those to lists and objects included.
+fn paths(value: &Value) -> BTreeSet<String> {
+    let mut paths = BTreeSet::new();
+    collect(value, "", &mut paths);
+    paths
+}
+
+fn collect(value: &Value, place: &str, paths: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                let path = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
+                paths.insert(path.clone());
+                collect(value, &path, paths);
+            }
+        }
+        Value::Array(items) => {
+            let path = format!("{place}[]");
+            paths.insert(path.clone());
+            items.iter().for_each(|item| collect(item, &path, paths));
+        }
+        _ => {}
+    }
+}
+
+/// All words of an answer, for which capitals in names may stand.
+fn strings(value: &Value) -> BTreeSet<String> {
+    match value {
+        Value::Object(fields) => fields.values().flat_map(strings).collect(),
+        Value::Array(items) => items.iter().flat_map(strings).collect(),
+        Value::String(text) => BTreeSet::from([text.clone()]),
+        _ => BTreeSet::new(),
+    }
+}
+
+/// What capitals may stand for.
+type Known<'a> = &'a dyn Fn(&str) -> bool;
+
+/// Whether a name of an answer is the one described, whose capitals stand for words of the answer or for numbers.
+fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
+    let stands_for = |placeholder: &str, known: Known<'_>| {
+        let (before, after) = described.split_once(placeholder)?;
+        let middle = name.strip_prefix(before)?.strip_suffix(after)?;
+        Some(known(middle))
+    };
+    let is_word = |text: &str| words.contains(text);
+    let is_number = |text: &str| text.parse::<f64>().is_ok();
+    let kinds: [(&str, Known<'_>); 4] =
+        [("NAME", &is_word), ("KEY", &is_word), ("TOLERANCE", &is_number), ("K", &is_number)];
+    let placeholder = kinds.iter().find(|(placeholder, _)| described.contains(placeholder));
+    match placeholder {
+        Some((placeholder, known)) => stands_for(placeholder, known).unwrap_or(false),
+        None => name == described,
+    }
+}
+
+/// Whether the path leads to what is described, or to a list or object of such.
+fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
+    // The names of parameters are words of the question.
+    let is_parameter = |before: &str| before == "parameters";
+    let (path, described) = (steps(path), steps(described));
+    if described == ["note"] {
+        return path.last() == Some(&"note");
+    }
+    let mut pairs = path.iter().zip(&described).enumerate();
+    path.len() <= described.len()
+        && pairs.all(|(place, (name, described))| {
+            let open = place > 0 && is_parameter(path[place - 1]) && *described == "NAME";
+            open || is_name(name, described, words)
+        })
+}
+
+/// `a.b[].c` as `a`, `b`, `[]`, `c`.
+fn steps(path: &str) -> Vec<&str> {
+    path.split('.')
+        .flat_map(|part| {
+            let lists = part.matches("[]").count();
+            std::iter::once(&part[..part.len() - 2 * lists]).chain(std::iter::repeat_n("[]", lists))
+        })
+        .filter(|step| !step.is_empty())
+        .collect()
+}
+
+/// What answers show of what is described, and what they have beside it.
+#[derive(Default)]
+struct Shown {
+    described: BTreeSet<(String, String, &'static str, String)>,
+    undescribed: BTreeSet<String>,
+}
+
+impl Shown {
+    fn add(&mut self, kind: &Kind, form: &'static str, name: &str) {
+        self.described.insert((kind.command.clone(), kind.option.clone(), form, name.to_owned()));
+    }
+
+    fn has(&self, kind: &Kind, form: &'static str, name: &str) -> bool {
+        self.described.contains(&(kind.command.clone(), kind.option.clone(), form, name.to_owned()))
+    }
+
+    fn lacks(&mut self, kind: &Kind, name: &str) {
+        let Kind { command, option, .. } = kind;
+        self.undescribed.insert(format!("libration fields {command} {option}: {name}"));
+    }
+
+    /// Every path of an answer in JSON must be described.
+    fn json(&mut self, kind: &Kind, answer: &Value) {
+        let words = strings(answer);
+        for path in paths(answer) {
+            let known: Vec<&String> = kind.json.iter().filter(|it| leads_to(&path, it, &words)).collect();
+            if known.is_empty() {
+                self.lacks(kind, &path);
+            }
+            let is_whole = |it: &&String| it.as_str() == "note" || steps(it).len() == steps(&path).len();
+            known.into_iter().filter(is_whole).for_each(|it| self.add(kind, "json", it));
+        }
+    }
+
+    /// Every name in the first line of CSV must be described, where capitals stand for words of the answer in JSON.
+    fn csv(&mut self, kind: &Kind, table: &str, words: &BTreeSet<String>) {
+        for name in table.lines().next().unwrap_or_default().split(',').map(|name| name.trim_matches('"')) {
+            let known: Vec<&String> = kind.csv.iter().filter(|it| is_name(name, it, words)).collect();
+            if known.is_empty() {
+                self.lacks(kind, name);
+            }
+            known.into_iter().for_each(|it| self.add(kind, "csv", it));
+        }
+    }
+
+    /// What the answer to a question shows.
+    fn question(&mut self, kinds: &[Kind], words: &[String]) {
+        let kind = kind_of(kinds, words);
+        let answer: Value = serde_json::from_str(&answer(words, "--json")).unwrap();
+        self.json(kind, &answer);
+        self.csv(kind, &self::answer(words, "--csv"), &strings(&answer));
+    }
+}
+
+/// Those that stopped early are written, too.
+fn answer(words: &[String], form: &str) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_libration"));
+    let output = command.args(words).arg(form).current_dir(root()).output().unwrap();
+    assert!(!output.stdout.is_empty(), "{words:?}: {}", message(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Every field of an answer to the command is described.
+pub(crate) fn assert_described(command: &str, answer: &Value) {
+    let (kinds, mut shown) = (kinds(), Shown::default());
+    shown.json(kind_of(&kinds, &words_of(command)), answer);
+    assert_eq!(shown.undescribed, BTreeSet::new());
+}
+
+/// Answers that have rare fields, beside those of other tests.
+const FURTHER: [&str; 27] = [
+    // A motion that never returns has no period.
+    "motion|pi-1e-6|--velocity|0|--times|0,1",
+    "motion|0|--velocity|7rad/s|--times|0,1",
+    "motion|180deg|--times|0,1",
+    "period|179deg",
+    "period|60deg|--length|57cm",
+    "fourier|0|--velocity|7rad/s",
+    "formulas|--amplitude|90deg|--tolerance|1e-3",
+    "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",
+    // Without a key, without a series, without orbits.
+    "expand|x''=-x-x^2-x^3|--order|4",
+    "expand|quadratic|--order|3|--evaluate|0.2",
+    "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
+    "backbone|x''=-x-x^3|--amplitudes|1",
+    "modes|pendulum|--about|theta=180deg",
+    "modes|x''=-x-0.1*x'",
+    "modes|x''=-x;y''=-4*y",
+    // The energy of damped motions is not conserved; a motion into a pole stops.
+    "simulate|damped_pendulum|--set|c=0.1|--initial|theta=1|--times|0,1",
+    "simulate|x''=-x*abs(x)|--initial|x=1|--times|0,1,5",
+    "simulate|x''=-1/x^2|--initial|x=1|--times|0:10:1",
+    "paper",
+    "figure|spectrum|--amplitudes|60deg|--output|FILE",
+    "inspect|examples/period_table_synthetic.csv",
+    "fit|periods|examples/period_table_synthetic.csv",
+    "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
+    "fit|gates|examples/gate_synthetic.csv",
+    "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
+    "fit|trace|examples/swing_synthetic.csv|examples/swing_synthetic.csv|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
+    "fields",
+];
+
+/// What no answer of this test shows, and why. The tests named here call [`assert_described`].
+const UNSEEN: &[(&str, &str, &str)] = &[
+    ("expand", "interrupted", "needs Ctrl-C: interrupts.rs"),
+    ("expand", "interrupted", "with --evaluate, needs Ctrl-C: interrupts.rs"),
+    ("backbone", "interrupted", "needs Ctrl-C: interrupts.rs"),
+    ("simulate", "interrupted", "needs Ctrl-C: resume.rs"),
+    ("fit trace", "rms_residual_rad_per_s", "needs a file of angular velocities: fit_trace.rs"),
+];
+
+fn questions() -> Vec<Vec<String>> {
+    let file = directory("fields-questions").join("figure.svg").display().to_string();
+    let question = |text: &&str| text.split('|').map(|word| word.replace("FILE", &file)).collect();
+    widths::QUESTIONS.iter().chain(&FURTHER).map(question).collect()
+}
+
+#[test]
+fn every_field_of_every_answer_is_described_and_none_in_vain() {
+    let (kinds, mut shown) = (kinds(), Shown::default());
+    for words in questions() {
+        shown.question(&kinds, &words);
+    }
+    assert_eq!(shown.undescribed, BTreeSet::new(), "not described");
+    let mut unseen = vec![];
+    for kind in &kinds {
+        for (form, described) in [("json", &kind.json), ("csv", &kind.csv)] {
+            let missing = described.iter().filter(|name| *name != "note" && !shown.has(kind, form, name));
+            unseen.extend(missing.map(|name| (kind.command.as_str(), name.as_str())));
+        }
+    }
+    let expected: Vec<(&str, &str)> = UNSEEN.iter().map(|(command, name, _)| (*command, *name)).collect();
+    assert_eq!(unseen, expected, "described, and shown by no answer");
+}
+
+/// The examples that ask for a form with fields and show it on the screen.
+fn examples_with_fields() -> Vec<String> {
+    let of_help = commands().iter().flat_map(|words| examples(&help(words))).collect::<Vec<_>>();
+    let readmes = ["README.md", "examples/README.md"];
+    let of_readmes = readmes.iter().flat_map(|name| {
+        let text = std::fs::read_to_string(root().join(name)).unwrap();
+        [commands_in(&text), shown_in(&text).into_iter().map(|it| it.command).collect()].concat()
+    });
+    let has_form = |line: &String| line.contains("--json") || line.contains("--csv");
+    of_help.into_iter().chain(of_readmes).filter(has_form).collect()
+}
+
+#[test]
+fn the_fields_of_the_examples_are_described() {
+    let (kinds, mut shown) = (kinds(), Shown::default());
+    let place = clone_of_the_project("fields-examples");
+    let examples = examples_with_fields();
+    assert!(examples.len() > 10, "{examples:?}");
+    for example in examples {
+        let line = example.split(" > ").next().unwrap().split("  #").next().unwrap();
+        let words = question_in(line);
+        let text = in_example(line, &place);
+        let kind = kind_of(&kinds, &words);
+        if words.contains(&"--json".to_owned()) {
+            shown.json(kind, &serde_json::from_str(&text).unwrap());
+        } else {
+            let json = in_example(&line.replace("--csv", "--json"), &place);
+            shown.csv(kind, &text, &strings(&serde_json::from_str(&json).unwrap()));
+        }
+    }
+    assert_eq!(shown.undescribed, BTreeSet::new(), "not described");
+}
+
+/// The words behind `libration`, as far as they say which answer is asked for.
+fn question_in(line: &str) -> Vec<String> {
+    words_of(line.split("libration ").nth(1).unwrap())
+}
+
+fn in_example(line: &str, place: &Path) -> String {
+    let output = in_shell(line, place);
+    assert!(output.status.success(), "{line}: {}", message(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn a_field_without_a_description_would_be_seen() {
+    let kind = |json: &[&str], csv: &[&str]| Kind {
+        command: "x".to_owned(),
+        option: String::new(),
+        json: json.iter().map(|it| (*it).to_owned()).collect(),
+        csv: csv.iter().map(|it| (*it).to_owned()).collect(),
+    };
+    let described = kind(&["a[].b", "c.K.d[]", "parameters.NAME", "note"], &["b", "KEY_ratio"]);
+    let undescribed = |answer: Value, table: &str| {
+        let mut shown = Shown::default();
+        shown.json(&described, &answer);
+        shown.csv(&described, table, &strings(&answer));
+        shown.undescribed.len()
+    };
+    let answer = json!({"a": [{"b": "key", "note": ""}], "c": {"1": {"d": [1]}}, "parameters": {"m": 1}});
+    assert_eq!(undescribed(answer.clone(), "b,key_ratio"), 0);
+    assert_eq!(undescribed(answer.clone(), "b,other_ratio,more"), 2);
+    for (place, name) in [("/a/0", "new"), ("", "new"), ("/c/1", "e"), ("/c", "m")] {
+        let mut more = answer.clone();
+        more.pointer_mut(place).unwrap()[name] = json!(1);
+        assert_eq!(undescribed(more, "b"), 1, "{place}/{name}");
+    }
+    assert_eq!(undescribed(json!({"a": 1, "c": {"1": [1]}}), "b"), 1);
+}
+
+#[test]
+fn a_command_is_named_by_its_words_and_an_unknown_one_refused() {
+    let all = json("fields fit")["commands"].as_array().unwrap().len();
+    assert_eq!(all, 4);
+    assert!(text("fields fit trace").starts_with("libration fit trace --json\n"));
+    let output = libration("fields derive");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("`derive` has no answer with fields"), "{}", message(&output));
+}
+
+#[test]
+fn descriptions_are_fragments_with_units_apart() {
+    let answer = json("fields");
+    for kind in answer["commands"].as_array().unwrap() {
+        for form in ["json", "csv"] {
+            let fields = kind[form].as_array().unwrap();
+            let names: BTreeSet<&str> = fields.iter().map(|field| field["name"].as_str().unwrap()).collect();
+            assert_eq!(names.len(), fields.len(), "{} {form}: described twice", kind["command"]);
+            for field in fields {
+                let meaning = field["meaning"].as_str().unwrap();
+                assert!(!meaning.is_empty() && !meaning.ends_with('.'), "{field}");
+            }
+        }
+    }
+}
