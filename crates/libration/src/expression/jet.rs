@@ -1,11 +1,8 @@
 //! A tape evaluated on power series, one power of the variable after the other.
 
-use super::Function;
+use super::instruction::{Evaluator, Instruction, Value, Weighted};
 use super::tape::{Operation, Tape};
-use crate::algebra::{Ring, Slope};
-use crate::series::recurrences::{
-    Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
-};
+use crate::algebra::{Rational, Ring};
 
 /// Why a formula has no series: an operation has no value in the ring, or is not analytic where it is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,12 +24,6 @@ pub(crate) struct Jet<'a, R: Ring> {
 struct Series<E> {
     plain: Vec<E>,
     weighted: Vec<E>,
-}
-
-impl<E> Series<E> {
-    fn both(&self) -> Both<'_, E> {
-        Both { plain: &self.plain, weighted: &self.weighted }
-    }
 }
 
 impl<'a, R: Ring> Jet<'a, R> {
@@ -135,99 +126,82 @@ impl<'a, R: Ring> Jet<'a, R> {
         series.plain.push(value);
     }
 
-    fn zeroth(&self, place: usize) -> &R::Element {
-        &self.places[place].plain[0]
-    }
-
     fn value(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
-        let ring = self.ring;
         match self.tape.operations()[place] {
             Operation::Input(number) => inputs.get(number).cloned(),
-            Operation::Number(ref value) => ring.rational(value),
-            Operation::Pi => ring.pi(),
-            Operation::Negate(a) => Some(ring.negate(self.zeroth(a))),
-            Operation::Add(a, b) => Some(ring.add(self.zeroth(a), self.zeroth(b))),
-            Operation::Subtract(a, b) => Some(ring.subtract(self.zeroth(a), self.zeroth(b))),
-            Operation::Multiply(a, b) => Some(ring.multiply(self.zeroth(a), self.zeroth(b))),
-            Operation::Divide(a, b) => ring.divide(self.zeroth(a), self.zeroth(b)),
-            Operation::Power(a, ref exponent) => ring.power(self.zeroth(a), exponent),
-            Operation::Exp(a) => ring.value(Function::Exp, self.zeroth(a)),
-            Operation::Abs(a) => ring.value(Function::Abs, self.zeroth(a)),
-            Operation::Sign(a) => ring.value(Function::Sign, self.zeroth(a)),
-            Operation::Paired { function, of, .. }
-            | Operation::Tangent { function, of }
-            | Operation::Inverse { function, of, .. } => ring.value(function, self.zeroth(of)),
+            Operation::Number(ref value) => self.ring.rational(value),
+            Operation::Pi => self.ring.pi(),
+            ref other => Value::new(other, plain, |exponent| exponent)?.evaluate(self),
         }
     }
 
     /// The next coefficient, those of the operands being known.
     fn coefficient(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
-        let ring = self.ring;
         if self.tape.is_constant(place) {
-            return Some(ring.zero());
+            return Some(self.ring.zero());
         }
-        let n = self.places[place].plain.len();
-        let at = |place: usize| &self.places[place];
-        let over_n = |weighted: R::Element| ring.over_integer(&weighted, u64::try_from(n).ok()?);
-        match self.tape.operations()[place] {
-            Operation::Input(number) => inputs.get(number).cloned(),
-            Operation::Number(_) | Operation::Pi => Some(ring.zero()),
-            Operation::Negate(a) => Some(ring.negate(&at(a).plain[n])),
-            Operation::Add(a, b) => Some(ring.add(&at(a).plain[n], &at(b).plain[n])),
-            Operation::Subtract(a, b) => Some(ring.subtract(&at(a).plain[n], &at(b).plain[n])),
-            Operation::Multiply(a, b) if self.tape.is_constant(a) => {
-                Some(ring.multiply(self.zeroth(a), &at(b).plain[n]))
-            }
-            Operation::Multiply(a, b) if self.tape.is_constant(b) => {
-                Some(ring.multiply(&at(a).plain[n], self.zeroth(b)))
-            }
-            Operation::Multiply(a, b) => Some(ring.convolution(&at(a).plain[..=n], &at(b).plain[..=n])),
-            Operation::Divide(a, b) => quotient(ring, &at(a).plain[n], &at(place).plain, &at(b).plain),
-            // A whole power of what begins with zero begins beyond that power; other powers have no series there.
-            Operation::Power(a, ref exponent) if ring.is_zero(self.zeroth(a)) => {
-                let begins = exponent.to_natural()?;
-                (u64::try_from(n).ok()? < begins).then(|| ring.zero())
-            }
-            Operation::Power(a, ref exponent) => {
-                let exponent = ring.rational(exponent)?;
-                let weighted = weighted_power(ring, &exponent, at(a).both(), at(place).both());
-                over_n(ring.divide(&weighted, self.zeroth(a))?)
-            }
-            Operation::Exp(a) => over_n(weighted_integral(ring, &at(a).weighted[1..], &at(place).plain)),
-            Operation::Paired { of, other, slope, .. } => {
-                let weighted = weighted_integral(ring, &at(of).weighted[1..=n], &at(other).plain[..n]);
-                over_n(if slope == Slope::Plus { weighted } else { ring.negate(&weighted) })
-            }
-            Operation::Tangent { function, of } => self.tangent(function, of, place).and_then(over_n),
-            Operation::Inverse { of, divisor, .. } => {
-                let weighted = &at(place).weighted[1..];
-                let r = &at(divisor).plain[..n];
-                over_n(weighted_integral_of_quotient(ring, &at(of).weighted[n], weighted, r)?)
-            }
-            Operation::Abs(a) => {
-                let sign = ring.divide(self.zeroth(place), self.zeroth(a))?;
-                Some(ring.multiply(&sign, &at(a).plain[n]))
-            }
-            // Constant on either side of zero, where it has no series.
-            Operation::Sign(a) => (!ring.is_zero(self.zeroth(a))).then(|| ring.zero()),
+        let operation = &self.tape.operations()[place];
+        if let Operation::Input(number) = *operation {
+            return inputs.get(number).cloned();
         }
+        let rows =
+            |place: usize| Weighted { plain: plain(place), weighted: SeriesRow { place, weighted: true } };
+        let degree = |place: usize| if self.tape.is_constant(place) { 0 } else { usize::MAX };
+        let instruction = Instruction::new(operation, place, rows, degree, |exponent| exponent)?;
+        instruction.evaluate(self, self.places[place].plain.len()).map(|(_, value)| value)
+    }
+}
+
+/// The coefficients of one result, plain or weighted.
+#[derive(Clone, Copy, Debug)]
+struct SeriesRow {
+    place: usize,
+    weighted: bool,
+}
+
+fn plain(place: usize) -> SeriesRow {
+    SeriesRow { place, weighted: false }
+}
+
+impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
+    type Ring = R;
+
+    fn ring(&self) -> &R {
+        self.ring
     }
 
-    /// n·cₙ for c = tan a or tanh a: c′ = (1 ± c²)·a′, with c² in the next place.
-    fn tangent(&self, function: Function, of: usize, place: usize) -> Option<R::Element> {
-        let (ring, n) = (self.ring, self.places[place].plain.len());
-        let inner = &self.places[of].weighted[1..];
-        let driven = weighted_integral(ring, inner, &self.places[place + 1].plain[..n]);
-        let own = inner.last()?;
-        Some(if function == Function::Tan { ring.add(own, &driven) } else { ring.subtract(own, &driven) })
+    fn row(&self, SeriesRow { place, weighted }: SeriesRow) -> &[R::Element] {
+        let series = &self.places[place];
+        if weighted { &series.weighted } else { &series.plain }
+    }
+
+    fn exponent(&self, exponent: &&Rational) -> Option<R::Element> {
+        self.ring.rational(exponent)
+    }
+
+    fn power(&self, base: &R::Element, exponent: &&Rational) -> Option<R::Element> {
+        self.ring.power(base, exponent)
+    }
+
+    fn begins_beyond(&self, exponent: &&Rational, n: usize) -> bool {
+        let begins = exponent.to_natural();
+        begins.is_some_and(|begins| u64::try_from(n).is_ok_and(|n| n < begins))
+    }
+
+    /// A whole power of what begins with zero begins beyond that power; other powers have no series there.
+    fn over_base(&self, value: &R::Element, base: &R::Element, begins_later: bool) -> Option<R::Element> {
+        if self.ring.is_zero(base) {
+            return begins_later.then(|| self.ring.zero());
+        }
+        self.ring.divide(value, base)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Expression, Symbol};
+    use super::super::{Expression, Function, Symbol};
     use super::*;
-    use crate::algebra::{Rational, Rationals};
+    use crate::algebra::Rationals;
 
     fn x() -> Expression {
         Expression::Symbol(Symbol { name: "x".to_owned(), primes: 0 })

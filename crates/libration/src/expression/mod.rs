@@ -18,6 +18,7 @@ mod symbols;
 
 mod equation;
 
+mod instruction;
 mod jet;
 mod no_value;
 mod overflow;
@@ -31,6 +32,7 @@ use crate::algebra::Rational;
 pub use crate::algebra::Function;
 pub use equation::{Equation, EquationError};
 pub use error::{Fault, ParseError};
+pub(crate) use instruction::{Evaluator, Instruction, Value, Weighted};
 pub(crate) use jet::{Jet, NoSeries};
 pub use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
