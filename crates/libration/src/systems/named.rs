@@ -1,6 +1,7 @@
 //! What is known of a system that has a name.
 
 use crate::expression::{Expression, Function};
+use crate::quantity::STANDARD_GRAVITY;
 
 /// A system of the literature, as data.
 ///
@@ -101,7 +102,7 @@ impl NamedSystem {
         gravity: Option<f64>,
     ) -> Result<Vec<(&'static str, Expression)>, NoSuchPendulum> {
         /// The pendulum of a metre under the standard gravity.
-        const DEFAULTS: [f64; 2] = [1.0, 9.80665];
+        const DEFAULTS: [f64; 2] = [1.0, STANDARD_GRAVITY];
         let number = |value: f64| decimal(value).ok_or(NoSuchPendulum::NotAbove(value));
         let quotient = Expression::Divide(
             Box::new(number(gravity.unwrap_or(DEFAULTS[1]))?),
