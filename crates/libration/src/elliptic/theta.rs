@@ -327,6 +327,18 @@ mod tests {
         [first, second]
     }
 
+    /// Each sum is rounded to one word before its first term is added, which leaves a few times 2⁻⁵³ of what is small beside one.
+    #[test]
+    fn the_values_at_zero_are_those_of_more_terms() {
+        for q in [1e-3, 0.01, 0.03, libm::exp(-std::f64::consts::PI)] {
+            let (series, exact) = (ThetaSeries::new(q), ThetaZero::in_two_words(DoubleDouble::from(q)));
+            let pairs = [(series.second_at_zero(), exact.second), (series.fourth_at_zero(), exact.fourth)];
+            for (own, exact) in pairs {
+                assert!((own - exact).to_f64().abs() <= 4.0 * q * f64::EPSILON, "{q}");
+            }
+        }
+    }
+
     #[test]
     fn four_terms_suffice_at_the_largest_nome() {
         let q = libm::exp(-std::f64::consts::PI);
