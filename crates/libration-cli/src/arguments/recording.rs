@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// How a recording is read, where the file is not to decide it.
 #[derive(Clone, Debug, clap::Args)]
-#[command(next_help_heading = "Reading (all told from the file where not given)")]
+#[command(next_help_heading = "Reading (detected in the file unless given)")]
 pub(crate) struct RecordingOptions {
     /// Column of times, by number or name
     #[arg(long, value_name = "COLUMN", value_parser = column)]

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Ending {
-    /// Dry friction holds the pendulum where it turned.
+    /// Dry friction holds the pendulum where it turned, or stops it on its way down.
     Sticks,
     /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after
     /// its last turn, or within 20 000 steps.

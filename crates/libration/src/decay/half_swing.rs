@@ -65,7 +65,13 @@ impl HalfSwing {
         let Some((time, coordinate)) = self.turn(frame, &start, longest)? else {
             return Ok(Err(Ending::Creeps));
         };
-        Ok(frame.amplitude(coordinate).map(|amplitude| (time, amplitude)))
+        // Only dry friction brings the pendulum to rest on its way down, and there it is more than gravity.
+        let is_dry = self.damping.coefficient_of(0.0) > 0.0;
+        let before_bottom = if is_dry { Ending::Sticks } else { Ending::Creeps };
+        Ok(match frame.angle(coordinate) {
+            angle if angle <= 0.0 => Err(before_bottom),
+            angle => Frame::amplitude(angle).map(|amplitude| (time, amplitude)),
+        })
     }
 
     /// When and where the pendulum comes to rest, if it does so in time.
@@ -123,11 +129,10 @@ impl Frame {
         (two_sum(coordinate, -self.bottom.hi) + DoubleDouble::from(-self.bottom.lo)).to_f64()
     }
 
-    /// The amplitude of a turning point, which is behind the bottom.
-    fn amplitude(&self, coordinate: f64) -> Result<Amplitude, Ending> {
-        let angle = self.angle(coordinate);
+    /// The amplitude of a turning point so far behind the bottom.
+    fn amplitude(angle: f64) -> Result<Amplitude, Ending> {
         if angle <= LEAST_AMPLITUDE {
-            return Err(if angle > 0.0 { Ending::Vanishes } else { Ending::Creeps });
+            return Err(Ending::Vanishes);
         }
         let amplitude = Angle::from_radians(angle).ok().and_then(|angle| Amplitude::new(angle).ok());
         amplitude.ok_or(Ending::Creeps)

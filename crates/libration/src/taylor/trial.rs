@@ -283,7 +283,7 @@ mod tests {
     fn slopes_are_the_sums_of_their_terms() {
         for terms in 2..9_u32 {
             let series: Vec<[f64; 1]> = (0..terms).map(|n| [1.0 / (1.0 + f64::from(n))]).collect();
-            let term = |n: u32| f64::from(n) / (1.0 + f64::from(n)) * 0.5_f64.powi(n.cast_signed() - 1);
+            let term = |n: u32| f64::from(n) / (1.0 + f64::from(n)) * libm::ldexp(1.0, 1 - n.cast_signed());
             let sum: f64 = (1..terms).map(term).sum();
             assert!((slopes(&series, &[0.5])[0] - sum).abs() < 1e-15, "{terms} terms");
         }

@@ -216,6 +216,20 @@ fn dry_friction_holds_the_pendulum_in_the_end() {
 }
 
 #[test]
+fn dry_friction_stops_it_before_the_bottom_too() {
+    // Small swings with dry friction d go from d + s to d − s: on the near side of the bottom where s is below d.
+    for (start, turning_points) in [(0.06, 1), (0.09, 1), (0.12, 2)] {
+        let decay = decay(&[(0.0, 0.05)], start);
+        let mut swings = decay.swings();
+        assert_eq!(
+            (swings.by_ref().count(), swings.ending()),
+            (turning_points, Some(Ending::Sticks)),
+            "{start}"
+        );
+    }
+}
+
+#[test]
 fn dry_friction_holds_it_next_to_the_top_as_well() {
     let decay = decay(&[(0.0, 0.05)], PI - 0.04);
     let mut swings = decay.swings();

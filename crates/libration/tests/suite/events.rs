@@ -198,6 +198,23 @@ fn a_driven_block_sticks_and_slips() {
     assert_eq!(run(&held, &[0.3, 0.0], &[1000.0], 1e-12).end.state, [0.3, 0.0]);
 }
 
+#[test]
+fn a_block_that_came_to_rest_goes_on_when_the_force_has_grown() {
+    // x'' = t/10 − sign(x′) from x′ = 1: at rest when 1 − t + t²/20 = 0, until t = 10.
+    let system = System::new(&"x'' = t/10 - sign(x')".parse().unwrap()).unwrap();
+    let stop = 10.0 - 80.0_f64.sqrt();
+    let rest = stop - stop * stop / 2.0 + stop.powi(3) / 60.0;
+    let times = [stop + 1.0, 10.0, 12.0];
+    let solution = run(&system, &[0.0, 1.0], &times, 1e-15);
+    for (sample, [x, v]) in
+        solution.samples.iter().zip([[rest, 0.0], [rest, 0.0], [rest + 8.0 / 60.0, 4.0 / 20.0]])
+    {
+        assert!((sample.state[0] - x).abs() < 1e-14 && (sample.state[1] - v).abs() < 1e-14, "{sample:?}");
+    }
+    // What rests stays where it is, to the last bit.
+    assert_eq!(solution.samples[0].state, solution.samples[1].state);
+}
+
 fn orbits(count: u32) -> Vec<Moment> {
     (0..count)
         .map(|n| Moment { time: 0.1 * f64::from(n), state: vec![0.17 * f64::from(n) - 2.0, 0.3] })

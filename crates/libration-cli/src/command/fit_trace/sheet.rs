@@ -34,11 +34,9 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
     }
     list(out, "warnings", &answer.warnings())?;
     list(out, "to improve", &answer.advice())?;
-    answer
-        .measured
-        .files
-        .iter()
-        .try_for_each(|file| list(out, &format!("told from {}", file.name), &file.findings))
+    answer.measured.files.iter().try_for_each(|file| {
+        list(out, &format!("detected in {} (the option overrides it)", file.name), &file.findings)
+    })
 }
 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {

@@ -144,7 +144,7 @@ fn write_page(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     }
     writeln!(out)?;
     write_what_would_be_fitted(out, answer)?;
-    writeln!(out, "\ntold from the file (what overrides it)")?;
+    writeln!(out, "\ndetected in the file (the option overrides it)")?;
     for finding in answer.findings() {
         writeln!(out, "{}", paragraph("  - ", &told(&finding), COLUMNS))?;
     }

@@ -13,10 +13,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
         Section::new("Result", [words::result(answer), doubts(answer), words::meaning(answer)].concat()),
         Section::new("What was read", words::read(answer)),
         Section::new("The motion and the fit", pictures::of_motion(answer)),
-        Section::new(
-            "What the fit leaves over",
-            [words::residuals(answer), pictures::of_residuals(answer)].concat(),
-        ),
+        Section::new("The residuals", [words::residuals(answer), pictures::of_residuals(answer)].concat()),
         Section::new(
             "Period and amplitude",
             [words::periods(answer), pictures::of_periods(answer), tables::traces(answer)].concat(),

@@ -36,8 +36,8 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
 
 /// What the result means.
 pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
-    let meaning = "The number after ± is the standard uncertainty: the truth lies within it with a probability of 68 %, and \
-                   within twice as much with 95 %, if the errors are as chance has them.";
+    let meaning = "The number after ± is the standard uncertainty: the true value lies within it with a probability of 68 %, \
+                   and within twice as much with 95 %, if the errors are random.";
     vec![Block::words(meaning), Block::words(formula(answer))]
 }
 
@@ -59,8 +59,8 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => vec![Block::words(
             "Each line is one effect: what is done to g because of it, what it adds to the uncertainty of g, whether that is known \
-             from scatter (type A) or from judgement (type B), and by which formula. Contributions add as squares, so that the \
-             largest ones are all that counts. What is in brackets is not corrected, since nothing was said about it.",
+             from scatter (type A) or from judgement (type B), and by which formula. Contributions add in quadrature, so that only the \
+             largest ones matter. A correction in parentheses was not made, because nothing was given for it.",
         )],
         FittedPendulum::Length(_) => vec![],
     }
@@ -79,14 +79,14 @@ pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
     }
 }
 
-/// The files with what was told from them.
+/// The files with what was detected in them.
 pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
     let file = |file: &super::super::input::File| {
         let items = file.findings.iter().map(|text| super::sentence(text)).collect();
         [Block::words(format!("{}:", file.name)), Block::List(items)]
     };
     let rows = format!(
-        "{} rows in {} {} were fitted. A name that begins with -- is the option that says it otherwise.",
+        "{} rows in {} {} were fitted. An option in parentheses, such as --unit, overrides what was detected.",
         answer.swings.fit.rows(),
         answer.measured.traces.len(),
         if answer.measured.traces.len() == 1 { "trace" } else { "traces" }
@@ -97,14 +97,14 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
 pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
     let found = &answer.swings.fit.autocorrelation;
     let verdict = if found.is_noise() {
-        "They are: no residual tells anything about the next, as errors of reading do."
+        "They look like white noise: neighbouring residuals are uncorrelated, as reading errors are."
     } else {
-        "They are not: neighbours are alike, so something else than errors of reading is at work, and more rows of the same \
-         kind would not make the result as much better as it seems."
+        "They are not white noise: neighbouring residuals are correlated, so something other than reading errors is at work, and \
+         more rows of the same kind would improve the result less than their number suggests."
     };
     vec![Block::words(format!(
-        "What is left between the data and the fitted motion is {} (root mean square). If the model and the instrument are right \
-         the residuals are noise. {verdict}",
+        "The residuals, data minus fitted motion, have a root mean square of {}. If the model and the instrument are right they \
+         are noise. {verdict}",
         sheet::residual(answer)
     ))]
 }
@@ -114,7 +114,7 @@ pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
                beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed by itself, without a model of the damping, and \
                T = T₀·[1 + β(R − 1)] was put through the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
     let verdict = match &answer.swings.beta {
-        Err(reason) => format!("β cannot be told: {reason}."),
+        Err(reason) => format!("β cannot be determined: {reason}."),
         Ok(beta) if beta.differs_from_one() => format!(
             "β = {}: this is {} uncertainties from 1. A wrong scale of the angles is the usual reason.",
             beta.factor,
