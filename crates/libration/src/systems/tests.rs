@@ -335,7 +335,7 @@ fn defaults_leave_out_damping_and_driving_and_rest_is_at_rest() {
             let at_rest = numbers.value(acceleration).abs() < 1e-15 || named.key == "spherical_pendulum";
             assert!(at_rest, "{}: {acceleration}", named.key);
         }
-        let start = crate::taylor::Moment { time: 0.0, state: model.state_of_rest() };
+        let start = Moment { time: 0.0, state: model.state_of_rest() };
         assert!(energy.drift(&start, &start) == 0.0 || named.key == "spherical_pendulum", "{}", named.key);
     }
 }
