@@ -75,13 +75,21 @@ const NUMBERS: &[Row] = &[
     ("steps[].term", "", "the term"),
     ("steps[].sum", "", "sum up to it"),
     ("steps[].error", "", "that sum minus the exact value, or null"),
-    ("steps[].bound", "", "bound on what is left"),
+    ("steps[].bound", "", "bound on what is left out, or an estimate of it"),
     ("steps[].bound_is", "", "proven or estimated"),
     ("pade[].degrees[]", "1", "degrees of numerator and denominator of the Padé approximant"),
     ("pade[].value", "", "its value"),
     ("pade[].error", "", "its value minus the exact one, or null"),
-    ("pade[].pole_before", "", "whether it has a pole between zero and the amplitude"),
-    ("terms_needed.TOLERANCE", "1", "terms that keep this fractional error, or null"),
+    (
+        "pade[].pole_before",
+        "",
+        "place of a pole between zero and the amplitude, which makes the value worthless, or null",
+    ),
+    (
+        "terms_needed.TOLERANCE",
+        "1",
+        "terms beyond the first until the remainder stays below this fraction of the sum, or null",
+    ),
     ("interrupted", "", "true where Ctrl-C ended the work before all was known, else left out"),
 ];
 
@@ -91,7 +99,7 @@ const NUMBERS_CSV: &[Row] = &[
     ("term", "", "the term"),
     ("sum", "", "sum up to it"),
     ("error", "", "that sum minus the exact value"),
-    ("bound", "", "bound on what is left"),
+    ("bound", "", "bound on what is left out, or an estimate of it"),
     ("bound_is", "", "proven or estimated"),
 ];
 

@@ -37,7 +37,7 @@ const FIT: &[Row] = &[
     ("traces[].first_s", "s", "time of its first row"),
     ("traces[].last_s", "s", "time of its last row"),
     ("traces[].rms_residual", "", "root mean square of its residuals, in rad or rad/s"),
-    ("traces[].outlier_rows[]", "1", "rows far from the fitted motion, numbered from 0"),
+    ("traces[].outlier_rows[]", "1", "rows beyond five robust standard deviations, numbered from 0"),
     ("traces[].t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null"),
     ("traces[].t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null"),
     ("traces[].beta", "1", "β of this trace, or null"),
@@ -79,7 +79,11 @@ const MODEL: &[Row] = &[
     ("independent_rows", "1", "rows that were counted as independent"),
     ("small_angle_period_s", "s", "period of small swings T₀ by this model"),
     ("small_angle_period_uncertainty_s", "s", "standard uncertainty of that"),
-    ("takes_energy", "", "whether its damping takes energy at all speeds of the data"),
+    (
+        "takes_energy",
+        "",
+        "whether its damping takes energy at all speeds of the data, within two standard uncertainties",
+    ),
     ("negative_terms[]", "", "damping terms with a negative coefficient"),
 ];
 

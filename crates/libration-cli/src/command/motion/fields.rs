@@ -34,7 +34,7 @@ pub(super) fn of_motion() -> Fields<Motion> {
         Of::number(
             "energy_ratio",
             "1",
-            "energy above rest over the one that reaches the top, 2mgl",
+            "energy from the bottom over that of the separatrix, E/2mgl",
             Motion::energy_ratio,
         )
         .line_of("energy / 2mgl", |motion| {
