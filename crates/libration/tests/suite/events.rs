@@ -203,7 +203,7 @@ fn a_block_that_came_to_rest_goes_on_when_the_force_has_grown() {
     // x'' = t/10 − sign(x′) from x′ = 1: at rest when 1 − t + t²/20 = 0, until t = 10.
     let system = System::new(&"x'' = t/10 - sign(x')".parse().unwrap()).unwrap();
     let stop = 10.0 - 80.0_f64.sqrt();
-    let rest = stop - stop * stop / 2.0 + stop.powi(3) / 60.0;
+    let rest = stop - stop * stop / 2.0 + stop * stop * stop / 60.0;
     let times = [stop + 1.0, 10.0, 12.0];
     let solution = run(&system, &[0.0, 1.0], &times, 1e-15);
     for (sample, [x, v]) in
