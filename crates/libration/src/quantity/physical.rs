@@ -57,10 +57,10 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
 /// ```
 /// use libration::quantity::{Angle, Dimension, in_si};
 ///
-/// let angle = in_si(17.3, "deg", Dimension::Angle).ok_or("degrees measure angles")?;
-/// assert_eq!(angle, "17.3deg".parse::<Angle>()?.radians());
+/// let angle = in_si(30.0, "deg", Dimension::Angle).ok_or("degrees measure angles")?;
+/// assert_eq!(angle, "30deg".parse::<Angle>()?.radians());
 /// // The product of two rounded numbers is another number.
-/// assert_ne!(angle, 17.3 * (std::f64::consts::PI / 180.0));
+/// assert_ne!(angle, 30.0 * (std::f64::consts::PI / 180.0));
 /// assert_eq!(in_si(1.0, "s", Dimension::Angle), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
