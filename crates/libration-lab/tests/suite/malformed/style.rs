@@ -121,7 +121,7 @@ impl Style {
     /// What must be read: the decimals as they are written, degrees in radians.
     pub(crate) fn truth(&self) -> Vec<(f64, f64)> {
         let written = |number: f64| format!("{number:.4}").parse::<f64>().unwrap();
-        let radians = |angle: f64| if self.degrees { angle * (std::f64::consts::PI / 180.0) } else { angle };
+        let radians = |angle: f64| if self.degrees { degrees_of_command_line(angle) } else { angle };
         self.numbers().into_iter().map(|(time, angle)| (written(time), radians(written(angle)))).collect()
     }
 
@@ -153,4 +153,9 @@ pub(crate) fn whole_files() -> Vec<Case> {
     let whole =
         |style: &Style| Case::read(style.name, style.file(&style.header(), &style.rows()), style.truth());
     STYLES.iter().map(whole).collect()
+}
+
+/// What the command line takes so many degrees for.
+fn degrees_of_command_line(angle: f64) -> f64 {
+    format!("{angle}deg").parse::<libration::quantity::Angle>().unwrap().radians()
 }
