@@ -53,11 +53,7 @@ impl fmt::Display for BudgetWarning {
             }
             Self::WithoutUncertainty { inputs } => {
                 let names: Vec<&str> = inputs.iter().map(|input| input.name()).collect();
-                write!(
-                    f,
-                    "given without an uncertainty: {}; that of gravity is too small by what is missing",
-                    names.join(", ")
-                )
+                write!(f, "no uncertainty was given for {}: that of gravity is too small", names.join(", "))
             }
             Self::NotLinear => f.write_str(
                 "the uncertainties are so large that gravity does not follow them in proportion: ± is rough",

@@ -36,8 +36,8 @@ impl fmt::Display for Warning {
             }
             Self::DampingNotSeparated { preferred, rivals } => write!(
                 f,
-                "these data cannot separate the model {preferred} from {} for certain: T₀ is averaged over them, and the coefficients \
-                 differ from one to the other by more than their uncertainties may say",
+                "{preferred} damping cannot be distinguished from {} with these data: T₀ is averaged over these models, and their \
+                 coefficients may differ by more than the uncertainties say",
                 alternatives(rivals)
             ),
             Self::ResidualsNotNoise { rows, inflation } => residuals(f, *rows, *inflation),

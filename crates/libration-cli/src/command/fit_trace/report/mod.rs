@@ -11,7 +11,7 @@ use crate::document::{Block, Document, Section, provenance};
 pub(super) fn document(answer: &Answer<'_>) -> Document {
     let sections = [
         Section::new("Result", [words::result(answer), doubts(answer), words::meaning(answer)].concat()),
-        Section::new("What was read", words::read(answer)),
+        Section::new("How the file was read", words::read(answer)),
         Section::new("The motion and the fit", pictures::of_motion(answer)),
         Section::new("The residuals", [words::residuals(answer), pictures::of_residuals(answer)].concat()),
         Section::new(
@@ -40,7 +40,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
 fn doubts(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.warnings.is_empty() {
         true => vec![],
-        false => vec![Block::Aside("What is doubtful about it", sentences(&answer.warnings()))],
+        false => vec![Block::Aside("Warnings", sentences(&answer.warnings()))],
     }
 }
 
