@@ -89,7 +89,7 @@ fn inputs_have_values_sensitivities_and_shares() {
 fn a_length_without_an_uncertainty_is_said_to_be_one() {
     for question in questions() {
         let answer = json(&format!("{question} --length 1m"));
-        assert!(answer["warnings"].to_string().contains("given without an uncertainty: length"), "{answer}");
+        assert!(answer["warnings"].to_string().contains("no uncertainty was given for length"), "{answer}");
         assert!(row(&answer, "length")["uncertainty_m_per_s2"].is_null());
         let exact = json(&format!("{question} --length 1m±0m"));
         assert!(!exact["warnings"].to_string().contains("given without"), "{}", exact["warnings"]);
