@@ -69,11 +69,11 @@ pub enum Warning {
         /// By which part the amplitude falls in a cycle.
         fall: f64,
     },
-    /// β [differs from 1](crate::fit::cycles::Beta::differs_from_one), and no strong damping, fitted scale or wrong unit explains it.
+    /// β [differs from 1](crate::fit::Beta::differs_from_one), and no strong damping, fitted scale or wrong unit explains it.
     BetaNotOne {
         /// In uncertainties.
         deviation: f64,
-        /// By which part the angles are too small, if [a wrong scale](crate::fit::cycles::Beta::scale_error) can be why.
+        /// By which part the angles are too small, if [a wrong scale](crate::fit::Beta::scale_error) can be why.
         scale_error: Option<f64>,
         /// The largest and the smallest amplitude, in radians.
         amplitudes: [f64; 2],
