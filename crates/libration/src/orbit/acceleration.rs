@@ -54,15 +54,37 @@ impl Acceleration {
         [largest, errors.fold(0.0, f64::max) / largest]
     }
 
-    /// How far the acceleration in double precision is from that of a place that rounds to this one.
+    /// How far the acceleration in double precision is from that of a place that rounds to this one; zero where a |…| or a sign
+    /// changes its branch between such places: what a jump does to the energy on so short a way is what rounding the place does.
     fn error(&self, state: &[f64]) -> Option<f64> {
         let ring = Floats { precision: PRECISION };
-        let mut exact: Vec<BigFloat> =
+        let exact: Vec<BigFloat> =
             state.iter().map(|x| BigFloat::from_f64(*x, PRECISION)).collect::<Option<_>>()?;
-        let half_a_unit = BigFloat::from_words(DoubleDouble::new(1.0, 0.5 * f64::EPSILON), PRECISION);
-        exact[0] = ring.multiply(&exact[0], &half_a_unit);
-        let jet = Jet::new(&ring, &self.tape, &exact).ok()?;
+        let beside = |units: f64| {
+            let part = BigFloat::from_words(DoubleDouble::new(1.0, units * f64::EPSILON), PRECISION);
+            let mut beside = exact.clone();
+            beside[0] = ring.multiply(&beside[0], &part);
+            Jet::new(&ring, &self.tape, &beside).ok()
+        };
+        let [above, below] = [beside(0.5)?, beside(-0.5)?];
+        if self.changes_branch(&above, &below) {
+            return Some(0.0);
+        }
         let own = BigFloat::from_f64(self.at(state), PRECISION)?;
-        Some((jet.result(0)[0].clone() - own).to_f64().abs())
+        Some((above.result(0)[0].clone() - own).to_f64().abs())
+    }
+
+    /// Whether what stands in a |…| or a sign is zero in one of two states, or of another sign than in the other.
+    fn changes_branch(&self, state: &Jet<'_, Floats>, other: &Jet<'_, Floats>) -> bool {
+        let values = |jet: &Jet<'_, Floats>| -> Vec<f64> { jet.values().map(BigFloat::to_f64).collect() };
+        let states = [values(state), values(other)];
+        self.tape.operations().iter().any(|operation| match *operation {
+            Operation::Abs(of) | Operation::Sign(of) => {
+                let is_above = states.iter().all(|values| values[of] > 0.0);
+                let is_below = states.iter().all(|values| values[of] < 0.0);
+                !is_above && !is_below
+            }
+            _ => false,
+        })
     }
 }

@@ -296,6 +296,24 @@ fn a_force_of_one_size_has_the_period_of_free_fall() {
     }
 }
 
+/// Where the force jumps between two steps no acceleration is uncertain: −sign(x − c) is the same motion for every c.
+#[test]
+fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
+    let period = 4.0 * 2.0_f64.sqrt() * 0.5_f64.sqrt();
+    for (centre, start) in
+        [("1", 1.5), ("2", 2.5), ("(-3)", -2.5), ("1/3", 0.8333333333333334), ("1000", 1000.5)]
+    {
+        let orbit = released(&format!("x'' = -sign(x - {centre})"), start);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), centre);
+        // As rounding the place asks, a part of 1000/0.5.
+        assert!(orbit.period_uncertainty() < 1e-10, "{centre}: {:e}", orbit.period_uncertainty());
+    }
+    // −sign(x − 2)·e^|x − 2|: v² = 2·(e^A − e^y), and the quarter period is √2·e^(−A/2)·artanh √(1 − e^(−A)).
+    let orbit = released("x'' = -sign(x - 2)*exp(abs(x - 2))", 2.5);
+    let quarter = 2.0_f64.sqrt() * libm::exp(-0.25) * libm::atanh(libm::sqrt(-libm::expm1(-0.5)));
+    assert_within(orbit.period(), 4.0 * quarter, orbit.period_uncertainty(), "with a force that grows");
+}
+
 /// (1 − c·cos x)·sin x with c = 1 − 2⁻²⁰ loses twenty bits next to the bottom: its own period by the energy integral in 60 digits.
 #[test]
 fn a_force_that_cancels_has_its_period() {
