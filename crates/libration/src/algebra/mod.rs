@@ -1,5 +1,16 @@
 //! Coefficient rings and numbers beyond `f64`: exact rationals, floats of any precision, polynomials in
 //! named variables, the product of integer polynomials, and complex numbers.
+//!
+//! ```
+//! use libration::algebra::{BigFloat, Polynomial, Rational};
+//!
+//! // One third is one third, and letters stay letters.
+//! let third = Rational::new(1, 3).ok_or("zero")?;
+//! assert_eq!((third.clone() + third.clone() + third).to_string(), "1");
+//! let (a, b) = (Polynomial::variable("a"), Polynomial::variable("b"));
+//! assert_eq!(((a.clone() + b.clone()) * (a - b)).to_string(), "a^2 - b^2");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod big_float;
 mod complex;

@@ -1,5 +1,20 @@
 //! Perturbation series beside exact values that know nothing of them: elliptic functions for the pendulum, the
 //! integrated equation of motion for other oscillators.
+//!
+//! ```
+//! use libration::comparison::Backbone;
+//! use libration::elliptic::Modulus;
+//!
+//! // A spring that stiffens: how its frequency rises with the amplitude, by integration and by its series.
+//! let backbone = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
+//! let point = backbone.at(0.5);
+//! let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
+//! // In closed form it is π√(1 + A²)/2K(m) with m = A²/(2 + 2A²), here 1/10.
+//! let exact = std::f64::consts::FRAC_PI_2 * 1.25_f64.sqrt() / Modulus::from_parameter(0.1)?.first();
+//! assert!((orbit.frequency - exact).abs() <= 1e-14);
+//! assert!((series.frequency - exact).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod approximant;
 mod quantity;

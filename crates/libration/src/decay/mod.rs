@@ -6,6 +6,21 @@
 //! pendulum without damping, so it holds while a cycle takes a small part of the energy, and of the energy that is missing
 //! to the top, where the period depends on it; its error falls with the square of the damping. Next to the top it
 //! fails however weak the damping is, and so it does at the end of every motion with n < 1.
+//!
+//! ```
+//! use libration::decay::{Damping, Decay, Law};
+//! use libration::pendulum::Pendulum;
+//!
+//! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law beside it.
+//! let pendulum = Pendulum::new(1.0, 9.80665)?;
+//! let decay = Decay::new(pendulum, Damping::of_degree(1.0, 0.02)?, "60deg".parse()?)?;
+//! for turning_point in decay.swings().take(10) {
+//!     let turning_point = turning_point?;
+//!     let averaged = decay.envelope(Law::Averaged).amplitude_at(turning_point.time);
+//!     assert!((turning_point.amplitude.radians() - averaged).abs() < 1e-4);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod error;
 

@@ -1,4 +1,15 @@
 //! Formulas and equations of motion as text, tree and tape.
+//!
+//! ```
+//! use libration::expression::{Equation, Symbol};
+//!
+//! // As it is written on paper; what multiplies the highest derivatives may stand anywhere.
+//! let equation: Equation = "l θ″ + 2 c θ' + g sin(θ) = 0".parse()?;
+//! assert_eq!(equation.variables(), ["theta"]);
+//! let acceleration = &equation.accelerations()[0];
+//! assert_eq!(acceleration.derivative(&Symbol::plain("g")).to_latex(), r"-\frac{\sin\left(\theta\right)}{l}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod error;
 mod letters;

@@ -3,6 +3,18 @@
 //! About an equilibrium x″ = −A·x + G·x′. Where the entries are fractions the frequencies are roots of an exact
 //! polynomial, written with square roots when its factors allow it. The next terms of the forces change the frequency
 //! of a mode by κa²: Lindstedt's expansion in several coordinates, to the third order.
+//!
+//! ```
+//! use libration::normal_modes::NormalModes;
+//!
+//! // Two equal masses between walls, on three equal springs: together at 1, against each other at √3.
+//! let modes = NormalModes::new(&"x'' = y - 2*x; y'' = x - 2*y".parse()?)?.modes;
+//! let exact: Vec<String> =
+//!     modes.iter().filter_map(|mode| mode.frequency_squared.as_ref()).map(|square| square.square_root_text()).collect();
+//! assert_eq!(exact, ["1", "sqrt(3)"]);
+//! assert_eq!((modes[1].shape[0].re, modes[1].shape[1].re), (1.0, -1.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod error;
 mod mode;

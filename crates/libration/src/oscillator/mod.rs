@@ -1,4 +1,16 @@
 //! Oscillators: an equation of motion about an equilibrium, and a catalogue of named ones.
+//!
+//! ```
+//! use libration::oscillator::{NamedOscillator, Oscillator};
+//!
+//! // A charge between two others: the equilibrium is found, exactly where it is a number that can be written.
+//! let typed = Oscillator::new(&"x'' = 1/x^2 - 1/(3 - x)^2".parse()?)?;
+//! assert_eq!((typed.equilibrium().to_string(), typed.omega0_squared().to_string()), ("1.5".into(), "32/27".into()));
+//!
+//! let named = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
+//! assert!(named.is_odd());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod catalogue;
 mod named;

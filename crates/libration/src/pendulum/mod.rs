@@ -39,6 +39,7 @@ mod varying;
 mod varying_stages;
 
 mod approximate_motion;
+mod display;
 mod fourier;
 
 pub use amplitude::Amplitude;

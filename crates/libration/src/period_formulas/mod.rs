@@ -2,6 +2,17 @@
 //!
 //! A formula gives T/T0, the period over that of small swings; its fractional error is formula/exact − 1. Every
 //! formula is written once and evaluated in `f64` or in floats of as many digits as its error needs.
+//!
+//! ```
+//! use libration::period_formulas::{ErrorTable, catalogue};
+//!
+//! // Which published formula, the simplest of all, is right to a thousandth at 90°?
+//! let table = ErrorTable::new(catalogue());
+//! let simplest = table.simplest(&"90deg".parse()?, 1e-3);
+//! let best = simplest.first().ok_or("none is so good")?;
+//! assert!(best.fractional_error(&"90deg".parse()?).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod catalogue;
 mod error;

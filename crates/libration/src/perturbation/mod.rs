@@ -5,6 +5,18 @@
 //! expanded in the strength of the excitation. [`OpenGauge`] shows the equations order by order before a gauge is
 //! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`Evaluation`],
 //! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
+//!
+//! ```
+//! use libration::oscillator::Oscillator;
+//! use libration::perturbation::{Gauge, expand};
+//!
+//! // Van der Pol: amplitude and frequency of the limit cycle in powers of the excitation.
+//! let oscillator = Oscillator::new(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?)?;
+//! let expansion = expand(&oscillator, 4, &Gauge::Fundamental)?;
+//! assert_eq!(expansion.frequency_ratio[2].to_string(), "-1/16");
+//! assert_eq!(expansion.frequency_ratio[4].to_string(), "17/3072");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod approximate;
 mod certificate;

@@ -5,6 +5,18 @@
 //!
 //! What text means: radians are the nearest `f64`; degrees, and the δ of `pi-δ`, are the decimal itself,
 //! converted exactly and rounded to two words.
+//!
+//! ```
+//! use libration::quantity::{Angle, Dimension, angles, parse};
+//!
+//! // A nanoradian from the top: the complement is kept, which π − θ in `f64` has lost.
+//! let angle: Angle = "pi-1e-9".parse()?;
+//! assert_eq!(angle.complement(), 1e-9);
+//! let length = parse("99.4(2) cm", Dimension::Length)?;
+//! assert_eq!((length.value, length.uncertainty), (0.994, Some(0.002)));
+//! assert_eq!(angles("10deg:170deg:40deg")?.len(), 5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod angle;
 mod angle_name;

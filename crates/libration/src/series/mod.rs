@@ -2,6 +2,19 @@
 //!
 //! Inside, long series with integer coefficients, integers all the way: they are ordinary ones with integer coefficients, Σ yₙxⁿ, or even
 //! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
+//!
+//! ```
+//! use libration::algebra::{Function, Ring};
+//! use libration::series::PowerSeries;
+//!
+//! // sin x/cos x, in exact fractions.
+//! let series = PowerSeries::rational(6);
+//! let x = series.variable().ok_or("no variable")?;
+//! let (sine, cosine) = (series.value(Function::Sin, &x), series.value(Function::Cos, &x));
+//! let tangent = series.divide(&sine.ok_or("no sine")?, &cosine.ok_or("no cosine")?).ok_or("no quotient")?;
+//! assert_eq!(tangent[5].to_string(), "2/15");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod online;
 mod power_series;

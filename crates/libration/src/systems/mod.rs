@@ -1,5 +1,18 @@
 //! Systems to be simulated: named ones with their energies, units and sources, oscillators of the other catalogue, and
 //! equations as they are typed.
+//!
+//! ```
+//! use libration::systems::Model;
+//! use libration::taylor::Moment;
+//!
+//! // Where the bodies of a double pendulum are, and the energy that its motion must keep.
+//! let model = Model::by_key("double_pendulum", &[], &[])?;
+//! let start = Moment { time: 0.0, state: vec![std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0] };
+//! let bodies = model.bodies().ok_or("no places")?.at(&start);
+//! assert_eq!(bodies.len(), 2);
+//! assert_eq!(model.energy()?.balance(&start).drift(), 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod catalogue;
 mod named;
