@@ -3,7 +3,7 @@
 #[path = "../requests.rs"]
 mod requests;
 
-use libration::taylor::{Effort, IntegrationError, Launch, Moment, Solution, System, integrate_many};
+use libration::taylor::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 use requests::{Answer, Failure, Request, serve, timed};
 use std::ops::ControlFlow;
 
@@ -25,9 +25,9 @@ fn motions(system: &System, request: &Request) -> Result<Vec<Solution>, Integrat
     let effort = Effort::to_tolerance(request.tolerance);
     let times = [request.end];
     let start = |state: &Vec<f64>| Moment { time: 0.0, state: state.clone() };
-    let launch = |state| Launch { start: start(state), parameters: vec![], times: &times };
-    let launches: Vec<Launch<'_>> = request.starts.iter().map(launch).collect();
-    match &launches[..] {
+    let trajectory = |state| Trajectory { start: start(state), parameters: vec![], times: &times };
+    let trajectories: Vec<Trajectory<'_>> = request.starts.iter().map(trajectory).collect();
+    match &trajectories[..] {
         [one] => Ok(vec![one.integrate(system, &effort, |_| ControlFlow::Continue(()))?]),
         many => integrate_many(system, many, &effort, |_, _| ControlFlow::Continue(())).into_iter().collect(),
     }

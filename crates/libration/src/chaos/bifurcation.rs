@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::section::{Ending, PoincareSection, Points, Section, SectionError, flashes, section};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, EquationError, Expression};
-use crate::taylor::{Cause, Effort, Launch, Moment, System, integrate_many};
+use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many};
 
 /// Equations with one parameter that is varied, and what is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,11 +137,11 @@ impl Family<'_> {
         let times: Vec<Vec<f64>> =
             values.iter().map(|&value| self.flashes_at(value, cut, start)).collect::<Result<_, _>>()?;
         let pairs = values.iter().zip(&times);
-        let launches: Vec<Launch<'_>> = pairs
-            .map(|(&value, times)| Launch { start: start.clone(), parameters: vec![value], times })
+        let trajectories: Vec<Trajectory<'_>> = pairs
+            .map(|(&value, times)| Trajectory { start: start.clone(), parameters: vec![value], times })
             .collect();
         let mut done = 0;
-        let outcomes = integrate_many(&system, &launches, effort, |number, step| {
+        let outcomes = integrate_many(&system, &trajectories, effort, |number, step| {
             done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
             watch(done)
         });

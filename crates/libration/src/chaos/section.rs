@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use super::drive::drive_period;
 use crate::expression::{Equation, Expression, WithoutValue};
 use crate::taylor::{
-    Cause, Contact, Departure, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution,
-    System, follow, integrate,
+    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
+    integrate, integrate_from,
 };
 
 /// When the state of a motion is taken.
@@ -216,13 +216,14 @@ fn crossings(
     let stopped = loop {
         let taken = found.len();
         let mut met = taken;
-        let outcome = follow(system, &Departure::At(at.clone()), &[at.time + horizon], &stretch, |leg| {
-            met += leg.events().iter().filter(|event| goes_through(event)).count();
-            watch(Taken {
-                points: met.saturating_sub(points.skipped).min(points.kept),
-                time: leg.step().end(),
-            })
-        });
+        let outcome =
+            integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |leg| {
+                met += leg.events().iter().filter(|event| goes_through(event)).count();
+                watch(Taken {
+                    points: met.saturating_sub(points.skipped).min(points.kept),
+                    time: leg.step().end(),
+                })
+            });
         let (solution, cause) = as_far_as_it_came(outcome)?;
         found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };

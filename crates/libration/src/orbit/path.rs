@@ -1,13 +1,13 @@
 //! A motion as the steps of its integration.
 
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::{Effort, IntegrationError, KeptStep, Moment, Solution, Step, System, integrate};
+use crate::taylor::{Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate};
 use std::ops::ControlFlow;
 
 /// Steps one behind the other, from a state to a state.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
-    steps: Vec<KeptStep>,
+    steps: Vec<OwnedStep>,
     end: f64,
     /// Whether the steps are the first half only, and the second is the same backwards.
     there_and_back: bool,
@@ -15,12 +15,12 @@ pub(super) struct Path {
 
 impl Path {
     /// Steps from the time zero to the end.
-    pub(super) fn of_steps(steps: Vec<KeptStep>, end: f64) -> Self {
+    pub(super) fn of_steps(steps: Vec<OwnedStep>, end: f64) -> Self {
         Self { steps, end, there_and_back: false }
     }
 
     /// Steps from the time zero to rest, and then the same way back, to a time.
-    pub(super) fn there_and_back(steps: Vec<KeptStep>, end: f64) -> Self {
+    pub(super) fn there_and_back(steps: Vec<OwnedStep>, end: f64) -> Self {
         Self { steps, end, there_and_back: true }
     }
 
@@ -33,7 +33,7 @@ impl Path {
     ) -> Result<Self, IntegrationError> {
         let mut steps = vec![];
         integrate(system, start, &[end], effort, |step| {
-            steps.push(step.kept());
+            steps.push(step.to_owned_step());
             ControlFlow::Continue(())
         })?;
         Ok(Self { steps, end, there_and_back: false })
@@ -85,12 +85,12 @@ pub(super) fn until(
     mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
 ) -> Result<Option<Path>, IntegrationError> {
     let [first, last] = horizons;
-    let (mut steps, mut found): (Vec<KeptStep>, _) = (vec![], None);
+    let (mut steps, mut found): (Vec<OwnedStep>, _) = (vec![], None);
     let (mut at, mut duration) = (start.clone(), first);
     while duration < last {
         let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
         let outcome = integrate(system, &at, &[start.time + duration], &effort, |step| {
-            steps.push(step.kept());
+            steps.push(step.to_owned_step());
             found = happens(step);
             if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });

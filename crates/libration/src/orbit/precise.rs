@@ -12,7 +12,7 @@ use crate::algebra::{BigFloat, Doubles, Floats, Ring};
 use crate::elementary::count;
 use crate::expression::{Jet, Tape};
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::{Effort, KeptStep, Moment, System, integrate};
+use crate::taylor::{Effort, Moment, OwnedStep, System, integrate};
 use std::ops::ControlFlow;
 
 /// Position and velocity.
@@ -30,7 +30,7 @@ struct Series {
 
 /// A motion from rest to the next rest.
 pub(super) struct Leg {
-    pub(super) steps: Vec<KeptStep>,
+    pub(super) steps: Vec<OwnedStep>,
     pub(super) duration: BigFloat,
     /// The place at the end.
     pub(super) end: BigFloat,
@@ -259,8 +259,8 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
 }
 
 /// The step in double precision, of length one in its own unit.
-fn kept(series: &Series, start: f64, end: f64, unit: f64) -> KeptStep {
-    KeptStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
+fn kept(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
+    OwnedStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
 }
 
 #[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]

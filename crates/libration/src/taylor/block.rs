@@ -79,7 +79,7 @@ impl<const N: usize> Block<N> {
     }
 
     /// Brings a lane to a time and a state.
-    pub(super) fn launch(&mut self, lane: usize, time: f64, state: &[f64]) {
+    pub(super) fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
             self.place(number, lane, value, 0.0);

@@ -19,7 +19,7 @@ impl<const N: usize> Branches<N> {
     }
 
     /// Begins a motion in a lane.
-    pub(super) fn launch(&mut self, lane: usize) {
+    pub(super) fn start(&mut self, lane: usize) {
         for zeros in &mut self.zeros {
             zeros[lane] = 0;
         }

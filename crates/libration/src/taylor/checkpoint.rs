@@ -3,7 +3,7 @@
 use super::System;
 use super::contacts::Contacts;
 
-/// Where an integration can be gone on from, bit for bit as if it had never stopped: the start of a step.
+/// Where an integration can be resumed, bit for bit as if it had never stopped: the start of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
     /// When.
@@ -62,7 +62,7 @@ impl Checkpoint {
 }
 
 impl EventCheckpoint {
-    pub(super) fn of(contacts: &Contacts) -> Self {
+    pub(super) fn from_contacts(contacts: &Contacts) -> Self {
         let Contacts { side, last, near, .. } = *contacts;
         Self { side, last: Some(last).filter(|last| last.is_finite()), near }
     }

@@ -84,7 +84,7 @@ impl Contacts {
     pub(super) const NONE: Self = Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false };
 
     /// The zeros in a step, with their times in its order.
-    pub(super) fn found(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+    pub(super) fn zeros_in(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
         let blur = stretch.blur();
         if blur == 0.0 {
             return self.comes_to_rest(stretch);

@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::fleet::Fleet;
-use super::launch::Launch;
+use super::batch::Batch;
 use super::solution::{Moment, Solution};
+use super::trajectory::Trajectory;
 use super::{Effort, IntegrationError, Step, System};
 
 /// Integrates a system from a state to the states at some times, which are all after the start or all before it, one
@@ -42,11 +42,11 @@ pub fn integrate(
     effort: &Effort,
     mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
-    let launch = Launch { start: start.clone(), parameters: vec![], times };
-    launch.integrate(system, effort, |step| watch(step))
+    let trajectory = Trajectory { start: start.clone(), parameters: vec![], times };
+    trajectory.integrate(system, effort, |step| watch(step))
 }
 
-impl Launch<'_> {
+impl Trajectory<'_> {
     /// The motion from here, as [`integrate`] gives it.
     ///
     /// # Errors
@@ -57,25 +57,25 @@ impl Launch<'_> {
         effort: &Effort,
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> Result<Solution, IntegrationError> {
-        let mut fleet = Fleet::<1>::new(system, effort);
-        let outcomes = fleet.travel(std::slice::from_ref(self), |_, arrived| watch(&arrived.step));
+        let mut batch = Batch::<1>::new(system, effort);
+        let outcomes = batch.integrate(std::slice::from_ref(self), |_, taken| watch(&taken.step));
         outcomes.into_iter().next().expect("one motion has one outcome")
     }
 }
 
 /// Integrates many motions of a system, several of them side by side in the lanes of vector registers. Each is bit for bit
-/// the one that [`Launch::integrate`] gives. `watch` sees the steps of all motions, with their numbers, and may stop
+/// the one that [`Trajectory::integrate`] gives. `watch` sees the steps of all motions, with their numbers, and may stop
 /// them all.
 ///
 /// # Errors
 /// Each motion has its own, as [`integrate`].
 pub fn integrate_many(
     system: &System,
-    launches: &[Launch<'_>],
+    trajectories: &[Trajectory<'_>],
     effort: &Effort,
     mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    Fleet::<LANES>::new(system, effort).travel(launches, |number, arrived| watch(number, &arrived.step))
+    Batch::<LANES>::new(system, effort).integrate(trajectories, |number, taken| watch(number, &taken.step))
 }
 
 /// How many motions go side by side: two vector registers of AVX2.

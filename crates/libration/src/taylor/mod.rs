@@ -13,44 +13,46 @@ mod sign_change;
 
 mod block;
 mod ends;
-mod launch;
 mod program;
 mod solution;
+mod trajectory;
 
 mod boundary;
 mod checkpoint;
 
 mod expander;
-mod kept;
+mod owned_step;
 mod step;
 mod step_length;
 
 mod branches;
 mod contacts;
-mod flight;
 mod sharp;
 mod steep;
 mod sticking;
+
+mod look_ahead;
+mod stepper;
 mod trial;
 
-mod fleet;
-mod record;
+mod batch;
+mod partial_solution;
 
+mod accepted_step;
 mod integrate;
-mod leg;
 
 #[cfg(test)]
 mod tests;
 
+pub use accepted_step::{AcceptedStep, Start, integrate_from};
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{integrate, integrate_many};
-pub use kept::KeptStep;
-pub use launch::Launch;
-pub use leg::{Departure, Leg, follow};
+pub use owned_step::OwnedStep;
 pub use solution::{Moment, Solution};
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
 pub use tangent::{with_sensitivities, with_tangents};
+pub use trajectory::Trajectory;

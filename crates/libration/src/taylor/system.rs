@@ -40,7 +40,7 @@ impl System {
         Self::with_parameters(equation, &[])
     }
 
-    /// The system of equations some of whose parameters keep open; each [`Launch`](super::Launch) gives them values.
+    /// The system of equations some of whose parameters keep open; each [`Trajectory`](super::Trajectory) gives them values.
     ///
     /// # Errors
     /// Another parameter without a value.

@@ -10,7 +10,7 @@ fn error_of(steps: u32, order: usize) -> f64 {
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
     let expander = Expander::new(&system, order);
     let mut block = expander.block::<1>();
-    block.launch(0, 0.0, &[1.0, 0.5]);
+    block.start(0, 0.0, &[1.0, 0.5]);
     let surroundings = Surroundings { parameters: vec![], signs: vec![], sticks: vec![] };
     for n in 1..=steps {
         expander.expand(&mut block, &surroundings);

@@ -5,7 +5,7 @@
 //! before a step is taken the accelerations at its end are compared with those of its polynomials.
 
 use super::Cause;
-use super::flight::{Arrival, Flight, SHORTEST, unit_for};
+use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch};
 
@@ -22,11 +22,11 @@ struct Trial {
     errors: Vec<f64>,
 }
 
-impl<const N: usize> Flight<'_, N> {
+impl<const N: usize> Stepper<'_, N> {
     /// Shortens the steps until the equations of motion confirm them.
     pub(super) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
-        dispatch(Arrival { flight: self });
-        let misfits = dispatch(Misfits { flight: self });
+        dispatch(StepEnds { stepper: self });
+        let misfits = dispatch(Misfits { stepper: self });
         // The next steps begin with what was found here, unless another state is tried in the same room.
         self.ends_known = self.expander.system.moduli() == 0;
         let mut shortened = false;
@@ -47,7 +47,7 @@ impl<const N: usize> Flight<'_, N> {
             }
         }
         if shortened {
-            dispatch(Arrival { flight: self });
+            dispatch(StepEnds { stepper: self });
         }
     }
 
@@ -219,7 +219,7 @@ pub(super) fn larger_or_nan(largest: f64, part: f64) -> f64 {
 
 /// The misfits at the ends of the steps, in all lanes.
 struct Misfits<'f, 'a, const N: usize> {
-    flight: &'f mut Flight<'a, N>,
+    stepper: &'f mut Stepper<'a, N>,
 }
 
 impl<const N: usize> Kernel for Misfits<'_, '_, N> {
@@ -227,7 +227,7 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
 
     #[inline(always)]
     fn run(self) -> [f64; N] {
-        let Flight { expander, block, scratch, surroundings, next, effort, .. } = self.flight;
+        let Stepper { expander, block, scratch, surroundings, next, effort, .. } = self.stepper;
         scratch.start = block.end;
         for (number, ends) in next.iter().enumerate() {
             let row = scratch.row(number);

@@ -2,7 +2,7 @@
 
 use libration::systems::Model;
 use libration::taylor::{
-    Checkpoint, Departure, Effort, Event, IntegrationError, Moment, Solution, System, follow,
+    Checkpoint, Effort, Event, IntegrationError, Moment, Solution, Start, System, integrate_from,
 };
 use std::ops::ControlFlow;
 
@@ -21,23 +21,18 @@ fn system(equation: &str) -> System {
     System::new(&equation.parse().unwrap()).unwrap().with_events(&events).unwrap()
 }
 
-fn run(
-    system: &System,
-    departure: &Departure,
-    times: &[f64],
-    tolerance: f64,
-) -> (Solution, Vec<Checkpoint>, usize) {
+fn run(system: &System, start: &Start, times: &[f64], tolerance: f64) -> (Solution, Vec<Checkpoint>, usize) {
     let (mut checkpoints, mut steps) = (vec![], 0);
-    let outcome = follow(system, departure, times, &Effort::to_tolerance(tolerance), |leg| {
-        checkpoints.extend(leg.checkpoint());
+    let outcome = integrate_from(system, start, times, &Effort::to_tolerance(tolerance), |step| {
+        checkpoints.extend(step.checkpoint());
         steps += 1;
         ControlFlow::Continue(())
     });
     (outcome.unwrap(), checkpoints, steps)
 }
 
-fn at(state: &[f64]) -> Departure {
-    Departure::At(Moment { time: 0.0, state: state.to_vec() })
+fn at(state: &[f64]) -> Start {
+    Start::State(Moment { time: 0.0, state: state.to_vec() })
 }
 
 #[test]
@@ -52,7 +47,7 @@ fn from_every_step_the_motion_goes_on_as_it_did() {
                 let time = checkpoint.time;
                 let later = |other: f64| other.abs() > time.abs();
                 let rest: Vec<f64> = times.iter().copied().filter(|&time| later(time)).collect();
-                let (resumed, ..) = run(&system, &Departure::From(checkpoint), &rest, tolerance);
+                let (resumed, ..) = run(&system, &Start::Checkpoint(checkpoint), &rest, tolerance);
                 let samples = &whole.samples[times.len() - rest.len()..];
                 assert_eq!(resumed.samples, samples, "{equation} from {time}");
                 assert_eq!(
@@ -83,7 +78,7 @@ fn assert_same_from_nearer_goals(equation: &str, start: &[f64]) {
     let (whole, ..) = run(&system, &at(start), &[20.0], 1e-12);
     for nearer in [0.01, 0.3, 4.0, 7.7, 19.99] {
         let (_, checkpoints, _) = run(&system, &at(start), &[nearer], 1e-12);
-        let from = checkpoints.last().cloned().map_or(at(start), Departure::From);
+        let from = checkpoints.last().cloned().map_or(at(start), Start::Checkpoint);
         let (resumed, ..) = run(&system, &from, &[20.0], 1e-12);
         assert_eq!((resumed.end, resumed.steps), (whole.end.clone(), whole.steps), "{equation} at {nearer}");
     }
@@ -103,8 +98,8 @@ fn a_checkpoint_of_another_system_is_refused() {
     let (_, mut checkpoints, _) = run(&system(equation), &at(start), &[5.0], 1e-9);
     let good = checkpoints.remove(0);
     let refused = |checkpoint: Checkpoint, equation: &str| {
-        let departure = Departure::From(checkpoint);
-        let outcome = follow(&system(equation), &departure, &[9.0], &Effort::to_tolerance(1e-9), |_| {
+        let start = Start::Checkpoint(checkpoint);
+        let outcome = integrate_from(&system(equation), &start, &[9.0], &Effort::to_tolerance(1e-9), |_| {
             ControlFlow::Continue(())
         });
         assert_eq!(outcome, Err(IntegrationError::OtherCheckpoint));

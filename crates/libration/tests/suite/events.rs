@@ -4,8 +4,8 @@ use crate::random::Random;
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::taylor::{
-    Cause, Contact, Direction, Effort, Event, IntegrationError, Launch, Moment, Solution, System, integrate,
-    integrate_many,
+    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, System, Trajectory,
+    integrate, integrate_many,
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -237,14 +237,14 @@ fn many_motions_side_by_side_are_bit_for_bit_those_alone() {
         let system = System::with_parameters(&equation, &["a", "c"]).unwrap().with_events(&[event]).unwrap();
         let times: Vec<f64> = (0..30).map(|n| 5.0 + 1.3 * f64::from(n)).collect();
         let starts = orbits(count);
-        let launches: Vec<Launch<'_>> = (0_u8..)
+        let trajectories: Vec<Trajectory<'_>> = (0_u8..)
             .zip(&starts)
             .map(|(n, start)| {
                 let mut state = start.state[..1].to_vec();
                 state.resize(system.coordinates(), 0.4);
                 state.push(start.state[1]);
                 state.resize(2 * system.coordinates(), -0.1);
-                Launch {
+                Trajectory {
                     start: Moment { time: start.time, state },
                     parameters: vec![0.04 * f64::from(n), 0.5 / (1.0 + f64::from(n))],
                     times: &times[..10 + usize::from(n) % 20],
@@ -252,9 +252,9 @@ fn many_motions_side_by_side_are_bit_for_bit_those_alone() {
             })
             .collect();
         let effort = Effort { most_steps: 3000, ..Effort::to_tolerance(1e-11) };
-        let together = integrate_many(&system, &launches, &effort, |_, _| ControlFlow::Continue(()));
-        for (launch, together) in launches.iter().zip(together) {
-            let alone = launch.integrate(&system, &effort, |_| ControlFlow::Continue(()));
+        let together = integrate_many(&system, &trajectories, &effort, |_, _| ControlFlow::Continue(()));
+        for (trajectory, together) in trajectories.iter().zip(together) {
+            let alone = trajectory.integrate(&system, &effort, |_| ControlFlow::Continue(()));
             assert_eq!(together, alone);
         }
     }
@@ -268,17 +268,17 @@ fn equation_variable(equation: &libration::expression::Equation) -> &str {
 fn interrupting_many_motions_keeps_what_is_done() {
     let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
     let times = [1.0, 100.0];
-    let launches: Vec<Launch<'_>> =
-        orbits(20).into_iter().map(|start| Launch { start, parameters: vec![], times: &times }).collect();
-    let launches: Vec<Launch<'_>> = launches
+    let trajectories: Vec<Trajectory<'_>> =
+        orbits(20).into_iter().map(|start| Trajectory { start, parameters: vec![], times: &times }).collect();
+    let trajectories: Vec<Trajectory<'_>> = trajectories
         .into_iter()
-        .map(|mut launch| {
-            launch.start.time = 0.0;
-            launch
+        .map(|mut trajectory| {
+            trajectory.start.time = 0.0;
+            trajectory
         })
         .collect();
     let mut steps = 0;
-    let outcomes = integrate_many(&system, &launches, &Effort::to_tolerance(1e-9), |_, _| {
+    let outcomes = integrate_many(&system, &trajectories, &Effort::to_tolerance(1e-9), |_, _| {
         steps += 1;
         if steps > 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });

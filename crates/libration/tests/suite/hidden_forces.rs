@@ -3,7 +3,7 @@
 //! Each motion is held to its energy, which the integration does not know.
 
 use libration::orbit::Orbit;
-use libration::taylor::{Effort, Launch, Moment, Solution, System, integrate, integrate_many};
+use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate, integrate_many};
 use std::ops::ControlFlow;
 
 fn solve(equation: &str, state: [f64; 2], times: &[f64], tolerance: f64) -> Solution {
@@ -123,12 +123,14 @@ fn motions_against_walls_are_the_same_in_lanes() {
     let times = even_times(60.0);
     let start = |start: f64| Moment { time: 0.0, state: vec![start, 0.0] };
     let starts = [0.1, 5.0, 1.0, 6.0, 10.0, 3.0, 20.0, 4.0, 5.5, 2.0];
-    let launches: Vec<Launch<'_>> =
-        starts.iter().map(|&from| Launch { start: start(from), parameters: vec![], times: &times }).collect();
+    let trajectories: Vec<Trajectory<'_>> = starts
+        .iter()
+        .map(|&from| Trajectory { start: start(from), parameters: vec![], times: &times })
+        .collect();
     let effort = Effort::to_tolerance(1e-12);
-    let many = integrate_many(&system, &launches, &effort, |_, _| ControlFlow::Continue(()));
-    for (launch, many) in launches.iter().zip(many) {
-        let one = launch.integrate(&system, &effort, |_| ControlFlow::Continue(())).unwrap();
+    let many = integrate_many(&system, &trajectories, &effort, |_, _| ControlFlow::Continue(()));
+    for (trajectory, many) in trajectories.iter().zip(many) {
+        let one = trajectory.integrate(&system, &effort, |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(many.unwrap(), one);
     }
 }

@@ -12,7 +12,7 @@ use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
 use libration::systems::{Energy, EnergyBalance, Model};
-use libration::taylor::{Cause, Departure, Effort, IntegrationError, Moment, Solution, System, follow};
+use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, Start, System, integrate_from};
 use std::io::Write;
 use std::path::Path;
 
@@ -111,15 +111,15 @@ impl Motion<'_> {
         if let Some(earlier) = &self.earlier {
             earlier.each(|row| watch.earlier(row))?;
         }
-        let departure = match self.mark() {
-            Some(mark) => Departure::From(mark.checkpoint.clone()),
+        let start = match self.mark() {
+            Some(mark) => Start::Checkpoint(mark.checkpoint.clone()),
             None => {
                 watch.start(&self.beginning())?;
-                Departure::At(self.beginning())
+                Start::State(self.beginning())
             }
         };
         let last = [self.times.last()];
-        let outcome = follow(system, &departure, &last, &self.effort, |leg| watch.follow(leg));
+        let outcome = integrate_from(system, &start, &last, &self.effort, |step| watch.follow(step));
         if let Some(failure) = watch.failure.take() {
             return Err(failure);
         }

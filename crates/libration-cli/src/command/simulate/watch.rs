@@ -10,7 +10,7 @@ use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::progress::Progress;
 use libration::systems::EnergyBalance;
-use libration::taylor::{Leg, Moment, Step};
+use libration::taylor::{AcceptedStep, Moment, Step};
 use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
@@ -87,15 +87,15 @@ impl<'a> Watch<'a> {
     }
 
     /// Takes a step, and says whether there should be another.
-    pub(super) fn follow(&mut self, leg: &Leg<'_>) -> ControlFlow<()> {
-        let step = leg.step();
+    pub(super) fn follow(&mut self, taken: &AcceptedStep<'_>) -> ControlFlow<()> {
+        let step = taken.step();
         if let Some(balance) = &mut self.balance {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step);
         }
-        self.failure = self.rows(leg).map_err(Failure::from).and_then(|()| self.mark(leg)).err();
+        self.failure = self.rows(taken).map_err(Failure::from).and_then(|()| self.mark(taken)).err();
         let last = self.last;
         self.progress.show(|| format!("t = {:.6} s of {last} s", step.end()));
         if self.failure.is_some() || interrupt::asked() {
@@ -135,12 +135,12 @@ impl<'a> Watch<'a> {
     }
 
     /// Samples and events of a step in the order of time.
-    fn rows(&mut self, leg: &Leg<'_>) -> io::Result<()> {
-        for event in leg.events() {
-            self.samples(leg.step(), event.time)?;
+    fn rows(&mut self, taken: &AcceptedStep<'_>) -> io::Result<()> {
+        for event in taken.events() {
+            self.samples(taken.step(), event.time)?;
             self.happening(&self.motion.watched.happening(event))?;
         }
-        self.samples(leg.step(), leg.step().end())
+        self.samples(taken.step(), taken.step().end())
     }
 
     /// The samples of a step up to a time.
@@ -154,8 +154,8 @@ impl<'a> Watch<'a> {
     }
 
     /// Remembers the end of a step that may be gone on from.
-    fn mark(&mut self, leg: &Leg<'_>) -> Result<(), Failure> {
-        let Some(checkpoint) = leg.checkpoint() else { return Ok(()) };
+    fn mark(&mut self, taken: &AcceptedStep<'_>) -> Result<(), Failure> {
+        let Some(checkpoint) = taken.checkpoint() else { return Ok(()) };
         let [samples, events] = self.rows;
         let energy = self.balance.as_ref().map(|balance| balance.account().clone());
         let (bytes, checksum) = (self.out.bytes, self.out.checksum.value());

@@ -9,7 +9,6 @@ pub(crate) const REMAINING: &[&str] = &[
     "libration-cli: : arguments command document figure",
     "libration-cli: command/simulate: report run sheet watch",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
-    "libration: taylor: flight trial",
 ];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;

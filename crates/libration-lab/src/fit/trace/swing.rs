@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use super::{DampingTerm, DampingTerms};
 use libration::expression::{Equation, Expression, Symbol};
 use libration::taylor::{
-    Contact, Direction, Effort, Event, Launch, Moment, Solution, System, with_sensitivities,
+    Contact, Direction, Effort, Event, Moment, Solution, System, Trajectory, with_sensitivities,
 };
 
 /// Pendulums with these kinds of damping.
@@ -56,10 +56,10 @@ impl Swing {
             if moments.len() == times.len() {
                 break;
             }
-            let launch =
-                Launch { start: moment, parameters: parameters.clone(), times: &times[moments.len()..] };
+            let trajectory =
+                Trajectory { start: moment, parameters: parameters.clone(), times: &times[moments.len()..] };
             let Solution { samples, end, events, .. } =
-                launch.integrate(&self.system, &EFFORT, |_| ControlFlow::Continue(())).ok()?;
+                trajectory.integrate(&self.system, &EFFORT, |_| ControlFlow::Continue(())).ok()?;
             moments.extend(samples);
             moment = end;
             let turn =
@@ -135,8 +135,9 @@ pub(super) fn turning_point(
     let system = System::with_parameters(&equation(terms), &names).expect("all parameters are open");
     let parameters = [omega0 * omega0].iter().chain(coefficients).copied().collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
-    let launch = Launch { start, parameters, times: &[longest] };
-    let solution = launch.integrate(&until_it_turns(system), &EFFORT, |_| ControlFlow::Continue(())).ok()?;
+    let trajectory = Trajectory { start, parameters, times: &[longest] };
+    let solution =
+        trajectory.integrate(&until_it_turns(system), &EFFORT, |_| ControlFlow::Continue(())).ok()?;
     solution.events.first().map(|turn| [turn.time, turn.state[0]])
 }
 

@@ -1,45 +1,45 @@
-//! An integration that can be gone on from: what each step brings.
+//! An integration that can be resumed: what each step brings.
 
 use std::ops::ControlFlow;
 
-use super::fleet::{Arrived, Fleet};
-use super::{Checkpoint, Effort, IntegrationError, Launch, Moment, Occurrence, Solution, Step, System};
+use super::batch::{Batch, LaneStep};
+use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Step, System, Trajectory};
 
 /// Where an integration begins.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Departure {
+pub enum Start {
     /// In a state.
-    At(Moment),
+    State(Moment),
     /// Where an earlier one was at the start of one of its steps.
-    From(Checkpoint),
+    Checkpoint(Checkpoint),
 }
 
 /// A step of an integration with what was found in it.
 #[derive(Clone, Copy, Debug)]
-pub struct Leg<'a> {
-    arrived: Arrived<'a, 1>,
+pub struct AcceptedStep<'a> {
+    taken: LaneStep<'a, 1>,
 }
 
-impl<'a> Leg<'a> {
+impl<'a> AcceptedStep<'a> {
     /// The step.
     #[must_use]
     pub fn step(&self) -> &Step<'a> {
-        &self.arrived.step
+        &self.taken.step
     }
 
     /// The events in it, in their order.
     #[must_use]
     pub fn events(&self) -> &'a [Occurrence] {
-        self.arrived.record.new_events()
+        self.taken.solution.new_events()
     }
 
     /// Its end, to be gone on from; `None` when this or an earlier step ended only because the last of the times is so near,
     /// and on the way to later times would have ended elsewhere.
     #[must_use]
     pub fn checkpoint(&self) -> Option<Checkpoint> {
-        let Arrived { flight, record, lane, .. } = self.arrived;
-        let checkpoint = flight.checkpoint(lane)?;
-        Some(Checkpoint { events: record.checkpoints(), steps: record.steps(), ..checkpoint })
+        let LaneStep { stepper, solution, lane, .. } = self.taken;
+        let checkpoint = stepper.checkpoint(lane)?;
+        Some(Checkpoint { events: solution.checkpoints(), steps: solution.steps(), ..checkpoint })
     }
 }
 
@@ -51,31 +51,31 @@ impl<'a> Leg<'a> {
 ///
 /// # Examples
 /// ```
-/// use libration::taylor::{Departure, Effort, Moment, System, follow};
+/// use libration::taylor::{Start, Effort, Moment, System, integrate_from};
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;
-/// let start = Departure::At(Moment { time: 0.0, state: vec![1.0, 0.0] });
+/// let start = Start::State(Moment { time: 0.0, state: vec![1.0, 0.0] });
 /// let effort = Effort::to_tolerance(1e-12);
 /// let mut last = None;
-/// follow(&system, &start, &[10.0], &effort, |leg| {
-///     last = leg.checkpoint().or(last.take());
+/// integrate_from(&system, &start, &[10.0], &effort, |step| {
+///     last = step.checkpoint().or(last.take());
 ///     ControlFlow::Continue(())
 /// })?;
-/// let farther = follow(&system, &Departure::From(last.unwrap()), &[20.0], &effort, |_| ControlFlow::Continue(()))?;
-/// let whole = follow(&system, &start, &[20.0], &effort, |_| ControlFlow::Continue(()))?;
-/// assert_eq!(farther.end, whole.end);
+/// let resumed = integrate_from(&system, &Start::Checkpoint(last.unwrap()), &[20.0], &effort, |_| ControlFlow::Continue(()))?;
+/// let whole = integrate_from(&system, &start, &[20.0], &effort, |_| ControlFlow::Continue(()))?;
+/// assert_eq!(resumed.end, whole.end);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn follow(
+pub fn integrate_from(
     system: &System,
-    departure: &Departure,
+    start: &Start,
     times: &[f64],
     effort: &Effort,
-    mut watch: impl FnMut(&Leg<'_>) -> ControlFlow<()>,
+    mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
-    let (start, checkpoint) = match departure {
-        Departure::At(start) => (start.clone(), None),
-        Departure::From(checkpoint) => {
+    let (start, checkpoint) = match start {
+        Start::State(moment) => (moment.clone(), None),
+        Start::Checkpoint(checkpoint) => {
             let start = Moment { time: checkpoint.time, state: checkpoint.rounded_state() };
             (start, Some(checkpoint))
         }
@@ -83,9 +83,9 @@ pub fn follow(
     if checkpoint.is_some_and(|checkpoint| !checkpoint.fits(system)) {
         return Err(IntegrationError::OtherCheckpoint);
     }
-    let launch = Launch { start, parameters: vec![], times };
-    let mut fleet = Fleet::<1>::new(system, effort).going_on_from(checkpoint);
+    let trajectory = Trajectory { start, parameters: vec![], times };
+    let mut batch = Batch::<1>::new(system, effort).resumed_from(checkpoint);
     let outcomes =
-        fleet.travel(std::slice::from_ref(&launch), |_, arrived| watch(&Leg { arrived: *arrived }));
+        batch.integrate(std::slice::from_ref(&trajectory), |_, taken| watch(&AcceptedStep { taken: *taken }));
     outcomes.into_iter().next().expect("one motion has one outcome")
 }

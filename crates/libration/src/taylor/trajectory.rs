@@ -1,12 +1,12 @@
-//! One of many motions.
+//! What is asked of an integration: an initial state, parameters, times.
 
 use super::solution::Moment;
 use super::{IntegrationError, System};
 
-/// One of many motions: where it begins, the values of the open parameters, and the times at which it is asked for.
+/// One trajectory of a batch: its initial state, the values of the open parameters, and the times at which it is asked for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Launch<'a> {
-    /// The beginning.
+pub struct Trajectory<'a> {
+    /// The initial state.
     pub start: Moment,
     /// The values of [`System::parameters`].
     pub parameters: Vec<f64>,
@@ -14,7 +14,7 @@ pub struct Launch<'a> {
     pub times: &'a [f64],
 }
 
-impl Launch<'_> {
+impl Trajectory<'_> {
     pub(super) fn check(&self, system: &System) -> Result<(), IntegrationError> {
         let Self { start, parameters, times } = self;
         let (got, wanted) = (start.state.len(), 2 * system.coordinates());

@@ -1,10 +1,10 @@
-//! A step that is kept when the integration has gone on.
+//! A step that outlives the integration.
 
 use super::Step;
 
-/// A step with numbers of its own.
+/// A step of an integration with numbers of its own.
 #[derive(Clone, Debug)]
-pub struct KeptStep {
+pub struct OwnedStep {
     start: f64,
     end: f64,
     unit: f64,
@@ -14,12 +14,12 @@ pub struct KeptStep {
 }
 
 impl Step<'_> {
-    /// The step to be kept.
+    /// The step with numbers of its own, which outlives the integration.
     #[must_use]
-    pub fn kept(&self) -> KeptStep {
+    pub fn to_owned_step(&self) -> OwnedStep {
         let numbers = 0..self.numbers();
         let series = numbers.clone().flat_map(|number| (0..self.terms).map(move |n| (number, n)));
-        KeptStep {
+        OwnedStep {
             start: self.start,
             end: self.end,
             unit: self.unit,
@@ -30,7 +30,7 @@ impl Step<'_> {
     }
 }
 
-impl KeptStep {
+impl OwnedStep {
     /// A step that was found elsewhere: coordinate and velocity in powers of the time in a unit, as many terms of each.
     pub(crate) fn new(start: f64, end: f64, unit: f64, series: [Vec<f64>; 2]) -> Self {
         let terms = series[0].len();
@@ -59,15 +59,15 @@ mod tests {
     use std::ops::ControlFlow;
 
     #[test]
-    fn a_kept_step_is_the_step_bit_for_bit() {
+    fn an_owned_step_is_the_step_bit_for_bit() {
         let system = System::new(&"x'' = -sin(x) - y; y'' = x - y^3".parse().unwrap()).unwrap();
         let start = Moment { time: 0.0, state: vec![1.0, 0.3, 0.0, -0.2] };
         let mut steps = 0;
         integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-15), |step| {
-            let kept = step.kept();
+            let owned = step.to_owned_step();
             for part in [0.0, 0.3, 1.0] {
                 let time = step.start() + part * (step.end() - step.start());
-                assert_eq!(step.state_at(time), kept.step().state_at(time));
+                assert_eq!(step.state_at(time), owned.step().state_at(time));
             }
             steps += 1;
             ControlFlow::Continue(())

@@ -1,31 +1,31 @@
-//! What is known of one motion.
+//! The solution of one trajectory while it is computed.
 
 use super::contacts::{Contacts, Stretch};
 use super::sharp::Part;
 use super::{
-    Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Launch, Moment, Occurrence,
-    Solution, Step, System,
+    Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Moment, Occurrence, Solution,
+    Step, System, Trajectory,
 };
 
 /// Samples and events of a motion, as far as it came.
 #[derive(Debug)]
-pub(super) struct Record<'a> {
+pub(super) struct PartialSolution<'a> {
     pub(super) number: usize,
     system: &'a System,
-    launch: &'a Launch<'a>,
+    trajectory: &'a Trajectory<'a>,
     samples: Vec<Moment>,
     events: Vec<Occurrence>,
     /// How many events were known before the last step.
-    told: usize,
+    events_before: usize,
     contacts: Vec<Contacts>,
     steps: usize,
 }
 
-impl<'a> Record<'a> {
-    pub(super) fn new(number: usize, launch: &'a Launch<'a>, system: &'a System) -> Self {
-        let samples = Vec::with_capacity(launch.times.len());
+impl<'a> PartialSolution<'a> {
+    pub(super) fn new(number: usize, trajectory: &'a Trajectory<'a>, system: &'a System) -> Self {
+        let samples = Vec::with_capacity(trajectory.times.len());
         let contacts = vec![Contacts::NONE; system.events().len()];
-        Self { number, system, launch, samples, events: vec![], told: 0, contacts, steps: 0 }
+        Self { number, system, trajectory, samples, events: vec![], events_before: 0, contacts, steps: 0 }
     }
 
     /// Goes on with what was known of the events at a checkpoint.
@@ -36,17 +36,17 @@ impl<'a> Record<'a> {
 
     /// What is known of the events.
     pub(super) fn checkpoints(&self) -> Vec<EventCheckpoint> {
-        self.contacts.iter().map(EventCheckpoint::of).collect()
+        self.contacts.iter().map(EventCheckpoint::from_contacts).collect()
     }
 
     /// The events in the last step.
     pub(super) fn new_events(&self) -> &[Occurrence] {
-        &self.events[self.told..]
+        &self.events[self.events_before..]
     }
 
     /// Whether numbers are too large for double precision where it is.
     pub(super) fn overflows(&self, moment: &Moment) -> bool {
-        let inputs = [&moment.state[..], &[moment.time], &self.launch.parameters].concat();
+        let inputs = [&moment.state[..], &[moment.time], &self.trajectory.parameters].concat();
         self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
     }
 
@@ -56,14 +56,14 @@ impl<'a> Record<'a> {
 
     /// The samples that need no step.
     pub(super) fn sample_start(&mut self) {
-        let start = &self.launch.start;
-        let here = self.launch.times.iter().take_while(|&&time| (time - start.time).abs() == 0.0);
+        let start = &self.trajectory.start;
+        let here = self.trajectory.times.iter().take_while(|&&time| (time - start.time).abs() == 0.0);
         self.samples.extend(here.map(|_| start.clone()));
     }
 
     /// The time of the last sample, while there are samples to come.
     pub(super) fn goal(&self) -> Option<f64> {
-        let times = self.launch.times;
+        let times = self.trajectory.times;
         if self.samples.len() < times.len() { times.last().copied() } else { None }
     }
 
@@ -79,11 +79,11 @@ impl<'a> Record<'a> {
         tolerance: f64,
     ) -> Option<Moment> {
         self.steps += 1;
-        self.told = self.events.len();
+        self.events_before = self.events.len();
         let terminal = self.find_events(step, formula, tolerance);
         let last = terminal.as_ref().map_or(step.end(), |end| end.time);
         let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };
-        let times = &self.launch.times[self.samples.len()..];
+        let times = &self.trajectory.times[self.samples.len()..];
         let times = times.iter().copied().take_while(|&time| inside(time));
         self.samples.extend(times.map(|time| Moment { time, state: step.state_at(time) }));
         terminal
@@ -100,12 +100,12 @@ impl<'a> Record<'a> {
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
             let whole = || Part { start: step.start(), length, coefficients: formula(event) };
             let parts = match self.system.sharp(event) {
-                Some(sharp) => sharp.parts(step, &self.launch.parameters),
+                Some(sharp) => sharp.parts(step, &self.trajectory.parameters),
                 None => vec![whole()],
             };
             for Part { start, length, coefficients } in parts {
                 let stretch = Stretch { coefficients: &coefficients, start, length, tolerance };
-                let all = contacts.found(&stretch).into_iter();
+                let all = contacts.zeros_in(&stretch).into_iter();
                 let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
                 found.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }
@@ -121,11 +121,11 @@ impl<'a> Record<'a> {
         None
     }
 
-    pub(super) fn solution(self, end: Moment) -> Solution {
+    pub(super) fn finished(self, end: Moment) -> Solution {
         Solution { samples: self.samples, events: self.events, end, steps: self.steps }
     }
 
     pub(super) fn stopped(self, cause: Cause, end: Moment) -> Result<Solution, IntegrationError> {
-        Err(IntegrationError::Stopped { cause, solution: Box::new(self.solution(end)) })
+        Err(IntegrationError::Stopped { cause, solution: Box::new(self.finished(end)) })
     }
 }
