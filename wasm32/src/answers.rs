@@ -1,7 +1,6 @@
 //! Questions to every part of the mathematics and to the pictures, with answers as numbers.
 
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use libration::elliptic::Modulus;
 use libration::oscillator::Oscillator;
@@ -119,8 +118,7 @@ fn integration() -> Result<Vec<f64>, Failure> {
     let system = System::new(&"theta'' + 0.2 theta' + sin(theta) = 0.7*cos(2*t/3)".parse()?)?;
     let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
     let times: Vec<f64> = (1..=300).map(|n| f64::from(n) / 6.0).collect();
-    let solution =
-        integrate(&system, &start, &times, &Effort::to_tolerance(1e-14), |_| ControlFlow::Continue(()))?;
+    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-14))?;
     Ok(solution.samples.into_iter().flat_map(|sample| sample.state).collect())
 }
 

@@ -5,7 +5,6 @@ mod requests;
 
 use libration::taylor::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 use requests::{Answer, Failure, Request, serve, timed};
-use std::ops::ControlFlow;
 
 fn main() -> Result<(), Failure> {
     serve(answer)
@@ -28,8 +27,8 @@ fn motions(system: &System, request: &Request) -> Result<Vec<Solution>, Integrat
     let trajectory = |state| Trajectory { start: start(state), parameters: vec![], times: &times };
     let trajectories: Vec<Trajectory<'_>> = request.starts.iter().map(trajectory).collect();
     match &trajectories[..] {
-        [one] => Ok(vec![one.integrate(system, &effort, |_| ControlFlow::Continue(()))?]),
-        many => integrate_many(system, many, &effort, |_, _| ControlFlow::Continue(())).into_iter().collect(),
+        [one] => Ok(vec![one.integrate(system, &effort)?]),
+        many => integrate_many(system, many, &effort).into_iter().collect(),
     }
 }
 

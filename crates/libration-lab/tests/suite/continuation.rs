@@ -30,7 +30,7 @@ fn truth(swing: &Synthetic, until: f64) -> Vec<[f64; 2]> {
     let system = System::new(&equation.parse().unwrap()).unwrap().with_events(&[turn]).unwrap();
     let start = Moment { time: 0.0, state: vec![swing.amplitude, swing.velocity] };
     let effort = Effort::to_tolerance(1e-12);
-    let motion = integrate(&system, &start, &[until], &effort, |_| ControlFlow::Continue(())).unwrap();
+    let motion = integrate(&system, &start, &[until], &effort).unwrap();
     motion.events.iter().map(|event| [event.time, event.state[0].abs()]).collect()
 }
 

@@ -1,7 +1,5 @@
 //! Times of a photogate with known truth: edges by the integrator, jittered, some missing, some twice.
 
-use std::ops::ControlFlow;
-
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 use libration_lab::fit::gates::{
@@ -35,7 +33,7 @@ fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     let system = system.with_events(&[event(low), event(high)]).unwrap();
     let start = Moment { time: 0.0, state: vec![RELEASE, 0.0] };
     let effort = Effort::to_tolerance(1e-12);
-    let motion = integrate(&system, &start, &[60.0], &effort, |_| ControlFlow::Continue(())).unwrap();
+    let motion = integrate(&system, &start, &[60.0], &effort).unwrap();
     let mut random = Random::seeded(7);
     let mut edge = |time: f64, which: usize, velocity: f64| {
         // Moving down the upper edge comes first.

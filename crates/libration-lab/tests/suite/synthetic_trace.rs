@@ -1,7 +1,5 @@
 //! Traces of damped pendulums with known truth, as an instrument would give them.
 
-use std::ops::ControlFlow;
-
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::measurement::{Seen, Trace};
 
@@ -60,7 +58,7 @@ impl Synthetic {
         let times: Vec<f64> = (0..self.rows).map(|row| 0.0137 + self.step * f64::from(row)).collect();
         let start = Moment { time: 0.0, state: vec![self.amplitude, self.velocity] };
         let effort = Effort::to_tolerance(1e-12);
-        let solution = integrate(&system, &start, &times, &effort, |_| ControlFlow::Continue(())).unwrap();
+        let solution = integrate(&system, &start, &times, &effort).unwrap();
         let place = usize::from(self.seen == Seen::AngularVelocity);
         let seen = |state: &[f64]| {
             let value = state[place] + self.offset + self.noise * normal(random);

@@ -99,7 +99,7 @@ impl Truth {
         let times: Vec<f64> = all.filter(|_| random.between(0.0, 1.0) >= self.lost).collect();
         let start = Moment { time: 0.0, state: self.state.to_vec() };
         let effort = Effort::to_tolerance(1e-13);
-        let motion = integrate(&system, &start, &times, &effort, |_| ControlFlow::Continue(())).unwrap();
+        let motion = integrate(&system, &start, &times, &effort).unwrap();
         let number = if self.seen == Seen::Angle { 0 } else { 1 };
         let seen = |moment: &Moment| {
             let value = moment.state[number] + self.offset + self.noise * random.normal();

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::section::{Ending, PoincareSection, Points, Section, SectionError, flashes, section};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, EquationError, Expression};
-use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many};
+use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_watched};
 
 /// Equations with one parameter that is varied, and what is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +141,7 @@ impl Family<'_> {
             .map(|(&value, times)| Trajectory { start: start.clone(), parameters: vec![value], times })
             .collect();
         let mut done = 0;
-        let outcomes = integrate_many(&system, &trajectories, effort, |number, step| {
+        let outcomes = integrate_many_watched(&system, &trajectories, effort, |number, step| {
             done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
             watch(done)
         });

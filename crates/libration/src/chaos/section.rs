@@ -7,7 +7,7 @@ use super::drive::drive_period;
 use crate::expression::{Equation, Expression, WithoutValue};
 use crate::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
-    integrate, integrate_from,
+    integrate_from, integrate_watched,
 };
 
 /// When the state of a motion is taken.
@@ -176,7 +176,7 @@ fn stroboscopic(
     watch: &mut dyn FnMut(Taken) -> ControlFlow<()>,
 ) -> Result<PoincareSection, SectionError> {
     let mut taken = 0;
-    let outcome = integrate(system, start, times, effort, |step| {
+    let outcome = integrate_watched(system, start, times, effort, |step| {
         taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
         watch(Taken { points: taken, time: step.end() })
     });

@@ -14,7 +14,7 @@ use crate::expression::{Equation, Expression, Function, Symbol};
 use crate::pendulum::Amplitude;
 use crate::quantity::Angle;
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_watched};
 
 /// Swings of a pendulum with some damping, ω0 = 1.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ impl HalfSwing {
         longest: f64,
     ) -> Result<Option<(f64, f64)>, IntegrationError> {
         let mut turn = None;
-        let outcome = integrate(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
+        let outcome = integrate_watched(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
             turn = self.turn_in(step, frame);
             if turn.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
@@ -171,6 +171,7 @@ fn zero_of_velocity(step: &Step) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::taylor::integrate;
 
     #[test]
     fn the_equation_is_that_of_its_text() {
@@ -184,7 +185,7 @@ mod tests {
         let start = Moment { time: 0.0, state: state.to_vec() };
         let HalfSwing { from_top: Frame { system, .. }, .. } = HalfSwing::new(&damping);
         let velocity = |system: &System| {
-            let end = integrate(system, &start, &[0.01], &EFFORT, |_| ControlFlow::Continue(())).unwrap().end;
+            let end = integrate(system, &start, &[0.01], &EFFORT).unwrap().end;
             end.state[1]
         };
         assert!(velocity(&system).is_finite());

@@ -8,7 +8,7 @@ use super::periodic::Orbit;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_watched};
 use std::ops::ControlFlow;
 
 /// Maxima of the first coordinate that are waited for.
@@ -58,7 +58,7 @@ fn settled(system: &System, start: &[f64]) -> Result<Near, NoOrbit> {
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-12) };
-    let outcome = integrate(system, &start, &[FAR], &effort, |step| {
+    let outcome = integrate_watched(system, &start, &[FAR], &effort, |step| {
         guess = maxima.watch(step).filter(|_| !maxima.vanish());
         if guess.is_some() || maxima.found.len() >= MOST_MAXIMA || maxima.vanish() {
             ControlFlow::Break(())

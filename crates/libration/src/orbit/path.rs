@@ -1,13 +1,16 @@
 //! A motion as the steps of its integration.
 
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::{Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate};
+use crate::taylor::{
+    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_dense,
+    integrate_watched,
+};
 use std::ops::ControlFlow;
 
 /// Steps one behind the other, from a state to a state.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
-    steps: Vec<OwnedStep>,
+    steps: DenseSolution,
     end: f64,
     /// Whether the steps are the first half only, and the second is the same backwards.
     there_and_back: bool,
@@ -16,12 +19,12 @@ pub(super) struct Path {
 impl Path {
     /// Steps from the time zero to the end.
     pub(super) fn of_steps(steps: Vec<OwnedStep>, end: f64) -> Self {
-        Self { steps, end, there_and_back: false }
+        Self { steps: steps.into(), end, there_and_back: false }
     }
 
     /// Steps from the time zero to rest, and then the same way back, to a time.
     pub(super) fn there_and_back(steps: Vec<OwnedStep>, end: f64) -> Self {
-        Self { steps, end, there_and_back: true }
+        Self { steps: steps.into(), end, there_and_back: true }
     }
 
     /// The motion from a moment to a time.
@@ -31,16 +34,12 @@ impl Path {
         end: f64,
         effort: &Effort,
     ) -> Result<Self, IntegrationError> {
-        let mut steps = vec![];
-        integrate(system, start, &[end], effort, |step| {
-            steps.push(step.to_owned_step());
-            ControlFlow::Continue(())
-        })?;
+        let steps = integrate_dense(system, start, end, effort)?;
         Ok(Self { steps, end, there_and_back: false })
     }
 
     pub(super) fn start_time(&self) -> f64 {
-        self.steps.first().map_or(self.end, |kept| kept.step().start())
+        self.steps.span().map_or(self.end, |[start, _]| start)
     }
 
     pub(super) fn end_time(&self) -> f64 {
@@ -49,7 +48,7 @@ impl Path {
 
     /// The states at the ends of all steps.
     pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
-        self.steps.iter().map(|kept| kept.step().state_at(kept.step().end().min(self.end)))
+        self.steps.steps().iter().map(|kept| kept.step().state_at(kept.step().end().min(self.end)))
     }
 
     /// Coordinates, then velocities.
@@ -62,15 +61,13 @@ impl Path {
     }
 
     fn stepped(&self, time: f64) -> Vec<f64> {
-        let place = self.steps.partition_point(|kept| kept.step().end() < time);
-        let kept = self.steps.get(place).or(self.steps.last());
-        kept.map_or_else(Vec::new, |kept| kept.step().state_at(time))
+        self.steps.step_at(time).map_or_else(Vec::new, |step| step.state_at(time))
     }
 
     /// The end of this one is the start of the other.
     pub(super) fn followed_by(self, other: Self) -> Self {
-        let steps = self.steps.into_iter().chain(other.steps).collect();
-        Self { steps, end: other.end, there_and_back: false }
+        let steps = [self.steps.steps(), other.steps.steps()].concat();
+        Self::of_steps(steps, other.end)
     }
 }
 
@@ -89,7 +86,7 @@ pub(super) fn until(
     let (mut at, mut duration) = (start.clone(), first);
     while duration < last {
         let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
-        let outcome = integrate(system, &at, &[start.time + duration], &effort, |step| {
+        let outcome = integrate_watched(system, &at, &[start.time + duration], &effort, |step| {
             steps.push(step.to_owned_step());
             found = happens(step);
             if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

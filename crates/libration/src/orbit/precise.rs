@@ -13,7 +13,6 @@ use crate::elementary::count;
 use crate::expression::{Jet, Tape};
 use crate::roots::{Tolerance, bisect};
 use crate::taylor::{Effort, Moment, OwnedStep, System, integrate};
-use std::ops::ControlFlow;
 
 /// Position and velocity.
 #[derive(Clone, Debug)]
@@ -151,7 +150,7 @@ impl<'a> Motion<'a> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };
-        let solution = integrate(self.system, &start, &[length], &effort, |_| ControlFlow::Continue(()));
+        let solution = integrate(self.system, &start, &[length], &effort);
         let solution = solution.ok()?;
         let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
         let ends = [&series.x, &series.velocity].map(|series| sum_at(series, &elapsed).to_f64());

@@ -3,7 +3,7 @@
 use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
 use crate::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
 use crate::oscillator::{NamedOscillator, Oscillator};
-use crate::taylor::System;
+use crate::taylor::{Moment, StateNameError, System, named_state};
 
 /// Equations of motion with values for their parameters, ready to be integrated.
 ///
@@ -172,6 +172,26 @@ impl Model {
     pub fn state_of_rest(&self) -> Vec<f64> {
         let places = self.coordinates.iter().map(|coordinate| coordinate.rest);
         places.chain(self.coordinates.iter().map(|_| 0.0)).collect()
+    }
+
+    /// A state at the time zero from names and values; numbers that are not named are those of rest.
+    ///
+    /// # Errors
+    /// A name that is none of [`Self::state_names`], or one that is there twice.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::systems::Model;
+    /// use libration::taylor::{Effort, integrate};
+    /// let model = Model::by_key("double_pendulum", &[], &[])?;
+    /// let start = model.start(&[("theta1", 2.0)])?;
+    /// let solution = integrate(&model.system()?, &start, &[10.0], &Effort::to_tolerance(1e-15))?;
+    /// assert!(model.energy()?.drift(&start, &solution.end).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn start(&self, values: &[(&str, f64)]) -> Result<Moment, StateNameError> {
+        let state = named_state(&self.state_names(), self.state_of_rest(), values)?;
+        Ok(Moment { time: 0.0, state })
     }
 
     /// The system to be integrated.

@@ -8,7 +8,7 @@ use super::trajectory::Trajectory;
 use super::{Effort, IntegrationError, Step, System};
 
 /// Integrates a system from a state to the states at some times, which are all after the start or all before it, one
-/// behind the other. `watch` sees each step and may stop the integration.
+/// behind the other.
 ///
 /// # Accuracy
 /// Each step errs by less than the tolerance of [`Effort`]. What becomes of these errors is a matter of the system: the
@@ -22,16 +22,14 @@ use super::{Effort, IntegrationError, Step, System};
 /// followed round its bend in small steps. A singularity that is removable, as that of sin(x)/x, is passed.
 ///
 /// # Errors
-/// A start, times or tolerances that cannot be; a singularity, the step limit, or an interruption, with what was
-/// computed until then.
+/// A start, times or tolerances that cannot be; a singularity or the step limit, with what was computed until then.
 ///
 /// # Examples
 /// ```
-/// use libration::taylor::{Effort, Moment, System, integrate};
-/// use std::ops::ControlFlow;
+/// use libration::taylor::{Effort, System, integrate};
 /// let system = System::new(&"theta'' + 0.1 theta' + sin(theta) = 0".parse()?)?;
-/// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
-/// let solution = integrate(&system, &start, &[1.0, 20.0], &Effort::to_tolerance(1e-15), |_| ControlFlow::Continue(()))?;
+/// let start = system.start(&[("theta", 1.0)])?;
+/// let solution = integrate(&system, &start, &[1.0, 20.0], &Effort::to_tolerance(1e-15))?;
 /// assert!((solution.samples[0].state[0] - 0.6129128065918317).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -40,10 +38,37 @@ pub fn integrate(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+) -> Result<Solution, IntegrationError> {
+    integrate_watched(system, start, times, effort, |_| ControlFlow::Continue(()))
+}
+
+/// Integrates as [`integrate`] does; `watch` sees each step and may stop the integration.
+///
+/// # Errors
+/// As [`integrate`], or an interruption, with what was computed until then.
+///
+/// # Examples
+/// ```
+/// use libration::taylor::{Effort, System, integrate_watched};
+/// use std::ops::ControlFlow;
+/// let system = System::new(&"x'' + x = 0".parse()?)?;
+/// let start = system.start(&[("x", 1.0)])?;
+/// // Until x is negative for the first time.
+/// let stopped = integrate_watched(&system, &start, &[100.0], &Effort::to_tolerance(1e-12), |step| {
+///     if step.state_at(step.end())[0] < 0.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+/// });
+/// assert!(stopped.is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn integrate_watched(
+    system: &System,
+    start: &Moment,
+    times: &[f64],
+    effort: &Effort,
+    watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
     let trajectory = Trajectory { start: start.clone(), parameters: vec![], times };
-    trajectory.integrate(system, effort, |step| watch(step))
+    trajectory.integrate_watched(system, effort, watch)
 }
 
 impl Trajectory<'_> {
@@ -51,7 +76,15 @@ impl Trajectory<'_> {
     ///
     /// # Errors
     /// As [`integrate`], or parameters that do not fit the system.
-    pub fn integrate(
+    pub fn integrate(&self, system: &System, effort: &Effort) -> Result<Solution, IntegrationError> {
+        self.integrate_watched(system, effort, |_| ControlFlow::Continue(()))
+    }
+
+    /// The motion from here, as [`integrate_watched`] gives it.
+    ///
+    /// # Errors
+    /// As [`integrate_watched`], or parameters that do not fit the system.
+    pub fn integrate_watched(
         &self,
         system: &System,
         effort: &Effort,
@@ -64,12 +97,23 @@ impl Trajectory<'_> {
 }
 
 /// Integrates many motions of a system, several of them side by side in the lanes of vector registers. Each is bit for bit
-/// the one that [`Trajectory::integrate`] gives. `watch` sees the steps of all motions, with their numbers, and may stop
-/// them all.
+/// the one that [`Trajectory::integrate`] gives.
 ///
 /// # Errors
 /// Each motion has its own, as [`integrate`].
 pub fn integrate_many(
+    system: &System,
+    trajectories: &[Trajectory<'_>],
+    effort: &Effort,
+) -> Vec<Result<Solution, IntegrationError>> {
+    integrate_many_watched(system, trajectories, effort, |_, _| ControlFlow::Continue(()))
+}
+
+/// Integrates as [`integrate_many`] does; `watch` sees the steps of all motions, with their numbers, and may stop them all.
+///
+/// # Errors
+/// Each motion has its own, as [`integrate_watched`].
+pub fn integrate_many_watched(
     system: &System,
     trajectories: &[Trajectory<'_>],
     effort: &Effort,

@@ -2,6 +2,22 @@
 //!
 //! The series of all coordinates come from the tape of the accelerations, one power of the time after the other. Each
 //! step is a polynomial that gives the state at every time inside it.
+//!
+//! ```
+//! use libration::taylor::{Effort, Event, System, integrate, integrate_dense};
+//!
+//! // A damped pendulum from 2 rad: the states at two times, and when it passes the bottom.
+//! let bottom = Event::zero_of("theta".parse()?);
+//! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?.with_events(&[bottom])?;
+//! let start = system.start(&[("theta", 2.0)])?;
+//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15))?;
+//! assert_eq!((solution.samples.len(), solution.events.len()), (2, 3));
+//!
+//! // The same motion at every time.
+//! let motion = integrate_dense(&system, &start, 10.0, &Effort::to_tolerance(1e-15))?;
+//! assert_eq!(motion.state_at(5.0).as_ref(), Some(&solution.samples[0].state));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod error;
 mod event;
@@ -15,6 +31,7 @@ mod block;
 mod ends;
 mod program;
 mod solution;
+mod state_names;
 mod trajectory;
 
 mod boundary;
@@ -39,6 +56,7 @@ mod batch;
 mod partial_solution;
 
 mod accepted_step;
+mod dense_solution;
 mod integrate;
 
 #[cfg(test)]
@@ -46,13 +64,17 @@ mod tests;
 
 pub use accepted_step::{AcceptedStep, Start, integrate_from};
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
+pub use dense_solution::{DenseSolution, integrate_dense};
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
-pub use integrate::{integrate, integrate_many};
+pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
 pub use owned_step::OwnedStep;
 pub use solution::{Moment, Solution};
+pub use state_names::StateNameError;
 pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
 pub use tangent::{with_sensitivities, with_tangents};
 pub use trajectory::Trajectory;
+
+pub(crate) use state_names::named_state;

@@ -1,8 +1,9 @@
 //! Equations of motion in first-order form.
 
-use super::Event;
 use super::moduli::Moduli;
 use super::sharp::SharpFormula;
+use super::state_names::named_state;
+use super::{Event, Moment, StateNameError};
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 
 /// Equations of motion whose state is all coordinates, then all velocities, in the order of the equations.
@@ -85,6 +86,24 @@ impl System {
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
         state(&self.variables).iter().map(ToString::to_string).collect()
+    }
+
+    /// A state at the time zero from names and values, as `theta` and `theta'`; numbers that are not named are zero.
+    ///
+    /// # Errors
+    /// A name that is none of [`Self::state_names`], or one that is there twice.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::taylor::System;
+    /// let system = System::new(&"x'' = y - x; y'' = x - y".parse()?)?;
+    /// assert_eq!(system.start(&[("y", 2.0), ("x'", -1.0)])?.state, [0.0, 2.0, -1.0, 0.0]);
+    /// assert!(system.start(&[("z", 1.0)]).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn start(&self, values: &[(&str, f64)]) -> Result<Moment, StateNameError> {
+        let rest = vec![0.0; 2 * self.coordinates()];
+        Ok(Moment { time: 0.0, state: named_state(&self.state_names(), rest, values)? })
     }
 
     /// How many coordinates there are, and how many velocities.

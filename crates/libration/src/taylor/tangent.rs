@@ -81,15 +81,11 @@ fn total_differential(
 mod tests {
     use super::*;
     use crate::taylor::{Effort, Moment, System, integrate};
-    use std::ops::ControlFlow;
 
     fn end(equation: &Equation, state: &[f64], time: f64) -> Vec<f64> {
         let system = System::new(equation).unwrap();
         let start = Moment { time: 0.0, state: state.to_vec() };
-        integrate(&system, &start, &[time], &Effort::to_tolerance(1e-15), |_| ControlFlow::Continue(()))
-            .unwrap()
-            .end
-            .state
+        integrate(&system, &start, &[time], &Effort::to_tolerance(1e-15)).unwrap().end.state
     }
 
     /// Two coordinates that are coupled through velocities and the time.

@@ -2,12 +2,11 @@
 
 use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
-use std::ops::ControlFlow;
 
 fn attempt(equation: &str, state: [f64; 2], time: f64, tolerance: f64) -> Result<Solution, IntegrationError> {
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(&system, &start, &[time], &Effort::to_tolerance(tolerance), |_| ControlFlow::Continue(()))
+    integrate(&system, &start, &[time], &Effort::to_tolerance(tolerance))
 }
 
 /// Where a motion stops before a singularity.

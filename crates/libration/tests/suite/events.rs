@@ -5,7 +5,7 @@ use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, System, Trajectory,
-    integrate, integrate_many,
+    integrate, integrate_many, integrate_many_watched,
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -22,7 +22,7 @@ fn watched(equation: &str, events: &[(&str, Direction, bool)]) -> System {
 
 fn run(system: &System, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(system, &start, times, &Effort::to_tolerance(tolerance), |_| ControlFlow::Continue(())).unwrap()
+    integrate(system, &start, times, &Effort::to_tolerance(tolerance)).unwrap()
 }
 
 /// Thresholds at 0.999 and 0.999999 of the amplitude, from anywhere on the orbit, for random amplitudes, tolerances and
@@ -252,9 +252,9 @@ fn many_motions_side_by_side_are_bit_for_bit_those_alone() {
             })
             .collect();
         let effort = Effort { most_steps: 3000, ..Effort::to_tolerance(1e-11) };
-        let together = integrate_many(&system, &trajectories, &effort, |_, _| ControlFlow::Continue(()));
+        let together = integrate_many(&system, &trajectories, &effort);
         for (trajectory, together) in trajectories.iter().zip(together) {
-            let alone = trajectory.integrate(&system, &effort, |_| ControlFlow::Continue(()));
+            let alone = trajectory.integrate(&system, &effort);
             assert_eq!(together, alone);
         }
     }
@@ -278,7 +278,7 @@ fn interrupting_many_motions_keeps_what_is_done() {
         })
         .collect();
     let mut steps = 0;
-    let outcomes = integrate_many(&system, &trajectories, &Effort::to_tolerance(1e-9), |_, _| {
+    let outcomes = integrate_many_watched(&system, &trajectories, &Effort::to_tolerance(1e-9), |_, _| {
         steps += 1;
         if steps > 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
@@ -339,8 +339,7 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
         let event = Event { formula: formula.parse().unwrap(), direction: Direction::Any, terminal: false };
         let system = System::new(&"x'' = -x".parse().unwrap()).unwrap().with_events(&[event]).unwrap();
         let start = Moment { time: 0.0, state: vec![5.0, 0.0] };
-        let solution =
-            integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15), |_| ControlFlow::Continue(()));
+        let solution = integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15));
         let found: Vec<f64> = solution.unwrap().events.iter().map(|event| event.time).collect();
         assert_eq!(found.len(), expected.len(), "{formula}: {found:?}");
         for (found, expected) in found.iter().zip(&expected) {

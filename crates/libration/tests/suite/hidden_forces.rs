@@ -4,13 +4,11 @@
 
 use libration::orbit::Orbit;
 use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate, integrate_many};
-use std::ops::ControlFlow;
 
 fn solve(equation: &str, state: [f64; 2], times: &[f64], tolerance: f64) -> Solution {
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(&system, &start, times, &Effort::to_tolerance(tolerance), |_| ControlFlow::Continue(()))
-        .unwrap()
+    integrate(&system, &start, times, &Effort::to_tolerance(tolerance)).unwrap()
 }
 
 fn even_times(end: f64) -> Vec<f64> {
@@ -128,9 +126,9 @@ fn motions_against_walls_are_the_same_in_lanes() {
         .map(|&from| Trajectory { start: start(from), parameters: vec![], times: &times })
         .collect();
     let effort = Effort::to_tolerance(1e-12);
-    let many = integrate_many(&system, &trajectories, &effort, |_, _| ControlFlow::Continue(()));
+    let many = integrate_many(&system, &trajectories, &effort);
     for (trajectory, many) in trajectories.iter().zip(many) {
-        let one = trajectory.integrate(&system, &effort, |_| ControlFlow::Continue(())).unwrap();
+        let one = trajectory.integrate(&system, &effort).unwrap();
         assert_eq!(many.unwrap(), one);
     }
 }

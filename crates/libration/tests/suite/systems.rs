@@ -4,7 +4,7 @@ use crate::golden::{Row, Table};
 use crate::ulp::Truth;
 use libration::expression::Expression;
 use libration::systems::{Model, NamedSystem, NoSuchPendulum};
-use libration::taylor::{Contact, Effort, Event, Moment, integrate};
+use libration::taylor::{Contact, Effort, Event, Moment, integrate, integrate_watched};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -45,12 +45,13 @@ fn end(row: Row) -> (Vec<f64>, Option<f64>) {
     let energy = model.energy().ok();
     let mut balance = energy.as_ref().map(|energy| energy.balance(&start));
     let effort = Effort::to_tolerance(1e-15);
-    let solution = integrate(&model.system().unwrap(), &start, &[row.input("time")], &effort, |step| {
-        if let Some(balance) = &mut balance {
-            balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
-        }
-        ControlFlow::Continue(())
-    });
+    let solution =
+        integrate_watched(&model.system().unwrap(), &start, &[row.input("time")], &effort, |step| {
+            if let Some(balance) = &mut balance {
+                balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+            }
+            ControlFlow::Continue(())
+        });
     (solution.unwrap().end.state, balance.map(|balance| balance.drift()))
 }
 
@@ -101,8 +102,7 @@ fn turning_points_are_those_of_the_table() {
         let system = system.with_events(&[Event::zero_of("theta'".parse().unwrap())]).unwrap();
         let end = samples.last().unwrap().input("time");
         let effort = Effort::to_tolerance(1e-15);
-        let solution =
-            integrate(&system, &start(case), &[end], &effort, |_| ControlFlow::Continue(())).unwrap();
+        let solution = integrate(&system, &start(case), &[end], &effort).unwrap();
         let events: Vec<_> = solution.events.iter().filter(|event| event.contact != Contact::Start).collect();
         assert_eq!(events.len(), turnings.len(), "{}: {:?}", name(case), solution.events);
         for (event, row) in events.iter().zip(&turnings) {
@@ -147,9 +147,7 @@ fn a_driven_pendulum_comes_to_its_attractor() {
     let period = TAU / model.drive_frequency().unwrap();
     let start = Moment { time: 0.0, state: vec![0.7, 0.3] };
     let times = [50.0 * period];
-    let solution = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15), |_| {
-        ControlFlow::Continue(())
-    });
+    let solution = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15));
     let [angle, velocity] = solution.unwrap().end.state.try_into().unwrap();
     let turns = (angle / TAU).round();
     // The time of fifty periods is rounded to 3e-14, the angle to its own ulp.
@@ -173,7 +171,7 @@ fn balanced(equations: &str, state: &[f64], time: f64) -> (f64, f64) {
     let energy = model.energy().unwrap();
     let mut balance = energy.balance(&start);
     let outcome =
-        integrate(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-12), |step| {
+        integrate_watched(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-12), |step| {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
             ControlFlow::Continue(())
         });

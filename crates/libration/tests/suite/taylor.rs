@@ -4,7 +4,9 @@ use crate::golden::{Row, Table};
 use crate::random::Random;
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
-use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
+use libration::taylor::{
+    Cause, Effort, IntegrationError, Moment, Solution, System, integrate, integrate_watched,
+};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
@@ -25,7 +27,7 @@ fn attempt(
     tolerance: f64,
 ) -> Result<Solution, IntegrationError> {
     let effort = Effort::to_tolerance(tolerance);
-    integrate(&system(equation), start, times, &effort, |_| ControlFlow::Continue(()))
+    integrate(&system(equation), start, times, &effort)
 }
 
 fn solve(equation: &str, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
@@ -161,7 +163,7 @@ fn states_inside_a_step_are_as_good_as_its_end() {
 fn the_watch_sees_steps_without_gaps_and_may_stop_them() {
     let mut ends = vec![0.0];
     let effort = Effort::to_tolerance(1e-12);
-    let outcome = integrate(&system(PENDULUM), &from(&[1.0, 0.0]), &[0.1, 50.0], &effort, |step| {
+    let outcome = integrate_watched(&system(PENDULUM), &from(&[1.0, 0.0]), &[0.1, 50.0], &effort, |step| {
         assert_eq!(step.start(), ends[ends.len() - 1]);
         ends.push(step.end());
         if ends.len() > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -220,8 +222,7 @@ fn a_series_that_seems_to_end_is_not_trusted() {
 #[test]
 fn the_number_of_steps_is_limited() {
     let effort = Effort { most_steps: 7, ..Effort::to_tolerance(1e-12) };
-    let outcome =
-        integrate(&system(PENDULUM), &from(&[1.0, 0.0]), &[1e9], &effort, |_| ControlFlow::Continue(()));
+    let outcome = integrate(&system(PENDULUM), &from(&[1.0, 0.0]), &[1e9], &effort);
     let Err(IntegrationError::Stopped { cause: Cause::StepLimit, solution }) = outcome else {
         panic!("{outcome:?}")
     };
@@ -233,7 +234,7 @@ fn an_absolute_tolerance_spares_steps() {
     let steps = |absolute| {
         let effort = Effort { absolute, ..Effort::to_tolerance(1e-12) };
         let start = from(&[1e-9, 0.0]);
-        integrate(&system(PENDULUM), &start, &[100.0], &effort, |_| ControlFlow::Continue(())).unwrap().steps
+        integrate(&system(PENDULUM), &start, &[100.0], &effort).unwrap().steps
     };
     assert!(steps(1e-12) < steps(0.0));
 }
@@ -270,7 +271,7 @@ fn no_start_makes_it_panic_or_hang() {
             let mut number = || random.log_between(-150.0, 150.0) * random.between(-1.0, 1.0).signum();
             let start = Moment { time: number(), state: vec![number(), number()] };
             let effort = Effort { most_steps: 100, ..Effort::to_tolerance(1e-12) };
-            let outcome = integrate(&system, &start, &[number()], &effort, |_| ControlFlow::Continue(()));
+            let outcome = integrate(&system, &start, &[number()], &effort);
             let end = match &outcome {
                 Ok(solution) => &solution.end,
                 Err(IntegrationError::Stopped { solution, .. }) => &solution.end,

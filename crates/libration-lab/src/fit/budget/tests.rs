@@ -1,7 +1,6 @@
 //! The corrections against a pendulum of many point masses, and against integration.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use super::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
 use libration::quantity::Quantity;
@@ -84,9 +83,7 @@ fn period_of(equations: &str, state: &[f64], angle: &str) -> f64 {
     let event = Event { formula: angle.parse().unwrap(), direction: Direction::Rising, terminal: false };
     let system = system.with_events(&[event]).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    let solution =
-        integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-13), |_| ControlFlow::Continue(()))
-            .unwrap();
+    let solution = integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-13)).unwrap();
     solution.events[1].time - solution.events[0].time
 }
 

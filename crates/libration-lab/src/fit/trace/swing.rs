@@ -6,8 +6,6 @@
 //! ∂θ′ is multiplied by a₊/a₋ (M. A. Aizerman and F. R. Gantmakher, Q. J. Mech. Appl. Math. 11, 225 (1958),
 //! doi:10.1093/qjmam/11.2.225).
 
-use std::ops::ControlFlow;
-
 use super::{DampingTerm, DampingTerms};
 use libration::expression::{Equation, Expression, Symbol};
 use libration::taylor::{
@@ -58,8 +56,7 @@ impl Swing {
             }
             let trajectory =
                 Trajectory { start: moment, parameters: parameters.clone(), times: &times[moments.len()..] };
-            let Solution { samples, end, events, .. } =
-                trajectory.integrate(&self.system, &EFFORT, |_| ControlFlow::Continue(())).ok()?;
+            let Solution { samples, end, events, .. } = trajectory.integrate(&self.system, &EFFORT).ok()?;
             moments.extend(samples);
             moment = end;
             let turn =
@@ -136,8 +133,7 @@ pub(super) fn turning_point(
     let parameters = [omega0 * omega0].iter().chain(coefficients).copied().collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let trajectory = Trajectory { start, parameters, times: &[longest] };
-    let solution =
-        trajectory.integrate(&until_it_turns(system), &EFFORT, |_| ControlFlow::Continue(())).ok()?;
+    let solution = trajectory.integrate(&until_it_turns(system), &EFFORT).ok()?;
     solution.events.first().map(|turn| [turn.time, turn.state[0]])
 }
 

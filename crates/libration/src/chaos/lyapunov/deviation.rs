@@ -1,7 +1,5 @@
 //! A small deviation from a motion, carried along by the linearised equations.
 
-use std::ops::ControlFlow;
-
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
 
 /// A motion with a small deviation from it, whose size is set back to one at the beginning of each interval.
@@ -37,7 +35,7 @@ impl<'a> Deviation<'a> {
         self.deviation.iter_mut().for_each(|number| *number /= before);
         let end = self.moment.time + time;
         let start = Moment { time: self.moment.time, state: merged(&self.moment.state, &self.deviation) };
-        let solution = integrate(self.system, &start, &[end], &self.effort, |_| ControlFlow::Continue(()));
+        let solution = integrate(self.system, &start, &[end], &self.effort);
         let mut state = solution.map_err(cause)?.end.state;
         self.deviation = split(&mut state);
         self.moment = Moment { time: end, state };

@@ -8,7 +8,7 @@ use super::deviation::{Deviation, unequal_part};
 use super::verdict::Evidence;
 use super::{Doubt, LyapunovError, Progress, Regularity, Schedule, Verdict};
 use crate::expression::Equation;
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate, with_tangents};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched, with_tangents};
 
 /// What all motions of one question have in common.
 pub(super) struct Laboratory<'a> {
@@ -108,7 +108,9 @@ impl<'a> Laboratory<'a> {
         let mut watch = |intervals| watch(Progress { motion: neighbour, intervals });
         let times = [start.time + self.schedule.transient];
         let settled =
-            integrate(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| watch(0));
+            integrate_watched(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
+                watch(0)
+            });
         match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, &mut watch)) {
             Err(error) => Some(Doubt::Stopped(cause_of(error))),
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
@@ -159,7 +161,7 @@ fn survey(
     extent.include(&start.state);
     let settled = start.time + schedule.transient;
     let end = settled.max(start.time + 10.0 * schedule.interval);
-    let mut solution = integrate(system, start, &[settled, end], effort, |step| {
+    let mut solution = integrate_watched(system, start, &[settled, end], effort, |step| {
         extent.include(&step.state_at(step.end()));
         watch(Progress { motion: 0, intervals: 0 })
     })?;

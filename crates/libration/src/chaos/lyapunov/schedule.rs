@@ -8,7 +8,7 @@ use super::super::extent::Extent;
 use super::super::structure::angles;
 use super::LyapunovError;
 use crate::expression::Equation;
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched};
 
 /// How long a motion is followed, and how often the growth of a deviation is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Res
     let effort = Effort { most_steps: STEPS, ..*effort };
     let mut extent = Extent::new(start.state.len());
     let end = start.time + LONG;
-    let outcome = integrate(&system, start, &[end], &effort, |step| {
+    let outcome = integrate_watched(&system, start, &[end], &effort, |step| {
         extent.include(&step.state_at(step.end()));
         ControlFlow::Continue(())
     });

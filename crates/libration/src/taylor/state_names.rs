@@ -1,0 +1,55 @@
+//! States given by the names of their numbers.
+
+/// A name that is not one of the state.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StateNameError {
+    /// A name that the state does not have.
+    #[error("the state has no `{name}`: its numbers are {}", known.join(", "))]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A name with two values.
+    #[error("{name} is given twice: give it one value")]
+    Twice {
+        /// The name.
+        name: String,
+    },
+}
+
+/// A state with some numbers in the place of others, by their names.
+pub(crate) fn named_state(
+    names: &[String],
+    mut state: Vec<f64>,
+    values: &[(&str, f64)],
+) -> Result<Vec<f64>, StateNameError> {
+    for (number, (name, value)) in values.iter().enumerate() {
+        if values[..number].iter().any(|(earlier, _)| earlier == name) {
+            return Err(StateNameError::Twice { name: (*name).to_owned() });
+        }
+        let unknown = || StateNameError::Unknown { name: (*name).to_owned(), known: names.to_vec() };
+        let place = names.iter().position(|known| known == name).ok_or_else(unknown)?;
+        state[place] = *value;
+    }
+    Ok(state)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_the_state_s_and_come_once() {
+        let names = ["x", "y", "x'", "y'"].map(str::to_owned);
+        let state = |values: &[(&str, f64)]| named_state(&names, vec![0.5, 0.0, 0.0, 0.0], values);
+        assert_eq!(state(&[]), Ok(vec![0.5, 0.0, 0.0, 0.0]));
+        assert_eq!(state(&[("y'", 3.0), ("x", 1.0)]), Ok(vec![1.0, 0.0, 0.0, 3.0]));
+        let unknown = state(&[("x''", 1.0)]).unwrap_err().to_string();
+        assert_eq!(unknown, "the state has no `x''`: its numbers are x, y, x', y'");
+        let twice = state(&[("x", 1.0), ("x", 1.0)]).unwrap_err().to_string();
+        assert_eq!(twice, "x is given twice: give it one value");
+    }
+}
