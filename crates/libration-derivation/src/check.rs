@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use super::evaluate::{Analysis, NoValue, Values, evaluate};
-use super::formula::{Decimal, Formula, Name, Statement, Unit, rounded};
+use super::evaluate::{Analysis, NoEvaluation, Values, evaluate};
+use super::formula::{Decimal, DecimalUnit, Formula, Name, Statement, rounded};
 use super::numbers::Coefficients;
 use super::prose::Prose;
 use super::typeset::statement_latex;
@@ -14,7 +14,7 @@ use libration::series::PowerSeries;
 
 /// A statement that has passed a check.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Equation {
+pub struct CheckedEquation {
     statement: Statement,
     check: Check,
 }
@@ -75,7 +75,7 @@ pub enum Check {
     /// All sides have the same value, in many digits.
     Digits {
         /// Where they were compared.
-        place: Place,
+        place: ComparedAt,
         /// The value at the first of these places.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.
@@ -87,7 +87,7 @@ pub enum Check {
 
 /// Where the sides of a statement were compared.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+pub enum ComparedAt {
     /// There is nothing to choose.
     Everywhere,
     /// At several amplitudes.
@@ -135,7 +135,7 @@ pub enum DerivationError {
         /// The formula in LaTeX.
         formula: String,
         /// Why.
-        reason: NoValue,
+        reason: NoEvaluation,
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
     #[error(
@@ -175,7 +175,7 @@ pub enum DerivationError {
     Pendulum(#[from] PendulumError),
 }
 
-impl Equation {
+impl CheckedEquation {
     /// What is stated.
     #[must_use]
     pub fn statement(&self) -> &Statement {
@@ -208,7 +208,7 @@ pub(super) fn same_series(
     variable: &Name,
     coefficients: usize,
     statement: Statement,
-) -> Result<Equation, DerivationError> {
+) -> Result<CheckedEquation, DerivationError> {
     same_series_where(variable, coefficients, &[], statement)
 }
 
@@ -226,7 +226,7 @@ pub(super) fn same_series_where(
     coefficients: usize,
     given: &[Given],
     statement: Statement,
-) -> Result<Equation, DerivationError> {
+) -> Result<CheckedEquation, DerivationError> {
     let (ring, values) = series_values(variable, coefficients, given, &statement)?;
     let first = side(&statement, &statement.first, &ring, &values)?;
     let mut compared = first.len();
@@ -242,7 +242,7 @@ pub(super) fn same_series_where(
     if compared < coefficients {
         return Err(failed(&statement, format!("only {compared} coefficients can be compared")));
     }
-    Ok(Equation::new(statement, Check::Series { variable: variable.clone(), coefficients: compared }))
+    Ok(CheckedEquation::new(statement, Check::Series { variable: variable.clone(), coefficients: compared }))
 }
 
 /// The series of a formula.
@@ -283,9 +283,9 @@ fn series_values(
 }
 
 /// Checks that all formulas of the statement are the same fraction.
-pub(super) fn equal_fractions(statement: Statement) -> Result<Equation, DerivationError> {
+pub(super) fn equal_fractions(statement: Statement) -> Result<CheckedEquation, DerivationError> {
     let equation = equal_rationals("n", 1..=1, statement)?;
-    Ok(Equation { check: Check::Fraction, ..equation })
+    Ok(CheckedEquation { check: Check::Fraction, ..equation })
 }
 
 /// Checks that all formulas of the statement are the same fractions for these values of an index.
@@ -293,7 +293,7 @@ pub(super) fn equal_rationals(
     index: &str,
     cases: RangeInclusive<i64>,
     statement: Statement,
-) -> Result<Equation, DerivationError> {
+) -> Result<CheckedEquation, DerivationError> {
     let ring = PowerSeries::rational(1);
     let index = Name::new(index);
     let (first, last) = (*cases.start(), *cases.end());
@@ -308,7 +308,7 @@ pub(super) fn equal_rationals(
             }
         }
     }
-    Ok(Equation::new(statement, Check::Rationals { index, first, last }))
+    Ok(CheckedEquation::new(statement, Check::Rationals { index, first, last }))
 }
 
 /// The value of a formula of the statement.
@@ -369,7 +369,7 @@ impl Check {
     }
 }
 
-impl Place {
+impl ComparedAt {
     fn to_prose(&self) -> Prose {
         match self {
             Self::Everywhere => Prose::text("checked: "),
@@ -409,5 +409,5 @@ fn agreement(value: &Decimal, difference: f64, against: Against) -> Prose {
     if difference == 0.0 {
         return sides.and(Prose::text("; equal in all digits"));
     }
-    sides.and(Prose::new("; largest relative difference {}", [rounded(difference, 1, Unit::One)]))
+    sides.and(Prose::new("; largest relative difference {}", [rounded(difference, 1, DecimalUnit::One)]))
 }

@@ -1,6 +1,6 @@
 //! A derivation as data: steps of sentences, checked formulas and tables.
 
-use super::check::Equation;
+use super::check::CheckedEquation;
 use super::formula::Formula;
 use super::prose::Prose;
 
@@ -12,7 +12,7 @@ pub struct Derivation {
     /// Where it begins and where it leads.
     pub introduction: Vec<Block>,
     /// The steps in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<DerivationStep>,
 }
 
 impl Derivation {
@@ -27,7 +27,7 @@ impl Derivation {
 
 /// A step of a derivation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct DerivationStep {
     /// What it does.
     pub heading: String,
     /// How.
@@ -42,9 +42,9 @@ pub enum Block {
     /// An aside: a common error, a limit of what was said.
     Remark(Prose),
     /// A formula with its check.
-    Equation(Equation),
+    Equation(CheckedEquation),
     /// Numbers in rows.
-    Table(Table),
+    Table(DerivationTable),
 }
 
 /// What a reader wants to see.
@@ -58,7 +58,7 @@ pub(super) enum Wanted {
 
 /// Numbers in rows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct DerivationTable {
     /// The titles of the columns.
     pub head: Vec<Prose>,
     /// The cells, row by row.
@@ -67,7 +67,7 @@ pub struct Table {
     pub note: Prose,
 }
 
-impl Step {
+impl DerivationStep {
     pub(super) fn new(heading: &str) -> Self {
         Self { heading: heading.to_owned(), blocks: Vec::new() }
     }
@@ -96,17 +96,17 @@ impl Step {
     }
 
     /// A checked formula.
-    pub(super) fn show(self, equation: Equation) -> Self {
+    pub(super) fn show(self, equation: CheckedEquation) -> Self {
         self.with(Block::Equation(equation))
     }
 
     /// Checked formulas.
-    pub(super) fn show_all(self, equations: Vec<Equation>) -> Self {
+    pub(super) fn show_all(self, equations: Vec<CheckedEquation>) -> Self {
         equations.into_iter().fold(self, Self::show)
     }
 
     /// A table.
-    pub(super) fn table(self, table: Table) -> Self {
+    pub(super) fn table(self, table: DerivationTable) -> Self {
         self.with(Block::Table(table))
     }
 

@@ -16,23 +16,23 @@ pub(super) trait Analysis: Ring {
         &self,
         from: &Self::Element,
         to: &Self::Element,
-        integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoValue>,
-    ) -> Result<Self::Element, NoValue>;
+        integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoEvaluation>,
+    ) -> Result<Self::Element, NoEvaluation>;
     /// The derivative at 0 of a function of a small number.
     fn slope(
         &self,
-        function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoValue>,
-    ) -> Result<Self::Element, NoValue>;
+        function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoEvaluation>,
+    ) -> Result<Self::Element, NoEvaluation>;
     /// The arithmetic–geometric mean.
     fn agm(&self, a: &Self::Element, b: &Self::Element) -> Option<Self::Element>;
     /// The value of terms that are left out.
-    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, NoValue>;
+    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, NoEvaluation>;
 }
 
 /// Why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoValue {
+pub enum NoEvaluation {
     /// A letter that stands for nothing yet.
     #[error("`{0}` has no value here")]
     Unknown(String),
@@ -138,16 +138,16 @@ pub(super) fn evaluate<R: Analysis>(
     formula: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoValue> {
+) -> Result<R::Element, NoEvaluation> {
     let of = |formula: &Formula| evaluate(formula, ring, values);
-    let rational = |value: &Rational| ring.rational(value).ok_or(NoValue::NotInRing("a fraction"));
+    let rational = |value: &Rational| ring.rational(value).ok_or(NoEvaluation::NotInRing("a fraction"));
     match formula {
         Formula::Number(value) => rational(value),
         Formula::Decimal(value) => {
-            let plain = rational(&value.value().ok_or(NoValue::NotInRing("a decimal"))?)?;
-            if value.unit == super::formula::Unit::Degree { degrees(ring, &plain) } else { Ok(plain) }
+            let plain = rational(&value.value().ok_or(NoEvaluation::NotInRing("a decimal"))?)?;
+            if value.unit == super::formula::DecimalUnit::Degree { degrees(ring, &plain) } else { Ok(plain) }
         }
-        Formula::Pi => ring.pi().ok_or(NoValue::NotInRing("π")),
+        Formula::Pi => ring.pi().ok_or(NoEvaluation::NotInRing("π")),
         Formula::Name(name) => of_name(name, ring, values),
         Formula::Negate(it) => Ok(ring.negate(&of(it)?)),
         Formula::Sum(terms) => terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?))),
@@ -156,14 +156,14 @@ pub(super) fn evaluate<R: Analysis>(
             factors.iter().try_fold(one, |product, factor| Ok(ring.multiply(&product, &of(factor)?)))
         }
         Formula::Fraction(over, under) => {
-            ring.divide(&of(over)?, &of(under)?).ok_or(NoValue::NotInRing("a quotient"))
+            ring.divide(&of(over)?, &of(under)?).ok_or(NoEvaluation::NotInRing("a quotient"))
         }
         Formula::Power(base, exponent) => power(base, exponent, ring, values),
         Formula::Call(function, argument) => {
-            ring.value(*function, &of(argument)?).ok_or(NoValue::NotInRing(function.name()))
+            ring.value(*function, &of(argument)?).ok_or(NoEvaluation::NotInRing(function.name()))
         }
         Formula::Apply(name, arguments) => apply(name, arguments, ring, values),
-        Formula::Agm(a, b) => ring.agm(&of(a)?, &of(b)?).ok_or(NoValue::NotInRing("agm")),
+        Formula::Agm(a, b) => ring.agm(&of(a)?, &of(b)?).ok_or(NoEvaluation::NotInRing("agm")),
         Formula::Series { index, from, to, term } => series(index, from, to.as_deref(), term, ring, values),
         Formula::Integral { variable, from, to, integrand } => {
             let mut inner = values.clone();
@@ -174,24 +174,28 @@ pub(super) fn evaluate<R: Analysis>(
         }
         Formula::Derivative { of, by } => derivative(of, by, ring, values),
         Formula::DoubleFactorial(it) => {
-            let last = values.integer(it).ok_or(NoValue::NotInRing("!! of what is not an integer"))?;
+            let last = values.integer(it).ok_or(NoEvaluation::NotInRing("!! of what is not an integer"))?;
             rational(&double_factorial(last))
         }
         Formula::Order(it) => ring.left_out(&of(it)?),
     }
 }
 
-fn degrees<R: Ring>(ring: &R, value: &R::Element) -> Result<R::Element, NoValue> {
-    let pi = ring.pi().ok_or(NoValue::NotInRing("π"))?;
-    ring.over_integer(&ring.multiply(value, &pi), 180).ok_or(NoValue::NotInRing("an angle"))
+fn degrees<R: Ring>(ring: &R, value: &R::Element) -> Result<R::Element, NoEvaluation> {
+    let pi = ring.pi().ok_or(NoEvaluation::NotInRing("π"))?;
+    ring.over_integer(&ring.multiply(value, &pi), 180).ok_or(NoEvaluation::NotInRing("an angle"))
 }
 
-fn of_name<R: Analysis>(name: &Name, ring: &R, values: &Values<R::Element>) -> Result<R::Element, NoValue> {
+fn of_name<R: Analysis>(
+    name: &Name,
+    ring: &R,
+    values: &Values<R::Element>,
+) -> Result<R::Element, NoEvaluation> {
     let key = values.key(name);
     if let Some(&index) = values.indices.get(&key) {
-        return ring.rational(&Rational::from(index)).ok_or(NoValue::NotInRing("an index"));
+        return ring.rational(&Rational::from(index)).ok_or(NoEvaluation::NotInRing("an index"));
     }
-    values.numbers.get(&key).cloned().ok_or(NoValue::Unknown(key))
+    values.numbers.get(&key).cloned().ok_or(NoEvaluation::Unknown(key))
 }
 
 fn power<R: Analysis>(
@@ -199,22 +203,22 @@ fn power<R: Analysis>(
     exponent: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoValue> {
+) -> Result<R::Element, NoEvaluation> {
     let value = evaluate(base, ring, values)?;
     if let Some(whole) = values.integer(exponent) {
         return whole_power(ring, &value, whole);
     }
     if let Some(constant) = values.constant(exponent) {
-        return ring.power(&value, &constant).ok_or(NoValue::NotInRing("a power"));
+        return ring.power(&value, &constant).ok_or(NoEvaluation::NotInRing("a power"));
     }
-    let logarithm = ring.value(Function::Ln, &value).ok_or(NoValue::NotInRing("a logarithm"))?;
+    let logarithm = ring.value(Function::Ln, &value).ok_or(NoEvaluation::NotInRing("a logarithm"))?;
     let product = ring.multiply(&evaluate(exponent, ring, values)?, &logarithm);
-    ring.value(Function::Exp, &product).ok_or(NoValue::NotInRing("a power"))
+    ring.value(Function::Exp, &product).ok_or(NoEvaluation::NotInRing("a power"))
 }
 
 /// Repeated squaring.
-fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, NoValue> {
-    let one = ring.rational(&Rational::from(1)).ok_or(NoValue::NotInRing("a power"))?;
+fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, NoEvaluation> {
+    let one = ring.rational(&Rational::from(1)).ok_or(NoEvaluation::NotInRing("a power"))?;
     let (mut power, mut square, mut rest) = (one.clone(), base.clone(), exponent.unsigned_abs());
     while rest > 0 {
         if rest % 2 == 1 {
@@ -225,7 +229,7 @@ fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R:
             square = ring.multiply(&square, &square);
         }
     }
-    if exponent < 0 { ring.divide(&one, &power).ok_or(NoValue::NotInRing("a power")) } else { Ok(power) }
+    if exponent < 0 { ring.divide(&one, &power).ok_or(NoEvaluation::NotInRing("a power")) } else { Ok(power) }
 }
 
 fn apply<R: Analysis>(
@@ -233,9 +237,9 @@ fn apply<R: Analysis>(
     arguments: &[Formula],
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoValue> {
+) -> Result<R::Element, NoEvaluation> {
     let key = values.key(name);
-    let (parameters, body) = values.functions.get(&key).ok_or(NoValue::Unknown(key))?;
+    let (parameters, body) = values.functions.get(&key).ok_or(NoEvaluation::Unknown(key))?;
     let mut inner = values.clone();
     for (parameter, argument) in parameters.iter().zip(arguments) {
         match values.integer(argument) {
@@ -253,8 +257,9 @@ fn series<R: Analysis>(
     term: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoValue> {
-    let integer = |formula| values.integer(formula).ok_or(NoValue::NotInRing("a sum without integer limits"));
+) -> Result<R::Element, NoEvaluation> {
+    let integer =
+        |formula| values.integer(formula).ok_or(NoEvaluation::NotInRing("a sum without integer limits"));
     let first = integer(from)?;
     let last = to.map(integer).transpose()?;
     let most = i64::try_from(ring.most_terms()).unwrap_or(i64::MAX);
@@ -268,7 +273,7 @@ fn series<R: Analysis>(
             return Ok(sum);
         }
     }
-    if last.is_some() { Ok(sum) } else { Err(NoValue::Divergent("the sum")) }
+    if last.is_some() { Ok(sum) } else { Err(NoEvaluation::Divergent("the sum")) }
 }
 
 /// The variable alone moves; with time moves all that has a rate.
@@ -277,7 +282,7 @@ fn derivative<R: Analysis>(
     by: &Name,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoValue> {
+) -> Result<R::Element, NoEvaluation> {
     let mut movements = vec![];
     if by.letter == TIME {
         for (name, rate) in &values.rates {

@@ -2,7 +2,7 @@
 //!
 //! A [`Derivation`] is data. Its formulas are trees that are printed and evaluated: what a reader sees is what was
 //! checked, exactly with fractions where that is possible, else in 77 digits at several amplitudes, or against the
-//! library's exact solution. An [`Equation`] cannot be made without passing its check.
+//! library's exact solution. A [`CheckedEquation`] cannot be made without passing its check.
 //!
 //! ```
 //! use libration_derivation::{elliptic, to_markdown};
@@ -34,11 +34,11 @@ pub mod paper;
 #[cfg(test)]
 mod tests;
 
-pub use check::{Against, Check, DerivationError, Equation};
-pub use document::{Block, Derivation, Step, Table};
+pub use check::{Against, Check, CheckedEquation, DerivationError};
+pub use document::{Block, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
-pub use evaluate::NoValue;
-pub use formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
+pub use evaluate::NoEvaluation;
+pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation, perturbation_watched};
 pub use print::{to_html, to_latex, to_markdown};
 pub use prose::{Prose, Span};

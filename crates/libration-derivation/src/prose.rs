@@ -2,7 +2,7 @@
 
 use super::formula::Formula;
 
-/// Sentences with formulas in them. What they assert as an equation stands in an [`Equation`](super::Equation), where it is checked.
+/// Sentences with formulas in them. What they assert as an equation stands in a [`CheckedEquation`](super::CheckedEquation), where it is checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prose(pub Vec<Span>);
 

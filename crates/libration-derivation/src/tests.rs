@@ -15,7 +15,7 @@ fn swing(degrees: f64) -> Swing {
     Swing { pendulum: Pendulum::new(0.57, 9.81).unwrap(), amplitude: Amplitude::new(angle).unwrap() }
 }
 
-fn equations(derivation: &Derivation) -> Vec<&Equation> {
+fn equations(derivation: &Derivation) -> Vec<&CheckedEquation> {
     let blocks = derivation.steps.iter().flat_map(|step| &step.blocks);
     blocks
         .filter_map(|block| if let Block::Equation(equation) = block { Some(equation) } else { None })
@@ -31,8 +31,9 @@ fn every_formula_of_every_road_passes_its_check_at_low_and_high_amplitudes() {
     for degrees in [0.01, 40.0, 179.9] {
         for road in [elliptic, formulas] {
             let derivation = road(Some(&swing(degrees))).unwrap();
-            let computed =
-                |equation: &&&Equation| !matches!(equation.check(), Check::Definition | Check::Premise);
+            let computed = |equation: &&&CheckedEquation| {
+                !matches!(equation.check(), Check::Definition | Check::Premise)
+            };
             assert!(equations(&derivation).iter().filter(computed).count() > 20);
         }
     }
@@ -154,7 +155,7 @@ fn perturbation_is_derived_for_symmetric_and_asymmetric_wells_in_every_gauge() {
     ] {
         for gauge in ["fundamental", "x_max", "half_swing", "energy", "A1=2,A2=1/3,A3=-1"] {
             let derivation = derived(key, order, gauge).unwrap();
-            let put_back = |equation: &&&Equation| matches!(equation.check(), Check::Phases { .. });
+            let put_back = |equation: &&&CheckedEquation| matches!(equation.check(), Check::Phases { .. });
             assert_eq!(equations(&derivation).iter().filter(put_back).count(), 2, "{key} {gauge}");
         }
     }

@@ -2,10 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use super::check::{Against, Check, DerivationError, Equation, Place, failed, side};
+use super::check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, failed, side};
 use super::document::Wanted;
 use super::evaluate::{Values, evaluate};
-use super::formula::{Decimal, Formula, Name, Relation, Statement, Unit, number, rounded, sin};
+use super::formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, number, rounded, sin};
 use super::numbers::{DIGITS, PRECISION};
 use libration::algebra::{BigFloat, Rational, Ring};
 use libration::pendulum::{Amplitude, Pendulum};
@@ -66,23 +66,28 @@ impl Trials {
     }
 
     /// A name now stands for this, in every swing.
-    pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<Equation, DerivationError> {
+    pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<CheckedEquation, DerivationError> {
         let statement = Statement::defined(name, value.clone());
         for trial in &mut self.trials {
             let value = side(&statement, &value, &DIGITS, &trial.values)?;
             trial.values.set(name, value);
         }
-        Ok(Equation::definition(statement))
+        Ok(CheckedEquation::definition(statement))
     }
 
     /// A name now stands for this function.
-    pub(super) fn define_function(&mut self, name: &str, parameters: &[&str], body: Formula) -> Equation {
+    pub(super) fn define_function(
+        &mut self,
+        name: &str,
+        parameters: &[&str],
+        body: Formula,
+    ) -> CheckedEquation {
         let function = Name::new(name);
         for trial in &mut self.trials {
             trial.values.define(&function, parameters, body.clone());
         }
         let arguments = parameters.iter().map(|parameter| Formula::Name(Name::new(parameter))).collect();
-        Equation::definition(Statement::defined(Formula::Apply(function, arguments), body))
+        CheckedEquation::definition(Statement::defined(Formula::Apply(function, arguments), body))
     }
 
     /// A name stands for this, without being shown.
@@ -93,12 +98,15 @@ impl Trials {
     }
 
     /// Checks a statement in all digits.
-    pub(super) fn compare(&self, statement: Statement) -> Result<Equation, DerivationError> {
+    pub(super) fn compare(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE, Against::OtherSide, statement)
     }
 
     /// Checks a statement of which one side is the library's exact solution.
-    pub(super) fn compare_with_library(&self, statement: Statement) -> Result<Equation, DerivationError> {
+    pub(super) fn compare_with_library(
+        &self,
+        statement: Statement,
+    ) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE_IN_DOUBLE, Against::Library, statement)
     }
 
@@ -107,7 +115,7 @@ impl Trials {
         tolerance: f64,
         against: Against,
         statement: Statement,
-    ) -> Result<Equation, DerivationError> {
+    ) -> Result<CheckedEquation, DerivationError> {
         let mut difference = 0.0_f64;
         let mut shown = 0.0;
         for (n, trial) in self.trials.iter().enumerate() {
@@ -119,14 +127,14 @@ impl Trials {
         }
         let at = self.trials[self.shown].amplitude.clone();
         let amplitudes = self.trials.iter().map(|trial| trial.amplitude.clone()).collect();
-        let place = Place::Amplitudes { at, amplitudes };
+        let place = ComparedAt::Amplitudes { at, amplitudes };
         Ok(Comparison { value: shown, difference }.equation(statement, place, against))
     }
 
     /// Checks a statement about no amplitude.
-    pub(super) fn compare_once(&self, statement: Statement) -> Result<Equation, DerivationError> {
+    pub(super) fn compare_once(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         let comparison = self.trials[self.shown].compare(CLOSE, &statement)?;
-        Ok(comparison.equation(statement, Place::Everywhere, Against::OtherSide))
+        Ok(comparison.equation(statement, ComparedAt::Everywhere, Against::OtherSide))
     }
 
     /// Checks a statement for several values of an index.
@@ -135,7 +143,7 @@ impl Trials {
         index: &str,
         cases: RangeInclusive<i64>,
         statement: Statement,
-    ) -> Result<Equation, DerivationError> {
+    ) -> Result<CheckedEquation, DerivationError> {
         let index = Name::new(index);
         let (first, last) = (*cases.start(), *cases.end());
         let mut trial = self.trials[self.shown].clone();
@@ -146,7 +154,7 @@ impl Trials {
             worst = Some(worst.map_or(here, |worst| worst.with(here)));
         }
         let comparison = worst.unwrap_or(Comparison { value: 0.0, difference: 0.0 });
-        Ok(comparison.equation(statement, Place::Cases { index, first, last }, Against::OtherSide))
+        Ok(comparison.equation(statement, ComparedAt::Cases { index, first, last }, Against::OtherSide))
     }
 
     /// Only the swings to this amplitude in degrees, for what converges slowly above it.
@@ -161,17 +169,18 @@ impl Trials {
     /// The numbers of the reader's swing, each a formula with its digits and unit; none if no swing was given.
     pub(super) fn numbers(
         &self,
-        wanted: &[(Formula, usize, Unit)],
-    ) -> Result<Vec<Equation>, DerivationError> {
+        wanted: &[(Formula, usize, DecimalUnit)],
+    ) -> Result<Vec<CheckedEquation>, DerivationError> {
         let wanted = if self.wanted == Wanted::Numbers { wanted } else { &[] };
         let shown = &self.trials[self.shown].values;
-        let number = |(formula, digits, unit): &(Formula, usize, Unit)| {
+        let number = |(formula, digits, unit): &(Formula, usize, DecimalUnit)| {
             let statement = Statement::from(formula.clone());
             let value = side(&statement, formula, &DIGITS, shown)?.to_f64();
-            let printed = value * if *unit == Unit::Degree { 180.0 / std::f64::consts::PI } else { 1.0 };
+            let printed =
+                value * if *unit == DecimalUnit::Degree { 180.0 / std::f64::consts::PI } else { 1.0 };
             let statement = statement.and(Relation::Rounded, rounded(printed, *digits, *unit));
             check_rounding(&statement, shown)?;
-            Ok(Equation::new(statement, Check::RoundedDigits))
+            Ok(CheckedEquation::new(statement, Check::RoundedDigits))
         };
         wanted.iter().map(number).collect()
     }
@@ -182,14 +191,14 @@ impl Trials {
     }
 
     /// The reader's pendulum and amplitude; none if no swing was given.
-    pub(super) fn given(&self) -> Vec<Equation> {
+    pub(super) fn given(&self) -> Vec<CheckedEquation> {
         let shown = match self.wanted {
             Wanted::Formulas => &[],
             Wanted::Numbers => &self.trials[self.shown..=self.shown],
         };
         let equation = |(name, value): &(Name, Decimal)| {
             let statement = Statement::equal(name, Formula::Decimal(value.clone()));
-            Equation::new(statement, Check::Given)
+            CheckedEquation::new(statement, Check::Given)
         };
         shown.iter().flat_map(|trial| trial.given.iter().map(equation)).collect()
     }
@@ -262,11 +271,11 @@ impl Trial {
             |value: f64| BigFloat::from_f64(value, PRECISION).expect("states of a pendulum are finite");
         let mut values = Values::default();
         let mut omega = exactly(swing.pendulum.angular_frequency());
-        let amplitude = Decimal::short(angle.degrees(), Unit::Degree);
+        let amplitude = Decimal::short(angle.degrees(), DecimalUnit::Degree);
         let mut given = vec![(Name::new("θ").index(0), amplitude.clone())];
         if let (Some(length), Some(gravity)) = (swing.pendulum.length(), swing.pendulum.gravity()) {
-            given.push((Name::new("ℓ"), Decimal::short(length, Unit::Metre)));
-            given.push((Name::new("g"), Decimal::short(gravity, Unit::MetrePerSecondSquared)));
+            given.push((Name::new("ℓ"), Decimal::short(length, DecimalUnit::Metre)));
+            given.push((Name::new("g"), Decimal::short(gravity, DecimalUnit::MetrePerSecondSquared)));
             let (length, gravity) = (exactly(length), exactly(gravity));
             omega = (gravity.clone() / length.clone()).sqrt();
             values.set(&Name::new("ℓ"), length);
@@ -362,8 +371,8 @@ impl Comparison {
         Self { difference: self.difference.max(other.difference), ..self }
     }
 
-    fn equation(self, statement: Statement, place: Place, against: Against) -> Equation {
-        let value = Decimal::rounded(self.value, SHOWN, Unit::One);
-        Equation::new(statement, Check::Digits { place, value, difference: self.difference, against })
+    fn equation(self, statement: Statement, place: ComparedAt, against: Against) -> CheckedEquation {
+        let value = Decimal::rounded(self.value, SHOWN, DecimalUnit::One);
+        CheckedEquation::new(statement, Check::Digits { place, value, difference: self.difference, against })
     }
 }

@@ -69,7 +69,7 @@ impl Initial {
             }
             given[place] = Some(number(&names[place], value, &units[place])?);
         }
-        let rest = model.state_of_rest();
+        let rest = model.state_at_rest();
         let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
         let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
         let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();

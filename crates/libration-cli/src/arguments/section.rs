@@ -83,7 +83,7 @@ impl SectionOptions {
     pub(crate) fn points(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;
         let skipped = self.skip.unwrap_or(if self.at.is_none() { TRANSIENT } else { 0 });
-        Points { skipped, kept: self.points.unwrap_or(kept) }
+        Points { skipped, recorded: self.points.unwrap_or(kept) }
     }
 
     pub(crate) fn effort(&self) -> Effort {

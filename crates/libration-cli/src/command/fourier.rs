@@ -6,7 +6,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, FormOptions, csv, json};
-use libration::pendulum::{Harmonic, Harmonics, Motion, Regime};
+use libration::pendulum::{FourierSeries, FourierTerm, Motion, Regime};
 use libration::quantity::Angle;
 use std::io::Write;
 
@@ -52,7 +52,7 @@ impl Fourier {
         }
     }
 
-    fn harmonics_of(&self, motion: &Motion) -> Result<Harmonics, Failure> {
+    fn harmonics_of(&self, motion: &Motion) -> Result<FourierSeries, Failure> {
         if motion.regime() == Regime::Separatrix {
             let reason = "a motion on the separatrix never returns and has no harmonics: change the angle or the velocity";
             return Err(Failure::no_answer("motion", reason));
@@ -64,7 +64,12 @@ impl Fourier {
         Ok(harmonics)
     }
 
-    fn write_json(&self, out: &mut dyn Write, motion: &Motion, harmonics: &Harmonics) -> Result<(), Failure> {
+    fn write_json(
+        &self,
+        out: &mut dyn Write,
+        motion: &Motion,
+        harmonics: &FourierSeries,
+    ) -> Result<(), Failure> {
         let head = of_motion().added_to(self.pendulum.record(), &(*motion, harmonics));
         let of_term = of_term();
         let terms = harmonics.terms.iter().map(|term| of_term.record(term));
@@ -75,7 +80,7 @@ impl Fourier {
         &self,
         out: &mut dyn Write,
         motion: &Motion,
-        harmonics: &Harmonics,
+        harmonics: &FourierSeries,
     ) -> Result<(), Failure> {
         sheet(out, &[self.pendulum.lines(), of_motion().lines(&(*motion, harmonics))].concat())?;
         writeln!(out)?;
@@ -86,7 +91,7 @@ impl Fourier {
     }
 }
 
-fn write_csv(out: &mut dyn Write, harmonics: &Harmonics) -> Result<(), Failure> {
+fn write_csv(out: &mut dyn Write, harmonics: &FourierSeries) -> Result<(), Failure> {
     let of_term = of_term();
     csv::line(out, &of_term.csv_names())?;
     Ok(harmonics.terms.iter().try_for_each(|term| csv::line(out, &of_term.csv_cells(term)))?)
@@ -95,8 +100,8 @@ fn write_csv(out: &mut dyn Write, harmonics: &Harmonics) -> Result<(), Failure> 
 /// So many digits are shown.
 const DIGITS: usize = 13;
 
-fn of_motion<'a>() -> Fields<(Motion, &'a Harmonics)> {
-    type Of<'a> = Field<(Motion, &'a Harmonics)>;
+fn of_motion<'a>() -> Fields<(Motion, &'a FourierSeries)> {
+    type Of<'a> = Field<(Motion, &'a FourierSeries)>;
     Fields::from([
         Of::value("regime", "", "rest, libration or rotation", |(motion, _)| {
             motion.regime().to_string().into()
@@ -118,8 +123,8 @@ fn of_motion<'a>() -> Fields<(Motion, &'a Harmonics)> {
     ])
 }
 
-fn of_term() -> Fields<Harmonic> {
-    type Of = Field<Harmonic>;
+fn of_term() -> Fields<FourierTerm> {
+    type Of = Field<FourierTerm>;
     Fields::from([
         Of::value("n", "1", "number of the harmonic, of frequency nΩ", |term| term.n.into())
             .numeral("n", |term| term.n.to_string()),

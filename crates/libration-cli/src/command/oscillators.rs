@@ -7,7 +7,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, FormOptions, csv};
-use libration::oscillator::{NamedOscillator, Parameter, catalogue};
+use libration::oscillator::{NamedOscillator, OscillatorParameter, catalogue};
 use std::io::{self, Write};
 
 /// The oscillators known by name: equations, parameters, where they oscillate, and sources
@@ -70,8 +70,8 @@ fn of_oscillator() -> Fields<NamedOscillator> {
     ])
 }
 
-fn of_parameter() -> Fields<Parameter> {
-    type Of = Field<Parameter>;
+fn of_parameter() -> Fields<OscillatorParameter> {
+    type Of = Field<OscillatorParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
         Of::value("default", "", "value where none is given", |it| it.default.into()),

@@ -5,7 +5,7 @@ use crate::output::description::{Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
-use libration_derivation::paper::{Document, Row, Verdict, rows_where};
+use libration_derivation::paper::{Document, Row, StatementVerdict, rows_where};
 use std::io::{self, Write};
 
 /// Every equation of two published derivations, verified or corrected by computing it
@@ -21,7 +21,7 @@ use std::io::{self, Write};
 pub(crate) struct Paper {
     /// Show only statements with this verdict
     #[arg(long, value_parser = verdict, value_name = "VERDICT")]
-    only: Option<Verdict>,
+    only: Option<StatementVerdict>,
     /// Show only one document: black-vel or cote
     #[arg(long, value_parser = document, value_name = "DOCUMENT")]
     document: Option<Document>,
@@ -68,8 +68,8 @@ fn is_named(label: &str, asked: &str) -> bool {
     bare(label) == bare(asked) || (!label.starts_with('(') && label.to_lowercase().contains(&bare(asked)))
 }
 
-fn verdict(text: &str) -> Result<Verdict, String> {
-    let found = Verdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
+fn verdict(text: &str) -> Result<StatementVerdict, String> {
+    let found = StatementVerdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
     found.ok_or_else(|| format!("`{text}` is no verdict: give verified, typo, wrong or not-decided"))
 }
 
@@ -145,8 +145,8 @@ fn write_pages(out: &mut dyn Write, rows: &[Row]) -> io::Result<()> {
             write_row(out, row)?;
         }
     }
-    let count = |verdict: Verdict| rows.iter().filter(|row| row.finding.verdict == verdict).count();
-    let counts = Verdict::ALL.map(|verdict| format!("{} {verdict}", count(verdict)));
+    let count = |verdict: StatementVerdict| rows.iter().filter(|row| row.finding.verdict == verdict).count();
+    let counts = StatementVerdict::ALL.map(|verdict| format!("{} {verdict}", count(verdict)));
     writeln!(out, "{} statements: {}", rows.len(), counts.join(", "))
 }
 

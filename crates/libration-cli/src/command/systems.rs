@@ -7,7 +7,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
 use crate::output::{Form, FormOptions, csv};
-use libration::systems::{NamedCoordinate, NamedSystem, Parameter, catalogue};
+use libration::systems::{NamedCoordinate, NamedSystem, SystemParameter, catalogue};
 use std::io::{self, Write};
 
 /// The systems known by name: equations of motion, parameters with units, energies, and sources
@@ -91,12 +91,12 @@ fn of_coordinate() -> Fields<NamedCoordinate> {
     Fields::from([
         Of::value("name", "", "name of the coordinate", |it| it.name.into()),
         Of::value("unit", "", "its unit", |it| it.unit.into()),
-        Of::value("rest", "", "its value at rest", |it| it.rest.into()),
+        Of::value("rest", "", "its value at rest", |it| it.at_rest.into()),
     ])
 }
 
-fn of_parameter() -> Fields<Parameter> {
-    type Of = Field<Parameter>;
+fn of_parameter() -> Fields<SystemParameter> {
+    type Of = Field<SystemParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
         Of::value("default", "", "value where none is given", |it| it.default.into()),
@@ -142,7 +142,7 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
     let mut lines: Vec<(&'static str, String)> =
         named.equations.split(';').map(|one| ("equation", one.trim().to_owned())).collect();
     for coordinate in named.coordinates {
-        let text = format!("{} in {}, at rest {}", coordinate.name, coordinate.unit, coordinate.rest);
+        let text = format!("{} in {}, at rest {}", coordinate.name, coordinate.unit, coordinate.at_rest);
         lines.push(("coordinate", text));
     }
     for parameter in named.parameters {

@@ -157,7 +157,7 @@ fn in_plane(bodies: &Bodies, times: &[f64], values: &[Vec<f64>]) -> Mechanism {
         let places = |place: fn(&libration::systems::Body) -> [f64; 2]| {
             frames.iter().map(|bodies| place(&bodies[number]).into()).collect()
         };
-        Hanging { places: places(|body| body.place), held: places(|body| body.held) }
+        Hanging { places: places(|body| body.place), held: places(|body| body.pivot) }
     };
     Mechanism::Plane((0..frames.first().map_or(0, Vec::len)).map(body).collect())
 }

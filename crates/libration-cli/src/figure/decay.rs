@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::range::around;
 use super::style;
 use crate::command::decay::{Report, Turn};
-use libration::decay::{Decay, Envelope, Law};
+use libration::decay::{Decay, DecayEnvelope, EnvelopeLaw};
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 
@@ -28,20 +28,20 @@ pub(crate) fn of(decay: &Decay, report: &Report) -> Picture {
 }
 
 fn amplitudes(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
-    let curve = |label: &str, look, envelope: Envelope<'_>| {
+    let curve = |label: &str, look, envelope: DecayEnvelope<'_>| {
         Series::line(label, look, times.iter().map(|&time| (time, envelope.amplitude_at(time).to_degrees())))
     };
     let turn = |turn: &Turn| Point::new(turn.point.time, turn.point.amplitude.radians().to_degrees());
     vec![
-        curve("averaged", style::curve(0), decay.envelope(Law::Averaged)),
-        curve("law of small amplitudes", style::curve(1), decay.envelope(Law::SmallAmplitude)),
+        curve("averaged", style::curve(0), decay.envelope(EnvelopeLaw::Averaged)),
+        curve("law of small amplitudes", style::curve(1), decay.envelope(EnvelopeLaw::SmallAmplitude)),
         markers("turning points", report.turns.iter().map(turn).collect()),
     ]
 }
 
 /// The time of a cycle stands at its middle.
 fn periods(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
-    let (pendulum, envelope) = (decay.pendulum(), decay.envelope(Law::Averaged));
+    let (pendulum, envelope) = (decay.pendulum(), decay.envelope(EnvelopeLaw::Averaged));
     let exact = times.iter().filter_map(|&time| {
         let amplitude = Amplitude::new(Angle::from_radians(envelope.amplitude_at(time)).ok()?).ok()?;
         Some((time, pendulum.period(&amplitude)))

@@ -2,11 +2,11 @@
 
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::style;
-use libration::pendulum::Harmonics;
+use libration::pendulum::FourierSeries;
 
 /// The spectra of several amplitudes, each with its label, down to `lowest` (rad).
-pub(crate) fn spectra(spectra: &[(String, Harmonics)], lowest: f64) -> Picture {
-    let points = |harmonics: &Harmonics| -> Vec<(f64, f64)> {
+pub(crate) fn spectra(spectra: &[(String, FourierSeries)], lowest: f64) -> Picture {
+    let points = |harmonics: &FourierSeries| -> Vec<(f64, f64)> {
         harmonics
             .terms
             .iter()

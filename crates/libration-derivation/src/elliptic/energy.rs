@@ -1,9 +1,9 @@
 //! From the equation of motion to a quarter of the period as an integral over the angle.
 
-use super::super::check::{DerivationError, Equation};
-use super::super::document::Step;
+use super::super::check::{CheckedEquation, DerivationError};
+use super::super::document::DerivationStep;
 use super::super::formula::{
-    Formula, Name, Statement, Unit, cos, derivative, integral, letter, number, sin, sqrt,
+    DecimalUnit, Formula, Name, Statement, cos, derivative, integral, letter, number, sin, sqrt,
 };
 use super::super::trials::Trials;
 use super::super::words::{omega_0, period, sin_half_amplitude, small_swing_period, theta_0};
@@ -31,14 +31,16 @@ pub(super) fn speed() -> Formula {
     sqrt(number(2) * (cos(theta()) - cos(theta_0())))
 }
 
-pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {
     let (gravity, length) = (letter("g"), letter("ℓ"));
     let motion = Statement::equal(acceleration(), -(gravity.clone() / length.clone() * sin(theta())));
     let frequency = trials.define(&Name::new("ω").index(0), sqrt(gravity.clone() / length.clone()))?;
     let small = trials.define(&Name::new("T").index(0), number(2) * Formula::Pi / omega_0())?;
-    let numbers = trials
-        .numbers(&[(omega_0(), 11, Unit::RadianPerSecond), (small_swing_period(), 11, Unit::Second)])?;
-    Ok(Step::new("The equation of motion")
+    let numbers = trials.numbers(&[
+        (omega_0(), 11, DecimalUnit::RadianPerSecond),
+        (small_swing_period(), 11, DecimalUnit::Second),
+    ])?;
+    Ok(DerivationStep::new("The equation of motion")
         .say(
             "A small heavy body hangs from a pivot by a rod of length {}, without friction, and swings in a vertical \
              plane under the acceleration of free fall {}. Its angle from the downward vertical is {}, in radians; a prime \
@@ -46,7 +48,7 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, Derivation
              speed, and the mass drops out:",
             [length, gravity, theta(), letter("t")],
         )
-        .show(Equation::premise(motion))
+        .show(CheckedEquation::premise(motion))
         .say_where(trials.wanted(), "The pendulum whose numbers follow each step has the amplitude, length and gravity", [])
         .show_all(trials.given())
         .say("Two abbreviations, the second of which is the period of very small swings, for which the sine is the angle:", [])
@@ -55,7 +57,7 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<Step, Derivation
         .show_all(numbers))
 }
 
-pub(super) fn conservation(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn conservation(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let any_motion =
         trials.with(&acceleration(), Rational::new(1, 3).unwrap_or_else(|| Rational::from(0)).into())?;
     let bracket = Formula::from(acceleration()) + omega_0().squared() * sin(theta());
@@ -63,7 +65,7 @@ pub(super) fn conservation(trials: &Trials) -> Result<Step, DerivationError> {
     let conserved = Statement::equal(energy(), -(omega_0().squared() * cos(theta_0())));
     let rising = Statement::equal(velocity(), omega_0() * speed());
     let fastest = number(2) * omega_0() * sin_half_amplitude();
-    Ok(Step::new("The energy")
+    Ok(DerivationStep::new("The energy")
         .say("For any motion whatever,", [])
         .show(any_motion.compare(identity)?)
         .say(
@@ -81,12 +83,12 @@ pub(super) fn conservation(trials: &Trials) -> Result<Step, DerivationError> {
             [],
         )
         .say_where(trials.wanted(), "At the bottom, where {} is zero, the angular velocity is greatest:", [theta()])
-        .show_all(trials.numbers(&[(fastest, 11, Unit::RadianPerSecond)])?))
+        .show_all(trials.numbers(&[(fastest, 11, DecimalUnit::RadianPerSecond)])?))
 }
 
-pub(super) fn quarter_period(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn quarter_period(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let quarter = integral("θ", 0, theta_0(), number(1) / (omega_0() * speed()));
-    Ok(Step::new("Separating the variables")
+    Ok(DerivationStep::new("Separating the variables")
         .say(
             "A small step {} takes the time {}. The angle and the time now stand apart, and adding up the \
              steps from the bottom to the turning point gives a quarter of the period {}:",

@@ -1,10 +1,10 @@
 //! The integral as the arithmetic–geometric mean.
 
-use super::super::check::{DerivationError, Equation, Given, same_series_where};
-use super::super::document::{Step, Table};
+use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
+use super::super::document::{DerivationStep, DerivationTable};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, agm, apply, call, cos, derivative, integral, letter, number, order,
-    rounded, series, sin, sqrt,
+    DecimalUnit, Formula, Name, Statement, agm, apply, call, cos, derivative, integral, letter, number,
+    order, rounded, series, sin, sqrt,
 };
 use super::super::prose::Prose;
 use super::super::trials::Trials;
@@ -45,7 +45,7 @@ fn gauss(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     apply("J", [a.into(), b.into()])
 }
 
-pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn invariance(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {
     let angle = letter("φ");
     let definition =
         trials.define_function("J", &["a", "b"], integral("φ", 0, Formula::Pi / 2, integrand(&angle)));
@@ -71,7 +71,7 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
         (x().squared() + a() * b()).squared() / (4 * x().squared()),
     );
     let invariant = Statement::equal(gauss(a(), b()), gauss((a() + b()) / 2, sqrt(a() * b())));
-    Ok(Step::new("The integral as a mean")
+    Ok(DerivationStep::new("The integral as a mean")
         .say("Gauss found a shorter way. Let", [])
         .show(definition)
         .say("Because the squares of sine and cosine add up to one, the integral of the pendulum is", [])
@@ -83,7 +83,7 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
         )
         .show(examples.compare(to_x)?)
         .say("Then take, in place of {}, what runs from minus infinity to infinity,", [x()])
-        .show(Equation::definition(Statement::defined(y(), new_variable)))
+        .show(CheckedEquation::definition(Statement::defined(y(), new_variable)))
         .show(examples.compare(slope)?)
         .say("for which two squares come out:", [])
         .show(examples.compare(arithmetic)?)
@@ -100,7 +100,7 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<Step, DerivationError> {
         .show(examples.compare(invariant)?))
 }
 
-pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn iteration(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let mut trials = trials.clone();
     let n = || letter("n");
     let starts =
@@ -112,9 +112,9 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
     }
     let (a_n, b_n) = (Formula::from(mean("a", n())), Formula::from(mean("b", n())));
     let arithmetic =
-        Equation::definition(Statement::defined(mean("a", n() + 1), (a_n.clone() + b_n.clone()) / 2));
+        CheckedEquation::definition(Statement::defined(mean("a", n() + 1), (a_n.clone() + b_n.clone()) / 2));
     let geometric =
-        Equation::definition(Statement::defined(mean("b", n() + 1), sqrt(a_n.clone() * b_n.clone())));
+        CheckedEquation::definition(Statement::defined(mean("b", n() + 1), sqrt(a_n.clone() * b_n.clone())));
     let limit = agm(1, cos_half_amplitude());
     let ratio = number(2) / Formula::Pi * complete_integral(letter("m"));
     let same = Statement::equal(ratio, number(1) / limit.clone());
@@ -126,7 +126,7 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
     let error =
         Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power.clone()]).squared());
     let small = theta_squared()?;
-    Ok(Step::new("The period in a few steps")
+    Ok(DerivationStep::new("The period in a few steps")
         .say("Repeat the two means, beginning with", [])
         .show_all(starts.into())
         .show(arithmetic)
@@ -139,7 +139,7 @@ pub(super) fn iteration(trials: &Trials) -> Result<Step, DerivationError> {
         )
         .show(trials.compare(same)?)
         .show(trials.compare_with_library(law)?)
-        .show_all(trials.numbers(&[(small_swing_period() / limit, 11, Unit::Second)])?)
+        .show_all(trials.numbers(&[(small_swing_period() / limit, 11, DecimalUnit::Second)])?)
         .say(
             "At each step the period lies between {} and {}. At an amplitude of {}:",
             [small_swing_period() / a_n.clone(), small_swing_period() / b_n, trials.amplitude()],
@@ -164,14 +164,14 @@ pub(in super::super) fn theta_series() -> Formula {
 }
 
 /// ϑ(q)⁻² to a few powers of the nome.
-fn theta_squared() -> Result<Equation, DerivationError> {
+fn theta_squared() -> Result<CheckedEquation, DerivationError> {
     let q = letter("q");
     let expanded = number(1) - 4 * q.clone() + 12 * q.clone().squared() + order(q.clone().pow(3));
     let statement = Statement::equal(number(1) / apply("ϑ", [q]).squared(), expanded);
     same_series_where(&Name::new("q"), 3, &[Given::Function("ϑ", "q", theta_series())], statement)
 }
 
-fn iterates(trials: &Trials) -> Result<Table, DerivationError> {
+fn iterates(trials: &Trials) -> Result<DerivationTable, DerivationError> {
     let limit = agm(1, cos_half_amplitude());
     let mut rows = Vec::new();
     for n in 0..=STEPS {
@@ -179,7 +179,7 @@ fn iterates(trials: &Trials) -> Result<Table, DerivationError> {
         let error = |mean: &Formula| limit.clone() / mean.clone() - 1;
         let cell = |formula: Formula, digits| {
             let value = trials.value(&formula)?.to_f64();
-            Ok::<Prose, DerivationError>(Prose::formula(rounded(value, digits, Unit::One)))
+            Ok::<Prose, DerivationError>(Prose::formula(rounded(value, digits, DecimalUnit::One)))
         };
         let errors = [cell(error(&a), 2)?, cell(error(&b), 2)?];
         rows.push(
@@ -199,5 +199,5 @@ fn iterates(trials: &Trials) -> Result<Table, DerivationError> {
         Prose::text("error of ").and(Prose::formula(over("a"))),
         Prose::text("error of ").and(Prose::formula(over("b"))),
     ];
-    Ok(Table { head, rows, note: Prose::text("computed with 77 digits; errors are relative") })
+    Ok(DerivationTable { head, rows, note: Prose::text("computed with 77 digits; errors are relative") })
 }

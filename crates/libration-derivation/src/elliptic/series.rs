@@ -1,9 +1,9 @@
 //! The integral as a series, term by term.
 
 use super::super::check::{DerivationError, equal_rationals, same_series};
-use super::super::document::{Step, Table};
+use super::super::document::{DerivationStep, DerivationTable};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, agm, apply, cos, derivative, double_factorial, integral, letter,
+    DecimalUnit, Formula, Name, Statement, agm, apply, cos, derivative, double_factorial, integral, letter,
     monomial, number, order, polynomial, rounded, series, sin, sqrt,
 };
 use super::super::prose::Prose;
@@ -37,7 +37,7 @@ fn period_series(power: Formula) -> Formula {
     series("n", 0, coefficient().squared() * power)
 }
 
-pub(super) fn binomial(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn binomial(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let x = letter("x");
     let root = number(1) / sqrt(number(1) - x.clone());
     let sum = series("n", 0, coefficient() * x.clone().pow(n()));
@@ -46,7 +46,7 @@ pub(super) fn binomial(trials: &Trials) -> Result<Step, DerivationError> {
     let explicit = polynomial(&first, &x) + order(x.clone().pow(5));
     let integrand = number(1) / sqrt(number(1) - letter("m") * sin(psi()).squared());
     let term = coefficient() * letter("m").pow(n()) * sin(psi()).pow(2 * n());
-    Ok(Step::new("The binomial series")
+    Ok(DerivationStep::new("The binomial series")
         .say("One over a square root is a power series, which converges while {} is below one in size:", [x])
         .show(same_series(&Name::new("x"), COMPARED, Statement::equal(root.clone(), sum))?)
         .show(same_series(&Name::new("x"), first.len(), Statement::equal(root, explicit))?)
@@ -72,7 +72,7 @@ pub(super) fn binomial(trials: &Trials) -> Result<Step, DerivationError> {
 /// Amplitudes in degrees up to which series in m are summed to all digits.
 const SLOW: i64 = 140;
 
-pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {
     let i = |n: Formula| apply("I", [n]);
     let definition =
         trials.define_function("I", &["n"], integral("ψ", 0, Formula::Pi / 2, sin(psi()).pow(2 * n())));
@@ -87,7 +87,7 @@ pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<Step, Derivation
         recurrence * (double_factorial(2 * n() - 3) / double_factorial(2 * n() - 2)),
     );
     let closed = Statement::equal(i(n()), coefficient() * (Formula::Pi / 2));
-    Ok(Step::new("The integrals of the powers of the sine")
+    Ok(DerivationStep::new("The integrals of the powers of the sine")
         .say("What remains are the integrals", [])
         .show(definition)
         .say("The first is plain, because a power zero is one:", [])
@@ -108,7 +108,7 @@ pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<Step, Derivation
         .show(trials.compare_cases("n", 0..=6, closed)?))
 }
 
-pub(super) fn period(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn period(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let m = letter("m");
     let ratio = number(2) / Formula::Pi * complete_integral(m.clone());
     let sum = Statement::equal(ratio, period_series(m.clone().pow(n())));
@@ -118,7 +118,7 @@ pub(super) fn period(trials: &Trials) -> Result<Step, DerivationError> {
     terms.extend(coefficients.iter().enumerate().skip(1).map(|(n, c)| Formula::from(c.clone()) * sine(n)));
     terms.push(order(theta_0().pow(8)));
     let in_sines = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
-    Ok(Step::new("The period as a series")
+    Ok(DerivationStep::new("The period as a series")
         .say(
             "The coefficient enters twice, once from the binomial series and once from the integral. What multiplies the \
              period of small swings is",
@@ -135,7 +135,7 @@ pub(super) fn period(trials: &Trials) -> Result<Step, DerivationError> {
         ))
 }
 
-fn partial_sums(trials: &Trials) -> Result<Table, DerivationError> {
+fn partial_sums(trials: &Trials) -> Result<DerivationTable, DerivationError> {
     let m = trials.value(&letter("m"))?.to_f64();
     let ratio = trials.value(&(number(1) / agm(1, cos_half_amplitude())))?.to_f64();
     let mut rows = Vec::new();
@@ -147,9 +147,9 @@ fn partial_sums(trials: &Trials) -> Result<Table, DerivationError> {
         rows.push(vec![
             Prose::formula(number(i64::try_from(n).unwrap_or(i64::MAX))),
             Prose::formula(coefficient.clone().into()),
-            Prose::formula(rounded(term, 6, Unit::One)),
-            Prose::formula(rounded(sum, 11, Unit::One)),
-            Prose::formula(rounded(sum / ratio - 1.0, 2, Unit::One)),
+            Prose::formula(rounded(term, 6, DecimalUnit::One)),
+            Prose::formula(rounded(sum, 11, DecimalUnit::One)),
+            Prose::formula(rounded(sum / ratio - 1.0, 2, DecimalUnit::One)),
         ]);
     }
     let titles = [
@@ -161,16 +161,16 @@ fn partial_sums(trials: &Trials) -> Result<Table, DerivationError> {
     ];
     let note =
         Prose::new("the error is relative to {} from the mean of two numbers, below", [period_ratio()]);
-    Ok(Table { head: titles.into(), rows, note })
+    Ok(DerivationTable { head: titles.into(), rows, note })
 }
 
-pub(super) fn in_the_amplitude() -> Result<Step, DerivationError> {
+pub(super) fn in_the_amplitude() -> Result<DerivationStep, DerivationError> {
     let coefficients = period_in_amplitude(3);
     let mut terms: Vec<Formula> =
         coefficients.iter().enumerate().map(|(n, c)| monomial(c, &theta_0(), 2 * n)).collect();
     terms.push(order(theta_0().pow(8)));
     let expanded = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
-    Ok(Step::new("In powers of the amplitude")
+    Ok(DerivationStep::new("In powers of the amplitude")
         .say("With the power series of the sine itself the same sum becomes a series in the amplitude, in radians:", [])
         .show(same_series(&amplitude(), 8, expanded)?)
         .remark(

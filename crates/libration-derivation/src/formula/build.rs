@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Decimal, Formula, Name, Unit};
+use super::{Decimal, DecimalUnit, Formula, Name};
 use libration::algebra::{Function, Rational};
 
 /// An integer.
@@ -77,7 +77,7 @@ pub(crate) fn order(of: impl Into<Formula>) -> Formula {
 }
 
 /// A number rounded to so many digits.
-pub(crate) fn rounded(value: f64, digits: usize, unit: Unit) -> Formula {
+pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Formula {
     Formula::Decimal(Decimal::rounded(value, digits, unit))
 }
 

@@ -10,12 +10,12 @@ pub struct Decimal {
     /// The power of ten the mantissa is multiplied by; zero is not printed.
     pub exponent: i32,
     /// The unit.
-    pub unit: Unit,
+    pub unit: DecimalUnit,
 }
 
 /// The unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
+pub enum DecimalUnit {
     /// A plain number.
     One,
     /// Degrees of angle.
@@ -35,7 +35,7 @@ pub enum Unit {
 impl Decimal {
     /// The number rounded to this many significant digits; in powers of ten when very small or very large. What is not
     /// finite becomes zero: derivations have none.
-    pub(crate) fn rounded(value: f64, digits: usize, unit: Unit) -> Self {
+    pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Self {
         // Adding zero takes the sign from minus zero.
         let value = if value.is_finite() { value + 0.0 } else { 0.0 };
         let scientific = format!("{value:.*e}", digits.saturating_sub(1));
@@ -50,7 +50,7 @@ impl Decimal {
     }
 
     /// As [`rounded`](Self::rounded), without zeros at the end: a number that was given.
-    pub(crate) fn short(value: f64, unit: Unit) -> Self {
+    pub(crate) fn short(value: f64, unit: DecimalUnit) -> Self {
         let rounded = Self::rounded(value, 15, unit);
         let mantissa = match rounded.mantissa.contains('.') {
             true => rounded.mantissa.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -85,12 +85,12 @@ mod tests {
 
     #[test]
     fn a_rounded_number_is_the_number_it_prints() {
-        let decimal = |value, digits| Decimal::rounded(value, digits, Unit::One);
+        let decimal = |value, digits| Decimal::rounded(value, digits, DecimalUnit::One);
         assert_eq!(decimal(2.1532423518, 5).mantissa, "2.1532");
         assert_eq!(decimal(2.1532423518, 5).value(), Rational::new(21532, 10000));
         assert_eq!(decimal(2.1532423518, 5).last_place(), Rational::new(1, 10000));
         assert_eq!((decimal(-1.25e-9, 3).mantissa.as_str(), decimal(-1.25e-9, 3).exponent), ("-1.25", -9));
         assert_eq!(decimal(-1.25e-9, 3).value(), Rational::new(-125, 100_000_000_000));
-        assert_eq!(Decimal::short(60.0, Unit::Degree).mantissa, "60");
+        assert_eq!(Decimal::short(60.0, DecimalUnit::Degree).mantissa, "60");
     }
 }

@@ -6,7 +6,7 @@ mod decimal;
 mod name;
 mod statement;
 
-pub use decimal::{Decimal, Unit};
+pub use decimal::{Decimal, DecimalUnit};
 pub use name::{Name, Subscript};
 pub use statement::{Relation, Statement};
 

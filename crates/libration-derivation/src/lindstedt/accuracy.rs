@@ -1,16 +1,18 @@
 //! How good the series are at an amplitude.
 
 use super::super::check::DerivationError;
-use super::super::document::{Step, Table};
-use super::super::formula::{Decimal, Formula, Name, Unit, letter, number, rounded};
+use super::super::document::{DerivationStep, DerivationTable};
+use super::super::formula::{Decimal, DecimalUnit, Formula, Name, letter, number, rounded};
 use super::super::prose::Prose;
 use super::Released;
 use super::amplitude::of_amplitude;
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use libration::algebra::Rational;
-use libration::comparison::{ExactMotion, ExactValue, NoExactValue, Quantity};
-use libration::perturbation::{Certainty, Evaluation, Gauge, Remainder, expand, pendulum_period_remainder};
+use libration::comparison::{ExactMotion, ExactValue, NoExactValue, SeriesQuantity};
+use libration::perturbation::{
+    Certainty, Gauge, Remainder, SeriesEvaluation, expand, pendulum_period_remainder,
+};
 use libration::quantity::{Displacement, is_angle_name};
 
 /// The order to which what is missing is estimated.
@@ -18,7 +20,10 @@ const LONGER: usize = 31;
 /// The amplitude when none is given.
 pub(super) const EXAMPLE: f64 = 1.0;
 
-pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<Step, DerivationError> {
+pub(super) fn step(
+    question: &Question,
+    released: Option<&Released>,
+) -> Result<DerivationStep, DerivationError> {
     let exactly =
         released.map(|released| released.amplitude.clone()).or_else(|| Displacement::from_f64(EXAMPLE));
     let exactly = exactly.ok_or(DerivationError::NotAnAmplitude(EXAMPLE))?;
@@ -26,9 +31,9 @@ pub(super) fn step(question: &Question, released: Option<&Released>) -> Result<S
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
-    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
     let exact = exactly_at(question, &exactly);
-    let step = Step::new("How good it is")
+    let step = DerivationStep::new("How good it is")
         .say(
             "At an amplitude of {} the terms of the period are",
             [Formula::Decimal(Decimal::short(amplitude, unit))],
@@ -65,26 +70,26 @@ fn sine_coefficient(n: usize) -> Rational {
 }
 
 /// The partial sums of T/T0.
-fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Table, DerivationError> {
+fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<DerivationTable, DerivationError> {
     let pendulum = is_pendulum(question, amplitude);
     let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
     let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
-    let evaluation = Evaluation::new(&series, amplitude);
+    let evaluation = SeriesEvaluation::new(&series, amplitude);
     let evaluation = if pendulum {
         evaluation.with_bound(|n| pendulum_period_remainder(amplitude, n / 2))
     } else {
         evaluation
     };
-    let found = exact(motion, Quantity::Period);
+    let found = exact(motion, SeriesQuantity::Period);
     let exact = found.as_ref().ok().map(|exact| exact.value);
     let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
         let mut row = vec![
             Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
-            Prose::formula(rounded(step.term, 6, Unit::One)),
-            Prose::formula(rounded(step.sum, 10, Unit::One)),
+            Prose::formula(rounded(step.term, 6, DecimalUnit::One)),
+            Prose::formula(rounded(step.sum, 10, DecimalUnit::One)),
             rest(step.remainder),
         ];
-        row.extend(exact.map(|exact| Prose::formula(rounded(step.sum / exact - 1.0, 2, Unit::One))));
+        row.extend(exact.map(|exact| Prose::formula(rounded(step.sum / exact - 1.0, 2, DecimalUnit::One))));
         row
     });
     let rows = rows.collect();
@@ -95,7 +100,7 @@ fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Table,
     } else {
         format!("the rest is estimated from the terms to the power {LONGER}")
     };
-    Ok(Table { head, rows, note: note(&basis, &found) })
+    Ok(DerivationTable { head, rows, note: note(&basis, &found) })
 }
 
 /// What the rests and the errors rest on.
@@ -105,14 +110,14 @@ fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
         Ok(exact) => exact,
     };
     let note = Prose::text(format!("{basis}; errors are relative to the exact "))
-        .and(Prose::formula(rounded(exact.value, 11, Unit::One)))
+        .and(Prose::formula(rounded(exact.value, 11, DecimalUnit::One)))
         .and(Prose::text(", right to "))
-        .and(Prose::formula(rounded(exact.uncertainty, 1, Unit::One)));
+        .and(Prose::formula(rounded(exact.uncertainty, 1, DecimalUnit::One)));
     match exact.encloses {
         None => note,
         Some(place) => note
             .and(Prose::text(", of a motion that goes around another equilibrium too, at "))
-            .and(Prose::formula(rounded(place, 6, Unit::One)))
+            .and(Prose::formula(rounded(place, 6, DecimalUnit::One)))
             .and(Prose::text(", and is not what the series is for")),
     }
 }
@@ -122,7 +127,7 @@ fn rest(remainder: Remainder) -> Prose {
         return Prose::text("no end in sight");
     }
     let word = if remainder.certainty == Certainty::Proven { "below " } else { "about " };
-    Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, Unit::One)))
+    Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, DecimalUnit::One)))
 }
 
 /// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
@@ -130,31 +135,36 @@ pub(super) fn motion(
     question: &Question,
     released: &Released,
     found: &Exactly,
-) -> Result<Table, DerivationError> {
+) -> Result<DerivationTable, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
     let amplitude = released.amplitude.to_f64();
     let value = |series: &[Rational], powers: usize| {
         series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + c.to_f64())
     };
-    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
+    let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
     let exactly = |quantity| exact(found, quantity).ok().map(|exact| exact.value);
     let ratio = value(&of.period_ratio, question.order);
-    let exact_ratio = exactly(Quantity::Period);
+    let exact_ratio = exactly(SeriesQuantity::Period);
     let mut rows = vec![
-        (letter("ε"), value(&of.epsilon, question.order + 1), None, Unit::One),
-        (letter("Δ"), value(&of.frequency_ratio, question.order), exact_ratio.map(f64::recip), Unit::One),
-        (letter("T") / Formula::from(Name::new("T").index(0)), ratio, exact_ratio, Unit::One),
+        (letter("ε"), value(&of.epsilon, question.order + 1), None, DecimalUnit::One),
+        (
+            letter("Δ"),
+            value(&of.frequency_ratio, question.order),
+            exact_ratio.map(f64::recip),
+            DecimalUnit::One,
+        ),
+        (letter("T") / Formula::from(Name::new("T").index(0)), ratio, exact_ratio, DecimalUnit::One),
     ];
     if let Some(frequency) = released.angular_frequency {
         let small = 2.0 * std::f64::consts::PI / frequency;
-        rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), Unit::Second));
+        rows.push((letter("T"), ratio * small, exact_ratio.map(|ratio| ratio * small), DecimalUnit::Second));
     }
     for (k, series) in of.harmonics.iter().filter(|(k, _)| *k <= question.order) {
-        let exact = exactly(Quantity::Cosine(*k));
+        let exact = exactly(SeriesQuantity::Cosine(*k));
         rows.push((harmonic_name(*k).into(), value(series, question.order + 1), exact, unit));
     }
     let cell = |value: f64, unit| Prose::formula(rounded(value, 8, unit));
-    let row = |(name, value, exact, unit): (Formula, f64, Option<f64>, Unit)| {
+    let row = |(name, value, exact, unit): (Formula, f64, Option<f64>, DecimalUnit)| {
         let exact = exact.map_or_else(|| Prose::text(""), |exact| cell(exact, unit));
         vec![Prose::formula(name), cell(value, unit), exact]
     };
@@ -162,7 +172,7 @@ pub(super) fn motion(
     let note = Prose::text(
         "series to the order derived; exact: by elliptic functions for the pendulum, else the equation of motion integrated in time",
     );
-    Ok(Table { head, rows: rows.into_iter().map(row).collect(), note })
+    Ok(DerivationTable { head, rows: rows.into_iter().map(row).collect(), note })
 }
 
 /// The motion without the series: in closed form for the pendulum, for all else by integration in time.
@@ -172,6 +182,6 @@ pub(super) fn exactly_at(question: &Question, amplitude: &Displacement) -> Exact
     ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude)
 }
 
-fn exact(motion: &Exactly, quantity: Quantity) -> Result<ExactValue, NoExactValue> {
+fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {
     motion.as_ref().map_err(Clone::clone)?.value(quantity)
 }

@@ -1,9 +1,9 @@
 //! From the expansion parameter to the amplitude and back, and what can be measured.
 
 use super::super::check::{
-    DerivationError, Equation, Given, failed, same_series, same_series_where, series_value,
+    CheckedEquation, DerivationError, Given, failed, same_series, same_series_where, series_value,
 };
-use super::super::document::Step;
+use super::super::document::DerivationStep;
 use super::super::formula::{
     Formula, Name, Statement, agm, apply, cos, letter, monomial, number, order, polynomial, sum,
 };
@@ -36,14 +36,14 @@ pub(super) fn of_amplitude<'a>(
     })
 }
 
-pub(super) fn iteration(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn iteration(question: &Question) -> Result<DerivationStep, DerivationError> {
     let sum_of_harmonics = &question.solution.expansion.x_max;
     let total = question.harmonics().into_iter().map(|k| Formula::from(harmonic_name(k)));
     let statement = Statement::equal(question.amplitude(), sum(total.collect()))
         .and_equal(in_epsilon(sum_of_harmonics, question.order + 1));
     let mut given = harmonics_in_epsilon(question, &question.solution);
     given.push(Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))));
-    let step = Step::new("From the amplitude to the expansion parameter")
+    let step = DerivationStep::new("From the amplitude to the expansion parameter")
         .say(
             "What is known of a swing is its largest displacement {}, at {} = 0, where all cosines are one:",
             [question.amplitude().into(), letter("τ")],
@@ -69,7 +69,11 @@ fn answer(pass: usize) -> Name {
 }
 
 /// A = s₁ε + s₂ε² + … solved as ε = A/s₁ + F(ε), by putting each answer in again.
-fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Result<Step, DerivationError> {
+fn passes(
+    question: &Question,
+    step: DerivationStep,
+    sum_of_harmonics: &[Rational],
+) -> Result<DerivationStep, DerivationError> {
     let amplitude = Formula::from(question.amplitude());
     let one = Rational::from(1);
     let scale = sum_of_harmonics.get(1).and_then(|first| one.checked_div(first)).unwrap_or(one);
@@ -80,9 +84,9 @@ fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Res
     let start = monomial(&scale, &amplitude, 1);
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
-        .show(Equation::definition(Statement::defined(apply("F", [letter("z")]), function.clone())))
+        .show(CheckedEquation::definition(Statement::defined(apply("F", [letter("z")]), function.clone())))
         .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
-        .show(Equation::definition(Statement::defined(answer(0), start.clone())));
+        .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
     let mut known = vec![Rational::from(0), scale];
     for pass in 1..=question.order {
@@ -112,13 +116,13 @@ fn passes(question: &Question, step: Step, sum_of_harmonics: &[Rational]) -> Res
     Err(failed(&statement, "the iteration does not lead to the series of the engine".to_owned()))
 }
 
-pub(super) fn physical_relations(question: &Question) -> Result<Step, DerivationError> {
-    let step = Step::new("The period and the harmonics").say(
+pub(super) fn physical_relations(question: &Question) -> Result<DerivationStep, DerivationError> {
+    let step = DerivationStep::new("The period and the harmonics").say(
         "Put in the place of {}, this gives what can be measured: the frequency and the period over those of very small \
          swings, and the harmonics.",
         [letter("ε")],
     );
-    let step = relations(question, &question.solution)?.into_iter().fold(step, Step::show);
+    let step = relations(question, &question.solution)?.into_iter().fold(step, DerivationStep::show);
     let coefficients = period_in_amplitude(question.order / 2);
     let of = of_amplitude(question, &question.solution)?;
     let even: Vec<&Rational> = of.period_ratio.iter().take(question.order).step_by(2).collect();
@@ -134,7 +138,10 @@ pub(super) fn physical_relations(question: &Question) -> Result<Step, Derivation
 }
 
 /// Frequency, period and harmonics by powers of the amplitude, from the series in ε.
-pub(super) fn relations(question: &Question, solution: &Solution) -> Result<Vec<Equation>, DerivationError> {
+pub(super) fn relations(
+    question: &Question,
+    solution: &Solution,
+) -> Result<Vec<CheckedEquation>, DerivationError> {
     let of = of_amplitude(question, solution)?;
     let period = letter("T");
     let small = Name::new("T").index(0);

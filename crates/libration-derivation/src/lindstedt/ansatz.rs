@@ -1,7 +1,7 @@
 //! The form the motion is looked for in, and what it means that a sum of cosines vanishes.
 
-use super::super::check::{DerivationError, Equation};
-use super::super::document::Step;
+use super::super::check::{CheckedEquation, DerivationError};
+use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum};
 use super::super::trials::Trials;
 use super::question::Question;
@@ -37,7 +37,7 @@ fn left_out(question: &Question) -> Formula {
     order(power_of_epsilon(question.order + 1))
 }
 
-pub(super) fn fundamental_and_harmonics(question: &Question) -> Step {
+pub(super) fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
     let omega = || letter("Ω");
     let phase = Statement::defined(letter("τ"), omega() * letter("t"));
     let ratio = Statement::defined(letter("Δ"), omega() / Formula::from(Name::new("ω").index(0)));
@@ -47,18 +47,18 @@ pub(super) fn fundamental_and_harmonics(question: &Question) -> Step {
         k => Formula::from(harmonic_name(k)) * cosine(k),
     });
     let ansatz = Statement::equal(question.u(), sum(cosines.collect()));
-    let step = Step::new("The ansatz")
+    let step = DerivationStep::new("The ansatz")
         .say(
             "The motion is periodic with a frequency {} that is not known yet. So time is counted in such a way that the period \
              becomes a fixed number,",
             [omega()],
         )
-        .show(Equation::definition(phase))
-        .show(Equation::definition(ratio))
+        .show(CheckedEquation::definition(phase))
+        .show(CheckedEquation::definition(ratio))
         .say("and with primes now for derivatives with respect to {} the equation of motion is", [letter("τ")])
-        .show(Equation::premise(motion))
+        .show(CheckedEquation::premise(motion))
         .say("A motion that begins at a turning point is even in {} and a sum of cosines:", [letter("τ")])
-        .show(Equation::definition(ansatz));
+        .show(CheckedEquation::definition(ansatz));
     let step = if question.is_odd() {
         step.say(
             "Even multiples are missing, because half a period later, at {}, the displacement is the opposite one.",
@@ -76,15 +76,15 @@ pub(super) fn fundamental_and_harmonics(question: &Question) -> Step {
     step.show(frequency_series(question))
 }
 
-fn harmonic_series(question: &Question, k: usize) -> Equation {
+fn harmonic_series(question: &Question, k: usize) -> CheckedEquation {
     let first = if k == 0 { 2 } else { k };
     let powers = question.powers().into_iter().filter(|n| *n >= first);
     let terms = powers.map(|n| Formula::from(Name::from(&coefficient_name(k, n))) * power_of_epsilon(n));
     let terms = terms.chain([left_out(question)]).collect();
-    Equation::definition(Statement::equal(harmonic_name(k), sum(terms)))
+    CheckedEquation::definition(Statement::equal(harmonic_name(k), sum(terms)))
 }
 
-fn frequency_series(question: &Question) -> Equation {
+fn frequency_series(question: &Question) -> CheckedEquation {
     let powers = question.powers().into_iter().filter(|n| *n > 1).map(|n| n - 1);
     let term = |n: usize| {
         let name = Name::new("d").index(i64::try_from(n).unwrap_or(i64::MAX));
@@ -92,10 +92,10 @@ fn frequency_series(question: &Question) -> Equation {
     };
     let next = order(power_of_epsilon(question.order));
     let terms = [number(1)].into_iter().chain(powers.map(term)).chain([next]).collect();
-    Equation::definition(Statement::equal(letter("Δ"), sum(terms)))
+    CheckedEquation::definition(Statement::equal(letter("Δ"), sum(terms)))
 }
 
-pub(super) fn projection() -> Result<Step, DerivationError> {
+pub(super) fn projection() -> Result<DerivationStep, DerivationError> {
     let (j, k, tau) = (|| letter("j"), || letter("k"), || letter("τ"));
     let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
     let trials = Trials::new(None)?.with(&Name::new("τ"), at)?.with(&Name::new("j"), number(3))?;
@@ -106,7 +106,7 @@ pub(super) fn projection() -> Result<Step, DerivationError> {
     let whole = |integrand| number(1) / Formula::Pi * integral("τ", 0, 2 * Formula::Pi, integrand);
     let same = Statement::equal(whole(cos(k() * tau()).squared()), 1);
     let cube = Statement::equal(cos(tau()).pow(3), (3 * cos(tau()) + cos(3 * tau())) / 4);
-    Ok(Step::new("Projection on the harmonics")
+    Ok(DerivationStep::new("Projection on the harmonics")
         .say("Powers of the sum are sums of cosines again, because a product of two is half the sum of two others:", [])
         .show(trials.compare_cases("k", 1..=5, product)?)
         .say("for example", [])

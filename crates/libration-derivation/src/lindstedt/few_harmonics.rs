@@ -1,15 +1,15 @@
 //! The shortcut: few harmonics, a force cut off, and the equations that are left solved as they stand.
 
 use super::super::check::DerivationError;
-use super::super::document::{Step, Table};
-use super::super::formula::{Decimal, Formula, Unit, cos, letter, number, rounded};
+use super::super::document::{DerivationStep, DerivationTable};
+use super::super::formula::{Decimal, DecimalUnit, Formula, cos, letter, number, rounded};
 use super::super::prose::Prose;
 use super::Released;
 use super::accuracy::{EXAMPLE, is_angle};
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use libration::algebra::Complex;
-use libration::perturbation::{TruncatedSolution, TruncatedSystem, Verdict};
+use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};
 
 /// cos Ωt and cos 3Ωt, with the cube of the displacement.
 const HARMONICS: u32 = 2;
@@ -20,14 +20,14 @@ const DEGREE: usize = 3;
 pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
-) -> Result<Option<Step>, DerivationError> {
+) -> Result<Option<DerivationStep>, DerivationError> {
     let amplitude = released.map_or(EXAMPLE, |released| released.amplitude.to_f64());
     let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
     let Some(solutions) = system.ok().and_then(|system| system.solutions(amplitude).ok()) else {
         return Ok(None);
     };
-    let unit = if is_angle(question) { Unit::Radian } else { Unit::One };
-    let step = Step::new("The shortcut of two harmonics")
+    let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
+    let step = DerivationStep::new("The shortcut of two harmonics")
         .say(
             "One can also keep the first two harmonics alone, {} and {}, and of the force the terms up to the cube. Then the \
              conditions for {} and {}, and that the two add up to the amplitude, are three equations for \
@@ -47,7 +47,7 @@ pub(super) fn step(
 
 /// What is to be learned from the verdicts.
 fn outcome(solutions: &[TruncatedSolution]) -> &'static str {
-    if solutions.iter().any(|solution| solution.verdict == Verdict::Accepted) {
+    if solutions.iter().any(|solution| solution.verdict == SolutionVerdict::Accepted) {
         "Only one of them is a motion that becomes a small swing as the amplitude falls. With the series there is nothing \
          to choose: they begin at the small swing and stay with it."
     } else {
@@ -56,11 +56,11 @@ fn outcome(solutions: &[TruncatedSolution]) -> &'static str {
     }
 }
 
-fn table(solutions: &[TruncatedSolution]) -> Table {
+fn table(solutions: &[TruncatedSolution]) -> DerivationTable {
     let row = |solution: &TruncatedSolution| {
         let numbers = solution.amplitudes.iter().chain([&solution.frequency_ratio_squared]);
         let mut row: Vec<Prose> = numbers.map(|number| complex(*number, size(solution))).collect();
-        row.push(Prose::formula(rounded(solution.residual, 2, Unit::One)));
+        row.push(Prose::formula(rounded(solution.residual, 2, DecimalUnit::One)));
         row.push(Prose::text(word(solution.verdict)));
         row
     };
@@ -70,16 +70,16 @@ fn table(solutions: &[TruncatedSolution]) -> Table {
         "rest: what the equation of motion with the force to the order derived leaves, its root mean square over a period; \
          not a small swing: real, but not connected with one; nothing oscillates: the square of the frequency is not positive",
     );
-    Table { head, rows: solutions.iter().map(row).collect(), note }
+    DerivationTable { head, rows: solutions.iter().map(row).collect(), note }
 }
 
-const fn word(verdict: Verdict) -> &'static str {
+const fn word(verdict: SolutionVerdict) -> &'static str {
     match verdict {
-        Verdict::Accepted => "accepted",
-        Verdict::Overtone => "no first harmonic",
-        Verdict::OtherBranch => "not a small swing",
-        Verdict::NoOscillation => "nothing oscillates",
-        Verdict::Complex => "complex",
+        SolutionVerdict::Accepted => "accepted",
+        SolutionVerdict::Overtone => "no first harmonic",
+        SolutionVerdict::OtherBranch => "not a small swing",
+        SolutionVerdict::NoOscillation => "nothing oscillates",
+        SolutionVerdict::Complex => "complex",
     }
 }
 
@@ -94,7 +94,7 @@ fn complex(number: Complex, size: f64) -> Prose {
     const ROUNDING: f64 = 1e-9;
     let part = |part: f64| if part.abs() <= ROUNDING * size { 0.0 } else { part };
     let (re, im) = (part(number.re), part(number.im));
-    let formula = |part| Prose::formula(rounded(part, DIGITS, Unit::One));
+    let formula = |part| Prose::formula(rounded(part, DIGITS, DecimalUnit::One));
     if im == 0.0 {
         return formula(re);
     }

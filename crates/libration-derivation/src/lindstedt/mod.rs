@@ -15,7 +15,7 @@ mod substitution;
 mod tests;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation, Step};
+use super::document::{Block, Derivation, DerivationStep};
 use super::prose::Prose;
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
@@ -65,7 +65,7 @@ pub fn perturbation_watched(
     let question = Question::new(oscillator, order, gauge)?;
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![] };
-    let mut with = |steps: Vec<Step>| {
+    let mut with = |steps: Vec<DerivationStep>| {
         derivation.steps.extend(steps);
         watch(&derivation);
     };

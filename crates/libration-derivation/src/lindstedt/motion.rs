@@ -1,7 +1,7 @@
 //! The choice of the gauge, and the motion in it.
 
-use super::super::check::{Check, DerivationError, Equation, failed};
-use super::super::document::Step;
+use super::super::check::{Check, CheckedEquation, DerivationError, failed};
+use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, letter, number};
 use super::ansatz::{coefficient_name, harmonic_name};
 use super::question::{Question, Solution};
@@ -9,11 +9,11 @@ use super::substitution::{Motion, in_epsilon, solves};
 use libration::algebra::{Rational, Variable};
 use libration::perturbation::Gauge;
 
-pub(super) fn gauge(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationError> {
     let unknowns = question.open.unknowns().len();
     let free = question.open.free_constants();
     let fixed = number(i64::try_from(unknowns - free.len()).unwrap_or(i64::MAX));
-    let mut step = Step::new("The gauge")
+    let mut step = DerivationStep::new("The gauge")
         .say(
             "The ansatz has {} coefficients, of which the conditions fix {}. Free are the {} coefficients of the first harmonic: \
              they say what {} means, since any other measure of the size of the swing would do as well. To choose them is to choose \
@@ -30,7 +30,7 @@ pub(super) fn gauge(question: &Question) -> Result<Step, DerivationError> {
     for n in question.powers() {
         let value = question.solution.coefficient(1, n);
         let name = Name::from(&coefficient_name(1, n));
-        step = step.show(Equation::definition(Statement::defined(name, value)));
+        step = step.show(CheckedEquation::definition(Statement::defined(name, value)));
     }
     Ok(step)
 }
@@ -55,11 +55,11 @@ fn meaning(gauge: &Gauge) -> &'static str {
     }
 }
 
-pub(super) fn solution(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn solution(question: &Question) -> Result<DerivationStep, DerivationError> {
     agrees_with_open_gauge(question, &question.solution)?;
-    let step =
-        Step::new("The solution").say("With these the coefficients are numbers, and the motion is", []);
-    let step = (series(question, &question.solution).into_iter()).fold(step, Step::show);
+    let step = DerivationStep::new("The solution")
+        .say("With these the coefficients are numbers, and the motion is", []);
+    let step = (series(question, &question.solution).into_iter()).fold(step, DerivationStep::show);
     Ok(step
         .say(
             "These series were found by a computation that goes another way and to any order. That they are a solution is seen by \
@@ -70,15 +70,15 @@ pub(super) fn solution(question: &Question) -> Result<Step, DerivationError> {
 }
 
 /// The harmonics and the frequency, each with the check that is shown below them.
-pub(super) fn series(question: &Question, solution: &Solution) -> Vec<Equation> {
+pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEquation> {
     let mut equations = Vec::new();
     for k in question.harmonics() {
         let statement =
             Statement::equal(harmonic_name(k), in_epsilon(&solution.harmonic(k), question.order + 1));
-        equations.push(Equation::new(statement, Check::Below));
+        equations.push(CheckedEquation::new(statement, Check::Below));
     }
     let frequency = in_epsilon(&solution.expansion.frequency_ratio, question.order);
-    equations.push(Equation::new(Statement::equal(letter("Δ"), frequency), Check::Below));
+    equations.push(CheckedEquation::new(Statement::equal(letter("Δ"), frequency), Check::Below));
     equations
 }
 

@@ -1,7 +1,7 @@
 //! The conditions order by order, with the gauge open.
 
-use super::super::check::{Check, DerivationError, Equation};
-use super::super::document::Step;
+use super::super::check::{Check, CheckedEquation, DerivationError};
+use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin};
 use super::super::trials::Trials;
 use super::ansatz::{coefficient_name, cosine};
@@ -13,7 +13,7 @@ use libration::perturbation::Condition;
 /// Choices of fractions for the letters that a condition is checked with.
 const CHOICES: usize = 3;
 
-pub(super) fn secular_terms() -> Result<Step, DerivationError> {
+pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let tau = || letter("τ");
     let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
     let trials = Trials::new(None)?.with(&Name::new("τ"), at)?;
@@ -21,7 +21,7 @@ pub(super) fn secular_terms() -> Result<Step, DerivationError> {
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
     let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
-    Ok(Step::new("What each condition decides")
+    Ok(DerivationStep::new("What each condition decides")
         .say(
             "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
              this is not zero, and the condition fixes that coefficient.",
@@ -52,7 +52,7 @@ fn written_out(question: &Question) -> usize {
     question.order.min(if question.is_odd() { 5 } else { 3 })
 }
 
-pub(super) fn conditions(question: &Question) -> Result<Vec<Step>, DerivationError> {
+pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, DerivationError> {
     let last = written_out(question);
     let mut steps = Vec::new();
     for order in question.powers() {
@@ -68,21 +68,21 @@ pub(super) fn conditions(question: &Question) -> Result<Vec<Step>, DerivationErr
     Ok(steps)
 }
 
-fn one_order(question: &Question, order: usize) -> Step {
+fn one_order(question: &Question, order: usize) -> DerivationStep {
     let heading = format!("Order {order}, with the gauge open");
-    let mut step = Step::new(&heading);
+    let mut step = DerivationStep::new(&heading);
     for condition in question.open.conditions().iter().filter(|condition| is_shown(condition, order)) {
         let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
         let power = letter("ε").pow(i64::from(condition.order));
         let statement = Statement::equal(&condition.polynomial, 0);
         step = step
             .say("The factor of {} in the power {} gives", [cosine(k), power])
-            .show(Equation::new(statement, Check::Substituted { choices: CHOICES }));
+            .show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }));
         if let Some((unknown, value)) = solved(question, condition) {
             let statement = Statement::equal(Name::from(&unknown), value);
             step = step
                 .say("so that", [])
-                .show(Equation::new(statement, Check::Substituted { choices: CHOICES }));
+                .show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }));
         }
     }
     step

@@ -6,7 +6,7 @@ use super::HIGHEST_ORDER;
 use libration::algebra::{Rational, Rationals};
 use libration::expression::Symbol;
 use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{Expansion, Gauge, OpenGauge, Powers, expand};
+use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand};
 
 /// An oscillator about its equilibrium, prepared.
 pub(super) struct Question {
@@ -47,8 +47,11 @@ impl Question {
         let variable = Name::from(&Symbol { name: oscillator.variable().to_owned(), primes: 0 });
         let displacement = if equilibrium.is_zero() { variable.clone() } else { Name::new("u") };
         let solution = Solution::new(oscillator, order, gauge)?;
-        let powers =
-            if oscillator.is_odd() && !solution.has_even_powers() { Powers::OneParity } else { Powers::All };
+        let powers = if oscillator.is_odd() && !solution.has_even_powers() {
+            EpsilonPowers::OneParity
+        } else {
+            EpsilonPowers::All
+        };
         let open = OpenGauge::new(&force, u32::try_from(order).unwrap_or(u32::MAX), powers)?;
         Ok(Self {
             oscillator: oscillator.clone(),

@@ -1,7 +1,7 @@
 //! The same motion in another gauge: other series in ε, the same in the amplitude.
 
-use super::super::check::{DerivationError, Equation, failed};
-use super::super::document::Step;
+use super::super::check::{CheckedEquation, DerivationError, failed};
+use super::super::document::DerivationStep;
 use super::super::formula::{Name, Statement, letter};
 use super::amplitude::{of_amplitude, relations};
 use super::ansatz::coefficient_name;
@@ -18,16 +18,16 @@ fn other(question: &Question) -> Gauge {
     if question.solution.gauge == other { Gauge::Fundamental } else { other }
 }
 
-pub(super) fn comparison(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
     let other = Solution::new(&question.oscillator, question.order, &other(question))?;
-    let mut step = Step::new("A second gauge")
+    let mut step = DerivationStep::new("A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {
         let name = Name::from(&coefficient_name(1, n));
-        step = step.show(Equation::definition(Statement::defined(name, other.coefficient(1, n))));
+        step = step.show(CheckedEquation::definition(Statement::defined(name, other.coefficient(1, n))));
     }
     step = step.say("the series in {} are others:", [letter("ε")]);
-    step = series(question, &other).into_iter().fold(step, Step::show);
+    step = series(question, &other).into_iter().fold(step, DerivationStep::show);
     step = step.show(solves(question, &motion(question, &other))?);
     let (here, there) = (of_amplitude(question, &question.solution)?, of_amplitude(question, &other)?);
     let same = here.frequency_ratio == there.frequency_ratio
@@ -38,5 +38,5 @@ pub(super) fn comparison(question: &Question) -> Result<Step, DerivationError> {
         return Err(failed(&statement, "two gauges give different frequencies or harmonics".to_owned()));
     }
     step = step.say("But put the series of {} in the amplitude into them, which is another one too, and the same comes out:", [letter("ε")]);
-    Ok(relations(question, &other)?.into_iter().fold(step, Step::show))
+    Ok(relations(question, &other)?.into_iter().fold(step, DerivationStep::show))
 }

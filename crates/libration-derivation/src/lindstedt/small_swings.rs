@@ -1,20 +1,20 @@
 //! The equation of motion and its Taylor series about the equilibrium.
 
-use super::super::check::{DerivationError, Equation, Given, same_series_where};
-use super::super::document::Step;
+use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
+use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, letter, number, order, polynomial};
 use super::question::Question;
 use libration::algebra::Rational;
 
-pub(super) fn equation_of_motion(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn equation_of_motion(question: &Question) -> Result<DerivationStep, DerivationError> {
     let variable = Formula::from(&question.variable);
     let acceleration = Formula::from(question.variable.clone().prime().prime());
-    let mut step = Step::new("The equation of motion")
+    let mut step = DerivationStep::new("The equation of motion")
         .say(
             "The oscillator is given by its equation of motion, with a prime for a derivative with respect to the time {}:",
             [letter("t")],
         )
-        .show(Equation::premise(Statement::equal(acceleration, question.acceleration())));
+        .show(CheckedEquation::premise(Statement::equal(acceleration, question.acceleration())));
     if question.variable == question.displacement {
         step = step.say(
             "It can stay at rest at {} = {}, and is driven back from both sides.",
@@ -28,7 +28,7 @@ pub(super) fn equation_of_motion(question: &Question) -> Result<Step, Derivation
                  is counted from there:",
                 [variable.clone(), place.clone()],
             )
-            .show(Equation::definition(Statement::defined(question.u(), variable - place)));
+            .show(CheckedEquation::definition(Statement::defined(question.u(), variable - place)));
     }
     let omega = || Formula::from(Name::new("ω").index(0));
     let square = Statement::defined(omega().squared(), question.omega0_squared.clone());
@@ -38,7 +38,7 @@ pub(super) fn equation_of_motion(question: &Question) -> Result<Step, Derivation
              frequency of very small swings,",
             [],
         )
-        .show(Equation::definition(square))
+        .show(CheckedEquation::definition(square))
         .say(
             "and a very small swing of amplitude {}, begun at a turning point, is {}. For larger ones neither the frequency \
              nor the form stays the same.",
@@ -46,7 +46,7 @@ pub(super) fn equation_of_motion(question: &Question) -> Result<Step, Derivation
         ))
 }
 
-pub(super) fn taylor(question: &Question) -> Result<Step, DerivationError> {
+pub(super) fn taylor(question: &Question) -> Result<DerivationStep, DerivationError> {
     let with_linear: Vec<Rational> = [Rational::from(0)].iter().chain(&question.force).cloned().collect();
     let next = i64::try_from(with_linear.len()).unwrap_or(i64::MAX);
     let series = polynomial(&with_linear, &question.u()) + order(question.u().pow(next));
@@ -57,7 +57,7 @@ pub(super) fn taylor(question: &Question) -> Result<Step, DerivationError> {
     }
     let statement = Statement::equal(question.restoring_force(), series);
     let equation = same_series_where(&question.displacement, with_linear.len(), &given, statement)?;
-    let mut step = Step::new("The Taylor step")
+    let mut step = DerivationStep::new("The Taylor step")
         .say(
             "Perturbation theory needs the force as a power series. Up to the order at which the derivation stops, the restoring \
              force over the square of {} is",

@@ -3,7 +3,9 @@
 //! At each order the equation is a polynomial in cos τ of a degree not above the order. So as many different values of
 //! cos τ as the order has, and one more, decide; fractions will do.
 
-use super::super::check::{Check, DerivationError, Equation, Given, failed, same_series_where, series_value};
+use super::super::check::{
+    Check, CheckedEquation, DerivationError, Given, failed, same_series_where, series_value,
+};
 use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, polynomial};
 use super::question::Question;
 use libration::algebra::Rational;
@@ -15,14 +17,14 @@ pub(super) struct Motion {
 }
 
 /// Checks that a motion solves Δ²u″ = f/ω0² up to the order asked for.
-pub(super) fn solves(question: &Question, motion: &Motion) -> Result<Equation, DerivationError> {
+pub(super) fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
     let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
     let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));
     let phases = question.order + 1;
     for cosine in cosines(phases) {
         same_series_where(&epsilon(), phases, &given(question, motion, &cosine), statement.clone())?;
     }
-    Ok(Equation::new(statement, Check::Phases { variable: epsilon(), order: question.order, phases }))
+    Ok(CheckedEquation::new(statement, Check::Phases { variable: epsilon(), order: question.order, phases }))
 }
 
 /// Checks that the coefficient of εⁿ in the equation of motion is Σ pₖ cos kτ.

@@ -4,7 +4,7 @@
 use std::sync::OnceLock;
 
 use super::precision::PRECISION;
-use crate::evaluate::NoValue;
+use crate::evaluate::NoEvaluation;
 use libration::algebra::BigFloat;
 
 /// Halvings of the step after which an integral is given up.
@@ -23,8 +23,8 @@ static NODES: [OnceLock<Vec<Node>>; LEVELS] = [const { OnceLock::new() }; LEVELS
 pub(super) fn integral(
     from: &BigFloat,
     to: &BigFloat,
-    integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoValue>,
-) -> Result<BigFloat, NoValue> {
+    integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoEvaluation>,
+) -> Result<BigFloat, NoEvaluation> {
     let width = to.clone() - from.clone();
     let (mut sum, mut estimate) = (number(0), number(0));
     for (level, kept) in NODES.iter().enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn integral(
         }
         estimate = refined;
     }
-    Err(NoValue::Divergent("the integral"))
+    Err(NoEvaluation::Divergent("the integral"))
 }
 
 fn number(value: i64) -> BigFloat {

@@ -4,7 +4,7 @@ use libration::algebra::{Doubles, Polynomial, Polynomials, Rational, Ring, Varia
 use libration::expression::Expression;
 
 use super::evaluate::value;
-use super::finding::Finding;
+use super::finding::StatementFinding;
 use libration::series::PowerSeries;
 
 /// Numerical identities are held to this; what is compared is of the order of 1.
@@ -61,12 +61,12 @@ pub(super) fn inserted<R: Ring>(
 }
 
 /// Two polynomials that should be one.
-pub(super) fn same_polynomial(printed: &Polynomial, computed: &Polynomial, how: &str) -> Finding {
+pub(super) fn same_polynomial(printed: &Polynomial, computed: &Polynomial, how: &str) -> StatementFinding {
     let difference = printed.clone() - computed.clone();
     if difference.is_zero() {
-        return Finding::verified(how);
+        return StatementFinding::verified(how);
     }
-    Finding::wrong(computed.to_string(), format!("{how}; printed less computed is {difference}"))
+    StatementFinding::wrong(computed.to_string(), format!("{how}; printed less computed is {difference}"))
 }
 
 /// The first coefficient in which two series differ, with the difference a − b.
@@ -99,10 +99,14 @@ fn point<'a>(index: u32, ranges: &[(&'a str, f64, f64)]) -> Vec<(&'a str, f64)> 
 }
 
 /// An identity tried at points.
-pub(super) fn identity(residual: &Expression, ranges: &[(&str, f64, f64)], what: &str) -> Option<Finding> {
+pub(super) fn identity(
+    residual: &Expression,
+    ranges: &[(&str, f64, f64)],
+    what: &str,
+) -> Option<StatementFinding> {
     let largest = largest_residual(residual, ranges)?;
     let evidence = format!("{what}: at {POINTS} points the sides differ by at most {largest:.1e}");
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
 /// The coefficients of a polynomial in one variable.
@@ -125,9 +129,9 @@ pub(super) fn against_series(
     through: usize,
     name: &str,
     how: &str,
-) -> Option<Finding> {
+) -> Option<StatementFinding> {
     let agrees_below = first_difference(stands, computed).map_or(stands.len(), |(power, _)| power);
     let correct = written(computed.get(..=through)?, name);
     let evidence = format!("{how}, exactly: {} + ...", written(computed, name));
-    Some(Finding::verified_if(agrees_below > through, correct, evidence))
+    Some(StatementFinding::verified_if(agrees_below > through, correct, evidence))
 }

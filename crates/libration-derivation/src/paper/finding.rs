@@ -4,7 +4,7 @@ use std::fmt;
 
 /// What became of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum StatementVerdict {
     /// It is right.
     Verified,
     /// It is meant rightly and written wrongly.
@@ -15,7 +15,7 @@ pub enum Verdict {
     NotDecided,
 }
 
-impl Verdict {
+impl StatementVerdict {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Verified, Self::Typo, Self::Wrong, Self::NotDecided];
 
@@ -31,7 +31,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for StatementVerdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.name())
     }
@@ -39,9 +39,9 @@ impl fmt::Display for Verdict {
 
 /// The verdict on a statement, with its reasons.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
+pub struct StatementFinding {
     /// What became of the statement.
-    pub verdict: Verdict,
+    pub verdict: StatementVerdict,
     /// Where the verdict holds, if not everywhere; often empty.
     pub restriction: String,
     /// What should stand there; empty where the statement needs no correction.
@@ -52,10 +52,10 @@ pub struct Finding {
     pub holds_for: Vec<(f64, f64)>,
 }
 
-impl Finding {
+impl StatementFinding {
     pub(super) fn verified(evidence: impl Into<String>) -> Self {
         Self {
-            verdict: Verdict::Verified,
+            verdict: StatementVerdict::Verified,
             restriction: String::new(),
             correct: String::new(),
             evidence: evidence.into(),
@@ -64,15 +64,15 @@ impl Finding {
     }
 
     pub(super) fn typo(correct: impl Into<String>, evidence: impl Into<String>) -> Self {
-        Self { verdict: Verdict::Typo, correct: correct.into(), ..Self::verified(evidence) }
+        Self { verdict: StatementVerdict::Typo, correct: correct.into(), ..Self::verified(evidence) }
     }
 
     pub(super) fn wrong(correct: impl Into<String>, evidence: impl Into<String>) -> Self {
-        Self { verdict: Verdict::Wrong, ..Self::typo(correct, evidence) }
+        Self { verdict: StatementVerdict::Wrong, ..Self::typo(correct, evidence) }
     }
 
     pub(super) fn not_decided(evidence: impl Into<String>) -> Self {
-        Self { verdict: Verdict::NotDecided, ..Self::verified(evidence) }
+        Self { verdict: StatementVerdict::NotDecided, ..Self::verified(evidence) }
     }
 
     /// Verified if `right`, else wrong with this correction.

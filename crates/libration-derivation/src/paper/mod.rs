@@ -9,10 +9,10 @@
 //! displayed equations are numbered here in their order.
 //!
 //! ```
-//! use libration_derivation::paper::{Verdict, rows};
+//! use libration_derivation::paper::{StatementVerdict, rows};
 //! let rows = rows();
 //! let row = rows.iter().find(|row| row.label == "(25)").ok_or("missing")?;
-//! assert_eq!(row.finding.verdict, Verdict::Wrong);
+//! assert_eq!(row.finding.verdict, StatementVerdict::Wrong);
 //! assert_eq!(row.finding.correct, "Delta^2 = 1 - a1^2/8 - a1*a3/8 - a3^2/4");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -39,7 +39,7 @@ mod period_series;
 mod quadrature;
 mod sine;
 
-pub use finding::{Finding, Verdict};
+pub use finding::{StatementFinding, StatementVerdict};
 pub use statement::{Document, Row};
 
 use statement::{Statement, in_order};

@@ -3,7 +3,7 @@
 use crate::paper::compare::polynomial;
 use crate::paper::cosines::second_derivative;
 use crate::paper::evaluate::value;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::Expansion;
 use libration::algebra::{Polynomial, Polynomials, Rational, Ring};
 use libration::expression::Expression;
@@ -55,7 +55,7 @@ pub(super) fn form(
     replaced: &[(&str, Polynomial)],
     computed: &[Polynomial],
     expansion: &Expansion,
-) -> Option<Finding> {
+) -> Option<StatementFinding> {
     let stands = polynomial(formula, replaced)?;
     let orders_agree = stands.terms().all(|(monomial, _)| {
         let orders =
@@ -78,5 +78,5 @@ pub(super) fn form(
         "definition; consistent: the solution to epsilon^{} has this form with {with}, exactly",
         computed.len() - 1
     );
-    Some(Finding::verified_if(orders_agree && inserted == expected, expected.to_string(), evidence))
+    Some(StatementFinding::verified_if(orders_agree && inserted == expected, expected.to_string(), evidence))
 }

@@ -1,7 +1,7 @@
 //! The period of a formula as an exact power series in the amplitude, against the series of the period.
 
 use crate::paper::compare::{first_difference, series_in};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
@@ -13,19 +13,22 @@ pub(super) fn ratio_series(formula: &Expression, terms: usize) -> Option<Vec<Rat
 }
 
 /// T/T0 as a series in the amplitude against the exact one.
-pub(super) fn agreement(formula: &Expression, through: usize) -> Option<Finding> {
+pub(super) fn agreement(formula: &Expression, through: usize) -> Option<StatementFinding> {
     const TERMS: usize = 16;
     let printed = ratio_series(formula, TERMS)?;
     let exact = exact_series(TERMS);
     let Some((power, difference)) = first_difference(&printed, &exact) else {
-        return Some(Finding::verified(format!("equals the exact series to theta0^{}", printed.len() - 1)));
+        return Some(StatementFinding::verified(format!(
+            "equals the exact series to theta0^{}",
+            printed.len() - 1
+        )));
     };
     let term = |n: usize| format!("{}*theta0^{n}", exact[n]);
     let evidence = format!(
         "expanded exactly it agrees with the series of the period below theta0^{power}; its error begins with \
          {difference}*theta0^{power}"
     );
-    Some(Finding::verified_if(power > through, format!("the term is {}", term(power)), evidence))
+    Some(StatementFinding::verified_if(power > through, format!("the term is {}", term(power)), evidence))
 }
 
 /// T/T0 = 1 + 0·θ0 + θ0²/16 + ….

@@ -1,13 +1,13 @@
 //! The sine cut off after a power, against the sine.
 
 use crate::paper::compare::{first_difference, polynomial, series_in};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use libration::algebra::{Polynomial, Rational};
 use libration::expression::Expression;
 
 /// A truncated sine against the sine, exactly; an inertia beside it does not count.
-pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
+pub(super) fn sine(formula: &Expression, through: usize) -> Option<StatementFinding> {
     let terms = through + 8;
     let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;
     let exact = Printed::read(&["sin(theta)"])?;
@@ -17,11 +17,11 @@ pub(super) fn sine(formula: &Expression, through: usize) -> Option<Finding> {
     let evidence = format!(
         "agrees with the series of the sine below theta^{power}; its error begins with {error}*theta^{power}"
     );
-    Some(Finding::verified_if(power > through, correct, evidence))
+    Some(StatementFinding::verified_if(power > through, correct, evidence))
 }
 
 /// An equation of motion θ″ + ω0²·(…) = 0 whose bracket is the sine to a power.
-pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<Finding> {
+pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<StatementFinding> {
     let terms = through + 8;
     let equation = printed.residual(0)?;
     // At rest and with ω0 = 2 the equation is four times the sine.
@@ -37,5 +37,5 @@ pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<Fi
         quarter(&error)
     );
     let correct = format!("the force over omega0^2 has the term {}*theta^{power}", quarter(&exact[power]));
-    Some(Finding::verified_if(right, correct, evidence))
+    Some(StatementFinding::verified_if(right, correct, evidence))
 }

@@ -1,6 +1,6 @@
 //! A statement of a document: where it stands, what it says, and how it is checked.
 
-use super::finding::Finding;
+use super::finding::StatementFinding;
 use super::printed::Printed;
 
 /// One of the two documents.
@@ -64,11 +64,11 @@ pub struct Row {
     /// Whether the document has words, or an inequality, where `printed` has a formula of ours that says the same.
     pub paraphrase: bool,
     /// What was found.
-    pub finding: Finding,
+    pub finding: StatementFinding,
 }
 
 /// A check: what is printed against what is computed; `None` when a formula cannot be evaluated.
-pub(super) type Check = fn(&Printed) -> Option<Finding>;
+pub(super) type Check = fn(&Printed) -> Option<StatementFinding>;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement {
@@ -102,9 +102,9 @@ impl Statement {
     }
 
     /// What the check finds when this is printed.
-    pub(super) fn finding(&self, printed: &[&str]) -> Finding {
+    pub(super) fn finding(&self, printed: &[&str]) -> StatementFinding {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
-        finding.unwrap_or_else(|| Finding::not_decided(NOT_EVALUATED))
+        finding.unwrap_or_else(|| StatementFinding::not_decided(NOT_EVALUATED))
     }
 }
 

@@ -17,7 +17,7 @@ fn row(document: Document, label: &str) -> Row {
 #[test]
 fn every_statement_can_be_checked() {
     for row in rows() {
-        assert_ne!(row.finding.verdict, Verdict::NotDecided, "{}", row.label);
+        assert_ne!(row.finding.verdict, StatementVerdict::NotDecided, "{}", row.label);
     }
 }
 
@@ -34,7 +34,7 @@ fn what_cannot_be_evaluated_is_not_decided() {
     ];
     for (document, label, printed) in cases {
         let finding = statement(document, label).finding(printed);
-        assert_eq!(finding.verdict, Verdict::NotDecided, "{label}: {}", finding.evidence);
+        assert_eq!(finding.verdict, StatementVerdict::NotDecided, "{label}: {}", finding.evidence);
         assert_eq!((finding.evidence.as_str(), finding.summary().as_str()), (NOT_EVALUATED, "not decided"));
     }
 }
@@ -91,15 +91,15 @@ fn every_numbered_equation_has_a_row_of_its_own() {
 
 #[test]
 fn the_equations_that_are_not_verified_are_these() {
-    let found = |document: Document, verdict: Verdict| {
+    let found = |document: Document, verdict: StatementVerdict| {
         let rows =
             rows().into_iter().filter(move |row| row.document == document && row.finding.verdict == verdict);
         rows.map(|row| row.label).filter(|label| label.starts_with('(')).collect::<Vec<_>>()
     };
-    assert_eq!(found(Document::BlackVel, Verdict::Wrong), ["(25)", "(27)", "(54)", "(B4)"]);
-    assert_eq!(found(Document::BlackVel, Verdict::Typo), ["(53)", "(C1)"]);
-    assert_eq!(found(Document::Cote, Verdict::Wrong), ["(24)", "(25)", "(35)"]);
-    assert_eq!(found(Document::Cote, Verdict::Typo), ["(22)", "(34)"]);
+    assert_eq!(found(Document::BlackVel, StatementVerdict::Wrong), ["(25)", "(27)", "(54)", "(B4)"]);
+    assert_eq!(found(Document::BlackVel, StatementVerdict::Typo), ["(53)", "(C1)"]);
+    assert_eq!(found(Document::Cote, StatementVerdict::Wrong), ["(24)", "(25)", "(35)"]);
+    assert_eq!(found(Document::Cote, StatementVerdict::Typo), ["(22)", "(34)"]);
 }
 
 /// What the documents print with the error mended, and with it the verdict.
@@ -124,9 +124,13 @@ const MENDED: [(Document, &str, &[&str]); 10] = [
 fn mended_statements_are_verified() {
     for (document, label, printed) in MENDED {
         let statement = statement(document, label);
-        assert_ne!(statement.finding(statement.printed).verdict, Verdict::Verified, "{label} as it is");
+        assert_ne!(
+            statement.finding(statement.printed).verdict,
+            StatementVerdict::Verified,
+            "{label} as it is"
+        );
         let finding = statement.finding(printed);
-        assert_eq!(finding.verdict, Verdict::Verified, "{label} mended: {}", finding.evidence);
+        assert_eq!(finding.verdict, StatementVerdict::Verified, "{label} mended: {}", finding.evidence);
     }
 }
 
@@ -164,9 +168,9 @@ fn the_claims_hold_where_an_independent_computation_says() {
 #[test]
 fn the_orders_agree_with_the_perturbation_engine() {
     use libration::algebra::Rational;
-    use libration::perturbation::{OpenGauge, Powers};
+    use libration::perturbation::{EpsilonPowers, OpenGauge};
     let sine = ["1", "0", "-1/6", "0", "1/120", "0", "-1/5040"].map(|text| text.parse().unwrap());
-    let engine = OpenGauge::new(&sine, 7, Powers::OneParity).unwrap();
+    let engine = OpenGauge::new(&sine, 7, EpsilonPowers::OneParity).unwrap();
     let ours = lindstedt::Expansion::odd_gauge(7).unwrap();
     for (name, polynomial) in engine.solution() {
         assert_eq!(ours.named(&name.to_string()).as_ref(), Some(polynomial), "{name}");
@@ -207,12 +211,12 @@ const STILL_TRUE: [(&str, &str, &str); 24] = [
 fn no_number_or_sign_of_a_verified_statement_can_be_changed() {
     let mut count = 0;
     for (document, statement) in statements() {
-        if statement.finding(statement.printed).verdict != Verdict::Verified {
+        if statement.finding(statement.printed).verdict != StatementVerdict::Verified {
             continue;
         }
         for (changed, texts) in changes(statement.printed) {
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            let survives = statement.finding(&texts).verdict == Verdict::Verified;
+            let survives = statement.finding(&texts).verdict == StatementVerdict::Verified;
             let true_still = STILL_TRUE
                 .iter()
                 .any(|(label, text, _)| statement.label.starts_with(label) && *text == changed);

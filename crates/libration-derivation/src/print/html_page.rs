@@ -1,7 +1,7 @@
 //! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
 
-use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Table};
+use super::super::check::CheckedEquation;
+use super::super::document::{Block, Derivation, DerivationTable};
 use super::super::prose::Prose;
 use super::super::typeset::escape::html;
 use super::super::typeset::layout::{self, Layout, Lines, Style};
@@ -63,7 +63,7 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
 }
 
-fn equation(equation: &Equation) -> String {
+fn equation(equation: &CheckedEquation) -> String {
     let Lines { left, right } = layout::statement(equation.statement());
     let inside = match right.as_slice() {
         [] => mathml(&left),
@@ -86,7 +86,7 @@ fn aligned(left: &Layout, lines: &[Layout]) -> String {
     format!("<mtable displaystyle=\"true\">{}</mtable>", lines.iter().map(row).collect::<String>())
 }
 
-fn table(table: &Table) -> String {
+fn table(table: &DerivationTable) -> String {
     let cells = |tag: &str, cells: &[Prose]| -> String {
         cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", prose(cell))).collect()
     };

@@ -1,6 +1,6 @@
 //! Derivations as a LaTeX document that needs amsmath alone.
 
-use super::super::document::{Block, Derivation, Table};
+use super::super::document::{Block, Derivation, DerivationTable};
 use super::super::prose::Prose;
 use super::super::typeset::escape::latex_text;
 use super::super::typeset::{inline_latex, statement_latex};
@@ -51,7 +51,7 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, latex_text, |it| format!("${}$", inline_latex(it)))
 }
 
-fn table(table: &Table) -> String {
+fn table(table: &DerivationTable) -> String {
     let line = |cells: &[Prose]| cells.iter().map(prose).collect::<Vec<_>>().join(" & ") + " \\\\\n";
     let rows: String = table.rows.iter().map(|row| line(row)).collect();
     format!(

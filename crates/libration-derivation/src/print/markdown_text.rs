@@ -1,7 +1,7 @@
 //! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
 
-use super::super::check::Equation;
-use super::super::document::{Block, Derivation, Table};
+use super::super::check::CheckedEquation;
+use super::super::document::{Block, Derivation, DerivationTable};
 use super::super::prose::Prose;
 use super::super::typeset::escape::markdown;
 use super::super::typeset::{inline_latex, statement_latex};
@@ -28,7 +28,7 @@ fn block(block: &Block) -> String {
     }
 }
 
-fn equation(equation: &Equation) -> String {
+fn equation(equation: &CheckedEquation) -> String {
     let check = equation.check();
     let tick = if check.is_computed() { "✓ " } else { "" };
     let statement = statement_latex(equation.statement());
@@ -39,7 +39,7 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, markdown, |it| format!("${}$", inline_latex(it)))
 }
 
-fn table(table: &Table) -> String {
+fn table(table: &DerivationTable) -> String {
     let line = |cells: &[Prose]| format!("| {} |\n", cells.iter().map(prose).collect::<Vec<_>>().join(" | "));
     let rule = format!("|{}\n", "---:|".repeat(table.head.len()));
     let rows: String = table.rows.iter().map(|row| line(row)).collect();

@@ -1,8 +1,10 @@
 //! The exact ratio and the formulas that match its series at small amplitudes.
 
 use super::super::check::{DerivationError, Given, equal_fractions, same_series, same_series_where};
-use super::super::document::Step;
-use super::super::formula::{Formula, Name, Statement, Unit, agm, letter, monomial, number, order, sin};
+use super::super::document::DerivationStep;
+use super::super::formula::{
+    DecimalUnit, Formula, Name, Statement, agm, letter, monomial, number, order, sin,
+};
 use super::super::trials::Trials;
 use super::super::words::{amplitude, cos_half_amplitude, period_ratio, theta_0};
 use super::report::{exact_ratio as ratio, leading_error, stated};
@@ -20,11 +22,11 @@ fn fraction(numerator: i64, denominator: i64) -> Formula {
     Rational::new(numerator, denominator).map_or_else(|| number(0), Formula::from)
 }
 
-pub(super) fn exact_ratio(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn exact_ratio(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let period_series = Statement::equal(ratio(), in_even_powers(&period_in_amplitude(3)));
     let frequency_series =
         Statement::equal(agm(1, cos_half_amplitude()), in_even_powers(&frequency_in_amplitude(3)));
-    Ok(Step::new("What is approximated")
+    Ok(DerivationStep::new("What is approximated")
         .say(
             "The exact ratio is one over the arithmetic–geometric mean of one and the cosine of half the amplitude: the \
              common limit of the two numbers when they are replaced, again and again, by their arithmetic and their geometric \
@@ -32,15 +34,15 @@ pub(super) fn exact_ratio(trials: &Trials) -> Result<Step, DerivationError> {
             [],
         )
         .show(trials.compare_with_library(Statement::equal(period_ratio(), ratio()))?)
-        .show_all(trials.numbers(&[(ratio(), 11, Unit::One)])?)
+        .show_all(trials.numbers(&[(ratio(), 11, DecimalUnit::One)])?)
         .say("Doing this with power series gives the series of the period, and that of the frequency, one over it:", [])
         .show(same_series(&amplitude(), 8, period_series)?)
         .show(same_series(&amplitude(), 8, frequency_series)?))
 }
 
-pub(super) fn small_angle_and_bernoulli(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn small_angle_and_bernoulli(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let bernoulli = number(1) + theta_0().squared() / 16;
-    Ok(Step::new("Small swings, and Bernoulli")
+    Ok(DerivationStep::new("Small swings, and Bernoulli")
         .say(
             "With nothing but the first term the period does not depend on the amplitude. What is lost is nearly the next \
              term:",
@@ -53,7 +55,7 @@ pub(super) fn small_angle_and_bernoulli(trials: &Trials) -> Result<Step, Derivat
         .say("Every further term of the series adds to the period, so that stopping anywhere leaves it too short.", []))
 }
 
-pub(super) fn molina(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn molina(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let quotient = || theta_0() / sin(theta_0());
     let power = || letter("p");
     let fourth = power() / 180 + power().squared() / 72;
@@ -72,7 +74,7 @@ pub(super) fn molina(trials: &Trials) -> Result<Step, DerivationError> {
         fraction(7, 15360),
     );
     let formula = quotient().pow(fraction(3, 8));
-    let step = Step::new("Molina: an exponent from the first term")
+    let step = DerivationStep::new("Molina: an exponent from the first term")
         .say(
             "Write the force as {} times {}. The second factor is one at the bottom and smallest at the turning point, where \
              it is {}. Replace it, all along the swing, by a power of this smallest value: then the motion is \

@@ -1,7 +1,7 @@
 //! The formulas that are steps of the arithmetic–geometric mean.
 
-use super::super::check::{DerivationError, Equation, Given, same_series_where};
-use super::super::document::Step;
+use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
+use super::super::document::DerivationStep;
 use super::super::elliptic::theta_series;
 use super::super::formula::{
     Formula, Name, Statement, agm, apply, call, integral, letter, number, order, sin, sqrt,
@@ -28,7 +28,9 @@ fn carvalhaes_suppes() -> Formula {
     number(4) / (number(1) + root()).squared()
 }
 
-pub(super) fn kidd_fogg_and_carvalhaes_suppes(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn kidd_fogg_and_carvalhaes_suppes(
+    trials: &mut Trials,
+) -> Result<DerivationStep, DerivationError> {
     let mut definitions = Vec::new();
     for (name, n, value) in [
         ("a", 0, number(1)),
@@ -40,7 +42,7 @@ pub(super) fn kidd_fogg_and_carvalhaes_suppes(trials: &mut Trials) -> Result<Ste
         definitions.push(trials.define(&Name::new(name).index(n), value)?);
     }
     let second = Statement::equal(mean("a", 2), ((number(1) + root()) / 2).squared());
-    Ok(Step::new("Kidd and Fogg, Carvalhaes and Suppes: steps of the mean")
+    Ok(DerivationStep::new("Kidd and Fogg, Carvalhaes and Suppes: steps of the mean")
         .say("The first steps towards the mean are", [])
         .show_all(definitions)
         .say(
@@ -59,7 +61,7 @@ pub(super) fn kidd_fogg_and_carvalhaes_suppes(trials: &mut Trials) -> Result<Ste
         .say("It needs no more than one square root, and the power in its error has doubled.", []))
 }
 
-pub(super) fn errors_of_means(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn errors_of_means(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {
     let parameter = sin(theta_0() / 2).squared();
     let psi = letter("ψ");
     let integrand = number(1) / sqrt(number(1) - letter("m") * sin(psi).squared());
@@ -79,7 +81,7 @@ pub(super) fn errors_of_means(trials: &mut Trials) -> Result<Step, DerivationErr
         let length = usize::try_from(2 * power).unwrap_or(0);
         same_series_where(&Name::new("q"), length, &[Given::Function("ϑ", "q", theta_series())], statement)
     };
-    Ok(Step::new("The errors of the two, exactly")
+    Ok(DerivationStep::new("The errors of the two, exactly")
         .say("How far these two are from the exact ratio can be said exactly. With the complete elliptic integral", [])
         .show(integral)
         .show(parameter)
@@ -100,13 +102,13 @@ pub(super) fn errors_of_means(trials: &mut Trials) -> Result<Step, DerivationErr
 }
 
 /// ϑ(q)² is the exact ratio, which fixes q as a series in θ0.
-fn nome_at_small_amplitudes() -> Result<Equation, DerivationError> {
+fn nome_at_small_amplitudes() -> Result<CheckedEquation, DerivationError> {
     let q = theta_0().squared() / 64 + theta_0().pow(4) / 1536;
     let statement = Statement::equal(apply("ϑ", [q]).squared(), exact_ratio() + order(theta_0().pow(6)));
     same_series_where(&amplitude(), 6, &[Given::Function("ϑ", "q", theta_series())], statement)
 }
 
-pub(super) fn belendez(trials: &mut Trials) -> Result<Step, DerivationError> {
+pub(super) fn belendez(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {
     let gap = trials.define(&Name::new("c").index(2), (mean("a", 1) - mean("b", 1)) / 2)?;
     let (a, c) = (mean("a", 2), mean("c", 2));
     let as_square = Statement::equal(c.clone(), ((number(1) - root()) / 2).squared());
@@ -114,7 +116,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<Step, DerivationError> {
     let after = Statement::equal(exact_ratio(), rest);
     let formula = number(64) / (16 * (number(1) + root()).squared() - (number(1) - root()).pow(4));
     let collected = Statement::equal(number(1) / (a.clone() - c.clone().squared() / 4), formula.clone());
-    Ok(Step::new("Bélendez and others: a mean and a series")
+    Ok(DerivationStep::new("Bélendez and others: a mean and a series")
         .say("Two steps of the mean leave a gap between the two numbers that is itself small and a square:", [])
         .show(gap)
         .show(trials.compare(as_square)?)
@@ -140,7 +142,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<Step, DerivationError> {
             [],
         )
         .say("Keeping {} under the small term costs one more division and gains far more:", [a.clone()])
-        .show(Equation::definition(Statement::defined(
+        .show(CheckedEquation::definition(Statement::defined(
             Formula::from(period_of("kept")) / small_swing_period(),
             number(1) / (a.clone() - mean("c", 2).squared() / (4 * a)),
         )))
@@ -148,7 +150,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<Step, DerivationError> {
 }
 
 /// The error when a₂ is kept under the small term.
-fn kept_denominator() -> Result<Equation, DerivationError> {
+fn kept_denominator() -> Result<CheckedEquation, DerivationError> {
     let name = period_of("kept");
     let (a, c) = (((number(1) + root()) / 2).squared(), ((number(1) - root()) / 2).squared());
     let ratio = number(1) / (a.clone() - c.squared() / (4 * a));

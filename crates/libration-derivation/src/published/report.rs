@@ -1,8 +1,8 @@
 //! A formula, its leading error, and the errors of all of them side by side.
 
-use super::super::check::{Check, DerivationError, Equation, Given, failed, same_series_where};
-use super::super::document::{Step, Table};
-use super::super::formula::{Formula, Name, Statement, Unit, agm, monomial, number, order, rounded};
+use super::super::check::{Check, CheckedEquation, DerivationError, Given, failed, same_series_where};
+use super::super::document::{DerivationStep, DerivationTable};
+use super::super::formula::{DecimalUnit, Formula, Name, Statement, agm, monomial, number, order, rounded};
 use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::super::words::{amplitude, cos_half_amplitude, period, small_swing_period, theta_0};
@@ -38,15 +38,19 @@ pub(super) fn stated(
     key: &str,
     mark: &str,
     ratio: Formula,
-) -> Result<Equation, DerivationError> {
+) -> Result<CheckedEquation, DerivationError> {
     let statement = Statement::defined(Formula::from(period_of(mark)) / small_swing_period(), ratio.clone());
     let catalogued = catalogued(key)?;
     trials.agrees_with(&statement, &ratio, |angle| catalogued.period_ratio(angle))?;
-    Ok(Equation::new(statement, Check::Catalogued { key: key.to_owned() }))
+    Ok(CheckedEquation::new(statement, Check::Catalogued { key: key.to_owned() }))
 }
 
 /// The first power of the amplitude in a formula's error, which must be the one of the catalogue.
-pub(super) fn leading_error(key: &str, mark: &str, ratio: Formula) -> Result<Equation, DerivationError> {
+pub(super) fn leading_error(
+    key: &str,
+    mark: &str,
+    ratio: Formula,
+) -> Result<CheckedEquation, DerivationError> {
     let name = period_of(mark);
     let formula = catalogued(key)?;
     let Some(leading) = formula.leading_error() else {
@@ -66,7 +70,7 @@ pub(super) fn catalogued(key: &str) -> Result<PeriodFormula, DerivationError> {
         .map_err(|error| DerivationError::Failed { formula: key.to_owned(), reason: error.to_string() })
 }
 
-pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let head = ["formula", "period", "leading error", "error here"].map(Prose::text);
     let angle = trials.angle();
     let mut rows = Vec::new();
@@ -83,18 +87,18 @@ pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<Step, DerivationEr
             Prose::text(formula.name()),
             Prose::formula(period_of(mark).into()),
             leading,
-            Prose::formula(rounded(formula.fractional_error(&angle), 2, Unit::One)),
+            Prose::formula(rounded(formula.fractional_error(&angle), 2, DecimalUnit::One)),
         ]);
     }
     let note = Prose::text(
         "errors here from the catalogue of formulas, which computes them in as many digits as it takes",
     );
-    Ok(Step::new("Side by side")
+    Ok(DerivationStep::new("Side by side")
         .say("All of them at an amplitude of {}, where the exact ratio is {}:", [
             trials.amplitude(),
-            rounded(trials.value(&exact_ratio())?.to_f64(), 11, Unit::One),
+            rounded(trials.value(&exact_ratio())?.to_f64(), 11, DecimalUnit::One),
         ])
-        .table(Table { head: head.into(), rows, note })
+        .table(DerivationTable { head: head.into(), rows, note })
         .remark(
             "Two steps of the mean, with one square root, are better than any formula with a polynomial here at almost every \
              amplitude; a third step costs another root and is exact to many digits.",

@@ -1,9 +1,9 @@
 //! The period near the upright position, from the motion on the separatrix.
 
 use super::super::check::{DerivationError, same_series};
-use super::super::document::{Step, Table};
+use super::super::document::{DerivationStep, DerivationTable};
 use super::super::formula::{
-    Formula, Name, Statement, Unit, call, cos, integral, letter, ln, number, order, rounded, sin,
+    DecimalUnit, Formula, Name, Statement, call, cos, integral, letter, ln, number, order, rounded, sin,
 };
 use super::super::prose::Prose;
 use super::super::trials::Trials;
@@ -20,7 +20,7 @@ fn formula() -> Formula {
     number(2) / Formula::Pi * ln(number(8) / (Formula::Pi - theta_0()))
 }
 
-pub(super) fn butikov(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn butikov(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let upright = integral("φ", 0, letter("θ"), number(1) / (2 * cos(letter("φ") / 2)));
     let to_angle = Statement::equal(upright, ln(call(Function::Tan, Formula::Pi / 4 + letter("θ") / 4)));
     let near_top = Statement::equal(
@@ -36,7 +36,7 @@ pub(super) fn butikov(trials: &Trials) -> Result<Step, DerivationError> {
         ln(number(4) / distance()) + ln(2 * distance() / letter("δ")),
         ln(number(8) / letter("δ")),
     );
-    Ok(Step::new("Butikov: from the separatrix")
+    Ok(DerivationStep::new("Butikov: from the separatrix")
         .say(
             "Released just below the upright position, a pendulum spends nearly all its time there. Let {} be its \
              distance from the upright position at the release, {}, and {} that distance later. Over most of the circle it moves \
@@ -74,7 +74,7 @@ pub(super) fn butikov(trials: &Trials) -> Result<Step, DerivationError> {
         .show(stated(trials, "butikov", "But", formula())?))
 }
 
-pub(super) fn error_near_the_top(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn error_near_the_top(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let delta = || Formula::Pi - theta_0();
     let logarithm = || ln(number(8) / delta());
     let predicted = -(delta().squared() * (number(1) / 16 - number(1) / (48 * logarithm())));
@@ -86,11 +86,11 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<Step, DerivationErro
         let value = |formula: &Formula| Ok::<f64, DerivationError>(near.value(formula)?.to_f64());
         let error = value(&(formula() / exact_ratio() - 1))?;
         rows.push(vec![
-            Prose::formula(rounded(value(&small)?, 1, Unit::One)),
-            Prose::formula(rounded(value(&exact_ratio())?, 11, Unit::One)),
-            Prose::formula(rounded(value(&formula())?, 11, Unit::One)),
-            Prose::formula(rounded(error, 5, Unit::One)),
-            Prose::formula(rounded(value(&predicted)?, 5, Unit::One)),
+            Prose::formula(rounded(value(&small)?, 1, DecimalUnit::One)),
+            Prose::formula(rounded(value(&exact_ratio())?, 11, DecimalUnit::One)),
+            Prose::formula(rounded(value(&formula())?, 11, DecimalUnit::One)),
+            Prose::formula(rounded(error, 5, DecimalUnit::One)),
+            Prose::formula(rounded(value(&predicted)?, 5, DecimalUnit::One)),
         ]);
     }
     let head = vec![
@@ -100,7 +100,7 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<Step, DerivationErro
         Prose::text("error"),
         Prose::text("expected"),
     ];
-    Ok(Step::new("How good it is near the top")
+    Ok(DerivationStep::new("How good it is near the top")
         .say(
             "The corrections are of the order of the square of {}. The next terms of the elliptic integral near the top give \
              an error of about {}, with {} for the logarithm:",
@@ -110,6 +110,6 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<Step, DerivationErro
                 letter("L"),
             ],
         )
-        .table(Table { head, rows, note: Prose::text("computed with 77 digits") })
+        .table(DerivationTable { head, rows, note: Prose::text("computed with 77 digits") })
         .remark("At small swings the formula is 40 % too low: it knows the upright position and nothing else.", []))
 }

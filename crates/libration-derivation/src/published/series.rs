@@ -1,8 +1,8 @@
 //! The formulas with the amplitude in a denominator.
 
 use super::super::check::{DerivationError, equal_fractions, same_series};
-use super::super::document::Step;
-use super::super::formula::{Formula, Statement, Unit, monomial, number, order, rounded};
+use super::super::document::DerivationStep;
+use super::super::formula::{DecimalUnit, Formula, Statement, monomial, number, order, rounded};
 use super::super::trials::Trials;
 use super::super::words::{amplitude, theta_0};
 use super::report::{catalogued, leading_error, stated};
@@ -21,14 +21,14 @@ fn fraction(numerator: i64, denominator: i64) -> Formula {
     Rational::new(numerator, denominator).map_or_else(|| number(0), Formula::from)
 }
 
-pub(super) fn black_vel(trials: &Trials) -> Result<Step, DerivationError> {
+pub(super) fn black_vel(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let one_term = number(1) / (number(1) - theta_0().squared() / 16);
     let expanded = Statement::equal(
         one_term.clone(),
         number(1) + theta_0().squared() / 16 + theta_0().pow(4) / 256 + order(theta_0().pow(6)),
     );
     let excess = Statement::equal(fraction(1, 256) - fraction(11, 3072), fraction(1, 3072));
-    Ok(Step::new("Black and Vel’s one term: a Padé approximant")
+    Ok(DerivationStep::new("Black and Vel’s one term: a Padé approximant")
         .say(
             "Perturbation theory gives the frequency as a series, and the period as one over it. With one correction this \
              is",
@@ -51,8 +51,8 @@ pub(super) fn black_vel(trials: &Trials) -> Result<Step, DerivationError> {
         ))
 }
 
-pub(super) fn three_terms(trials: &Trials) -> Result<Step, DerivationError> {
-    let mut step = Step::new("More terms").say(
+pub(super) fn three_terms(trials: &Trials) -> Result<DerivationStep, DerivationError> {
+    let mut step = DerivationStep::new("More terms").say(
         "With more terms of the frequency the error at small amplitudes falls by two powers of {} each time,",
         [theta_0()],
     );
@@ -85,7 +85,7 @@ fn overtaken(first: &str, second: &str) -> Result<Formula, DerivationError> {
 }
 
 fn degrees(angle: Angle) -> Formula {
-    rounded(angle.degrees(), 7, Unit::Degree)
+    rounded(angle.degrees(), 7, DecimalUnit::Degree)
 }
 
 fn missing(key: &str) -> DerivationError {

@@ -1,6 +1,6 @@
 //! Formulas laid out: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
 
-use super::super::formula::{Decimal, Formula, Name, Relation, Statement, Subscript, Unit};
+use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 use super::place::{Place, place};
 use libration::algebra::{Function, Rational};
 
@@ -412,17 +412,19 @@ fn decimal(value: &Decimal) -> Layout {
     Layout::Row(row)
 }
 
-fn unit(unit: Unit) -> Vec<Layout> {
+fn unit(unit: DecimalUnit) -> Vec<Layout> {
     let word = |text: &str| Layout::Word(text.to_owned());
     let spaced = |layout| vec![Layout::ThinSpace, layout];
     match unit {
-        Unit::One => vec![],
-        Unit::Degree => vec![Layout::Suffix("°")],
-        Unit::Radian => spaced(word("rad")),
-        Unit::Second => spaced(word("s")),
-        Unit::Metre => spaced(word("m")),
-        Unit::RadianPerSecond => spaced(Layout::Row(vec![word("rad"), Layout::Suffix("/"), word("s")])),
-        Unit::MetrePerSecondSquared => {
+        DecimalUnit::One => vec![],
+        DecimalUnit::Degree => vec![Layout::Suffix("°")],
+        DecimalUnit::Radian => spaced(word("rad")),
+        DecimalUnit::Second => spaced(word("s")),
+        DecimalUnit::Metre => spaced(word("m")),
+        DecimalUnit::RadianPerSecond => {
+            spaced(Layout::Row(vec![word("rad"), Layout::Suffix("/"), word("s")]))
+        }
+        DecimalUnit::MetrePerSecondSquared => {
             let squared = scripts(word("s"), None, Some(Layout::Digits("2".to_owned())));
             spaced(Layout::Row(vec![word("m"), Layout::Suffix("/"), squared]))
         }

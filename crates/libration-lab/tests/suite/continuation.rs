@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use libration::decay::{DecayError, Ending};
+use libration::decay::{DecayEnding, DecayError};
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{ContinuationError, FittedTurningPoint, TraceFit, TraceOptions, fit_traces};
@@ -90,7 +90,7 @@ fn a_swing_with_dry_friction_is_followed_to_its_end() {
     let mut swings = decay.swings();
     let turns = swings.by_ref().count();
     // Where the last swing stops before the bottom it is said to creep.
-    assert!(matches!(swings.ending(), Some(Ending::Sticks | Ending::Creeps)));
+    assert!(matches!(swings.ending(), Some(DecayEnding::Sticks | DecayEnding::Creeps)));
     // From 0.2889 on, with the start.
     assert!((25..=27).contains(&turns), "{turns}");
     let points = fit.turning_points(0, 1000.0).unwrap();

@@ -4,7 +4,7 @@ use super::{Function, Rational, Ring};
 
 /// The coefficients of cos kτ and sin kτ; of sin 0τ it is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Harmonic<N> {
+pub(crate) struct HarmonicPair<N> {
     pub(crate) cosine: N,
     pub(crate) sine: N,
 }
@@ -17,10 +17,10 @@ pub(crate) trait PhaseRing: Ring {
     fn numbers(&self) -> &Self::Numbers;
 
     /// The k-th harmonic of a sum.
-    fn harmonic(&self, a: &Self::Element, k: usize) -> Harmonic<Number<Self>>;
+    fn harmonic(&self, a: &Self::Element, k: usize) -> HarmonicPair<Number<Self>>;
 
     /// The sum of some harmonics, each with its k.
-    fn sum_of_harmonics(&self, terms: &[(usize, Harmonic<Number<Self>>)]) -> Self::Element;
+    fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<Number<Self>>)]) -> Self::Element;
 
     /// a·c with a number c.
     fn times_number(&self, a: &Self::Element, factor: &Number<Self>) -> Self::Element;
@@ -184,14 +184,14 @@ impl<F: Ring> PhaseRing for HarmonicSums<F> {
         &self.numbers
     }
 
-    fn harmonic(&self, a: &Self::Element, k: usize) -> Harmonic<F::Element> {
+    fn harmonic(&self, a: &Self::Element, k: usize) -> HarmonicPair<F::Element> {
         let at = |list: &[F::Element]| list.get(k).cloned().unwrap_or_else(|| self.numbers.zero());
-        Harmonic { cosine: at(&a.cosines), sine: if k == 0 { self.numbers.zero() } else { at(&a.sines) } }
+        HarmonicPair { cosine: at(&a.cosines), sine: if k == 0 { self.numbers.zero() } else { at(&a.sines) } }
     }
 
-    fn sum_of_harmonics(&self, terms: &[(usize, Harmonic<F::Element>)]) -> Self::Element {
+    fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<F::Element>)]) -> Self::Element {
         let mut sum = self.zero();
-        for (k, Harmonic { cosine, sine }) in terms {
+        for (k, HarmonicPair { cosine, sine }) in terms {
             self.place(&mut sum.cosines, *k, cosine, false);
             self.place(&mut sum.sines, *k, sine, false);
         }

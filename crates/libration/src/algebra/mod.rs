@@ -39,7 +39,7 @@ pub use doubles::Doubles;
 pub use floats::Floats;
 pub use function::Function;
 pub(crate) use function::{Divisor, Domain, Growth, Pair, Parity, Rule, Slope};
-pub(crate) use harmonics::{Harmonic, HarmonicSums, Number, PhaseRing};
+pub(crate) use harmonics::{HarmonicPair, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;
 pub(crate) use lanes::Lanes;
 pub(crate) use lanewise::lanes;

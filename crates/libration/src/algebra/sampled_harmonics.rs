@@ -1,6 +1,6 @@
 //! Sums of harmonics modulo a prime, held as their values at roots of unity: products are pointwise.
 
-use super::{Function, Harmonic, PhaseRing, PrimeField, Rational, Ring};
+use super::{Function, HarmonicPair, PhaseRing, PrimeField, Rational, Ring};
 
 /// What is known of all the sums of a ring, so that fewer points determine them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,9 +179,9 @@ impl PhaseRing for SampledHarmonics {
         &self.field
     }
 
-    fn harmonic(&self, a: &Vec<u64>, k: usize) -> Harmonic<u64> {
+    fn harmonic(&self, a: &Vec<u64>, k: usize) -> HarmonicPair<u64> {
         if a.is_empty() {
-            return Harmonic { cosine: 0, sine: 0 };
+            return HarmonicPair { cosine: 0, sine: 0 };
         }
         let against = |table: &[u64]| {
             let weights = self.every(table, k).zip(&self.multiplicities);
@@ -192,10 +192,10 @@ impl PhaseRing for SampledHarmonics {
         // The mean is half of what the formula for the other harmonics gives.
         let cosine = if k > 0 { Some(cosine) } else { self.field.over_integer(&cosine, 2) };
         let sine = if self.symmetry.even_in_phase || k == 0 { 0 } else { against(&self.sines) };
-        Harmonic { cosine: cosine.expect("two is not zero"), sine }
+        HarmonicPair { cosine: cosine.expect("two is not zero"), sine }
     }
 
-    fn sum_of_harmonics(&self, terms: &[(usize, Harmonic<u64>)]) -> Vec<u64> {
+    fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<u64>)]) -> Vec<u64> {
         let mut sums: Vec<u128> = vec![];
         for (table, k, factor) in
             terms.iter().flat_map(|(k, h)| [(&self.cosines, k, h.cosine), (&self.sines, k, h.sine)])
@@ -223,12 +223,12 @@ mod tests {
     use super::*;
 
     /// Coefficients that obey the symmetry, different for each seed.
-    fn terms(symmetry: Symmetry, seed: i64) -> Vec<(usize, Harmonic<i64>)> {
+    fn terms(symmetry: Symmetry, seed: i64) -> Vec<(usize, HarmonicPair<i64>)> {
         let allowed = (0..6_usize).filter(|k| {
             !symmetry.half_wave || (seed.unsigned_abs().is_multiple_of(2)) == k.is_multiple_of(2)
         });
         let sine = |k: i64| if symmetry.even_in_phase || k == 0 { 0 } else { seed - 2 * k };
-        allowed.map(|k| (k, Harmonic { cosine: seed + 3 * k as i64, sine: sine(k as i64) })).collect()
+        allowed.map(|k| (k, HarmonicPair { cosine: seed + 3 * k as i64, sine: sine(k as i64) })).collect()
     }
 
     #[test]
@@ -242,7 +242,7 @@ mod tests {
                 let rational = |n| Rational::from(n);
                 let list: Vec<_> = terms(symmetry, seed)
                     .into_iter()
-                    .map(|(k, h)| (k, Harmonic { cosine: rational(h.cosine), sine: rational(h.sine) }))
+                    .map(|(k, h)| (k, HarmonicPair { cosine: rational(h.cosine), sine: rational(h.sine) }))
                     .collect();
                 exact.sum_of_harmonics(&list)
             };
@@ -250,7 +250,7 @@ mod tests {
                 let residue = |n| field.times_integer(&field.unit(), n);
                 let list: Vec<_> = terms(symmetry, seed)
                     .into_iter()
-                    .map(|(k, h)| (k, Harmonic { cosine: residue(h.cosine), sine: residue(h.sine) }))
+                    .map(|(k, h)| (k, HarmonicPair { cosine: residue(h.cosine), sine: residue(h.sine) }))
                     .collect();
                 sampled.sum_of_harmonics(&list)
             };

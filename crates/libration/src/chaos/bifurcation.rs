@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::section::{Ending, PoincareSection, Points, Section, SectionError, flashes, section};
+use super::section::{PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, EquationError, Expression};
 use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_watched};
@@ -31,7 +31,7 @@ pub enum Continuation {
 
 /// The section for one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
+pub struct DiagramColumn {
     /// The value.
     pub value: f64,
     /// The points.
@@ -66,7 +66,7 @@ pub enum DiagramError {
 /// use std::ops::ControlFlow;
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
 /// let section = Section::Stroboscope { period: None, phase: 0.0 };
-/// let points = Points { skipped: 100, kept: 4 };
+/// let points = Points { skipped: 100, recorded: 4 };
 /// let family = Family { equation: &equation, parameter: "A", section: &section, points };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
@@ -81,7 +81,7 @@ pub fn bifurcation_diagram(
     continuation: Continuation,
     effort: &Effort,
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<Vec<Column>, DiagramError> {
+) -> Result<Vec<DiagramColumn>, DiagramError> {
     let cut = family.section.with_period_of(family.equation);
     match (continuation, &cut) {
         (Continuation::SameStart, Section::Stroboscope { .. }) => {
@@ -105,8 +105,8 @@ impl Family<'_> {
         continuation: Continuation,
         effort: &Effort,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Vec<Column>, DiagramError> {
-        let mut columns: Vec<Column> = Vec::with_capacity(values.len());
+    ) -> Result<Vec<DiagramColumn>, DiagramError> {
+        let mut columns: Vec<DiagramColumn> = Vec::with_capacity(values.len());
         for &value in values {
             let equation = self.equation_at(value)?;
             let last = columns.last().and_then(|column| column.section.points.last());
@@ -116,10 +116,10 @@ impl Family<'_> {
             };
             let done = columns.len();
             let section = section(&equation, &from, cut, self.points, effort, |_| watch(done))?;
-            if section.stopped == Some(Ending::Stopped(Cause::Interrupted)) {
+            if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
                 break;
             }
-            columns.push(Column { value, section });
+            columns.push(DiagramColumn { value, section });
         }
         Ok(columns)
     }
@@ -132,7 +132,7 @@ impl Family<'_> {
         start: &Moment,
         effort: &Effort,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Vec<Column>, DiagramError> {
+    ) -> Result<Vec<DiagramColumn>, DiagramError> {
         let system = System::with_parameters(self.equation, &[self.parameter]).map_err(SectionError::from)?;
         let times: Vec<Vec<f64>> =
             values.iter().map(|&value| self.flashes_at(value, cut, start)).collect::<Result<_, _>>()?;
@@ -145,12 +145,11 @@ impl Family<'_> {
             done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
             watch(done)
         });
-        let columns = values
-            .iter()
-            .zip(outcomes)
-            .map(|(&value, outcome)| Ok(Column { value, section: PoincareSection::of_samples(outcome)? }));
-        let columns = columns.collect::<Result<Vec<Column>, DiagramError>>()?;
-        let interrupted = Some(Ending::Stopped(Cause::Interrupted));
+        let columns = values.iter().zip(outcomes).map(|(&value, outcome)| {
+            Ok(DiagramColumn { value, section: PoincareSection::of_samples(outcome)? })
+        });
+        let columns = columns.collect::<Result<Vec<DiagramColumn>, DiagramError>>()?;
+        let interrupted = Some(SectionEnding::Stopped(Cause::Interrupted));
         Ok(columns.into_iter().filter(|column| column.section.stopped != interrupted).collect())
     }
 

@@ -15,10 +15,11 @@ mod extent;
 
 mod lyapunov;
 
-pub use bifurcation::{Column, Continuation, DiagramError, Family, bifurcation_diagram};
+pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram};
 pub use drive::drive_period;
 pub use lyapunov::{
-    Doubt, LyapunovError, LyapunovExponent, Progress, Regularity, Schedule, Verdict, lyapunov_exponent,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Regularity, Schedule,
+    lyapunov_exponent,
 };
-pub use section::{Ending, PoincareSection, Points, Section, SectionError, Taken, folded, section};
+pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, Taken, folded, section};
 pub use structure::{Theorem, angles};

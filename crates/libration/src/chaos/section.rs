@@ -49,19 +49,19 @@ impl Section {
     }
 }
 
-/// How many points of a section pass before the first that is kept, and how many are kept.
+/// How many points of a section are skipped before the first that is recorded, and how many are recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Points {
     /// The transient.
     pub skipped: usize,
     /// The section.
-    pub kept: usize,
+    pub recorded: usize,
 }
 
 /// How far the work on a section is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taken {
-    /// How many points are kept.
+    /// How many points are recorded.
     pub points: usize,
     /// When the motion is.
     pub time: f64,
@@ -73,13 +73,13 @@ pub struct PoincareSection {
     /// Times and states.
     pub points: Vec<Moment>,
     /// Why there are not as many as asked for.
-    pub stopped: Option<Ending>,
+    pub stopped: Option<SectionEnding>,
 }
 
 /// Why a section has fewer points than were asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Ending {
+pub enum SectionEnding {
     /// The integration stopped, or was interrupted.
     #[error("{0}")]
     Stopped(Cause),
@@ -130,7 +130,7 @@ pub enum SectionError {
 /// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
-/// let points = Points { skipped: 200, kept: 2 };
+/// let points = Points { skipped: 200, recorded: 2 };
 /// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), |_| ControlFlow::Continue(()))?;
 /// // The motion has the period of its drive.
 /// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
@@ -165,7 +165,7 @@ pub(super) fn flashes(start: f64, period: f64, phase: f64, points: Points) -> Re
     }
     let first = (start / period - phase).ceil();
     let number = |n: usize| first + u32::try_from(n).map_or(f64::INFINITY, f64::from);
-    Ok((points.skipped..points.skipped + points.kept).map(|n| (number(n) + phase) * period).collect())
+    Ok((points.skipped..points.skipped + points.recorded).map(|n| (number(n) + phase) * period).collect())
 }
 
 fn stroboscopic(
@@ -187,7 +187,7 @@ impl PoincareSection {
     /// The section whose points are the samples of an integration.
     pub(super) fn of_samples(outcome: Result<Solution, IntegrationError>) -> Result<Self, SectionError> {
         let (solution, stopped) = as_far_as_it_came(outcome)?;
-        Ok(Self { points: solution.samples, stopped: stopped.map(Ending::Stopped) })
+        Ok(Self { points: solution.samples, stopped: stopped.map(SectionEnding::Stopped) })
     }
 }
 
@@ -220,7 +220,7 @@ fn crossings(
             integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |leg| {
                 met += leg.events().iter().filter(|event| goes_through(event)).count();
                 watch(Taken {
-                    points: met.saturating_sub(points.skipped).min(points.kept),
+                    points: met.saturating_sub(points.skipped).min(points.recorded),
                     time: leg.step().end(),
                 })
             });
@@ -229,14 +229,14 @@ fn crossings(
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
         at = solution.end;
         match cause {
-            _ if found.len() >= points.skipped + points.kept => break None,
+            _ if found.len() >= points.skipped + points.recorded => break None,
             None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET => {}
-            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(Ending::NoCrossing),
-            Some(cause) => break Some(Ending::Stopped(cause)),
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(SectionEnding::NoCrossing),
+            Some(cause) => break Some(SectionEnding::Stopped(cause)),
         }
     };
-    let points = found.into_iter().skip(points.skipped).take(points.kept).collect();
+    let points = found.into_iter().skip(points.skipped).take(points.recorded).collect();
     Ok(PoincareSection { points, stopped })
 }
 

@@ -2,10 +2,10 @@
 //! pendulum, exactly.
 
 use super::enclosed::other_equilibrium;
-use super::{ExactValue, NoExactValue, Quantity, Radius, Relation};
+use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
-use crate::orbit::{NoOrbit, Orbit, Place};
+use crate::orbit::{NoOrbit, Orbit, ReleasePlace};
 use crate::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
 use crate::quantity::Displacement;
@@ -206,7 +206,7 @@ impl Backbone {
         let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
         let centre = self.centre();
         let start = centre + displacement.to_f64();
-        let orbit = Orbit::released_from(&self.equation, &Place::new(origin, displacement.clone()))?;
+        let orbit = Orbit::released_from(&self.equation, &ReleasePlace::new(origin, displacement.clone()))?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_equilibrium() && other_side >= centre {
             return Err(NoOrbit::Elsewhere { start, other_side, centre });
@@ -222,8 +222,8 @@ impl Backbone {
 }
 
 impl Series {
-    fn relation(&self) -> Relation<'_> {
-        Relation::new(&self.oscillator, &self.expansion, Quantity::Frequency)
+    fn relation(&self) -> SeriesComparison<'_> {
+        SeriesComparison::new(&self.oscillator, &self.expansion, SeriesQuantity::Frequency)
     }
 
     fn frequency_at(&self, amplitude: f64, omega0: f64) -> Option<SeriesFrequency> {

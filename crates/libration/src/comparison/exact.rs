@@ -1,11 +1,11 @@
 //! Values of periodic motions that know nothing of series.
 
-use super::Quantity;
+use super::SeriesQuantity;
 use super::enclosed::other_equilibrium;
 use crate::algebra::Rational;
 use crate::elementary::count;
 use crate::expression::Expression;
-use crate::orbit::{NoOrbit, Orbit, Place};
+use crate::orbit::{NoOrbit, Orbit, ReleasePlace};
 use crate::oscillator::{Kind, Oscillator};
 use crate::pendulum::{Amplitude, Pendulum};
 use crate::perturbation::{Expansion, is_pendulum};
@@ -20,7 +20,7 @@ pub struct ExactValue {
     /// It may be wrong by so much.
     pub uncertainty: f64,
     /// How it was found.
-    pub road: Road,
+    pub method: Method,
     /// Another equilibrium that the motion goes around, if there is one: then it is not of the family that series about the
     /// equilibrium are for.
     pub encloses: Option<f64>,
@@ -28,7 +28,7 @@ pub struct ExactValue {
 
 /// How an exact value is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Road {
+pub enum Method {
     /// Elliptic integrals and theta functions.
     Elliptic,
     /// The equation of motion, integrated by its Taylor series.
@@ -78,7 +78,7 @@ const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The pendulum's value at an amplitude.
 pub(super) fn of_pendulum(
-    quantity: Quantity,
+    quantity: SeriesQuantity,
     displacement: &Displacement,
 ) -> Result<ExactValue, NoExactValue> {
     let radians = displacement.to_f64();
@@ -89,14 +89,14 @@ pub(super) fn of_pendulum(
     })?;
     let ratio = amplitude.period_ratio();
     let (value, uncertainty) = match quantity {
-        Quantity::Period => (ratio, ULP_OF_PERIOD * f64::EPSILON * ratio),
-        Quantity::Frequency => (1.0 / ratio, ULP_OF_PERIOD * f64::EPSILON / ratio),
-        Quantity::Cosine(k) => {
+        SeriesQuantity::Period => (ratio, ULP_OF_PERIOD * f64::EPSILON * ratio),
+        SeriesQuantity::Frequency => (1.0 / ratio, ULP_OF_PERIOD * f64::EPSILON / ratio),
+        SeriesQuantity::Cosine(k) => {
             let value = pendulum_harmonic(angle, k);
             (value, ULP_OF_HARMONICS * f64::EPSILON * value.abs().max(SMALL_HARMONIC))
         }
     };
-    Ok(ExactValue { value, uncertainty, road: Road::Elliptic, encloses: None })
+    Ok(ExactValue { value, uncertainty, method: Method::Elliptic, encloses: None })
 }
 
 /// aₖ of the pendulum.
@@ -110,15 +110,15 @@ fn pendulum_harmonic(angle: Angle, k: usize) -> f64 {
 /// A periodic motion that is known without the series, for several of its quantities.
 #[derive(Clone, Debug)]
 pub struct ExactMotion {
-    road: Followed,
+    method: Known,
     small_period: f64,
     unit: f64,
 }
 
 #[derive(Clone, Debug)]
-enum Followed {
+enum Known {
     Pendulum(Displacement),
-    Orbit(Found),
+    Orbit(OrbitMotion),
 }
 
 impl ExactMotion {
@@ -133,11 +133,11 @@ impl ExactMotion {
     ) -> Result<Self, NoExactValue> {
         let unit = libm::sqrt(expansion.unit_squared.to_f64());
         let near = expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
-        let road = match is_pendulum(oscillator) {
-            true => Followed::Pendulum(amplitude.clone()),
-            false => Followed::Orbit(Found::of(oscillator, amplitude, near)?),
+        let method = match is_pendulum(oscillator) {
+            true => Known::Pendulum(amplitude.clone()),
+            false => Known::Orbit(OrbitMotion::by_kind(oscillator, amplitude, near)?),
         };
-        Ok(Self { road, small_period: TAU / libm::sqrt(oscillator.omega0_squared().to_f64()), unit })
+        Ok(Self { method, small_period: TAU / libm::sqrt(oscillator.omega0_squared().to_f64()), unit })
     }
 
     /// One of its quantities. Harmonics of limit cycles are in the expansion's units.
@@ -147,29 +147,32 @@ impl ExactMotion {
     ///
     /// # Errors
     /// A pendulum that is not released below its top.
-    pub fn value(&self, quantity: Quantity) -> Result<ExactValue, NoExactValue> {
-        match &self.road {
-            Followed::Pendulum(amplitude) => of_pendulum(quantity, amplitude),
-            Followed::Orbit(found) => Ok(found.value(quantity, self.small_period, self.unit)),
+    pub fn value(&self, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {
+        match &self.method {
+            Known::Pendulum(amplitude) => of_pendulum(quantity, amplitude),
+            Known::Orbit(found) => Ok(found.value(quantity, self.small_period, self.unit)),
         }
     }
 }
 
 /// A motion about the equilibrium, or a limit cycle.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct OrbitMotion {
     orbit: Orbit,
     equilibrium: f64,
     encloses: Option<f64>,
 }
 
 /// The motion that is released from rest at a displacement.
-pub(super) fn released(oscillator: &Oscillator, displacement: &Displacement) -> Result<Found, NoExactValue> {
+pub(super) fn released(
+    oscillator: &Oscillator,
+    displacement: &Displacement,
+) -> Result<OrbitMotion, NoExactValue> {
     let amplitude = displacement.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(NoExactValue::Amplitude(amplitude));
     }
-    let place = Place::new(oscillator.equilibrium().digits(), displacement.clone());
+    let place = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
     let orbit = Orbit::released_from(oscillator.equation(), &place).map_err(|error| match error {
         NoOrbit::Separatrix(_) | NoOrbit::AtRest(_) => NoExactValue::Infinite(amplitude),
         NoOrbit::NoReturn { .. } => NoExactValue::NoReturn(amplitude),
@@ -181,7 +184,7 @@ pub(super) fn released(oscillator: &Oscillator, displacement: &Displacement) -> 
         return Err(NoExactValue::NotRestoring(amplitude));
     }
     let encloses = other_equilibrium(oscillator.equation(), equilibrium, [other_side, orbit.start()[0]]);
-    Ok(Found { orbit, equilibrium, encloses })
+    Ok(OrbitMotion { orbit, equilibrium, encloses })
 }
 
 /// The limit cycle at a strength of the excitation, looked for from an amplitude.
@@ -190,7 +193,7 @@ pub(super) fn limit_cycle(
     parameter: &str,
     strength: &Displacement,
     near: f64,
-) -> Result<Found, NoExactValue> {
+) -> Result<OrbitMotion, NoExactValue> {
     let value = strength.to_f64();
     let refusal = NoExactValue::Strength(value);
     let fraction = strength.fraction().map(|(n, d)| Rational::from_parts(n, d).magnitude());
@@ -199,12 +202,12 @@ pub(super) fn limit_cycle(
     let equation = oscillator.equation().with(&[(parameter, Expression::Number(fraction))]);
     let equilibrium = oscillator.equilibrium().to_f64();
     let orbit = Orbit::limit_cycle(&equation.map_err(|_| refusal)?, &[equilibrium + near, 0.0])?;
-    Ok(Found { orbit, equilibrium, encloses: None })
+    Ok(OrbitMotion { orbit, equilibrium, encloses: None })
 }
 
-impl Found {
+impl OrbitMotion {
     /// Of an oscillator or a limit cycle of this kind.
-    pub(super) fn of(
+    pub(super) fn by_kind(
         oscillator: &Oscillator,
         amplitude: &Displacement,
         near: f64,
@@ -216,15 +219,15 @@ impl Found {
     }
 
     /// A quantity, given the period of small oscillations and the unit of length.
-    pub(super) fn value(&self, quantity: Quantity, small_period: f64, unit: f64) -> ExactValue {
+    pub(super) fn value(&self, quantity: SeriesQuantity, small_period: f64, unit: f64) -> ExactValue {
         let relative = self.orbit.period_uncertainty() / self.orbit.period() + ROUNDINGS;
         let ratio = self.orbit.period() / small_period;
         let (value, uncertainty) = match quantity {
-            Quantity::Period => (ratio, ratio * relative),
-            Quantity::Frequency => (1.0 / ratio, relative / ratio),
-            Quantity::Cosine(k) => self.cosine(k, unit),
+            SeriesQuantity::Period => (ratio, ratio * relative),
+            SeriesQuantity::Frequency => (1.0 / ratio, relative / ratio),
+            SeriesQuantity::Cosine(k) => self.cosine(k, unit),
         };
-        ExactValue { value, uncertainty, road: Road::Integration, encloses: self.encloses }
+        ExactValue { value, uncertainty, method: Method::Integration, encloses: self.encloses }
     }
 
     /// The amplitude of the harmonic k, with the sign that it has as the coefficient of cos kΩt; of a limit cycle as if the time
@@ -235,7 +238,10 @@ impl Found {
         let turn = count(k) * libm::atan2(term(1).sine, term(1).cosine);
         let turned = term(k).cosine * libm::cos(turn) + term(k).sine * libm::sin(turn);
         let mean = if k == 0 { self.equilibrium } else { 0.0 };
-        ((turned - mean) / unit, (self.uncertainty_of_places() * (1.0 + count(k)) + harmonics.rest) / unit)
+        (
+            (turned - mean) / unit,
+            (self.uncertainty_of_places() * (1.0 + count(k)) + harmonics.remainder) / unit,
+        )
     }
 
     /// How far a place may be off at any time: by what the uncertainty of the period makes of the velocity, on both sides, as much as

@@ -28,6 +28,6 @@ mod backbone;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
-pub use exact::{ExactMotion, ExactValue, NoExactValue, Road};
-pub use quantity::{NotAQuantity, Quantity};
-pub use relation::{Radius, Relation};
+pub use exact::{ExactMotion, ExactValue, Method, NoExactValue};
+pub use quantity::{NotASeriesQuantity, SeriesQuantity};
+pub use relation::{Radius, SeriesComparison};

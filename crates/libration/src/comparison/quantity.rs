@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 /// What is asked of a periodic motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Quantity {
+pub enum SeriesQuantity {
     /// T/T0.
     #[default]
     Period,
@@ -18,9 +18,9 @@ pub enum Quantity {
 /// A text that names no quantity.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` is no quantity: give period, frequency, or a harmonic such as a3")]
-pub struct NotAQuantity(String);
+pub struct NotASeriesQuantity(String);
 
-impl fmt::Display for Quantity {
+impl fmt::Display for SeriesQuantity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Period => formatter.write_str("period"),
@@ -30,10 +30,10 @@ impl fmt::Display for Quantity {
     }
 }
 
-impl FromStr for Quantity {
-    type Err = NotAQuantity;
+impl FromStr for SeriesQuantity {
+    type Err = NotASeriesQuantity;
 
-    fn from_str(text: &str) -> Result<Self, NotAQuantity> {
+    fn from_str(text: &str) -> Result<Self, NotASeriesQuantity> {
         /// Beyond all orders of expansions.
         const HIGHEST: usize = 10_000;
         let text = text.trim();
@@ -42,7 +42,7 @@ impl FromStr for Quantity {
             "frequency" => Ok(Self::Frequency),
             _ => {
                 let harmonic = text.strip_prefix('a').and_then(|k| k.parse().ok()).filter(|k| *k <= HIGHEST);
-                harmonic.map(Self::Cosine).ok_or_else(|| NotAQuantity(text.chars().take(60).collect()))
+                harmonic.map(Self::Cosine).ok_or_else(|| NotASeriesQuantity(text.chars().take(60).collect()))
             }
         }
     }
@@ -55,10 +55,10 @@ mod tests {
     #[test]
     fn quantities_are_read_and_written_back() {
         for text in ["period", "frequency", "a0", "a3"] {
-            assert_eq!(text.parse::<Quantity>().unwrap().to_string(), text);
+            assert_eq!(text.parse::<SeriesQuantity>().unwrap().to_string(), text);
         }
         for text in ["", "b3", "a", "a-1", "a99999", "energy"] {
-            assert!(text.parse::<Quantity>().is_err(), "{text}");
+            assert!(text.parse::<SeriesQuantity>().is_err(), "{text}");
         }
     }
 }

@@ -4,11 +4,13 @@
 use std::f64::consts::PI;
 
 use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
-use super::{Approximant, Quantity};
+use super::{Approximant, SeriesQuantity};
 use crate::algebra::{Rational, Rationals};
 use crate::elementary::count;
 use crate::oscillator::Oscillator;
-use crate::perturbation::{Convergence, Evaluation, Expansion, Pade, is_pendulum, pendulum_period_remainder};
+use crate::perturbation::{
+    Convergence, Expansion, Pade, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
+};
 use crate::quantity::Displacement;
 use crate::series::truncated::reciprocal;
 
@@ -17,21 +19,21 @@ use crate::series::truncated::reciprocal;
 /// # Examples
 /// ```
 /// use libration::oscillator::NamedOscillator;
-/// use libration::comparison::{Quantity, Relation};
+/// use libration::comparison::{SeriesQuantity, SeriesComparison};
 /// use libration::perturbation::{Gauge, expand};
 /// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
 /// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
-/// let period = Relation::new(&pendulum, &expansion, Quantity::Period);
+/// let period = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period);
 /// let exact = period.exact_at(1.0)?;
 /// let error = (period.evaluation_at(1.0).value() - exact.value).abs();
 /// assert!(error < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Relation<'a> {
+pub struct SeriesComparison<'a> {
     oscillator: &'a Oscillator,
     expansion: &'a Expansion,
-    quantity: Quantity,
+    quantity: SeriesQuantity,
     series: Vec<Rational>,
 }
 
@@ -55,15 +57,15 @@ impl Radius {
     }
 }
 
-impl<'a> Relation<'a> {
+impl<'a> SeriesComparison<'a> {
     /// The relation in an expansion of this oscillator. The series of a harmonic that is not present is zero.
     #[must_use]
-    pub fn new(oscillator: &'a Oscillator, expansion: &'a Expansion, quantity: Quantity) -> Self {
+    pub fn new(oscillator: &'a Oscillator, expansion: &'a Expansion, quantity: SeriesQuantity) -> Self {
         let series = match &expansion.of_amplitude {
             Some(of) => match quantity {
-                Quantity::Period => of.period_ratio.clone(),
-                Quantity::Frequency => of.frequency_ratio.clone(),
-                Quantity::Cosine(k) => {
+                SeriesQuantity::Period => of.period_ratio.clone(),
+                SeriesQuantity::Frequency => of.frequency_ratio.clone(),
+                SeriesQuantity::Cosine(k) => {
                     let found = of.harmonics.iter().find(|(n, _)| *n == k);
                     found.map_or_else(|| nothing(expansion.order), |(_, series)| series.clone())
                 }
@@ -75,7 +77,7 @@ impl<'a> Relation<'a> {
 
     /// What it is a relation for.
     #[must_use]
-    pub const fn quantity(&self) -> Quantity {
+    pub const fn quantity(&self) -> SeriesQuantity {
         self.quantity
     }
 
@@ -87,9 +89,9 @@ impl<'a> Relation<'a> {
 
     /// The series in numbers, with proven remainders where there is a theorem: for the pendulum's period.
     #[must_use]
-    pub fn evaluation_at(&self, amplitude: f64) -> Evaluation {
-        let evaluation = Evaluation::new(&self.series, amplitude);
-        if self.quantity == Quantity::Period && is_pendulum(self.oscillator) {
+    pub fn evaluation_at(&self, amplitude: f64) -> SeriesEvaluation {
+        let evaluation = SeriesEvaluation::new(&self.series, amplitude);
+        if self.quantity == SeriesQuantity::Period && is_pendulum(self.oscillator) {
             return evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2));
         }
         evaluation
@@ -102,7 +104,7 @@ impl<'a> Relation<'a> {
             // K(m) has no zeros, so that period, frequency and harmonics are analytic for |Re θ0| < π.
             return Some(Radius::Known(PI));
         }
-        Convergence::of(&self.series).map(Radius::Estimated)
+        Convergence::estimate(&self.series).map(Radius::Estimated)
     }
 
     /// The Padé approximant of equal degrees above and below in the powers that are present, with what all terms have
@@ -151,13 +153,13 @@ impl<'a> Relation<'a> {
 }
 
 /// The series of a limit cycle by powers of the strength.
-fn of_strength(expansion: &Expansion, quantity: Quantity) -> Vec<Rational> {
+fn of_strength(expansion: &Expansion, quantity: SeriesQuantity) -> Vec<Rational> {
     match quantity {
-        Quantity::Frequency => expansion.frequency_ratio.clone(),
-        Quantity::Period => {
+        SeriesQuantity::Frequency => expansion.frequency_ratio.clone(),
+        SeriesQuantity::Period => {
             reciprocal(&Rationals, &expansion.frequency_ratio).unwrap_or_else(|| nothing(expansion.order))
         }
-        Quantity::Cosine(k) => {
+        SeriesQuantity::Cosine(k) => {
             expansion.harmonic(k).map_or_else(|| nothing(expansion.order), |harmonic| harmonic.cos.clone())
         }
     }
@@ -177,10 +179,10 @@ mod tests {
     use crate::oscillator::NamedOscillator;
     use crate::perturbation::{Gauge, expand};
 
-    fn differs_by(key: &str, quantity: Quantity, amplitude: f64) -> f64 {
+    fn differs_by(key: &str, quantity: SeriesQuantity, amplitude: f64) -> f64 {
         let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
         let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
-        let relation = Relation::new(&oscillator, &expansion, quantity);
+        let relation = SeriesComparison::new(&oscillator, &expansion, quantity);
         let exact = relation.exact_at(amplitude).unwrap();
         let error = relation.evaluation_at(amplitude).value() - exact.value;
         f64::max(error.abs() - exact.uncertainty, 0.0)
@@ -203,8 +205,12 @@ mod tests {
             ("rayleigh_cubic", 0.3),
         ];
         for (key, amplitude) in cases {
-            for quantity in [Quantity::Period, Quantity::Frequency, Quantity::Cosine(1), Quantity::Cosine(3)]
-            {
+            for quantity in [
+                SeriesQuantity::Period,
+                SeriesQuantity::Frequency,
+                SeriesQuantity::Cosine(1),
+                SeriesQuantity::Cosine(3),
+            ] {
                 let missing = differs_by(key, quantity, amplitude);
                 assert!(missing < 1e-13, "{key}, {quantity}: {missing:e}");
             }
@@ -215,7 +221,7 @@ mod tests {
     fn approximants_of_harmonics_keep_their_leading_power() {
         let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
         let expansion = expand(&pendulum, 31, &Gauge::Fundamental).unwrap();
-        let third = Relation::new(&pendulum, &expansion, Quantity::Cosine(3));
+        let third = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Cosine(3));
         let value = third.approximant(6).unwrap().value_at(2.0);
         assert!((value / third.exact_at(2.0).unwrap().value - 1.0).abs() < 1e-7, "{value}");
     }

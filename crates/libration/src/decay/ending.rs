@@ -3,7 +3,7 @@
 /// Why no turning point follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Ending {
+pub enum DecayEnding {
     /// Dry friction holds the pendulum where it turned, or stops it on its way down.
     Sticks,
     /// The damping is too strong for a swing: the pendulum creeps towards the bottom, and has not turned by ω0t = 1000 after

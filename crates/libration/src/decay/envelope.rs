@@ -9,21 +9,21 @@ use crate::quadrature::gauss;
 
 /// How fast the amplitude is said to fall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
+pub enum EnvelopeLaw {
     /// dE/dt is the mean over a cycle without damping, with exact integrals at any amplitude.
     Averaged,
     /// The same for small amplitudes: dA/dt = −Σ cₙβₙω0ⁿ⁻¹Aⁿ/π.
     SmallAmplitude,
 }
 
-/// An amplitude that falls by a [`Law`].
+/// An amplitude that falls by an [`EnvelopeLaw`].
 ///
 /// The law gives the time as an integral over tan(A/2), the logarithm of which is the variable: the integrand is analytic in it
 /// from the bottom to the top.
 #[derive(Clone, Copy, Debug)]
-pub struct Envelope<'a> {
+pub struct DecayEnvelope<'a> {
     decay: &'a Decay,
-    law: Law,
+    law: EnvelopeLaw,
     /// tan(A/2) at the start.
     tangent: f64,
 }
@@ -31,8 +31,8 @@ pub struct Envelope<'a> {
 /// What is integrated at once: a fall of tan(A/2) by this logarithm. Singularities are π/2 away in the imaginary direction.
 const PANEL: f64 = 1.5;
 
-impl<'a> Envelope<'a> {
-    pub(super) fn new(decay: &'a Decay, law: Law) -> Self {
+impl<'a> DecayEnvelope<'a> {
+    pub(super) fn new(decay: &'a Decay, law: EnvelopeLaw) -> Self {
         let modulus = decay.start.modulus();
         Self { decay, law, tangent: modulus.modulus() / modulus.complementary_modulus() }
     }
@@ -105,11 +105,11 @@ impl<'a> Envelope<'a> {
         let tangent = self.tangent_after(fall);
         let damping = &self.decay.scaled;
         match self.law {
-            Law::Averaged => {
+            EnvelopeLaw::Averaged => {
                 let cycle = Cycle::of_tangent(tangent);
                 cycle.period() * cycle.sine() / (cycle.loss(damping) / cycle.sine())
             }
-            Law::SmallAmplitude => {
+            EnvelopeLaw::SmallAmplitude => {
                 let angle = 2.0 * libm::atan(tangent);
                 let losses = damping
                     .terms()

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use super::turning::{self, arrival, departure};
-use super::{Damping, DampingTerm, Ending, LEAST_AMPLITUDE};
+use super::{Damping, DampingTerm, DecayEnding, LEAST_AMPLITUDE};
 use crate::algebra::{BigFloat, Rational};
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::expression::{Equation, Expression, Function, Symbol};
@@ -33,7 +33,7 @@ struct Frame {
 }
 
 /// The duration of a swing and the amplitude at its end, or why it has none.
-pub(super) type Turn = Result<(f64, Amplitude), Ending>;
+pub(super) type Turn = Result<(f64, Amplitude), DecayEnding>;
 
 /// A swing that takes longer than this, beside the half period without damping, is none.
 const LONGEST: f64 = 1e3;
@@ -53,7 +53,7 @@ impl HalfSwing {
     /// How long the swing from this amplitude takes, and the amplitude it arrives at.
     pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Turn, IntegrationError> {
         if amplitude.sine() <= self.damping.coefficient_of(0.0) {
-            return Ok(Err(Ending::Sticks));
+            return Ok(Err(DecayEnding::Sticks));
         }
         let high = amplitude.radians() > FRAC_PI_2;
         let (frame, start) = match high {
@@ -63,11 +63,11 @@ impl HalfSwing {
         let start = self.release(start, amplitude.sine());
         let longest = 2.0 * amplitude.modulus().first() + LONGEST;
         let Some((time, coordinate)) = self.turn(frame, &start, longest)? else {
-            return Ok(Err(Ending::Creeps));
+            return Ok(Err(DecayEnding::Creeps));
         };
         // Only dry friction brings the pendulum to rest on its way down, and there it is more than gravity.
         let is_dry = self.damping.coefficient_of(0.0) > 0.0;
-        let before_bottom = if is_dry { Ending::Sticks } else { Ending::Creeps };
+        let before_bottom = if is_dry { DecayEnding::Sticks } else { DecayEnding::Creeps };
         Ok(match frame.angle(coordinate) {
             angle if angle <= 0.0 => Err(before_bottom),
             angle => Frame::amplitude(angle).map(|amplitude| (time, amplitude)),
@@ -130,12 +130,12 @@ impl Frame {
     }
 
     /// The amplitude of a turning point so far behind the bottom.
-    fn amplitude(angle: f64) -> Result<Amplitude, Ending> {
+    fn amplitude(angle: f64) -> Result<Amplitude, DecayEnding> {
         if angle <= LEAST_AMPLITUDE {
-            return Err(Ending::Vanishes);
+            return Err(DecayEnding::Vanishes);
         }
         let amplitude = Angle::from_radians(angle).ok().and_then(|angle| Amplitude::new(angle).ok());
-        amplitude.ok_or(Ending::Creeps)
+        amplitude.ok_or(DecayEnding::Creeps)
     }
 }
 

@@ -8,7 +8,7 @@
 //! fails however weak the damping is, and so it does at the end of every motion with n < 1.
 //!
 //! ```
-//! use libration::decay::{Damping, Decay, Law};
+//! use libration::decay::{Damping, Decay, EnvelopeLaw};
 //! use libration::pendulum::Pendulum;
 //!
 //! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law beside it.
@@ -16,7 +16,7 @@
 //! let decay = Decay::new(pendulum, Damping::of_degree(1.0, 0.02)?, "60deg".parse()?)?;
 //! for turning_point in decay.swings().take(10) {
 //!     let turning_point = turning_point?;
-//!     let averaged = decay.envelope(Law::Averaged).amplitude_at(turning_point.time);
+//!     let averaged = decay.envelope(EnvelopeLaw::Averaged).amplitude_at(turning_point.time);
 //!     assert!((turning_point.amplitude.radians() - averaged).abs() < 1e-4);
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -42,8 +42,8 @@ use cycle::Cycle;
 
 pub use cycle::{cycle_integral, small_cycle_integral};
 pub use damping::{Damping, DampingTerm};
-pub use ending::Ending;
-pub use envelope::{Envelope, Law};
+pub use ending::DecayEnding;
+pub use envelope::{DecayEnvelope, EnvelopeLaw};
 pub use error::DecayError;
 pub use swings::{Swings, TurningPoint};
 
@@ -51,7 +51,7 @@ pub use swings::{Swings, TurningPoint};
 ///
 /// # Examples
 /// ```
-/// use libration::decay::{Damping, Decay, Law};
+/// use libration::decay::{Damping, Decay, EnvelopeLaw};
 /// use libration::pendulum::Pendulum;
 ///
 /// // Drag of a fast flow, ω0 = 1, released from 1 rad.
@@ -60,8 +60,8 @@ pub use swings::{Swings, TurningPoint};
 /// let fourth_return = decay.swings().nth(8).ok_or("it does not come back")??;
 /// assert!((fourth_return.time - 25.925822606154).abs() < 1e-11);
 /// assert!((fourth_return.amplitude.radians() - 0.475469880639).abs() < 1e-11);
-/// assert!((decay.envelope(Law::Averaged).amplitude_at(fourth_return.time) - 0.475444).abs() < 1e-6);
-/// assert!((decay.envelope(Law::SmallAmplitude).amplitude_at(fourth_return.time) - 0.476117).abs() < 1e-6);
+/// assert!((decay.envelope(EnvelopeLaw::Averaged).amplitude_at(fourth_return.time) - 0.475444).abs() < 1e-6);
+/// assert!((decay.envelope(EnvelopeLaw::SmallAmplitude).amplitude_at(fourth_return.time) - 0.476117).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -127,8 +127,8 @@ impl Decay {
 
     /// The amplitude as a function of time, by one of the laws.
     #[must_use]
-    pub fn envelope(&self, law: Law) -> Envelope<'_> {
-        Envelope::new(self, law)
+    pub fn envelope(&self, law: EnvelopeLaw) -> DecayEnvelope<'_> {
+        DecayEnvelope::new(self, law)
     }
 
     /// The turning points, one after the other, by integration of the equation of motion. The first is the start.

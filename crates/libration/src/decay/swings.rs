@@ -1,6 +1,6 @@
 //! From turning point to turning point by integration.
 
-use super::ending::Ending;
+use super::ending::DecayEnding;
 use super::half_swing::{HalfSwing, Turn};
 use super::{Decay, DecayError};
 use crate::double_double::DoubleDouble;
@@ -29,7 +29,7 @@ pub struct Swings<'a> {
     time: DoubleDouble,
     /// `None` before the start.
     amplitude: Option<Amplitude>,
-    ended: Option<Result<Ending, ()>>,
+    ended: Option<Result<DecayEnding, ()>>,
 }
 
 impl<'a> Swings<'a> {
@@ -40,7 +40,7 @@ impl<'a> Swings<'a> {
 
     /// Why there are no more turning points; `None` as long as there may be one, and after an error.
     #[must_use]
-    pub fn ending(&self) -> Option<Ending> {
+    pub fn ending(&self) -> Option<DecayEnding> {
         self.ended.and_then(Result::ok)
     }
 

@@ -26,7 +26,7 @@ const TAN_PI_8: f64 = 0.41421356237309503;
 /// atan(small/large) for 0 ≤ small ≤ large, within [0, π/4], in two words, relative error below 2⁻⁵⁴.
 #[inline(always)]
 pub(crate) fn atan_of_ratio(small: DoubleDouble, large: DoubleDouble) -> DoubleDouble {
-    ReducedArctangent::of(small, large).angle()
+    ReducedArctangent::from_quotient(small, large).angle()
 }
 
 /// An arctangent as upper·π/4 + atan t, |t| ≤ √2 − 1.
@@ -42,7 +42,7 @@ pub(crate) struct ReducedArctangent {
 
 impl ReducedArctangent {
     #[inline(always)]
-    pub(crate) fn of(small: DoubleDouble, large: DoubleDouble) -> Self {
+    pub(crate) fn from_quotient(small: DoubleDouble, large: DoubleDouble) -> Self {
         // A weight of one or zero in place of a selection, which would become a selection of two divisions.
         let upper = if small.hi > TAN_PI_8 * large.hi { 1.0 } else { 0.0 };
         // tan(a − π/4) = (small − large)/(small + large); the difference of the first words is exact.

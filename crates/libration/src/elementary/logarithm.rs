@@ -28,7 +28,7 @@ pub(crate) struct Logarithm {
 /// The parts of ln x for a normal positive x.
 #[inline(always)]
 pub(crate) fn split_logarithm(x: DoubleDouble) -> Logarithm {
-    let reduced = ReducedLogarithm::of(x);
+    let reduced = ReducedLogarithm::from_number(x);
     Logarithm { exponent: reduced.exponent, leading: reduced.leading(), tail: reduced.tail() }
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct ReducedLogarithm {
 
 impl ReducedLogarithm {
     #[inline(always)]
-    pub(crate) fn of(x: DoubleDouble) -> Self {
+    pub(crate) fn from_number(x: DoubleDouble) -> Self {
         let (exponent, scale) = exponent_and_scale(x.hi);
         let (f, f_lo) = (x.hi * scale, x.lo * scale);
         let numerator = f - 1.0;

@@ -50,7 +50,7 @@ impl Quotients {
         first: DoubleDouble,
         complementary_first: DoubleDouble,
     ) -> Self {
-        let expansion = Expansion::of(modulus, complementary);
+        let expansion = Expansion::for_modulus(modulus, complementary);
         let ratio = match expansion {
             Expansion::Circular => complementary_first / first,
             Expansion::Hyperbolic => first / complementary_first,

@@ -251,7 +251,7 @@ impl Modulus {
     }
 
     pub(crate) fn expansion(&self) -> Expansion {
-        Expansion::of(self.modulus, self.complementary)
+        Expansion::for_modulus(self.modulus, self.complementary)
     }
 
     /// The square root of the smaller nome.
@@ -266,7 +266,7 @@ impl Modulus {
 }
 
 impl Expansion {
-    pub(crate) fn of(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
+    pub(crate) fn for_modulus(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         if modulus.hi <= complementary.hi { Self::Circular } else { Self::Hyperbolic }
     }
 }

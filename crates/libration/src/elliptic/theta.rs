@@ -257,7 +257,7 @@ impl PhaseClock {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
         let lo = t.mul_add(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
-        Phase::of(DoubleDouble::new(sum.hi, lo), t).advanced(self.quarter)
+        Phase::from_turns(DoubleDouble::new(sum.hi, lo), t).advanced(self.quarter)
     }
 }
 
@@ -265,7 +265,7 @@ impl Phase {
     /// The parts of a number of turns, whose words need not be normalised and may have overflowed; the rest is NaN
     /// for a time that is not finite.
     #[inline(always)]
-    pub(crate) fn of(turns: DoubleDouble, time: f64) -> Self {
+    pub(crate) fn from_turns(turns: DoubleDouble, time: f64) -> Self {
         let whole = turns.hi.round_ties_even();
         // The second word may hold turns too, after 2⁵³ of them.
         let fraction = two_sum(turns.hi - whole, turns.lo);

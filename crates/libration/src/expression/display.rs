@@ -59,7 +59,7 @@ struct Part<'a> {
 }
 
 fn at_least(binding: Binding, tree: &Expression) -> Part<'_> {
-    Part { tree, bracketed: Binding::of(tree, binding_of_number) < binding }
+    Part { tree, bracketed: Binding::from_tree(tree, binding_of_number) < binding }
 }
 
 impl fmt::Display for Part<'_> {

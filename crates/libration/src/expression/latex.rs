@@ -81,7 +81,7 @@ impl Expression {
     }
 
     fn write_latex_at_least(&self, binding: Binding, text: &mut String) {
-        if Binding::of(self, |_| Binding::Atom) < binding {
+        if Binding::from_tree(self, |_| Binding::Atom) < binding {
             bracketed(self, text);
         } else {
             self.write_latex(text);

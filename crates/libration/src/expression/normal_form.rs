@@ -43,14 +43,14 @@ struct NormalForm {
 impl Expression {
     /// Whether the formula is proved to be zero everywhere.
     pub(crate) fn vanishes(&self) -> bool {
-        NormalForm::of(self).is_some_and(|form| form.upper.is_zero())
+        NormalForm::from_tree(self).is_some_and(|form| form.upper.is_zero())
     }
 
     /// The total degree in the symbols of what is a polynomial in them as it stands: products are expanded, common
     /// factors of fractions are not looked for. `None` for anything else, or a polynomial of very many terms.
     #[must_use]
     pub fn polynomial_degree(&self, symbols: &[Symbol]) -> Option<u32> {
-        let form = NormalForm::of(self)?;
+        let form = NormalForm::from_tree(self)?;
         let is_symbol = |atom: &Atom| matches!(atom, Atom::Symbol(own) if symbols.contains(own));
         let hidden = |atom: &Atom| !is_symbol(atom) && atom.contains_any(symbols);
         let polynomial = !form.lower.has(|atom| atom.contains_any(symbols)) && !form.upper.has(hidden);
@@ -59,14 +59,14 @@ impl Expression {
 
     /// The coefficients, constant term first, of a polynomial in one symbol with fractions for coefficients.
     pub(crate) fn polynomial_coefficients(&self, symbol: &Symbol) -> Option<Vec<Rational>> {
-        let form = NormalForm::of(self)?;
+        let form = NormalForm::from_tree(self)?;
         let only = |polynomial: &Polynomial<Atom>| polynomial.in_one(&Atom::Symbol(symbol.clone()));
         if form.lower != Polynomial::number(Rational::from(1)) { None } else { only(&form.upper) }
     }
 }
 
 impl NormalForm {
-    fn of(tree: &Expression) -> Option<Self> {
+    fn from_tree(tree: &Expression) -> Option<Self> {
         Expansion { work: MOST_WORK }.form(tree)
     }
 

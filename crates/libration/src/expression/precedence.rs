@@ -15,7 +15,7 @@ pub(super) enum Binding {
 
 impl Binding {
     /// That of a formula; `fraction` is what a positive number is written as when it is no decimal.
-    pub(super) fn of(tree: &Expression, number: impl Fn(&super::Rational) -> Self) -> Self {
+    pub(super) fn from_tree(tree: &Expression, number: impl Fn(&super::Rational) -> Self) -> Self {
         match tree {
             Expression::Number(value) if value.is_negative() => Self::Sign,
             Expression::Number(value) => number(value),

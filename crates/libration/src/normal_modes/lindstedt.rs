@@ -13,7 +13,7 @@
 //!
 //! Reference: A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, chapter 6.
 
-use crate::algebra::{Harmonic, HarmonicSums, PhaseRing, Ring};
+use crate::algebra::{HarmonicPair, HarmonicSums, PhaseRing, Ring};
 use crate::expression::{Jet, NoSeries, Tape};
 use crate::linear::solve;
 
@@ -121,13 +121,13 @@ fn state<N: Ring>(
     let position = |i: usize| {
         let own = terms
             .iter()
-            .map(|(k, cosine, sine)| (*k, Harmonic { cosine: cosine[i].clone(), sine: sine[i].clone() }));
+            .map(|(k, cosine, sine)| (*k, HarmonicPair { cosine: cosine[i].clone(), sine: sine[i].clone() }));
         ring.sum_of_harmonics(&own.collect::<Vec<_>>())
     };
     // (c·cos kτ + s·sin kτ)′ = kω·(s·cos kτ − c·sin kτ).
     let velocity = |i: usize| {
         let own = terms.iter().map(|(k, cosine, sine)| {
-            (*k, Harmonic { cosine: rate(*k, &sine[i]), sine: numbers.negate(&rate(*k, &cosine[i])) })
+            (*k, HarmonicPair { cosine: rate(*k, &sine[i]), sine: numbers.negate(&rate(*k, &cosine[i])) })
         });
         ring.sum_of_harmonics(&own.collect::<Vec<_>>())
     };

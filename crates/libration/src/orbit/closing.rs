@@ -1,7 +1,7 @@
 //! One round from a state, and how its end depends on its start.
 
 use super::error::NoOrbit;
-use super::near::Near;
+use super::near::OrbitGuess;
 use super::path::Path;
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
@@ -102,7 +102,7 @@ impl Rounds {
 impl Round {
     /// How far each number of the state goes on the way, in which its errors are measured: at least [`LEAST_SIZE`] of the
     /// coordinate, and as far as the others of its kind if it hardly moves at all.
-    pub(super) fn sizes(&self, start: &Near) -> Vec<f64> {
+    pub(super) fn sizes(&self, start: &OrbitGuess) -> Vec<f64> {
         let numbers = start.state.len();
         let pace = TAU / start.period;
         let least = |number: usize| {

@@ -2,7 +2,7 @@
 
 use super::closing::Rounds;
 use super::error::{Lost, NoOrbit};
-use super::near::Near;
+use super::near::OrbitGuess;
 use super::path::sign_change;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
@@ -52,7 +52,7 @@ impl Orbit {
 }
 
 /// The motion followed from maximum to maximum until it repeats itself.
-fn settled(system: &System, start: &[f64]) -> Result<Near, NoOrbit> {
+fn settled(system: &System, start: &[f64]) -> Result<OrbitGuess, NoOrbit> {
     const FAR: f64 = 1e300;
     let mut maxima = Maxima::new(system.coordinates());
     let mut guess = None;
@@ -113,7 +113,7 @@ impl Maxima {
     }
 
     /// Takes a step into account; a guess of the cycle when one shows.
-    fn watch(&mut self, step: &Step<'_>) -> Option<Near> {
+    fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
@@ -125,7 +125,7 @@ impl Maxima {
         self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
         let recent = self.found.iter().rev().take(LONGEST);
         let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
-        let guess = earlier.map(|earlier| Near { state: state.clone(), period: time - earlier.time });
+        let guess = earlier.map(|earlier| OrbitGuess { state: state.clone(), period: time - earlier.time });
         self.found.push(Moment { time, state });
         guess
     }

@@ -2,7 +2,7 @@
 
 use super::closing::Rounds;
 use super::error::NoOrbit;
-use super::near::Near;
+use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
@@ -34,7 +34,7 @@ impl Orbit {
         }
         let rounds = Rounds::new(equation)?;
         let unknowns = Unknowns { free: (0..2 * rounds.coordinates).collect(), period: false };
-        let mut guess = Near { state: start.to_vec(), period };
+        let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
             if !matches!(outcome, Err(NoOrbit::NoConvergence { .. })) {
@@ -48,7 +48,7 @@ impl Orbit {
 }
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.
-fn later(rounds: &Rounds, guess: &Near) -> Result<Vec<f64>, NoOrbit> {
+fn later(rounds: &Rounds, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
     const PERIODS: u32 = 10;
     (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
         Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))

@@ -30,7 +30,7 @@ pub struct Harmonics {
     /// From n = 0 to the last one that stands above the rounding errors.
     pub terms: Vec<Harmonic>,
     /// No harmonic that is left out is larger, as the last quarter of those that the samples tell apart suggests.
-    pub rest: f64,
+    pub remainder: f64,
     /// At how many times in a period the orbit was looked at.
     pub samples: usize,
 }
@@ -47,7 +47,7 @@ impl Orbit {
     /// sums gather from higher ones is smaller still.
     ///
     /// # Accuracy
-    /// Each to some 1e-16 of the largest and what [`rest`](Harmonics::rest) says, times what the uncertainty of the
+    /// Each to some 1e-16 of the largest and what [`remainder`](Harmonics::remainder) says, times what the uncertainty of the
     /// period makes of it.
     #[must_use]
     pub fn harmonics(&self, number: usize) -> Harmonics {
@@ -57,7 +57,7 @@ impl Orbit {
             let largest = all.iter().skip(1).map(Harmonic::amplitude).fold(0.0, f64::max);
             let last = all[3 * all.len() / 4..].iter().map(Harmonic::amplitude).fold(0.0, f64::max);
             if last <= 8.0 * NEGLIGIBLE * largest || samples >= most {
-                return kept(all, last.max(NEGLIGIBLE * largest), samples);
+                return significant(all, last.max(NEGLIGIBLE * largest), samples);
             }
             samples *= 2;
         }
@@ -71,10 +71,10 @@ impl Orbit {
 }
 
 /// The terms up to the last one above a size.
-fn kept(mut terms: Vec<Harmonic>, rest: f64, samples: usize) -> Harmonics {
-    let last = terms.iter().rposition(|term| term.amplitude() > rest).unwrap_or(0);
+fn significant(mut terms: Vec<Harmonic>, remainder: f64, samples: usize) -> Harmonics {
+    let last = terms.iter().rposition(|term| term.amplitude() > remainder).unwrap_or(0);
     terms.truncate(last + 1);
-    Harmonics { terms, rest, samples }
+    Harmonics { terms, remainder, samples }
 }
 
 /// The harmonics below half the number of samples.

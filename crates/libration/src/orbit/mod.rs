@@ -42,6 +42,6 @@ mod driven;
 pub use error::{Lost, NoOrbit};
 pub use floquet::{Floquet, Stability};
 pub use harmonics::{Harmonic, Harmonics};
-pub use near::Near;
+pub use near::OrbitGuess;
 pub use periodic::Orbit;
-pub(crate) use place::Place;
+pub(crate) use place::ReleasePlace;

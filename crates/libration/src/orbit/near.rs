@@ -2,7 +2,7 @@
 
 /// A guess of an orbit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Near {
+pub struct OrbitGuess {
     /// A state on it: coordinates, then velocities.
     pub state: Vec<f64>,
     /// Its period.

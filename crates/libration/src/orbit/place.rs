@@ -5,12 +5,12 @@ use crate::quantity::Displacement;
 
 /// Where a motion begins: a displacement from an origin. Both are held as exactly as they were given.
 #[derive(Clone, Debug)]
-pub(crate) struct Place {
+pub(crate) struct ReleasePlace {
     origin: BigFloat,
     displacement: Displacement,
 }
 
-impl Place {
+impl ReleasePlace {
     pub(crate) fn new(origin: BigFloat, displacement: Displacement) -> Self {
         Self { origin, displacement }
     }

@@ -7,7 +7,7 @@ use super::acceleration::Acceleration;
 use super::error::{Lost, NoOrbit};
 use super::path::{Path, sign_change, until};
 use super::periodic::Orbit;
-use super::place::Place;
+use super::place::ReleasePlace;
 use super::precise::{Leg, Motion, NoLeg};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
@@ -51,13 +51,13 @@ impl Orbit {
     /// ```
     pub fn released(equation: &Equation, place: f64) -> Result<Self, NoOrbit> {
         let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
-        let exactly = Place::from_f64(place);
+        let exactly = ReleasePlace::from_f64(place);
         Release::check(equation)?;
         Release::new(equation, &exactly.ok_or_else(refusal)?)?.orbit()
     }
 
     /// The same from a place that is known to more digits than an `f64` has.
-    pub(crate) fn released_from(equation: &Equation, place: &Place) -> Result<Self, NoOrbit> {
+    pub(crate) fn released_from(equation: &Equation, place: &ReleasePlace) -> Result<Self, NoOrbit> {
         Release::check(equation)?;
         Release::new(equation, place)?.orbit()
     }
@@ -68,7 +68,7 @@ struct Release<'a> {
     equation: &'a Equation,
     system: System,
     acceleration: Acceleration,
-    place: &'a Place,
+    place: &'a ReleasePlace,
     start: f64,
 }
 
@@ -86,7 +86,7 @@ impl<'a> Release<'a> {
         if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
     }
 
-    fn new(equation: &'a Equation, place: &'a Place) -> Result<Self, NoOrbit> {
+    fn new(equation: &'a Equation, place: &'a ReleasePlace) -> Result<Self, NoOrbit> {
         let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
         Ok(Self { equation, system, acceleration, place, start: place.to_f64() })
     }

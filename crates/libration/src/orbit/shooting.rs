@@ -3,7 +3,7 @@
 use super::closing::{Round, Rounds};
 use super::error::{Lost, NoOrbit};
 use super::floquet::Floquet;
-use super::near::Near;
+use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
 use crate::expression::Equation;
@@ -23,10 +23,10 @@ impl Orbit {
     ///
     /// # Examples
     /// ```
-    /// use libration::orbit::{Near, Orbit};
+    /// use libration::orbit::{OrbitGuess, Orbit};
     /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
-    /// let guess = Near { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
+    /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
     /// let orbit = Orbit::near(&equation, &guess, &[0, 2])?;
     /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1)?;
     /// assert!((orbit.period() - alone.period()).abs() < 1e-14);
@@ -35,12 +35,12 @@ impl Orbit {
     ///
     /// # References
     /// R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.
-    pub fn near(equation: &Equation, guess: &Near, held: &[usize]) -> Result<Self, NoOrbit> {
+    pub fn near(equation: &Equation, guess: &OrbitGuess, fixed: &[usize]) -> Result<Self, NoOrbit> {
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }
         let rounds = Rounds::new(equation)?;
-        let free = (0..2 * rounds.coordinates).filter(|number| !held.contains(number)).collect();
+        let free = (0..2 * rounds.coordinates).filter(|number| !fixed.contains(number)).collect();
         let unknowns = Unknowns { free, period: true };
         closed(equation, &rounds, guess, &unknowns)
     }
@@ -68,7 +68,7 @@ const VANISHED: f64 = 1e-6;
 pub(super) fn closed(
     equation: &Equation,
     rounds: &Rounds,
-    guess: &Near,
+    guess: &OrbitGuess,
     unknowns: &Unknowns,
 ) -> Result<Orbit, NoOrbit> {
     check(rounds, guess)?;
@@ -86,7 +86,7 @@ pub(super) fn closed(
     Ok(Orbit::new(equation, newton.round.path, uncertainty, floquet))
 }
 
-fn check(rounds: &Rounds, guess: &Near) -> Result<(), NoOrbit> {
+fn check(rounds: &Rounds, guess: &OrbitGuess) -> Result<(), NoOrbit> {
     let wanted = 2 * rounds.coordinates;
     if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
         return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
@@ -101,7 +101,7 @@ fn check(rounds: &Rounds, guess: &Near) -> Result<(), NoOrbit> {
 struct Newton<'a> {
     rounds: &'a Rounds,
     unknowns: &'a Unknowns,
-    at: Near,
+    at: OrbitGuess,
     round: Round,
     sizes: Vec<f64>,
     /// The largest part of its size by which a number of the state misses its start.
@@ -109,7 +109,7 @@ struct Newton<'a> {
 }
 
 impl<'a> Newton<'a> {
-    fn new(rounds: &'a Rounds, unknowns: &'a Unknowns, guess: &Near) -> Result<Self, NoOrbit> {
+    fn new(rounds: &'a Rounds, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
         let round = rounds.round(&guess.state, guess.period)?;
         let sizes = round.sizes(guess);
         let miss = miss(&round.defect, &sizes);
@@ -182,7 +182,7 @@ impl<'a> Newton<'a> {
         if largest > LARGEST_CHANGE { LARGEST_CHANGE / largest } else { 1.0 }
     }
 
-    fn moved(&self, change: &[f64], part: f64) -> Near {
+    fn moved(&self, change: &[f64], part: f64) -> OrbitGuess {
         let mut next = self.at.clone();
         for (&j, x) in self.unknowns.free.iter().zip(change) {
             next.state[j] += part * x;

@@ -1,10 +1,10 @@
 //! The named oscillators: what each is, and where it comes from. Attributions from memory say so.
 
-use super::named::{NamedOscillator, Parameter, UnknownOscillator};
+use super::named::{NamedOscillator, OscillatorParameter, UnknownOscillator};
 use crate::quantity::{excerpt, nearest};
 
-const NONE: &[Parameter] = &[];
-const MU: &[Parameter] = &[Parameter {
+const NONE: &[OscillatorParameter] = &[];
+const MU: &[OscillatorParameter] = &[OscillatorParameter {
     name: "mu",
     default: "1",
     meaning: "strength of the self-excitation, left open for expansions",
@@ -16,7 +16,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["simple_pendulum"],
         title: "simple pendulum",
         equation: "theta'' + omega0^2*sin(theta) = 0",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "omega0",
             default: "1",
             meaning: "frequency of small swings, sqrt(g/l)",
@@ -31,7 +31,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["duffing_hard"],
         title: "Duffing oscillator",
         equation: "x'' + x + epsilon*x^3 = 0",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "epsilon",
             default: "1",
             meaning: "strength of the cubic force, soft below zero",
@@ -46,7 +46,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &[],
         title: "soft Duffing oscillator",
         equation: "x'' + x + epsilon*x^3 = 0",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "epsilon",
             default: "-1",
             meaning: "strength of the cubic force, below zero",
@@ -73,8 +73,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         title: "cubic-quintic Duffing oscillator",
         equation: "x'' + x + alpha*x^3 + beta*x^5 = 0",
         parameters: &[
-            Parameter { name: "alpha", default: "1", meaning: "strength of the cubic force" },
-            Parameter { name: "beta", default: "1", meaning: "strength of the quintic force" },
+            OscillatorParameter { name: "alpha", default: "1", meaning: "strength of the cubic force" },
+            OscillatorParameter { name: "beta", default: "1", meaning: "strength of the quintic force" },
         ],
         expansion_parameter: None,
         description: "a spring with cubic and quintic corrections",
@@ -97,7 +97,11 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["helmholtz"],
         title: "quadratic (Helmholtz) oscillator",
         equation: "x'' + x + alpha*x^2 = 0",
-        parameters: &[Parameter { name: "alpha", default: "1", meaning: "strength of the quadratic force" }],
+        parameters: &[OscillatorParameter {
+            name: "alpha",
+            default: "1",
+            meaning: "strength of the quadratic force",
+        }],
         expansion_parameter: None,
         description: "the simplest asymmetric well; the motion has a constant offset and all harmonics",
         domain: "energies below 1/(6*alpha^2); for alpha = 1 turning points between -1 and 1/2",
@@ -109,8 +113,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         title: "Helmholtz-Duffing oscillator",
         equation: "x'' + x + alpha*x^2 + beta*x^3 = 0",
         parameters: &[
-            Parameter { name: "alpha", default: "1", meaning: "strength of the quadratic force" },
-            Parameter { name: "beta", default: "1", meaning: "strength of the cubic force" },
+            OscillatorParameter { name: "alpha", default: "1", meaning: "strength of the quadratic force" },
+            OscillatorParameter { name: "beta", default: "1", meaning: "strength of the cubic force" },
         ],
         expansion_parameter: None,
         description: "an asymmetric spring with a quadratic and a cubic force",
@@ -122,7 +126,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["relativistic_oscillator"],
         title: "relativistic harmonic oscillator",
         equation: "x'' = -x*(1 - x'^2/c^2)^(3/2)",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "c",
             default: "1",
             meaning: "speed of light in units of length times omega0",
@@ -192,7 +196,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["bead_on_hoop"],
         title: "pendulum on a rotating hoop",
         equation: "theta'' + (1 - gamma*cos(theta))*sin(theta) = 0",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "gamma",
             default: "1/2",
             meaning: "square of the hoop's rate over g/R",
@@ -207,7 +211,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &[],
         title: "Mathews-Lakshmanan oscillator",
         equation: "(1 + lambda*x^2)*x'' - lambda*x*x'^2 + x = 0",
-        parameters: &[Parameter {
+        parameters: &[OscillatorParameter {
             name: "lambda",
             default: "1",
             meaning: "dependence of the mass on the position",
@@ -222,7 +226,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["harmonic"],
         title: "harmonic oscillator",
         equation: "x'' + omega0^2*x = 0",
-        parameters: &[Parameter { name: "omega0", default: "1", meaning: "frequency" }],
+        parameters: &[OscillatorParameter { name: "omega0", default: "1", meaning: "frequency" }],
         expansion_parameter: None,
         description: "a linear spring: every correction vanishes",
         domain: "all amplitudes",

@@ -1,7 +1,7 @@
 //! Where an oscillator can rest, and whether it returns there.
 
 use super::constant::{Approximation, Constant, PRECISION};
-use super::error::{Found, OscillatorError, Refusal, Unfit};
+use super::error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
 use super::roots::{LARGEST_DEGREE, Seen, polynomial_zeros, zeros};
@@ -145,9 +145,9 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Unfit> {
     let (at_rest, place) = (force.at_rest(), at.digits());
     let about = Neighbourhood::new(&at_rest, &force.x, at);
     let found = |passed: bool| match (passed, force.is_reversible()) {
-        (false, _) => Found::Nowhere,
-        (true, true) => Found::ByOrbits,
-        (true, false) => Found::ByMotion,
+        (false, _) => EquilibriumSearch::Nowhere,
+        (true, true) => EquilibriumSearch::ByOrbits,
+        (true, false) => EquilibriumSearch::ByMotion,
     };
     let rough = || Unfit::NotAnalytic {
         roughness: about.as_ref().map_or(Roughness::Other, Neighbourhood::roughness),

@@ -118,7 +118,7 @@ pub enum Unfit {
         /// Which way it drives all the same, where that is known.
         force: Option<Tendency>,
         /// What finds a frequency there.
-        found: Found,
+        found: EquilibriumSearch,
     },
     /// The force has no power series there.
     #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.found))]
@@ -128,7 +128,7 @@ pub enum Unfit {
         /// Which way it drives all the same, where that is known.
         force: Option<Tendency>,
         /// What finds a frequency there.
-        found: Found,
+        found: EquilibriumSearch,
     },
     /// Energy is lost or won in small oscillations.
     #[error(
@@ -150,7 +150,7 @@ pub enum Unfit {
 
 /// What finds the frequency of oscillations that have no expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Found {
+pub enum EquilibriumSearch {
     /// An orbit for each amplitude.
     ByOrbits,
     /// The motion in time.
@@ -159,7 +159,7 @@ pub enum Found {
     Nowhere,
 }
 
-impl Found {
+impl EquilibriumSearch {
     fn advice(self) -> &'static str {
         match self {
             Self::ByOrbits => ": the frequency at an amplitude is found without one (libration backbone)",
@@ -169,7 +169,7 @@ impl Found {
     }
 }
 
-fn without_linear_part(force: Option<Tendency>, found: Found) -> String {
+fn without_linear_part(force: Option<Tendency>, found: EquilibriumSearch) -> String {
     match force {
         Some(Tendency::Back) => format!(
             "the force drives back, but has no part in proportion to the displacement: omega0^2 is 0, so that the frequency \
@@ -183,7 +183,7 @@ fn without_linear_part(force: Option<Tendency>, found: Found) -> String {
     }
 }
 
-fn without_series(force: Option<Tendency>, found: Found) -> String {
+fn without_series(force: Option<Tendency>, found: EquilibriumSearch) -> String {
     match force {
         Some(Tendency::Back) => format!("; the force drives back{}", found.advice()),
         Some(Tendency::Away) => "; the force drives away".to_owned(),

@@ -28,9 +28,9 @@ mod model;
 pub use catalogue::catalogue;
 pub use centre::centre_of;
 pub use constant::{Approximation, Constant};
-pub use error::{Found, OscillatorError, Refusal, Unfit};
+pub use error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
-pub use named::{NamedOscillator, Parameter, UnknownOscillator};
+pub use named::{NamedOscillator, OscillatorParameter, UnknownOscillator};
 pub use neighbourhood::{Roughness, Tendency};
 
 #[cfg(test)]

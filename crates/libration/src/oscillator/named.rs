@@ -24,7 +24,7 @@ pub struct NamedOscillator {
     /// Its equation of motion.
     pub equation: &'static str,
     /// The parameters in it.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [OscillatorParameter],
     /// The parameter in which a limit cycle is expanded; it keeps no value.
     pub expansion_parameter: Option<&'static str>,
     /// What it describes.
@@ -37,7 +37,7 @@ pub struct NamedOscillator {
 
 /// A parameter of a named oscillator.
 #[derive(Clone, Copy, Debug)]
-pub struct Parameter {
+pub struct OscillatorParameter {
     /// Its name in the equation.
     pub name: &'static str,
     /// The value it has unless another is given.

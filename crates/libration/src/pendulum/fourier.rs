@@ -12,7 +12,7 @@ use crate::elliptic::Modulus;
 
 /// The Fourier series of a motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Harmonics {
+pub struct FourierSeries {
     /// The fundamental angular frequency Ω in rad/s; zero where there is no period.
     pub fundamental: f64,
     /// The mean velocity in rad/s: ±Ω in rotation, else zero.
@@ -22,12 +22,12 @@ pub struct Harmonics {
     /// bottom of the turn in which the motion starts.
     pub epoch: f64,
     /// The harmonics in increasing order.
-    pub terms: Vec<Harmonic>,
+    pub terms: Vec<FourierTerm>,
 }
 
 /// One harmonic.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Harmonic {
+pub struct FourierTerm {
     /// The multiple of the fundamental frequency.
     pub n: usize,
     /// The coefficient of the angle in rad: of cos nΩτ in libration, of sin nΩτ in rotation.
@@ -43,18 +43,18 @@ impl Motion {
     /// # Accuracy
     /// Coefficients of the angle to 0.56 ulp down to 2.3e-308 rad (ledger in `tests/suite/promises.rs`).
     #[must_use]
-    pub fn harmonics(&self, tolerance: f64, limit: usize) -> Harmonics {
+    pub fn harmonics(&self, tolerance: f64, limit: usize) -> FourierSeries {
         match self {
             Self::Libration(libration) => of_libration(libration, tolerance, limit),
             Self::Rotation(rotation) => of_rotation(rotation, tolerance, limit),
             Self::Rest(_) | Self::Separatrix(_) => {
-                Harmonics { fundamental: 0.0, mean_velocity: 0.0, epoch: 0.0, terms: Vec::new() }
+                FourierSeries { fundamental: 0.0, mean_velocity: 0.0, epoch: 0.0, terms: Vec::new() }
             }
         }
     }
 }
 
-fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> Harmonics {
+fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> FourierSeries {
     let clock = libration.clock();
     let fundamental = DoubleDouble::PI.scaled(2.0) * clock.frequency;
     let step = quarter_ratio(&libration.modulus());
@@ -63,10 +63,10 @@ fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> Harmonic
         hyperbolic_secant(step * times).scaled(4.0 * sign(n)) / times
     });
     let epoch = (DoubleDouble::from(0.25) - clock.start()) / clock.frequency;
-    Harmonics { fundamental: fundamental.to_f64(), mean_velocity: 0.0, epoch: epoch.to_f64(), terms }
+    FourierSeries { fundamental: fundamental.to_f64(), mean_velocity: 0.0, epoch: epoch.to_f64(), terms }
 }
 
-fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> Harmonics {
+fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> FourierSeries {
     let clock = rotation.clock();
     // The pendulum turns twice in 4K.
     let fundamental = DoubleDouble::PI.scaled(4.0) * clock.frequency;
@@ -75,7 +75,7 @@ fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> Harmonics {
     let terms = terms(1.., limit, tolerance, fundamental, |_, times| {
         hyperbolic_secant(step * times).scaled(2.0 * direction) / times
     });
-    Harmonics {
+    FourierSeries {
         fundamental: fundamental.to_f64(),
         mean_velocity: direction * fundamental.to_f64(),
         epoch: -(clock.start() / clock.frequency).to_f64(),
@@ -90,13 +90,13 @@ fn terms(
     tolerance: f64,
     fundamental: DoubleDouble,
     coefficient: impl Fn(usize, f64) -> DoubleDouble,
-) -> Vec<Harmonic> {
+) -> Vec<FourierTerm> {
     orders
         .take(limit)
         .map(|n| {
             let times = count(n);
             let angle = coefficient(n, times);
-            Harmonic { n, angle: angle.to_f64(), velocity: (angle * fundamental * times).to_f64() }
+            FourierTerm { n, angle: angle.to_f64(), velocity: (angle * fundamental * times).to_f64() }
         })
         .take_while(|term| term.angle.abs() >= tolerance && term.angle != 0.0)
         .collect()

@@ -155,7 +155,7 @@ impl SwingQuotients {
         let tangent = scaled_by(factor, pick(odd, above, first));
         let speed = pick(odd, self.velocity[1], self.velocity[0]);
         Swing {
-            half: DoubledArctangent::of(magnitude(tangent), pick(odd, below, third)),
+            half: DoubledArctangent::from_quotient(magnitude(tangent), pick(odd, below, third)),
             sign: 1f64.copysign(sign * tangent.hi),
             velocity: sign * quotient(speed, pick(odd, -first, above), pick(odd, third, below)),
         }

@@ -111,7 +111,7 @@ impl Stages {
     #[inline(always)]
     pub(super) fn log(&mut self) {
         for i in 0..BLOCK {
-            let reduced = ReducedLogarithm::of(self.s.get(i));
+            let reduced = ReducedLogarithm::from_number(self.s.get(i));
             self.exponent[i] = reduced.exponent;
             self.log.set(i, DoubleDouble::new(reduced.q, reduced.q_lo));
         }

@@ -158,7 +158,7 @@ impl TurnQuotients {
         let speed = pick(odd, self.velocity[1], self.velocity[0]);
         Turn {
             half_turns: phase.turns.mul_add(4.0, phase.quarter),
-            half: DoubledArctangent::of(magnitude(tangent), beside),
+            half: DoubledArctangent::from_quotient(magnitude(tangent), beside),
             sign: 1f64.copysign(tangent.hi),
             velocity: quotient(speed, pick(odd, other, third), pick(odd, third, other)),
         }

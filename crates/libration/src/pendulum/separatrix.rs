@@ -85,7 +85,10 @@ impl Separatrix {
 
 fn near(x: DoubleDouble) -> Point {
     let (sinh, cosh) = sinh_cosh(x);
-    Point { half: DoubledArctangent::of(sinh, DoubleDouble::ONE), sech: [cosh.recip(), DoubleDouble::ONE] }
+    Point {
+        half: DoubledArctangent::from_quotient(sinh, DoubleDouble::ONE),
+        sech: [cosh.recip(), DoubleDouble::ONE],
+    }
 }
 
 fn far(x: DoubleDouble) -> Point {

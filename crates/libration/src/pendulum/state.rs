@@ -42,18 +42,18 @@ pub(super) struct ReducedRatio {
 impl ReducedRatio {
     /// For positive numbers.
     #[inline(always)]
-    pub(super) fn of(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
+    pub(super) fn from_quotient(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
         let steep = numerator.hi > denominator.hi;
         let (small, large) = (pick(steep, denominator, numerator), pick(steep, numerator, denominator));
-        Self { arctangent: ReducedArctangent::of(small, large), steep }
+        Self { arctangent: ReducedArctangent::from_quotient(small, large), steep }
     }
 }
 
 impl DoubledArctangent {
     /// 2 atan(numerator/denominator) for a ratio of positive numbers.
     #[inline(always)]
-    pub(super) fn of(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
-        Self::from_reduced(ReducedRatio::of(numerator, denominator))
+    pub(super) fn from_quotient(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
+        Self::from_reduced(ReducedRatio::from_quotient(numerator, denominator))
     }
 
     #[inline(always)]

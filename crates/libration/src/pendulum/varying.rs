@@ -52,7 +52,7 @@ pub(super) struct Factors {
 
 impl Factors {
     #[inline(always)]
-    pub(super) fn of(root: DoubleDouble) -> Self {
+    pub(super) fn from_nome_root(root: DoubleDouble) -> Self {
         let series = ThetaSeries::new(root.hi * root.hi);
         let second = series.second_at_zero();
         Self { small_second: scaled_by(root.scaled(4.0), second), second, fourth: series.fourth_at_zero() }
@@ -109,7 +109,7 @@ pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> P
     let quotient = turns * inverse;
     let residual = (-quotient).mul_add(ratio.hi, turns) + quotient.mul_add(-ratio.lo, turns_lo);
     let sum = two_sum(quotient, 0.25);
-    Phase::of(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), angle.hi)
+    Phase::from_turns(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), angle.hi)
 }
 
 /// tan(|θ|/2) as a quotient, and the sign of θ.
@@ -187,9 +187,9 @@ impl One {
         let root = root_of_nome(s, u.hi);
         // 2πK/K′ = 2 ln(1/q′) of the complementary nome.
         let values = S::values(&ThetaSeries::new(root.hi * root.hi), phase.rest, log.scaled(2.0));
-        let factors = Factors::of(root);
+        let factors = Factors::from_nome_root(root);
         let Tangent { above, below, sign } = tangent::<S>(self.amplitude, &phase, &factors, &values);
-        let half = DoubledArctangent::of(above, below);
+        let half = DoubledArctangent::from_quotient(above, below);
         let velocity =
             velocity::<S>(self.amplitude, self.angular_frequency, &phase, (&factors, gauss), &values);
         let angle = sign * half.angle.to_f64();

@@ -159,7 +159,7 @@ impl ReleaseStages {
             self.sign[i] = tangent.sign;
         }
         for i in 0..BLOCK {
-            let ratio = ReducedRatio::of(self.first.get(i), self.second.get(i));
+            let ratio = ReducedRatio::from_quotient(self.first.get(i), self.second.get(i));
             self.steep[i] = if ratio.steep { 1.0 } else { 0.0 };
             self.third.set(i, DoubleDouble::new(ratio.arctangent.t, ratio.arctangent.t_lo));
             self.fourth.hi[i] = ratio.arctangent.upper;
@@ -185,7 +185,7 @@ impl ReleaseStages {
         }
         for i in 0..BLOCK {
             let root = root_of_nome(self.period.s.get(i), self.period.u.hi[i]);
-            let factors = Factors::of(root);
+            let factors = Factors::from_nome_root(root);
             self.root[i] = root.hi;
             self.small_second.set(i, factors.small_second);
             self.zero_second.set(i, factors.second);

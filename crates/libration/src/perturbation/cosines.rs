@@ -1,6 +1,6 @@
 //! Sums of cosines whose coefficients are polynomials in open symbols.
 
-use crate::algebra::{Harmonic, HarmonicSums, PhaseRing, Polynomial, Polynomials, Ring};
+use crate::algebra::{HarmonicPair, HarmonicSums, PhaseRing, Polynomial, Polynomials, Ring};
 
 /// The ring of such sums.
 pub(super) const COSINES: HarmonicSums<Polynomials> = HarmonicSums { numbers: Polynomials };
@@ -10,6 +10,6 @@ pub(super) type Cosines = <HarmonicSums<Polynomials> as Ring>::Element;
 
 /// The sum of these terms (k, cₖ).
 pub(super) fn cosines(terms: impl IntoIterator<Item = (u32, Polynomial)>) -> Cosines {
-    let harmonic = |(k, cosine)| (k as usize, Harmonic { cosine, sine: Polynomial::zero() });
+    let harmonic = |(k, cosine)| (k as usize, HarmonicPair { cosine, sine: Polynomial::zero() });
     COSINES.sum_of_harmonics(&terms.into_iter().map(harmonic).collect::<Vec<_>>())
 }

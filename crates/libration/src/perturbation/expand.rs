@@ -6,7 +6,7 @@ use super::approximate::{Approximated, approximate_series, centre, limit_cycle};
 use super::certificate::{
     agrees_with_plain_rationals, agrees_with_the_first_integral, agrees_with_the_potential,
 };
-use super::expansion::{Certificate, Expansion, Heading, Precision, Variable};
+use super::expansion::{Certificate, Expansion, ExpansionVariable, Heading, Precision};
 use super::gauge::Gauge;
 use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
@@ -257,8 +257,8 @@ impl<'a> Question<'a> {
         Heading {
             order: self.order,
             variable: match self.oscillator.kind() {
-                Kind::LimitCycle { parameter } => Variable::Parameter(parameter.clone()),
-                _ => Variable::Epsilon(self.gauge.clone()),
+                Kind::LimitCycle { parameter } => ExpansionVariable::Parameter(parameter.clone()),
+                _ => ExpansionVariable::Epsilon(self.gauge.clone()),
             },
             precision,
             equilibrium: exact(self.oscillator.equilibrium().exact()),

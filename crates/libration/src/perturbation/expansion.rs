@@ -12,7 +12,7 @@ pub struct Expansion {
     /// both up to this power.
     pub order: usize,
     /// What the series are in.
-    pub variable: Variable,
+    pub variable: ExpansionVariable,
     /// Whether the coefficients are exact.
     pub precision: Precision,
     /// The equilibrium about which the motion goes.
@@ -22,7 +22,7 @@ pub struct Expansion {
     /// Ω/ω0.
     pub frequency_ratio: Vec<Rational>,
     /// The harmonics that are present, by ascending k.
-    pub harmonics: Vec<Harmonics>,
+    pub harmonics: Vec<HarmonicSeries>,
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
     pub unit_squared: Rational,
@@ -40,14 +40,14 @@ pub struct Expansion {
 
 /// What the series of an expansion are in.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Variable {
+pub enum ExpansionVariable {
     /// The parameter ε of a family of motions, in this gauge.
     Epsilon(Gauge),
     /// The strength of a self-excitation, a parameter of this name.
     Parameter(String),
 }
 
-impl Variable {
+impl ExpansionVariable {
     /// Its name.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -58,7 +58,7 @@ impl Variable {
     }
 }
 
-impl Variable {
+impl ExpansionVariable {
     /// Whether it is the strength of a self-excitation.
     #[must_use]
     pub const fn is_strength(&self) -> bool {
@@ -77,7 +77,7 @@ pub enum Precision {
 
 /// The coefficients of cos kΩt and sin kΩt.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Harmonics {
+pub struct HarmonicSeries {
     /// Which harmonic.
     pub k: usize,
     /// Of cos kΩt.
@@ -128,7 +128,7 @@ impl Certificate {
 impl Expansion {
     /// The harmonic k, where it is present.
     #[must_use]
-    pub fn harmonic(&self, k: usize) -> Option<&Harmonics> {
+    pub fn harmonic(&self, k: usize) -> Option<&HarmonicSeries> {
         self.harmonics.iter().find(|harmonic| harmonic.k == k)
     }
 
@@ -137,9 +137,9 @@ impl Expansion {
         let Heading { order, variable, precision, equilibrium, omega0_squared, unit_squared } = heading;
         let harmonics = set.harmonics.into_iter().enumerate().map(|(k, series)| {
             let (cos, sin) = series.into_iter().map(|h| (h.cosine, h.sine)).unzip();
-            Harmonics { k, cos, sin }
+            HarmonicSeries { k, cos, sin }
         });
-        let present = |h: &Harmonics| h.k == 1 || h.cos.iter().chain(&h.sin).any(|c| !c.is_zero());
+        let present = |h: &HarmonicSeries| h.k == 1 || h.cos.iter().chain(&h.sin).any(|c| !c.is_zero());
         Self {
             order,
             variable,
@@ -162,7 +162,7 @@ impl Expansion {
 #[derive(Clone, Debug)]
 pub(crate) struct Heading {
     pub(crate) order: usize,
-    pub(crate) variable: Variable,
+    pub(crate) variable: ExpansionVariable,
     pub(crate) precision: Precision,
     pub(crate) equilibrium: Rational,
     pub(crate) omega0_squared: Rational,

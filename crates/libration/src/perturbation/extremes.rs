@@ -5,7 +5,7 @@
 
 use super::half_turns::{BothTurns, half_turns};
 use super::lindstedt::Family;
-use crate::algebra::{Harmonic, Rational, Ring};
+use crate::algebra::{HarmonicPair, Rational, Ring};
 use crate::series::truncated::product;
 
 /// The largest and the smallest displacement of a motion that has them at τ = 0 and τ = π when the variable is zero.
@@ -34,13 +34,13 @@ fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<BothTurn
 
 /// dx/dτ in the place of x.
 fn differentiate<R: Ring>(ring: &R, family: &mut Family<R::Element>) -> Option<()> {
-    let absent = |h: &Harmonic<R::Element>| ring.is_zero(&h.cosine) && ring.is_zero(&h.sine);
+    let absent = |h: &HarmonicPair<R::Element>| ring.is_zero(&h.cosine) && ring.is_zero(&h.sine);
     for (k, harmonic) in family.harmonics.iter_mut().enumerate() {
         let k = i64::try_from(k).ok()?;
         for coefficient in harmonic.iter_mut().filter(|coefficient| !absent(coefficient)) {
             let cosine = ring.times_integer(&coefficient.sine, k);
             let sine = ring.times_integer(&coefficient.cosine, -k);
-            *coefficient = Harmonic { cosine, sine };
+            *coefficient = HarmonicPair { cosine, sine };
         }
     }
     Some(())

@@ -4,7 +4,7 @@
 //! With x = A cos φ and G = dφ/dt the equation becomes −d(H sin²φ)/dφ = (2/A)·sin φ·F for H = G², which integrates at
 //! each power of A because F takes its velocity from lower powers. The period is the mean of 2π/G.
 
-use crate::algebra::{Harmonic, HarmonicSums, PhaseRing, Rational, Rationals, Ring};
+use crate::algebra::{HarmonicPair, HarmonicSums, PhaseRing, Rational, Rationals, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::{next_square_root, reciprocal};
 
@@ -46,7 +46,7 @@ pub(crate) fn period_ratio(
 }
 
 fn wave(k: usize, cosine: Rational, sine: Rational) -> Sum {
-    RING.sum_of_harmonics(&[(k, Harmonic { cosine, sine })])
+    RING.sum_of_harmonics(&[(k, HarmonicPair { cosine, sine })])
 }
 
 /// −∫ 2 sin φ·F dφ from φ = 0, for a sum F of cosines up to `highest`.
@@ -60,8 +60,8 @@ fn minus_twice_integral_with_sine(force: &Sum, highest: usize) -> Option<Sum> {
                 let part =
                     Rationals.over_integer(&Rationals.times_integer(&f, sign), u64::try_from(j).ok()?)?;
                 let both = [
-                    (j, Harmonic { cosine: part.clone(), sine: Rational::from(0) }),
-                    (0, Harmonic { cosine: -part, sine: Rational::from(0) }),
+                    (j, HarmonicPair { cosine: part.clone(), sine: Rational::from(0) }),
+                    (0, HarmonicPair { cosine: -part, sine: Rational::from(0) }),
                 ];
                 integral = RING.add(&integral, &RING.sum_of_harmonics(&both));
             }
@@ -84,7 +84,7 @@ fn over_squared_sine(sum: &Sum, highest: usize) -> Option<Sum> {
     let terms: Vec<_> = quotient
         .into_iter()
         .enumerate()
-        .map(|(k, cosine)| (k, Harmonic { cosine, sine: Rational::from(0) }))
+        .map(|(k, cosine)| (k, HarmonicPair { cosine, sine: Rational::from(0) }))
         .collect();
     let quotient = RING.sum_of_harmonics(&terms);
     let half = |k, numerator| {

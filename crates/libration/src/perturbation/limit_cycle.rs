@@ -7,7 +7,7 @@
 
 use super::lindstedt::Family;
 use super::watch::Watch;
-use crate::algebra::{Harmonic, Number, PhaseRing, Ring};
+use crate::algebra::{HarmonicPair, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::next_square_root;
 
@@ -53,8 +53,8 @@ fn start<'a, R: PhaseRing>(
 ) -> Option<Jet<'a, R>> {
     let numbers = ring.numbers();
     let zero = numbers.zero();
-    let position = Harmonic { cosine: amplitude.clone(), sine: zero.clone() };
-    let velocity = Harmonic { cosine: zero, sine: numbers.negate(&numbers.multiply(omega0, amplitude)) };
+    let position = HarmonicPair { cosine: amplitude.clone(), sine: zero.clone() };
+    let velocity = HarmonicPair { cosine: zero, sine: numbers.negate(&numbers.multiply(omega0, amplitude)) };
     let inputs =
         [ring.sum_of_harmonics(&[(1, position)]), ring.sum_of_harmonics(&[(1, velocity)]), ring.zero()];
     Jet::new(ring, tape, &inputs).ok()
@@ -96,15 +96,15 @@ struct Expansion<'a, R: PhaseRing> {
     squared: Vec<Number<R>>,
     frequency: Vec<Number<R>>,
     /// xₙₖ by n and k.
-    orders: Vec<Vec<Harmonic<Number<R>>>>,
+    orders: Vec<Vec<HarmonicPair<Number<R>>>>,
 }
 
 impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn new(ring: &'a R, excitation: &'a Excitation<'a, R>) -> Option<Self> {
         let numbers = ring.numbers();
         let (zero, one) = (numbers.zero(), numbers.rational(&1.into())?);
-        let nothing = Harmonic { cosine: zero.clone(), sine: zero.clone() };
-        let first = Harmonic { cosine: excitation.amplitude.clone(), sine: zero };
+        let nothing = HarmonicPair { cosine: zero.clone(), sine: zero.clone() };
+        let first = HarmonicPair { cosine: excitation.amplitude.clone(), sine: zero };
         let jet = start(ring, excitation.tape, &excitation.omega0, &excitation.amplitude)?;
         Some(Self {
             ring,
@@ -128,7 +128,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let next = numbers.divide(&numbers.negate(&secular), &self.excitation.amplitude)?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
-        let nothing = || Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let nothing = || HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() };
         let symmetric = self.excitation.symmetric;
         let forced = (0..=highest_harmonic(self.excitation.degree, n))
             .map(
@@ -155,16 +155,16 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let amplitude = numbers.divide(&numbers.negate(&sine), &self.excitation.slope)?;
         self.jet.shorten();
         self.orders[n - 1][1].cosine = amplitude.clone();
-        let position = Harmonic { cosine: amplitude.clone(), sine: numbers.zero() };
+        let position = HarmonicPair { cosine: amplitude.clone(), sine: numbers.zero() };
         let speed = numbers.negate(&numbers.multiply(&self.excitation.omega0, &amplitude));
-        let velocity = Harmonic { cosine: numbers.zero(), sine: speed };
+        let velocity = HarmonicPair { cosine: numbers.zero(), sine: speed };
         self.jet.amend(&self.position_gains, &ring.sum_of_harmonics(&[(1, position)]));
         self.jet.amend(&self.velocity_gains, &ring.sum_of_harmonics(&[(1, velocity)]));
         self.jet.extend(&next_inputs(ring, n)?).ok()?;
         Some(self.jet.result(0)[n].clone())
     }
 
-    fn forced(&self, rest: &R::Element, k: usize) -> Option<Harmonic<Number<R>>> {
+    fn forced(&self, rest: &R::Element, k: usize) -> Option<HarmonicPair<Number<R>>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
         let detunings =
@@ -176,34 +176,34 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
                 numbers.over_integer(&numbers.over_integer(&forcing, detunings[0])?, detunings[1])?;
             Some(if k == 0 { response } else { numbers.negate(&response) })
         };
-        Some(Harmonic {
+        Some(HarmonicPair {
             cosine: respond(&driving.cosine, &mixed.cosine)?,
             sine: respond(&driving.sine, &mixed.sine)?,
         })
     }
 
     /// Rₙₖ/ω0².
-    fn driving(&self, rest: &R::Element, k: usize) -> Harmonic<Number<R>> {
+    fn driving(&self, rest: &R::Element, k: usize) -> HarmonicPair<Number<R>> {
         let numbers = self.ring.numbers();
-        let Harmonic { cosine, sine } = self.ring.harmonic(rest, k);
-        Harmonic {
+        let HarmonicPair { cosine, sine } = self.ring.harmonic(rest, k);
+        HarmonicPair {
             cosine: numbers.multiply(&cosine, &self.compliance),
             sine: numbers.multiply(&sine, &self.compliance),
         }
     }
 
     /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 where k ≠ 1 and it is nothing.
-    fn mixed(&self, k: usize) -> Harmonic<Number<R>> {
+    fn mixed(&self, k: usize) -> HarmonicPair<Number<R>> {
         let (numbers, n) = (self.ring.numbers(), self.orders.len());
-        let sum = |part: fn(&Harmonic<Number<R>>) -> &Number<R>| {
+        let sum = |part: fn(&HarmonicPair<Number<R>>) -> &Number<R>| {
             let terms = (1..n).filter_map(|j| Some((&self.squared[n - j], part(self.orders[j].get(k)?))));
             let terms = terms.filter(|(w, x)| !numbers.is_zero(w) && !numbers.is_zero(x));
             terms.fold(numbers.zero(), |sum, (w, x)| numbers.add(&sum, &numbers.multiply(w, x)))
         };
-        Harmonic { cosine: sum(|h| &h.cosine), sine: sum(|h| &h.sine) }
+        HarmonicPair { cosine: sum(|h| &h.cosine), sine: sum(|h| &h.sine) }
     }
 
-    fn sum_of(&self, harmonics: &[Harmonic<Number<R>>]) -> R::Element {
+    fn sum_of(&self, harmonics: &[HarmonicPair<Number<R>>]) -> R::Element {
         let terms: Vec<_> = harmonics.iter().cloned().enumerate().collect();
         self.ring.sum_of_harmonics(&terms)
     }
@@ -212,7 +212,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn velocity(&self, n: usize) -> Option<R::Element> {
         let (ring, numbers) = (self.ring, self.ring.numbers());
         let highest = self.orders[n].len();
-        let mut slopes = vec![Harmonic { cosine: numbers.zero(), sine: numbers.zero() }; highest];
+        let mut slopes = vec![HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() }; highest];
         for (j, order) in self.orders.iter().enumerate() {
             let w = &self.frequency[n - j];
             for (k, (slope, x)) in slopes.iter_mut().zip(order).enumerate() {
@@ -229,9 +229,9 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn into_family(self) -> Family<Number<R>> {
         let numbers = self.ring.numbers();
         let highest = self.orders.last().map_or(0, Vec::len);
-        let nothing = Harmonic { cosine: numbers.zero(), sine: numbers.zero() };
+        let nothing = HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() };
         let coefficient =
-            |order: &Vec<Harmonic<Number<R>>>, k: usize| order.get(k).unwrap_or(&nothing).clone();
+            |order: &Vec<HarmonicPair<Number<R>>>, k: usize| order.get(k).unwrap_or(&nothing).clone();
         let harmonics =
             (0..highest).map(|k| self.orders.iter().map(|order| coefficient(order, k)).collect()).collect();
         Family { frequency: self.frequency, harmonics }

@@ -11,7 +11,7 @@
 //! gauge, and the right side must vanish too, which fixes Wₙ₋₁ (solvability: no secular term).
 
 use super::watch::Watch;
-use crate::algebra::{Harmonic, Number, PhaseRing, Ring};
+use crate::algebra::{HarmonicPair, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::next_square_root;
 
@@ -34,7 +34,7 @@ pub(crate) struct Family<E> {
     /// Ω/ω0 by powers of the variable.
     pub(crate) frequency: Vec<E>,
     /// For each harmonic k, its coefficients by powers of the variable.
-    pub(crate) harmonics: Vec<Vec<Harmonic<E>>>,
+    pub(crate) harmonics: Vec<Vec<HarmonicPair<E>>>,
 }
 
 /// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, up to N.
@@ -112,7 +112,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             cosines[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
         }
         self.cosines.push(cosines);
-        let position = self.sum(n, |k, a| (k, Harmonic { cosine: a, sine: ring.numbers().zero() }));
+        let position = self.sum(n, |k, a| (k, HarmonicPair { cosine: a, sine: ring.numbers().zero() }));
         self.jet.amend(&self.gains.position, &position);
         self.amend_velocity(n);
         Some(())
@@ -161,7 +161,11 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     }
 
     /// The harmonics of order n as a sum, each as it is told.
-    fn sum(&self, n: usize, term: impl Fn(usize, Number<R>) -> (usize, Harmonic<Number<R>>)) -> R::Element {
+    fn sum(
+        &self,
+        n: usize,
+        term: impl Fn(usize, Number<R>) -> (usize, HarmonicPair<Number<R>>),
+    ) -> R::Element {
         let present = self.cosines[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
         self.ring.sum_of_harmonics(&present.map(|(k, a)| term(k, a.clone())).collect::<Vec<_>>())
     }
@@ -175,7 +179,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             let factor = numbers.multiply(omega0, &self.frequency[n - j]);
             let slope = self.sum(j, |k, a| {
                 let k_negative = -i64::try_from(k).unwrap_or(i64::MAX);
-                (k, Harmonic { cosine: numbers.zero(), sine: numbers.times_integer(&a, k_negative) })
+                (k, HarmonicPair { cosine: numbers.zero(), sine: numbers.times_integer(&a, k_negative) })
             });
             velocity = ring.add(&velocity, &ring.times_number(&slope, &factor));
         }
@@ -185,7 +189,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn into_family(self) -> Family<Number<R>> {
         let zero = self.ring.numbers().zero();
         let order = self.cosines.len() - 1;
-        let coefficient = |k: usize, n: usize| Harmonic {
+        let coefficient = |k: usize, n: usize| HarmonicPair {
             cosine: self.cosines[n].get(k).unwrap_or(&zero).clone(),
             sine: zero.clone(),
         };

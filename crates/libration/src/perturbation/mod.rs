@@ -3,7 +3,7 @@
 //! About a centre the motions form a family with a parameter ε, whose meaning is free: the [`Gauge`]. [`expand`] gives
 //! frequency and harmonics by powers of ε and of the amplitude. A self-excited oscillator has a limit cycle, which is
 //! expanded in the strength of the excitation. [`OpenGauge`] shows the equations order by order before a gauge is
-//! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`Evaluation`],
+//! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`SeriesEvaluation`],
 //! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
 //!
 //! ```
@@ -41,13 +41,14 @@ mod truncated_system;
 mod watch;
 
 pub use evaluation::{
-    Certainty, Convergence, Evaluation, Pade, Pole, Remainder, Singularity, Step, pendulum_period_remainder,
+    Certainty, Convergence, Pade, PartialSum, Pole, Remainder, SeriesEvaluation, Singularity,
+    pendulum_period_remainder,
 };
 pub(crate) use expand::is_pendulum;
 pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
-pub use expansion::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
+pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};
 pub use gauge::{Gauge, NotAGauge};
-pub use open_gauge::{Condition, OpenGauge, OpenGaugeError, Powers};
+pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use restoring_force::restoring_force;
-pub use truncated_system::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
+pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};
 pub use watch::{Progress, Stage};

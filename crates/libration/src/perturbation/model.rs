@@ -163,7 +163,7 @@ struct Numbers<E> {
 
 /// A number as a sum of harmonics.
 fn constant<R: PhaseRing>(ring: &R, value: &Number<R>) -> R::Element {
-    let mean = crate::algebra::Harmonic { cosine: value.clone(), sine: ring.numbers().zero() };
+    let mean = crate::algebra::HarmonicPair { cosine: value.clone(), sine: ring.numbers().zero() };
     ring.sum_of_harmonics(&[(0, mean)])
 }
 

@@ -4,14 +4,14 @@
 use super::extremes::extremes;
 use super::half_turns::half_turns;
 use super::lindstedt::Family;
-use crate::algebra::{Harmonic, Ring};
-use crate::series::truncated::{Powers, powers, powers_of_inverse, reciprocal};
+use crate::algebra::{HarmonicPair, Ring};
+use crate::series::truncated::{SeriesPowers, powers, powers_of_inverse, reciprocal};
 
 /// The series of a family by powers of its variable, and of its amplitudes.
 #[derive(Clone, Debug)]
 pub(crate) struct SeriesSet<E> {
     pub(crate) frequency: Vec<E>,
-    pub(crate) harmonics: Vec<Vec<Harmonic<E>>>,
+    pub(crate) harmonics: Vec<Vec<HarmonicPair<E>>>,
     pub(crate) x_max: Vec<E>,
     pub(crate) x_min: Vec<E>,
     pub(crate) of_amplitude: Option<OfAmplitude<E>>,
@@ -87,9 +87,9 @@ impl<E: Clone> SeriesSet<E> {
             epsilon: of(&of_own.epsilon),
             harmonics: of_own.harmonics.iter().map(|series| of(series)).collect(),
         };
-        let both = |n: usize| Harmonic { cosine: n, sine: n };
+        let both = |n: usize| HarmonicPair { cosine: n, sine: n };
         let of_harmonic =
-            |series: &Vec<Harmonic<E>>| orders_of(series.len(), order).into_iter().map(both).collect();
+            |series: &Vec<HarmonicPair<E>>| orders_of(series.len(), order).into_iter().map(both).collect();
         let orders = SeriesSet {
             frequency: of(&self.frequency),
             harmonics: self.harmonics.iter().map(of_harmonic).collect(),
@@ -146,7 +146,7 @@ impl<E: Clone> SeriesSet<E> {
         let mut harmonics = vec![];
         for series in &self.harmonics {
             let mut pairs = list(2 * series.len())?.into_iter();
-            let next = || Some(Harmonic { cosine: pairs.next()?, sine: pairs.next()? });
+            let next = || Some(HarmonicPair { cosine: pairs.next()?, sine: pairs.next()? });
             harmonics.push(std::iter::from_fn(next).collect());
         }
         let (x_max, x_min) = (list(self.x_max.len())?, list(self.x_min.len())?);
@@ -200,14 +200,15 @@ pub(crate) fn by_inverse<R: Ring>(
 fn composed<R: Ring>(
     ring: &R,
     family: &Family<R::Element>,
-    powers: &Powers<R::Element>,
+    powers: &SeriesPowers<R::Element>,
 ) -> Family<R::Element> {
-    let compose = |part: fn(&Harmonic<R::Element>) -> &R::Element, series: &[Harmonic<R::Element>]| {
+    let compose = |part: fn(&HarmonicPair<R::Element>) -> &R::Element,
+                   series: &[HarmonicPair<R::Element>]| {
         powers.composed(ring, &series.iter().map(|h| part(h).clone()).collect::<Vec<_>>())
     };
-    let harmonic = |series: &Vec<Harmonic<R::Element>>| {
+    let harmonic = |series: &Vec<HarmonicPair<R::Element>>| {
         let (cosines, sines) = (compose(|h| &h.cosine, series), compose(|h| &h.sine, series));
-        cosines.into_iter().zip(sines).map(|(cosine, sine)| Harmonic { cosine, sine }).collect()
+        cosines.into_iter().zip(sines).map(|(cosine, sine)| HarmonicPair { cosine, sine }).collect()
     };
     Family {
         frequency: powers.composed(ring, &family.frequency),

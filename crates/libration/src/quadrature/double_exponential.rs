@@ -12,13 +12,13 @@ const STEPS: i32 = 56;
 ///
 /// # Accuracy
 /// Some ε for functions that do not oscillate; at a power between −1 and 0 the part of the integral from 0 to 2e-22 is left out,
-/// and where the singular end is one, what `f` itself loses by the rounding of x. `missed` is estimated from steps of other lengths and the outermost terms.
+/// and where the singular end is one, what `f` itself loses by the rounding of x. `error` is estimated from steps of other lengths and the outermost terms.
 ///
 /// # Examples
 /// ```
 /// use libration::quadrature::double_exponential;
 /// let root = double_exponential(|x| x.powf(0.3));
-/// assert!((root.value - 1.0 / 1.3).abs() < 1e-15 && root.missed < 1e-14);
+/// assert!((root.value - 1.0 / 1.3).abs() < 1e-15 && root.error < 1e-14);
 /// ```
 ///
 /// # References
@@ -34,5 +34,5 @@ pub fn double_exponential(f: impl Fn(f64) -> f64) -> Integral {
     let within = equal_steps(STEPS_PER_UNIT, -STEPS..=STEPS, term);
     // Beyond the steps the terms fall by more than a half from one to the next.
     let beyond = (term(-STEPS).abs() + term(STEPS).abs()) / STEPS_PER_UNIT;
-    Integral { missed: within.missed + beyond, ..within }
+    Integral { error: within.error + beyond, ..within }
 }

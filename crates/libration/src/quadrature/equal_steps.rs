@@ -24,5 +24,5 @@ pub(crate) fn equal_steps(
     let (last, before): (f64, f64) = (all - second, second - fourth);
     let part = (last / before).abs().min(1.0);
     let missed = if last == 0.0 { 0.0 } else { (last * part).abs() };
-    Integral { value: all / steps_per_unit, missed: missed / steps_per_unit }
+    Integral { value: all / steps_per_unit, error: missed / steps_per_unit }
 }

@@ -49,17 +49,17 @@ const fn legendre(x: f64) -> [f64; 16] {
 /// degree 31.
 ///
 /// # Accuracy
-/// `missed` is estimated from the same values: from the coefficients of degrees 4 to 7 in Legendre's polynomials to those of degrees
+/// `error` is estimated from the same values: from the coefficients of degrees 4 to 7 in Legendre's polynomials to those of degrees
 /// 12 to 15 they fall by a factor, and from there to those of degree 32, which the rule does not see, at least so once more.
-/// Where they hardly fall nothing is known, and `missed` is ∫|f|. A peak between two points is not seen.
+/// Where they hardly fall nothing is known, and `error` is ∫|f|. A peak between two points is not seen.
 ///
 /// # Examples
 /// ```
 /// use libration::quadrature::gauss;
 /// let smooth = gauss(|x| x.exp());
-/// assert!((smooth.value - (1.0_f64.exp() - 1.0)).abs() < 1e-15 && smooth.missed < 1e-15);
+/// assert!((smooth.value - (1.0_f64.exp() - 1.0)).abs() < 1e-15 && smooth.error < 1e-15);
 /// let kinked = gauss(|x| (x - 0.3).abs());
-/// assert!((kinked.value - 0.29).abs() < kinked.missed);
+/// assert!((kinked.value - 0.29).abs() < kinked.error);
 /// ```
 pub fn gauss(mut f: impl FnMut(f64) -> f64) -> Integral {
     let (mut sum, mut size) = (0.0, 0.0);
@@ -77,6 +77,6 @@ pub fn gauss(mut f: impl FnMut(f64) -> f64) -> Integral {
     }
     let [early, late] = coefficients.map(|sums| sums.iter().fold(0.0, |most: f64, sum| most.max(sum.abs())));
     // Coefficient 15 is 31/2 times its sum. What a kink leaves is up to twice as much, wherever it is.
-    let missed = if late <= RESOLVED * early { 64.0 * late * (late / early) } else { 0.5 * size };
-    Integral { value: 0.5 * sum, missed: if late == 0.0 { 0.0 } else { missed } }
+    let error = if late <= RESOLVED * early { 64.0 * late * (late / early) } else { 0.5 * size };
+    Integral { value: 0.5 * sum, error: if late == 0.0 { 0.0 } else { error } }
 }

@@ -11,12 +11,12 @@
 //!
 //! let smooth = |x: f64| 1.0 / (1.0 + x);
 //! for integral in [gauss(smooth), gauss_kronrod(smooth), double_exponential(smooth)] {
-//!     assert!((integral.value - 2.0_f64.ln()).abs() < 1e-15 && integral.missed < 1e-14);
+//!     assert!((integral.value - 2.0_f64.ln()).abs() < 1e-15 && integral.error < 1e-14);
 //! }
 //! // A square root has no Taylor series at zero, and the rule of Gauss tells so.
 //! let root = |x: f64| x.sqrt();
 //! assert!((double_exponential(root).value - 2.0 / 3.0).abs() < 1e-15);
-//! assert!(gauss(root).missed > (gauss(root).value - 2.0 / 3.0).abs());
+//! assert!(gauss(root).error > (gauss(root).value - 2.0 / 3.0).abs());
 //! ```
 
 mod double_exponential;
@@ -35,7 +35,7 @@ pub struct Integral {
     /// NaN where it does not converge.
     pub value: f64,
     /// An estimate of how much was not reached, beside the roundings of a sum.
-    pub missed: f64,
+    pub error: f64,
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub(crate) mod truncated;
 use dashu::integer::IBig;
 
 pub use power_series::PowerSeries;
-pub use truncated::{Powers, powers, powers_of_inverse, product, reciprocal, square_root_of_unit};
+pub use truncated::{SeriesPowers, powers, powers_of_inverse, product, reciprocal, square_root_of_unit};
 
 use online::{BLOCK, Convolution, Weight};
 

@@ -57,7 +57,7 @@ pub(crate) fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Elem
 }
 
 /// The powers 1, a, a², … of a series without constant term, as far as they are not zero.
-pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
+pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
     let one = ring.rational(&1.into())?;
     let length = a.len();
     let mut unit = vec![ring.zero(); length];
@@ -69,14 +69,14 @@ pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>>
         let next = product(ring, a, &powers[powers.len() - 1], length);
         powers.push(next);
     }
-    Some(Powers { powers })
+    Some(SeriesPowers { powers })
 }
 
 /// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula
 /// \[xⁿ\] yʲ = (j/n) \[xⁿ⁻ʲ\] (x/a(x))ⁿ; `None` when a₁ has no inverse.
 ///
 /// Reference: P. Henrici, *Applied and Computational Complex Analysis*, vol. 1, Wiley 1974, section 1.9.
-pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R::Element>> {
+pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
     let length = a.len();
     let phi = reciprocal(ring, a.get(1..)?)?;
     let mut powers = vec![vec![ring.zero(); length]; length];
@@ -89,16 +89,16 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Powers<R
             powers[j][n] = ring.over_integer(&scaled, u64::try_from(n).ok()?)?;
         }
     }
-    Some(Powers { powers })
+    Some(SeriesPowers { powers })
 }
 
 /// The powers of a series without constant term, which is what it takes to compose with it.
 #[derive(Clone, Debug)]
-pub struct Powers<E> {
+pub struct SeriesPowers<E> {
     powers: Vec<Vec<E>>,
 }
 
-impl<E: Clone> Powers<E> {
+impl<E: Clone> SeriesPowers<E> {
     /// The series itself.
     pub fn first(&self) -> Vec<E> {
         self.powers.get(1).cloned().unwrap_or_default()

@@ -14,7 +14,7 @@ use crate::taylor::Moment;
 /// let bodies = double.bodies().expect("the catalogue says where they are");
 /// let quarter = std::f64::consts::FRAC_PI_2;
 /// let [upper, lower] = bodies.at(&Moment { time: 0.0, state: vec![quarter, 0.0, 0.0, 0.0] })[..] else { panic!() };
-/// assert_eq!(upper.held, [0.0, 0.0]);
+/// assert_eq!(upper.pivot, [0.0, 0.0]);
 /// assert!((upper.place[0] - 1.0).abs() < 1e-15 && (lower.place[1] + 0.5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -29,7 +29,7 @@ pub struct Body {
     /// Where it is.
     pub place: [f64; 2],
     /// Where the other end of the rod or the spring is that holds it.
-    pub held: [f64; 2],
+    pub pivot: [f64; 2],
 }
 
 impl Bodies {
@@ -51,7 +51,7 @@ impl Bodies {
             Ok(jet) => (0..formulas).map(|formula| jet.result(formula)[0]).collect(),
             Err(_) => vec![f64::NAN; formulas],
         };
-        let body = |four: &[f64; 4]| Body { place: [four[0], four[1]], held: [four[2], four[3]] };
+        let body = |four: &[f64; 4]| Body { place: [four[0], four[1]], pivot: [four[2], four[3]] };
         values.as_chunks().0.iter().map(body).collect()
     }
 }

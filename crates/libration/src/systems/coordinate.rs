@@ -10,14 +10,14 @@ pub struct Coordinate {
     /// Its unit: `rad` for an angle, empty where an equation that was typed does not tell.
     pub unit: String,
     /// Where it is at rest; zero where no such place is known.
-    pub rest: f64,
+    pub at_rest: f64,
 }
 
 impl Coordinate {
     /// A coordinate of which only the name is known.
     pub(super) fn by_name(name: &str) -> Self {
         let unit = if is_angle_name(name) { "rad" } else { "" };
-        Self { name: name.to_owned(), unit: unit.to_owned(), rest: 0.0 }
+        Self { name: name.to_owned(), unit: unit.to_owned(), at_rest: 0.0 }
     }
 
     /// Whether it is an angle, in radians.

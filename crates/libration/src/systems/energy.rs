@@ -88,7 +88,7 @@ impl Energy {
             start: start.state.clone(),
             last: start.state.clone(),
             potential: [0.0; 2],
-            missed: 0.0,
+            quadrature_error: 0.0,
             largest_change: 0.0,
             largest_kinetic: 0.0,
         });
@@ -125,7 +125,7 @@ pub struct EnergyAccount {
     /// The potential energy gained until the last state in two words, where it has no formula.
     pub potential: [f64; 2],
     /// By how much the potential energy may be wrong, beyond roundings.
-    pub missed: f64,
+    pub quadrature_error: f64,
     /// The largest change of the energy since the start.
     pub largest_change: f64,
     /// The largest kinetic energy.
@@ -177,8 +177,8 @@ impl EnergyBalance<'_> {
     /// what of the work of the forces could not be computed for the noise in them, as next to a pole.
     #[must_use]
     pub fn drift_uncertainty(&self) -> f64 {
-        let EnergyAccount { missed, largest_kinetic, .. } = self.account;
-        if missed == 0.0 { 0.0 } else { missed / largest_kinetic }
+        let EnergyAccount { quadrature_error, largest_kinetic, .. } = self.account;
+        if quadrature_error == 0.0 { 0.0 } else { quadrature_error / largest_kinetic }
     }
 
     /// The change of the energy since the start, and the kinetic energy.
@@ -203,7 +203,7 @@ impl EnergyBalance<'_> {
         let [high, low] = self.account.potential;
         let potential = DoubleDouble::new(high, low) + DoubleDouble::from(-work.value);
         self.account.potential = [potential.hi, potential.lo];
-        self.account.missed += work.missed;
+        self.account.quadrature_error += work.error;
         let kinetic = |state: &[f64]| {
             let speeds = state[coordinates..].iter();
             self.energy.masses.iter().zip(speeds).map(|(m, v)| 0.5 * m * v * v).sum::<f64>()

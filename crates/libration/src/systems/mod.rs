@@ -31,7 +31,7 @@ pub use coordinate::Coordinate;
 pub use energy::{Energy, EnergyAccount, EnergyBalance};
 pub use error::{ModelError, NoEnergy, UnknownSystem};
 pub use model::Model;
-pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, Parameter};
+pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, SystemParameter};
 
 #[cfg(test)]
 mod tests;

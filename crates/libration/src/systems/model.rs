@@ -69,13 +69,13 @@ impl Model {
         let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
         let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
         let coordinates = named.coordinates.iter().map(|it| {
-            let rest = with_values(put_in(it.rest)?, &all_defaults(&defaults)?);
-            let rest = rest.to_f64().unwrap_or(0.0);
-            Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), rest })
+            let at_rest = with_values(put_in(it.at_rest)?, &all_defaults(&defaults)?);
+            let at_rest = at_rest.to_f64().unwrap_or(0.0);
+            Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), at_rest })
         });
         let coordinates = coordinates.collect::<Result<_, ModelError>>()?;
         let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
-        let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.held)?]));
+        let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.pivot)?]));
         let known = Known {
             bodies: bodies.collect::<Result<_, ModelError>>()?,
             energy: put_in(named.energy)?,
@@ -95,7 +95,7 @@ impl Model {
         let (equation, values) = filled(named.equation, values, defaults, open)?;
         let mut coordinates = by_names(&equation);
         if let Ok(oscillator) = Oscillator::new(&equation) {
-            coordinates[0].rest = oscillator.equilibrium().to_f64();
+            coordinates[0].at_rest = oscillator.equilibrium().to_f64();
         }
         Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, known: None })
     }
@@ -169,8 +169,8 @@ impl Model {
 
     /// The state of rest: every coordinate where it is at rest, without velocity.
     #[must_use]
-    pub fn state_of_rest(&self) -> Vec<f64> {
-        let places = self.coordinates.iter().map(|coordinate| coordinate.rest);
+    pub fn state_at_rest(&self) -> Vec<f64> {
+        let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
         places.chain(self.coordinates.iter().map(|_| 0.0)).collect()
     }
 
@@ -190,7 +190,7 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn start(&self, values: &[(&str, f64)]) -> Result<Moment, StateNameError> {
-        let state = named_state(&self.state_names(), self.state_of_rest(), values)?;
+        let state = named_state(&self.state_names(), self.state_at_rest(), values)?;
         Ok(Moment { time: 0.0, state })
     }
 

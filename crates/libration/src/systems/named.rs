@@ -26,7 +26,7 @@ pub struct NamedSystem {
     /// Its coordinates, in the order of the equations.
     pub coordinates: &'static [NamedCoordinate],
     /// The parameters in the equations. Their default values leave out all damping and driving.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [SystemParameter],
     /// Its energy as a formula of coordinates, velocities and parameters.
     pub energy: &'static str,
     /// The unit of the energy, which says what it is divided by.
@@ -54,7 +54,7 @@ pub struct NamedBody {
     /// Where it is, to the right and upwards.
     pub place: [&'static str; 2],
     /// Where the other end of the rod or the spring is that holds it.
-    pub held: [&'static str; 2],
+    pub pivot: [&'static str; 2],
 }
 
 /// A coordinate of a named system.
@@ -65,12 +65,12 @@ pub struct NamedCoordinate {
     /// Its unit: `rad` for angles.
     pub unit: &'static str,
     /// Where it is at rest, as a formula of the parameters.
-    pub rest: &'static str,
+    pub at_rest: &'static str,
 }
 
 /// A parameter of a named system.
 #[derive(Clone, Copy, Debug)]
-pub struct Parameter {
+pub struct SystemParameter {
     /// Its name in the equations.
     pub name: &'static str,
     /// The value it has unless another is given.

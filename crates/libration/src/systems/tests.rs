@@ -264,13 +264,13 @@ fn bodies_are_where_the_masses_are_on_rods_of_one_length() {
                     "{}",
                     system.named.key
                 );
-                let held = body.held.map(value);
+                let held = body.pivot.map(value);
                 let length = libm::hypot(libm::hypot(place[0] - held[0], place[1] - held[1]), value(y));
                 let names = ["r", "l", "l1", "l2"].map(Symbol::plain);
                 (length, names.map(|name| numbers.0.get(&name).copied()))
             });
             for (length, [r, l, l1, l2]) in lengths {
-                let is_upper = body.held == ["0", "0"];
+                let is_upper = body.pivot == ["0", "0"];
                 let rod = r.or(if is_upper { l1 } else { l2 }).or(l).unwrap_or(1.0);
                 assert!((length - rod).abs() < 1e-15, "{}: {length} {rod}", system.named.key);
             }
@@ -328,14 +328,14 @@ fn defaults_leave_out_damping_and_driving_and_rest_is_at_rest() {
             Expression::Symbol(symbol) => symbol,
             other => panic!("{other}"),
         });
-        let mut numbers = Numbers(names.zip(model.state_of_rest()).collect());
+        let mut numbers = Numbers(names.zip(model.state_at_rest()).collect());
         numbers.0.insert(Symbol::plain("t"), 0.7);
         for acceleration in model.equation().accelerations() {
             // The two angles have no place of rest at the lowest point.
             let at_rest = numbers.value(acceleration).abs() < 1e-15 || named.key == "spherical_pendulum";
             assert!(at_rest, "{}: {acceleration}", named.key);
         }
-        let start = Moment { time: 0.0, state: model.state_of_rest() };
+        let start = Moment { time: 0.0, state: model.state_at_rest() };
         assert!(energy.drift(&start, &start) == 0.0 || named.key == "spherical_pendulum", "{}", named.key);
     }
 }
@@ -399,7 +399,7 @@ fn keys_are_unique_also_among_the_oscillators() {
         assert!(model.open_parameters().is_empty() && model.coordinates().len() == 1, "{}", oscillator.key);
     }
     let well = Model::by_key("double_well", &[], &[]).unwrap();
-    assert_eq!(well.state_of_rest(), [1.0, 0.0]);
+    assert_eq!(well.state_at_rest(), [1.0, 0.0]);
     assert!(matches!(Model::by_key("penduum", &[], &[]), Err(ModelError::Unknown { .. })));
 }
 

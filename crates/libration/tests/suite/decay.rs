@@ -2,7 +2,8 @@
 
 use crate::golden::Table;
 use libration::decay::{
-    Damping, DampingTerm, Decay, DecayError, Ending, Law, TurningPoint, cycle_integral, small_cycle_integral,
+    Damping, DampingTerm, Decay, DecayEnding, DecayError, EnvelopeLaw, TurningPoint, cycle_integral,
+    small_cycle_integral,
 };
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::Angle;
@@ -151,7 +152,7 @@ fn the_law_of_small_amplitudes_has_its_closed_forms() {
     for (terms, form) in forms {
         let decay = decay(terms, start);
         for time in [0.0, 1e-9, 0.3, 4.0, 25.0] {
-            let error = decay.envelope(Law::SmallAmplitude).amplitude_at(time) - form(time);
+            let error = decay.envelope(EnvelopeLaw::SmallAmplitude).amplitude_at(time) - form(time);
             assert!(error.abs() < 1e-14, "{terms:?} at {time}: {error:e}");
         }
     }
@@ -164,7 +165,7 @@ fn the_averaged_amplitude_falls_as_the_energy_says() {
         [(vec![(1.0, 0.1)], 3.0), (vec![(0.0, 0.05), (2.0, 0.1)], 1.5), (vec![(0.4, 0.1)], 0.2)]
     {
         let decay = decay(&terms, start);
-        let envelope = decay.envelope(Law::Averaged);
+        let envelope = decay.envelope(EnvelopeLaw::Averaged);
         let time = 1.3;
         let at = |steps: f64| envelope.amplitude_at(time + 1e-3 * steps);
         let slope = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / 12e-3;
@@ -177,7 +178,7 @@ fn the_averaged_amplitude_falls_as_the_energy_says() {
 
 #[test]
 fn the_time_of_an_amplitude_is_when_it_is_reached() {
-    for law in [Law::Averaged, Law::SmallAmplitude] {
+    for law in [EnvelopeLaw::Averaged, EnvelopeLaw::SmallAmplitude] {
         for start in [1e-3, 0.5, FRAC_PI_2, 3.0, PI] {
             let decay = decay(&[(0.5, 0.01), (1.0, 0.1), (2.0, 0.3)], start);
             let envelope = decay.envelope(law);
@@ -196,7 +197,7 @@ fn the_error_of_averaging_falls_with_the_square_of_the_damping() {
         let error = |c: f64, turn: usize| {
             let decay = decay(&[(exponent, c)], 2.0);
             let turn = turns(&decay, turn + 1)[turn];
-            decay.envelope(Law::Averaged).amplitude_at(turn.time) - turn.amplitude.radians()
+            decay.envelope(EnvelopeLaw::Averaged).amplitude_at(turn.time) - turn.amplitude.radians()
         };
         // As many turns more as the damping is weaker: the amplitude is nearly the same.
         let ratio = error(0.02, 8) / error(0.01, 16);
@@ -209,7 +210,7 @@ fn dry_friction_holds_the_pendulum_in_the_end() {
     let decay = decay(&[(0.0, 0.05)], 1.0);
     let mut swings = decay.swings();
     let last = swings.by_ref().last().unwrap().unwrap();
-    assert_eq!(swings.ending(), Some(Ending::Sticks));
+    assert_eq!(swings.ending(), Some(DecayEnding::Sticks));
     assert!(last.amplitude.radians() <= decay.sticking_amplitude());
     assert!((last.time - 28.905940906410518).abs() < 1e-13);
     assert!(swings.next().is_none());
@@ -223,7 +224,7 @@ fn dry_friction_stops_it_before_the_bottom_too() {
         let mut swings = decay.swings();
         assert_eq!(
             (swings.by_ref().count(), swings.ending()),
-            (turning_points, Some(Ending::Sticks)),
+            (turning_points, Some(DecayEnding::Sticks)),
             "{start}"
         );
     }
@@ -234,7 +235,7 @@ fn dry_friction_holds_it_next_to_the_top_as_well() {
     let decay = decay(&[(0.0, 0.05)], PI - 0.04);
     let mut swings = decay.swings();
     assert_eq!(swings.by_ref().count(), 1);
-    assert_eq!(swings.ending(), Some(Ending::Sticks));
+    assert_eq!(swings.ending(), Some(DecayEnding::Sticks));
 }
 
 #[test]
@@ -243,7 +244,7 @@ fn strong_damping_lets_it_creep() {
         let decay = decay(&[(exponent, c)], 0.5);
         let mut swings = decay.swings();
         assert_eq!(swings.by_ref().map(Result::unwrap).count(), 1, "n = {exponent}, c = {c}");
-        assert_eq!(swings.ending(), Some(Ending::Creeps));
+        assert_eq!(swings.ending(), Some(DecayEnding::Creeps));
     }
     // Strong drag of the second power weakens, and the pendulum swings.
     assert_eq!(turns(&decay(&[(2.0, 50.0)], 0.5), 4).len(), 4);
@@ -255,7 +256,7 @@ fn an_amplitude_below_all_others_has_vanished() {
     let decay = decay(&[(1.0, 1.8)], 0.5);
     let mut swings = decay.swings();
     assert_eq!(swings.by_ref().map(Result::unwrap).count(), 36);
-    assert_eq!(swings.ending(), Some(Ending::Vanishes));
+    assert_eq!(swings.ending(), Some(DecayEnding::Vanishes));
 }
 
 #[test]
@@ -281,7 +282,7 @@ fn seconds_and_radians_are_units_only() {
     for (one, other) in turns(&here, 8).iter().zip(turns(&there, 8)) {
         assert!((one.time / frequency - other.time).abs() < 1e-13);
         assert!((one.amplitude.radians() - other.amplitude.radians()).abs() < 1e-13);
-        for law in [Law::Averaged, Law::SmallAmplitude] {
+        for law in [EnvelopeLaw::Averaged, EnvelopeLaw::SmallAmplitude] {
             let (one, other) =
                 (here.envelope(law).amplitude_at(one.time), there.envelope(law).amplitude_at(other.time));
             assert!((one - other).abs() < 1e-13, "{law:?}");

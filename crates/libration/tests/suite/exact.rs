@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use crate::golden::Table;
-use libration::comparison::{Backbone, ExactValue, NoExactValue, Quantity, Relation, Road};
+use libration::comparison::{Backbone, ExactValue, Method, NoExactValue, SeriesComparison, SeriesQuantity};
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Expansion, Gauge, expand};
 use libration::quantity::Displacement;
@@ -21,8 +21,9 @@ impl Known {
         Self { oscillator, expansion }
     }
 
-    fn exact(&self, quantity: Quantity, amplitude: &str) -> Result<ExactValue, NoExactValue> {
-        Relation::new(&self.oscillator, &self.expansion, quantity).exact_from(&displacement(amplitude))
+    fn exact(&self, quantity: SeriesQuantity, amplitude: &str) -> Result<ExactValue, NoExactValue> {
+        SeriesComparison::new(&self.oscillator, &self.expansion, quantity)
+            .exact_from(&displacement(amplitude))
     }
 }
 
@@ -49,7 +50,7 @@ fn check(key: &str) {
     for row in table.rows().filter(|row| row.text("key") == key) {
         let (amplitude, what) = (row.text("amplitude"), format!("{key} at {}", row.text("amplitude")));
         let period = row.input("period");
-        let exact = known.exact(Quantity::Period, amplitude);
+        let exact = known.exact(SeriesQuantity::Period, amplitude);
         rows += 1;
         if period.is_infinite() {
             assert!(matches!(exact, Err(NoExactValue::Infinite(_))), "{what}: {exact:?}");
@@ -57,14 +58,14 @@ fn check(key: &str) {
         }
         let exact = exact.unwrap_or_else(|reason| panic!("{what}: {reason}"));
         assert_holds(&exact, period / small_period, period / small_period, &what);
-        assert_eq!(exact.road == Road::Elliptic, key == "pendulum");
+        assert_eq!(exact.method == Method::Elliptic, key == "pendulum");
         assert_eq!(
             exact.encloses.is_some(),
             key == "double_well" && displacement(amplitude).to_f64() > 0.414_213_562_373_095_04
         );
         for (column, k) in [("a1", 1), ("a3", 3)] {
             if !row.text(column).is_empty() {
-                let exact = known.exact(Quantity::Cosine(k), amplitude).unwrap();
+                let exact = known.exact(SeriesQuantity::Cosine(k), amplitude).unwrap();
                 // What the period may be wrong by counts for each harmonic, with the velocity as factor.
                 let size = 10.0 * displacement(amplitude).to_f64();
                 assert_holds(&exact, row.input(column), size, &format!("{column} of {what}"));
@@ -110,7 +111,7 @@ fn uncertainties_hold_far_from_any_separatrix() {
 #[test]
 fn a_decimal_and_its_f64_are_two_amplitudes() {
     let known = Known::new("duffing_soft");
-    let relation = Relation::new(&known.oscillator, &known.expansion, Quantity::Period);
+    let relation = SeriesComparison::new(&known.oscillator, &known.expansion, SeriesQuantity::Period);
     let decimal = relation.exact_from(&displacement("0.999999999")).unwrap();
     let double = relation.exact_at(0.999_999_999).unwrap();
     assert_holds(&decimal, 62.535_279_781_833_69 / TAU, 10.0, "the decimal");
@@ -141,7 +142,10 @@ fn approximants_have_their_poles_beyond_the_separatrix() {
     let pole = |key: &str, degree: usize| {
         let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
         let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
-        Relation::new(&oscillator, &expansion, Quantity::Period).approximant(degree).unwrap().first_pole()
+        SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period)
+            .approximant(degree)
+            .unwrap()
+            .first_pole()
     };
     assert!(pole("quadratic", 8).is_some_and(|place| (0.5..0.55).contains(&place)));
     assert!(pole("duffing_soft", 4).is_some_and(|place| (1.0..1.25).contains(&place)));
@@ -152,7 +156,7 @@ fn approximants_have_their_poles_beyond_the_separatrix() {
 fn frequencies_have_the_uncertainty_of_their_period() {
     let known = Known::new("double_well");
     let [period, frequency] =
-        [Quantity::Period, Quantity::Frequency].map(|it| known.exact(it, "0.4").unwrap());
+        [SeriesQuantity::Period, SeriesQuantity::Frequency].map(|it| known.exact(it, "0.4").unwrap());
     assert!((period.value * frequency.value - 1.0).abs() <= f64::EPSILON);
     let relative = |exact: &ExactValue| exact.uncertainty / exact.value;
     assert!((relative(&period) / relative(&frequency) - 1.0).abs() < 1e-12);
@@ -172,17 +176,18 @@ const VAN_DER_POL: [(&str, f64); 6] = [
 fn limit_cycles_are_found_and_their_uncertainties_hold() {
     let known = Known::new("van_der_pol");
     for (strength, period) in VAN_DER_POL {
-        let exact = known.exact(Quantity::Period, strength).unwrap();
+        let exact = known.exact(SeriesQuantity::Period, strength).unwrap();
         assert_holds(&exact, period / TAU, 1.0, strength);
-        assert_eq!(exact.road, Road::Integration);
+        assert_eq!(exact.method, Method::Integration);
     }
-    let refusal = known.exact(Quantity::Period, "0").unwrap_err();
+    let refusal = known.exact(SeriesQuantity::Period, "0").unwrap_err();
     assert_eq!(refusal, NoExactValue::Strength(0.0));
 }
 
 #[test]
 fn motions_that_do_not_return_are_refused_for_a_reason() {
-    let from = |key: &str, amplitude: &str| Known::new(key).exact(Quantity::Period, amplitude).unwrap_err();
+    let from =
+        |key: &str, amplitude: &str| Known::new(key).exact(SeriesQuantity::Period, amplitude).unwrap_err();
     assert_eq!(from("quadratic", "0.6"), NoExactValue::NoReturn(0.6));
     assert_eq!(from("quadratic", "0.500000000001"), NoExactValue::NoReturn(0.500000000001));
     assert!(matches!(from("duffing_soft", "1.5"), NoExactValue::NoReturn(_) | NoExactValue::NotRestoring(_)));

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use core::f64::consts::PI;
-use libration::pendulum::{Harmonics, Motion, Pendulum, Regime};
+use libration::pendulum::{FourierSeries, Motion, Pendulum, Regime};
 use libration::quantity::Angle;
 
 fn unit_pendulum() -> Pendulum {
@@ -18,7 +18,7 @@ fn rotation(velocity: f64) -> Motion {
 }
 
 /// Σ of the harmonics at `time` counted from the positive turning point (cos) or from the bottom (sin).
-fn sum(harmonics: &Harmonics, time: f64, periodic: fn(f64) -> f64) -> f64 {
+fn sum(harmonics: &FourierSeries, time: f64, periodic: fn(f64) -> f64) -> f64 {
     let term = |n: usize| f64::from(u32::try_from(n).unwrap()) * harmonics.fundamental * time;
     let terms = harmonics.terms.iter().map(|it| it.angle * periodic(term(it.n)));
     harmonics.mean_velocity * time + terms.sum::<f64>()
@@ -119,7 +119,7 @@ fn the_fundamental_is_the_frequency_of_the_motion() {
 }
 
 /// The amplitude in (low, high) at which the increasing function of the harmonics passes one.
-fn where_one(low: f64, high: f64, of: impl Fn(&Harmonics) -> f64) -> f64 {
+fn where_one(low: f64, high: f64, of: impl Fn(&FourierSeries) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);

@@ -2,7 +2,7 @@
 
 use libration::expression::Equation;
 use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes, SearchEnd};
-use libration::orbit::{Near, Orbit};
+use libration::orbit::{Orbit, OrbitGuess};
 use std::f64::consts::{PI, TAU};
 
 fn equation(text: &str) -> Equation {
@@ -89,7 +89,7 @@ fn nonlinear_mode(text: &str, mode: &Mode, amplitude: f64) -> Orbit {
     for (place, part) in state.iter_mut().zip(&mode.shape) {
         *place = amplitude * part.re;
     }
-    let guess = Near { state, period: TAU / mode.frequency() };
+    let guess = OrbitGuess { state, period: TAU / mode.frequency() };
     Orbit::near(&equation, &guess, &[mode.leading(), n + mode.leading()]).unwrap()
 }
 

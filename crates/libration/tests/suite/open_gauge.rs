@@ -2,7 +2,7 @@
 
 use libration::algebra::{Rational, Variable};
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, OpenGauge, Powers, expand, restoring_force};
+use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand, restoring_force};
 
 const ORDER: u32 = 8;
 
@@ -28,8 +28,9 @@ fn both_roads_agree_for_any_oscillator() {
     ] {
         let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
         let force = restoring_force(&oscillator, ORDER as usize).unwrap();
-        let open =
-            OpenGauge::new(&force, ORDER, Powers::All).unwrap().in_gauge(|n| gauge()[n as usize - 1].clone());
+        let open = OpenGauge::new(&force, ORDER, EpsilonPowers::All)
+            .unwrap()
+            .in_gauge(|n| gauge()[n as usize - 1].clone());
         let expansion = expand(&oscillator, ORDER as usize, &Gauge::Coefficients(gauge())).unwrap();
         for (variable, value) in &open {
             let order = variable.index().unwrap();

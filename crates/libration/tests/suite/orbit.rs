@@ -2,10 +2,10 @@
 
 use libration::elliptic::Modulus;
 use libration::expression::Equation;
-use libration::orbit::{Lost, Near, NoOrbit, Orbit, Stability};
+use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, Stability};
 use libration::oscillator::{Kind, NamedOscillator, catalogue};
 use libration::pendulum::{Motion, Pendulum};
-use libration::perturbation::{Evaluation, Gauge, expand};
+use libration::perturbation::{Gauge, SeriesEvaluation, expand};
 use libration::quantity::Angle;
 use std::f64::consts::{PI, TAU};
 
@@ -56,7 +56,7 @@ fn harmonics_of_the_pendulum_are_exact() {
         }
         let even = found.terms.iter().step_by(2);
         assert!(even.clone().all(|term| term.amplitude() < off), "{amplitude}");
-        assert!(found.rest < 1e-14, "{amplitude}: {:e}", found.rest);
+        assert!(found.remainder < 1e-14, "{amplitude}: {:e}", found.remainder);
     }
 }
 
@@ -108,7 +108,7 @@ fn the_catalogue_agrees_with_perturbation_theory() {
         let expansion = expand(&oscillator, 16, &Gauge::Fundamental).unwrap();
         let series = &expansion.of_amplitude.as_ref().unwrap().frequency_ratio;
         let amplitude = 0.02;
-        let ratio = Evaluation::new(series, amplitude).value();
+        let ratio = SeriesEvaluation::new(series, amplitude).value();
         let omega0 = oscillator.omega0_squared().to_f64().sqrt();
         let place = oscillator.equilibrium().to_f64() + amplitude;
         let orbit = Orbit::released(oscillator.equation(), place).unwrap();
@@ -126,7 +126,7 @@ fn van_der_pols_cycle_agrees_with_its_series() {
     for strength in ["0.01", "0.1", "0.2"] {
         let strength_value: f64 = strength.parse().unwrap();
         let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
-        let ratio = Evaluation::new(&series, strength_value).value();
+        let ratio = SeriesEvaluation::new(&series, strength_value).value();
         assert_within(orbit.frequency(), ratio, 3e-14, strength);
     }
 }
@@ -163,7 +163,7 @@ fn multipliers_have_the_product_that_the_divergence_tells() {
 
 #[test]
 fn repelling_cycles_are_found_from_a_guess() {
-    let guess = Near { state: vec![1.9, 0.0], period: 6.5 };
+    let guess = OrbitGuess { state: vec![1.9, 0.0], period: 6.5 };
     let orbit = Orbit::near(&van_der_pol("-1"), &guess, &[1]).unwrap();
     assert_within(orbit.period(), 6.663_286_859_323_13, 1e-12, "the same cycle backwards");
     assert_eq!(orbit.floquet().unwrap().stability, Stability::Unstable);
@@ -171,9 +171,12 @@ fn repelling_cycles_are_found_from_a_guess() {
 
 #[test]
 fn absolute_values_have_their_deviations() {
-    let orbit =
-        Orbit::near(&equation("x'' = -2*x*abs(x)"), &Near { state: vec![1.0, 0.0], period: 5.0 }, &[0, 1])
-            .unwrap();
+    let orbit = Orbit::near(
+        &equation("x'' = -2*x*abs(x)"),
+        &OrbitGuess { state: vec![1.0, 0.0], period: 5.0 },
+        &[0, 1],
+    )
+    .unwrap();
     let released = released("x'' = -2*x*abs(x)", 1.0);
     assert_within(orbit.period(), released.period(), 1e-13, "by two roads");
     // x′² = (4/3)(1 − |x|³): T = 4·√(3/4)·∫₀¹ dx/√(1 − x³) = 4·√(3/4)·(1/3)·B(1/3, 1/2).

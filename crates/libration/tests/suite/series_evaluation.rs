@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use crate::golden::Table;
 use libration::algebra::{Complex, Rational};
-use libration::comparison::{Quantity, Relation};
+use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::oscillator::NamedOscillator;
 use libration::pendulum::Pendulum;
 use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 use libration::perturbation::{
-    Certainty, Convergence, Evaluation, Gauge, Pade, Singularity, expand, pendulum_period_remainder,
+    Certainty, Convergence, Gauge, Pade, SeriesEvaluation, Singularity, expand, pendulum_period_remainder,
 };
 use libration::quantity::Angle;
 
@@ -30,9 +30,9 @@ fn exact(amplitude: f64) -> f64 {
 }
 
 /// The pendulum's period series with its proven remainders.
-fn period(corrections: usize, amplitude: f64) -> Evaluation {
+fn period(corrections: usize, amplitude: f64) -> SeriesEvaluation {
     let bound = |power| pendulum_period_remainder(amplitude, power / 2);
-    Evaluation::new(&even(&period_in_amplitude(corrections)), amplitude).with_bound(bound)
+    SeriesEvaluation::new(&even(&period_in_amplitude(corrections)), amplitude).with_bound(bound)
 }
 
 /// T/T0 of x″ + x + x³ = 0 by powers of z = A²: (1 + z)^(−1/2)·(2/π)K(m) with m = z/(2(1 + z)).
@@ -156,11 +156,11 @@ fn the_number_of_terms_needed_is_the_true_one() {
         let (amplitude, tolerance) = (row.input("degrees").to_radians(), row.input("tolerance"));
         let count = |name: &str| row.text(name).parse::<usize>().ok();
         let place = format!("{} at {}", row.text("tolerance"), row.text("degrees"));
-        let found = Evaluation::new(&slow, amplitude);
+        let found = SeriesEvaluation::new(&slow, amplitude);
         assert_eq!(found.corrections_needed(tolerance), count("period"), "{place}");
         let bound = |power| pendulum_period_remainder(amplitude, power / 2);
         assert_eq!(found.with_bound(bound).corrections_needed(tolerance), count("certified"), "{place}");
-        let found = Evaluation::new(&fast, amplitude).corrections_needed(tolerance);
+        let found = SeriesEvaluation::new(&fast, amplitude).corrections_needed(tolerance);
         assert_eq!(found, count("frequency"), "{place}");
     }
 }
@@ -174,7 +174,7 @@ fn sums_that_cancel_are_still_right() {
         coefficient = coefficient * Rational::new(1, n).unwrap();
         exponential.push(coefficient.clone());
     }
-    let value = Evaluation::new(&exponential, -30.0).value();
+    let value = SeriesEvaluation::new(&exponential, -30.0).value();
     assert!((value / 9.357622968840175e-14 - 1.0).abs() < 1e-15, "{value:e}");
 }
 
@@ -184,7 +184,7 @@ fn estimated_remainders_cover_the_truth_within_a_small_factor() {
         let amplitude = degrees.to_radians();
         let truth = 1.0 / exact(amplitude);
         for corrections in [12, 20, 30] {
-            let found = Evaluation::new(&even(&frequency_in_amplitude(corrections)), amplitude);
+            let found = SeriesEvaluation::new(&even(&frequency_in_amplitude(corrections)), amplitude);
             let last = found.steps()[corrections];
             let missing = (truth - last.sum).abs() - f64::EPSILON;
             assert!(missing <= last.remainder.size, "{degrees} {corrections}: {missing:e} {last:?}");
@@ -195,22 +195,22 @@ fn estimated_remainders_cover_the_truth_within_a_small_factor() {
 
 #[test]
 fn outside_the_circle_of_convergence_nothing_is_promised() {
-    let found = Evaluation::new(&even(&duffing(20)), 1.5);
+    let found = SeriesEvaluation::new(&even(&duffing(20)), 1.5);
     assert_eq!(found.steps()[19].remainder.size, f64::INFINITY);
     assert_eq!(found.corrections_needed(0.1), None);
-    assert_eq!(Evaluation::new(&[], 1.0).corrections_needed(0.1), None);
+    assert_eq!(SeriesEvaluation::new(&[], 1.0).corrections_needed(0.1), None);
 }
 
 #[test]
 fn what_is_not_finite_gives_nan() {
     let series = period_in_amplitude(10);
     for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
-        let found = Evaluation::new(&series, x);
+        let found = SeriesEvaluation::new(&series, x);
         assert!(found.value().is_nan() && found.corrections_needed(1.0).is_none());
         assert!(Pade::new(&series, 2, 2).unwrap().value_at(x).is_nan());
     }
     for x in [1e-300, 1e300, -0.0] {
-        assert!(!Evaluation::new(&series, x).value().is_nan());
+        assert!(!SeriesEvaluation::new(&series, x).value().is_nan());
     }
 }
 
@@ -232,7 +232,7 @@ fn radii_of_convergence_are_found_with_honest_ranges() {
         ("even pair", even(&pair(40, 9)), 3.0, 0.02, Singularity::Pair { angle }),
     ];
     for (name, series, radius, error, singularity) in cases {
-        let found = Convergence::of(&series).unwrap();
+        let found = Convergence::estimate(&series).unwrap();
         assert!((found.radius / radius - 1.0).abs() < error, "{name}: {found:?}");
         assert!(found.at_least <= radius && radius <= found.at_most, "{name}: {found:?}");
         match (found.singularity, singularity) {
@@ -246,11 +246,11 @@ fn radii_of_convergence_are_found_with_honest_ranges() {
 
 #[test]
 fn twelve_coefficients_are_enough_for_a_pair_of_singularities() {
-    let found = Convergence::of(&CUBIC_QUINTIC.map(rational)).unwrap();
+    let found = Convergence::estimate(&CUBIC_QUINTIC.map(rational)).unwrap();
     assert!(found.at_least < 1.0 && 1.0 < found.at_most && found.at_most - found.at_least < 0.2, "{found:?}");
     let Singularity::Pair { angle } = found.singularity else { panic!("{found:?}") };
     assert!((angle - 2.0 * PI / 3.0).abs() < 0.03, "{angle}");
-    let found = Convergence::of(&even(&VAN_DER_POL.map(rational))).unwrap();
+    let found = Convergence::estimate(&even(&VAN_DER_POL.map(rational))).unwrap();
     assert_eq!(found.stride, 2);
     assert!(
         found.at_least < 1.85 && 1.85 < found.at_most && found.at_most - found.at_least < 0.2,
@@ -260,12 +260,12 @@ fn twelve_coefficients_are_enough_for_a_pair_of_singularities() {
 
 #[test]
 fn what_coefficients_do_not_tell_is_not_claimed() {
-    assert_eq!(Convergence::of(&period_in_amplitude(5)), None);
-    assert_eq!(Convergence::of(&[]), None);
-    assert_eq!(Convergence::of(&[Rational::from(1), Rational::from(0)]), None);
+    assert_eq!(Convergence::estimate(&period_in_amplitude(5)), None);
+    assert_eq!(Convergence::estimate(&[]), None);
+    assert_eq!(Convergence::estimate(&[Rational::from(1), Rational::from(0)]), None);
     // Signs of no pattern: no direction.
     let signs = [1, 1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, -1, -1, 1, -1, 1].map(Rational::from);
-    let found = Convergence::of(&signs).unwrap();
+    let found = Convergence::estimate(&signs).unwrap();
     assert_eq!(found.singularity, Singularity::Unclear);
     assert!(found.at_least <= 1.0 && found.at_most >= 1.0, "{found:?}");
     // eˣ converges everywhere: no upper end, or one beyond what its terms have reached.
@@ -276,7 +276,7 @@ fn what_coefficients_do_not_tell_is_not_claimed() {
             term.clone()
         })
         .collect();
-    let found = Convergence::of(&exponential).unwrap();
+    let found = Convergence::estimate(&exponential).unwrap();
     assert_eq!(found.at_most, f64::INFINITY, "{found:?}");
     assert!(found.at_least > 10.0, "{found:?}");
 }
@@ -318,7 +318,7 @@ fn pade_approximants_outdo_the_series_they_are_made_from() {
     assert!((error(right_angle, 1, 1) / 6.3e-4 - 1.0).abs() < 0.02);
     assert!((error(right_angle, 4, 4) / 1.7e-10 - 1.0).abs() < 0.05);
     assert!((error(steep, 5, 5) / 2e-6 - 1.0).abs() < 0.3);
-    let sum = Evaluation::new(&even(&series), steep).value();
+    let sum = SeriesEvaluation::new(&even(&series), steep).value();
     assert!(error(steep, 5, 5) < 2e-3 * (sum / exact(steep) - 1.0).abs());
 }
 
@@ -377,7 +377,7 @@ fn the_smallest_term_is_where_a_diverging_series_helps_no_more() {
             Some(term)
         })
         .collect();
-    let diverging = Evaluation::new(&factorials, 0.095);
+    let diverging = SeriesEvaluation::new(&factorials, 0.095);
     assert_eq!(diverging.smallest_term().map(|step| step.power), Some(10));
     assert!(period(20, 1.0).smallest_term().is_none());
 }
@@ -386,10 +386,12 @@ fn the_smallest_term_is_where_a_diverging_series_helps_no_more() {
 fn an_approximant_has_its_first_pole_in_the_amplitude() {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
     let expansion = expand(&pendulum, 7, &Gauge::Fundamental).unwrap();
-    let approximant = Relation::new(&pendulum, &expansion, Quantity::Period).approximant(1).unwrap();
+    let approximant =
+        SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period).approximant(1).unwrap();
     // 1 + z/16 + 11z²/3072 + …: [1/1] has its pole at z = A² = (1/16)/(11/3072) = 192/11.
     let pole = approximant.first_pole().unwrap();
     assert!((pole - (192.0_f64 / 11.0).sqrt()).abs() < 1e-14, "{pole}");
-    let amplitude = Relation::new(&pendulum, &expansion, Quantity::Cosine(3)).approximant(0).unwrap();
+    let amplitude =
+        SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Cosine(3)).approximant(0).unwrap();
     assert_eq!(amplitude.first_pole(), None);
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::golden::{Row, Table};
 use libration::algebra::{Complex, Monomial, Polynomial, Rational, Variable};
 use libration::pendulum::{Motion, Pendulum};
-use libration::perturbation::{TruncatedSolution, TruncatedSystem, TruncatedSystemError, Verdict};
+use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};
 use libration::quantity::Angle;
 
 /// sin x = x − x³/6 + … as the coefficients of x, x², ….
@@ -28,7 +28,8 @@ fn system(harmonics: u32, degree: usize) -> TruncatedSystem {
 
 fn accepted(harmonics: u32, degree: usize, amplitude: f64) -> TruncatedSolution {
     let solutions = system(harmonics, degree).solutions(amplitude).unwrap();
-    let accepted: Vec<_> = solutions.into_iter().filter(|it| it.verdict == Verdict::Accepted).collect();
+    let accepted: Vec<_> =
+        solutions.into_iter().filter(|it| it.verdict == SolutionVerdict::Accepted).collect();
     assert_eq!(accepted.len(), 1, "{harmonics} harmonics at {amplitude}");
     accepted[0].clone()
 }
@@ -125,7 +126,7 @@ fn among_real_solutions_the_accepted_one_has_the_smallest_residual() {
     for amplitude in [0.1, 1.0, 2.0] {
         let solutions = system(3, 5).solutions(amplitude).unwrap();
         let smallest = solutions.iter().min_by(|a, b| a.residual.total_cmp(&b.residual)).unwrap();
-        assert_eq!(smallest.verdict, Verdict::Accepted);
+        assert_eq!(smallest.verdict, SolutionVerdict::Accepted);
     }
 }
 
@@ -133,14 +134,14 @@ fn among_real_solutions_the_accepted_one_has_the_smallest_residual() {
 #[test]
 fn beyond_the_reach_of_the_cubic_force_nothing_is_accepted() {
     let solutions = system(2, 3).solutions(170_f64.to_radians()).unwrap();
-    assert!(solutions.iter().all(|solution| solution.verdict != Verdict::Accepted));
+    assert!(solutions.iter().all(|solution| solution.verdict != SolutionVerdict::Accepted));
     assert_eq!(solutions.len(), 4);
 }
 
 #[test]
 fn pure_overtones_are_recognised() {
     let solutions = system(3, 5).solutions(0.5).unwrap();
-    let overtones: Vec<_> = solutions.iter().filter(|it| it.verdict == Verdict::Overtone).collect();
+    let overtones: Vec<_> = solutions.iter().filter(|it| it.verdict == SolutionVerdict::Overtone).collect();
     assert_eq!(overtones.len(), 2);
     for overtone in overtones {
         // x = θ0 cos nΩt: the frequency nΩ is that of one harmonic.

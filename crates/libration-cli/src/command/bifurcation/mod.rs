@@ -11,7 +11,7 @@ use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Column, Continuation, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
+    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
 };
 use libration::systems::Model;
 use libration::taylor::Moment;
@@ -76,7 +76,7 @@ enum Order {
 /// The columns of one way through the values.
 pub(crate) struct Sweep {
     pub(crate) name: &'static str,
-    pub(crate) columns: Vec<Column>,
+    pub(crate) columns: Vec<DiagramColumn>,
 }
 
 /// The diagram, with what is needed to write it.
@@ -181,7 +181,7 @@ struct Piece {
 }
 
 /// The columns of pieces with the same name, one behind the other.
-fn joined(pieces: &[Piece], columns: Vec<Vec<Column>>) -> Vec<Sweep> {
+fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<Sweep> {
     let mut sweeps: Vec<Sweep> = vec![];
     for (piece, columns) in pieces.iter().zip(columns) {
         match sweeps.last_mut() {

@@ -82,8 +82,8 @@ impl Diagram<'_> {
     }
 
     fn points_text(&self) -> String {
-        let Points { kept, skipped } = self.points;
-        format!("{kept} for each value, {}, after {skipped} of the transient", self.place)
+        let Points { recorded, skipped } = self.points;
+        format!("{recorded} for each value, {}, after {skipped} of the transient", self.place)
     }
 
     /// The values for which the motion stopped early, and why.

@@ -4,7 +4,7 @@ use super::report::{Cycle, Report, Row};
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use libration::decay::{DampingTerm, Decay, Ending};
+use libration::decay::{DampingTerm, Decay, DecayEnding};
 use serde_json::Value;
 
 /// A turning point of a decay.
@@ -61,8 +61,8 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
             "why the swings end: sticks, vanishes or creeps; null where they go on",
             |it| match it.report.ending {
                 None => Value::Null,
-                Some(Ending::Sticks) => "sticks".into(),
-                Some(Ending::Vanishes) => "vanishes".into(),
+                Some(DecayEnding::Sticks) => "sticks".into(),
+                Some(DecayEnding::Vanishes) => "vanishes".into(),
                 Some(_) => "creeps".into(),
             },
         ),

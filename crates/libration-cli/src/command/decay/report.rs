@@ -5,13 +5,13 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::number::short;
 use crate::output::progress::Progress;
-use libration::decay::{Decay, Ending, Law, TurningPoint};
+use libration::decay::{Decay, DecayEnding, EnvelopeLaw, TurningPoint};
 
 /// The turning points, the first of which is the release, and why there are no more.
 pub(crate) struct Report {
     pub(crate) turns: Vec<Turn>,
     /// `None` where it is followed no further.
-    pub(crate) ending: Option<Ending>,
+    pub(crate) ending: Option<DecayEnding>,
     /// Whether somebody has ended the work early.
     pub(crate) interrupted: bool,
 }
@@ -45,7 +45,8 @@ pub(crate) struct Cycle {
 
 impl Report {
     pub(super) fn new(decay: &Decay, extent: Extent) -> Result<Self, Failure> {
-        let (averaged, small) = (decay.envelope(Law::Averaged), decay.envelope(Law::SmallAmplitude));
+        let (averaged, small) =
+            (decay.envelope(EnvelopeLaw::Averaged), decay.envelope(EnvelopeLaw::SmallAmplitude));
         let mut swings = decay.swings();
         let mut turns: Vec<Turn> = vec![];
         let mut progress = Progress::new();
@@ -97,8 +98,8 @@ pub(super) fn in_cycles(number: usize) -> f64 {
 }
 
 /// Why a pendulum that was released does not swing.
-fn no_swing(decay: &Decay, ending: Ending) -> Failure {
-    let reason = if ending == Ending::Sticks {
+fn no_swing(decay: &Decay, ending: DecayEnding) -> Failure {
+    let reason = if ending == DecayEnding::Sticks {
         let held = short(decay.sticking_amplitude().to_degrees(), 6);
         format!(
             "dry friction holds the pendulum where it is released, as up to {held}° from the bottom and from the top: give another amplitude"

@@ -8,7 +8,7 @@ use crate::output::json::{self, Record};
 use crate::output::number::{seconds, short};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
-use libration::decay::{Decay, Ending};
+use libration::decay::{Decay, DecayEnding};
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -137,10 +137,10 @@ impl Answer<'_> {
         let sticking = short(self.decay.sticking_amplitude().to_degrees(), 6);
         match self.report.ending {
             None => "none yet: the pendulum swings on".to_owned(),
-            Some(Ending::Sticks) => {
+            Some(DecayEnding::Sticks) => {
                 format!("held by dry friction from {time} on, as at every amplitude up to {sticking}°")
             }
-            Some(Ending::Vanishes) => format!("after {time} the amplitude is below 1e-100 rad"),
+            Some(DecayEnding::Vanishes) => format!("after {time} the amplitude is below 1e-100 rad"),
             Some(_) => format!(
                 "after {time} the damping is too strong for a swing: the pendulum creeps to the bottom"
             ),

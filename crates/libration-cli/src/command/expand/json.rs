@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::series::coefficient;
 use crate::output::{csv, json, json::Record};
 use libration::algebra::Rational;
-use libration::perturbation::{AmplitudeSeries, Certificate, Precision, Variable};
+use libration::perturbation::{AmplitudeSeries, Certificate, ExpansionVariable, Precision};
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
@@ -18,8 +18,8 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         )
     });
     let gauge = match &expansion.variable {
-        Variable::Epsilon(gauge) => gauge.to_string().into(),
-        Variable::Parameter(_) => Value::Null,
+        ExpansionVariable::Epsilon(gauge) => gauge.to_string().into(),
+        ExpansionVariable::Parameter(_) => Value::Null,
     };
     let of = |of: &Option<AmplitudeSeries>| {
         of.as_ref().map_or(Value::Null, |of| of_amplitude(of, expansion.precision))

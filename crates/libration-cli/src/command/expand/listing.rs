@@ -5,7 +5,9 @@ use crate::output::series::{Notation, Style, fraction, subscript, superscript, w
 use crate::output::table::write_text;
 use libration::algebra::Rational;
 use libration::expression::Expression;
-use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, Harmonics, Precision, Variable};
+use libration::perturbation::{
+    AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision,
+};
 use std::io::{self, Write};
 
 /// Lines are broken here.
@@ -59,7 +61,7 @@ pub(super) struct Symbols<'a> {
 }
 
 impl<'a> Symbols<'a> {
-    pub(super) fn new(variable: &'a Variable) -> Self {
+    pub(super) fn new(variable: &'a ExpansionVariable) -> Self {
         let name = variable.name();
         let text = match name {
             "epsilon" => "ε",
@@ -92,13 +94,13 @@ fn meaning(expansion: &Expansion, symbols: &Symbols<'_>) -> String {
         |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
     let order = expansion.order;
     match &expansion.variable {
-        Variable::Epsilon(gauge) => {
+        ExpansionVariable::Epsilon(gauge) => {
             let gauge = gauge_in_words(gauge);
             let frequency =
                 if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
             format!("x to {}, {frequency}; {gauge}; τ = Ωt", power(order))
         }
-        Variable::Parameter(_) => {
+        ExpansionVariable::Parameter(_) => {
             format!("the limit cycle to {}; τ = Ωt counts so that there is no sin τ", power(order))
         }
     }
@@ -151,7 +153,7 @@ fn bracketed(unit: &str, text: String) -> String {
 }
 
 /// The parts of a harmonic that are present, with their names.
-fn named(harmonic: &Harmonics) -> Vec<(String, &[Rational])> {
+fn named(harmonic: &HarmonicSeries) -> Vec<(String, &[Rational])> {
     let k = harmonic.k;
     let present = |series: &[Rational]| series.iter().any(|c| !c.is_zero());
     let mut named: Vec<(String, &[Rational])> = vec![];

@@ -9,7 +9,7 @@ use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::{Form, FormOptions};
 use crate::{interrupt, parallel};
-use libration::comparison::Quantity;
+use libration::comparison::SeriesQuantity;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progress, Stage, expand_watched};
 use libration::quantity::Displacement;
@@ -54,7 +54,7 @@ pub(crate) struct Expand {
     evaluate: Option<String>,
     /// What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period", requires = "evaluate")]
-    quantity: Quantity,
+    quantity: SeriesQuantity,
     /// Write LaTeX
     #[arg(long, conflicts_with_all = ["json", "csv"])]
     latex: bool,

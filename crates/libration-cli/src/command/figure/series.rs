@@ -8,9 +8,9 @@ use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_
 use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::{interrupt, parallel};
-use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
+use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Evaluation, Expansion, Gauge, MAX_ORDER, expand};
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand};
 use libration::quantity::Displacement;
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub(super) struct Series {
     order: usize,
     /// What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period")]
-    quantity: Quantity,
+    quantity: SeriesQuantity,
     /// Show instead the error against the last power kept, at these amplitudes, such as 30deg,90deg,150deg
     #[arg(long, value_name = "A,A", value_delimiter = ',', conflicts_with = "to")]
     amplitudes: Vec<String>,
@@ -154,12 +154,12 @@ fn early() -> Failure {
 struct Subject {
     oscillator: Arc<Oscillator>,
     expansion: Arc<Expansion>,
-    quantity: Quantity,
+    quantity: SeriesQuantity,
 }
 
 impl Subject {
-    fn relation(&self) -> Relation<'_> {
-        Relation::new(&self.oscillator, &self.expansion, self.quantity)
+    fn relation(&self) -> SeriesComparison<'_> {
+        SeriesComparison::new(&self.oscillator, &self.expansion, self.quantity)
     }
 
     fn exact_at(&self, amplitude: Displacement) -> Option<Result<ExactValue, NoExactValue>> {
@@ -182,7 +182,12 @@ impl Subject {
 }
 
 /// The errors of the partial sums, and of a Padé approximant for comparison.
-fn lines(relation: &Relation<'_>, sampled: &[Sample], powers: &[usize], setting: &Setting) -> Vec<Line> {
+fn lines(
+    relation: &SeriesComparison<'_>,
+    sampled: &[Sample],
+    powers: &[usize],
+    setting: &Setting,
+) -> Vec<Line> {
     /// Of the approximant, where the order allows it.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
     let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
@@ -216,7 +221,7 @@ fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<Displacement,
     Err(Failure::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))
 }
 
-fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f64) -> Setting {
+fn setting(chosen: &Chosen, expansion: &Expansion, quantity: SeriesQuantity, lowest: f64) -> Setting {
     let abscissa = if expansion.variable.is_strength() {
         Abscissa {
             symbol: expansion.variable.name().replace("mu", "μ"), name: "strength", in_degrees: false
@@ -226,9 +231,9 @@ fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f
         Abscissa { symbol, name: "amplitude", in_degrees: chosen.is_angle() }
     };
     let quantity = match quantity {
-        Quantity::Period => "T/T₀".to_owned(),
-        Quantity::Frequency => "Ω/ω₀".to_owned(),
-        Quantity::Cosine(k) => format!("a{}", subscript(k)),
+        SeriesQuantity::Period => "T/T₀".to_owned(),
+        SeriesQuantity::Frequency => "Ω/ω₀".to_owned(),
+        SeriesQuantity::Cosine(k) => format!("a{}", subscript(k)),
     };
     let title = match chosen.key {
         Some(_) => chosen.title.clone(),
@@ -238,7 +243,7 @@ fn setting(chosen: &Chosen, expansion: &Expansion, quantity: Quantity, lowest: f
 }
 
 /// The last powers of the partial sums: 2, 4, 8, … and the last one, if each adds much to the one before.
-fn powers(relation: &Relation<'_>) -> Vec<usize> {
+fn powers(relation: &SeriesComparison<'_>) -> Vec<usize> {
     let present: Vec<usize> =
         (1..relation.series().len()).filter(|n| !relation.series()[*n].is_zero()).collect();
     let doubled = std::iter::successors(Some(2), |power: &usize| power.checked_mul(2));
@@ -261,18 +266,18 @@ fn resolved_error(value: f64, exact: &ExactValue) -> Option<f64> {
 struct Sample {
     amplitude: f64,
     exact: ExactValue,
-    evaluation: Evaluation,
+    evaluation: SeriesEvaluation,
 }
 
 impl Sample {
-    fn at(relation: &Relation<'_>, amplitude: f64) -> Option<Self> {
+    fn at(relation: &SeriesComparison<'_>, amplitude: f64) -> Option<Self> {
         let exact = relation.exact_at(amplitude).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
     }
 }
 
 /// The sum of the terms up to a power.
-fn sum_to(evaluation: &Evaluation, power: usize) -> f64 {
+fn sum_to(evaluation: &SeriesEvaluation, power: usize) -> f64 {
     let kept = evaluation.steps().iter().take_while(|step| step.power <= power);
     kept.last().map_or(f64::NAN, |step| step.sum)
 }

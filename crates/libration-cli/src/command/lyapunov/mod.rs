@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, Progress, Schedule, Verdict, lyapunov_exponent,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Schedule, lyapunov_exponent,
 };
 use libration::systems::Model;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment};
@@ -89,10 +89,10 @@ impl Lyapunov {
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.found.verdict {
-            Verdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
+            LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
                 Err(Failure::Interrupted("interrupted: the estimate until then is written".to_owned()))
             }
-            Verdict::Undecided(Doubt::Stopped(cause)) => {
+            LyapunovVerdict::Undecided(Doubt::Stopped(cause)) => {
                 Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate until then is written")))
             }
             _ => Ok(()),

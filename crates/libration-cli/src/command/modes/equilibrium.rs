@@ -8,7 +8,7 @@ use libration::systems::{Coordinate, Model};
 
 /// The coordinates that are given, the others where they are at rest.
 pub(super) fn guess(model: &Model, about: Option<&str>) -> Result<Vec<f64>, Failure> {
-    let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.rest).collect();
+    let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
     let items = about.unwrap_or_default().split(',').filter(|item| !item.trim().is_empty());
     for item in items {
         let (name, value) = item

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::chaos::{Ending, PoincareSection, Points, angles, section};
+use libration::chaos::{PoincareSection, Points, SectionEnding, angles, section};
 use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
 use std::io::Write;
@@ -123,7 +123,7 @@ impl PoincareQuestion {
             })
         };
         interrupt::listen()?;
-        let all = points.kept * starts.len();
+        let all = points.recorded * starts.len();
         let how_far = || {
             let time = latest.lock().map_or(0.0, |time| *time);
             format!("{} of {all} points, t = {time:.6}", taken.load(Ordering::Relaxed))
@@ -138,7 +138,7 @@ impl Answer<'_> {
     fn failure(&self) -> Option<Failure> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {
-            Ending::Stopped(Cause::Interrupted) => {
+            SectionEnding::Stopped(Cause::Interrupted) => {
                 Failure::Interrupted("interrupted: the points until then are written".to_owned())
             }
             other => Failure::no_answer(

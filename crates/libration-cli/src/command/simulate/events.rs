@@ -92,7 +92,7 @@ fn turning(coordinate: &Coordinate) -> Expression {
 fn crossing(coordinate: &Coordinate) -> Expression {
     let place = Box::new(Expression::symbol(&coordinate.name));
     // The shortest decimal of a finite number is a formula.
-    let rest = format!("{:?}", coordinate.rest).parse().unwrap_or(Expression::from(0));
+    let rest = format!("{:?}", coordinate.at_rest).parse().unwrap_or(Expression::from(0));
     let distance = Expression::Subtract(place, Box::new(rest));
     if !coordinate.is_angle() {
         return distance;

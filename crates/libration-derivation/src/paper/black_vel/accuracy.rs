@@ -8,7 +8,7 @@ use crate::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, holds_on, in_words, intervals_in_words, leaders,
     ratio_at, ratio_of_leading_errors, ratio_reached,
 };
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -62,7 +62,7 @@ fn ratios(a: &str, b: &str) -> Option<String> {
     Some(format!("{} degrees", at.into_iter().collect::<Option<Vec<_>>>()?.join(", ")))
 }
 
-fn carvalhaes_suppes(printed: &Printed) -> Option<Finding> {
+fn carvalhaes_suppes(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
     // About: within half an order.
     let half_an_order = 10.0_f64.sqrt();
@@ -82,12 +82,16 @@ fn carvalhaes_suppes(printed: &Printed) -> Option<Finding> {
     );
     let right = about.iter().all(|about| *about);
     Some(
-        Finding::verified_if(right, format!("the ratio is {:.4} and less", limit.to_f64()), evidence)
-            .holding_for(vec![(0.0, until)]),
+        StatementFinding::verified_if(
+            right,
+            format!("the ratio is {:.4} and less", limit.to_f64()),
+            evidence,
+        )
+        .holding_for(vec![(0.0, until)]),
     )
 }
 
-fn belendez(printed: &Printed) -> Option<Finding> {
+fn belendez(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
     let until = |other: &str, factor: f64| {
         Some(ratio_reached(other, "belendez", factor)?.first().copied().unwrap_or(PI))
@@ -108,7 +112,7 @@ fn belendez(printed: &Printed) -> Option<Finding> {
         below(second)
     );
     let right = three_term.min(second) >= FRAC_PI_2;
-    let finding = Finding::verified_if(right, correct, evidence);
+    let finding = StatementFinding::verified_if(right, correct, evidence);
     let finding = if right {
         finding
     } else {
@@ -117,7 +121,7 @@ fn belendez(printed: &Printed) -> Option<Finding> {
     Some(finding.holding_for(vec![(0.0, three_term)]))
 }
 
-fn kidd_fogg(printed: &Printed) -> Option<Finding> {
+fn kidd_fogg(printed: &Printed) -> Option<StatementFinding> {
     let upper = amplitude(printed)?;
     let tolerance = holds_on("kidd_fogg", 1e-3)?.first()?.1;
     let always_beaten = better_on("molina", "kidd_fogg")?;
@@ -135,12 +139,12 @@ fn kidd_fogg(printed: &Printed) -> Option<Finding> {
         intervals_in_words(&others[2]),
         bernoulli.last().map_or("none".to_owned(), |crossing| in_degrees(crossing.amplitude.radians()))
     );
-    let finding = Finding::verified_if(at_limit.abs() < 0.01, "", evidence);
+    let finding = StatementFinding::verified_if(at_limit.abs() < 0.01, "", evidence);
     let within = holds_on("kidd_fogg", 0.01)?;
     Some(finding.restricted("as the range where it is good to 1 %").holding_for(within))
 }
 
-fn undergraduate(printed: &Printed) -> Option<Finding> {
+fn undergraduate(printed: &Printed) -> Option<StatementFinding> {
     let tolerance = decimal(printed.formula(0)?, &[])?;
     let intervals = holds_on("black_vel_1", tolerance)?;
     let until = intervals.first()?.1;
@@ -162,13 +166,13 @@ fn undergraduate(printed: &Printed) -> Option<Finding> {
         others.into_iter().collect::<Option<Vec<_>>>()?.join(", ")
     );
     let right = until >= FRAC_PI_2;
-    let finding = Finding::verified_if(right, format!("it suffices {}", below(until)), evidence);
+    let finding = StatementFinding::verified_if(right, format!("it suffices {}", below(until)), evidence);
     let finding =
         if right { finding } else { finding.restricted(format!("above {}, true below", in_degrees(until))) };
     Some(finding.holding_for(intervals))
 }
 
-fn butikov(printed: &Printed) -> Option<Finding> {
+fn butikov(printed: &Printed) -> Option<StatementFinding> {
     let tolerance = decimal(printed.formula(0)?, &[])?;
     let intervals = holds_on("butikov", tolerance)?;
     let percent = holds_on("butikov", 0.01)?;
@@ -186,5 +190,5 @@ fn butikov(printed: &Printed) -> Option<Finding> {
         in_words(&leads)
     );
     let right = (reached - PI).abs() < ROUNDING && leads.last()?.0 == "butikov";
-    Some(Finding::verified_if(right, "", evidence).holding_for(intervals))
+    Some(StatementFinding::verified_if(right, "", evidence).holding_for(intervals))
 }

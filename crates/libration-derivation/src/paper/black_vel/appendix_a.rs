@@ -3,7 +3,7 @@
 use super::{statement, text_after};
 use crate::paper::compare::{polynomial, same_polynomial};
 use crate::paper::cosines::{cosine, cosines, projection};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
@@ -43,18 +43,18 @@ pub(super) fn number(value: i64) -> Polynomial {
     Polynomial::constant(Rational::from(value))
 }
 
-fn two_harmonics(printed: &Printed) -> Option<Finding> {
+fn two_harmonics(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(3)?;
     form(printed.formula(0)?, &cosines(), expansion.motion(), &expansion)
 }
 
-fn frequency_with_odd_powers(printed: &Printed) -> Option<Finding> {
+fn frequency_with_odd_powers(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::every_gauge(3)?;
     form(printed.formula(0)?, &[("omega0", number(1))], &expansion.frequency()?, &expansion)
 }
 
 /// (8) with (A1) and (A2) at ε².
-fn first_correction(printed: &Printed) -> Option<Finding> {
+fn first_correction(printed: &Printed) -> Option<StatementFinding> {
     let motion = |k: u32, letter: &str, order: u32| {
         Polynomial::variable(format!("{letter}{order}").as_str()) * cosine(k)
     };
@@ -70,7 +70,7 @@ fn first_correction(printed: &Printed) -> Option<Finding> {
     Some(same_polynomial(&stands, &computed, &how))
 }
 
-fn odd_corrections(printed: &Printed) -> Option<Finding> {
+fn odd_corrections(printed: &Printed) -> Option<StatementFinding> {
     let claimed = printed.number(0)?;
     let (every, odd) = (Expansion::every_gauge(5)?, Expansion::odd_gauge(6)?);
     let corrections = ["d1", "d3", "d5"].map(|name| odd.named(name));
@@ -85,6 +85,6 @@ fn odd_corrections(printed: &Printed) -> Option<Finding> {
     );
     let correct = "odd d_n can be removed by the gauge A2 = A4 = ... = 0, because theta0 -> -theta0 is the shift \
                    Omega*t -> Omega*t + pi; in other gauges they do not vanish";
-    let finding = Finding::verified_if(odd_vanish, correct, evidence).with_correct(correct);
+    let finding = StatementFinding::verified_if(odd_vanish, correct, evidence).with_correct(correct);
     Some(finding.restricted("in gauges with A2 = A4 = ... = 0"))
 }

@@ -4,7 +4,7 @@ use super::appendix_a::number;
 use super::{statement, text_after};
 use crate::paper::compare::{polynomial, same_polynomial};
 use crate::paper::cosines::{cosine, cosines, projection, second_derivative};
-use crate::paper::finding::{Finding, Verdict};
+use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
@@ -47,7 +47,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
 ];
 
 /// The Taylor coefficient by differentiation against the series in ε, for a motion of the first two orders.
-fn picking_an_order(printed: &Printed) -> Option<Finding> {
+fn picking_an_order(printed: &Printed) -> Option<StatementFinding> {
     let epsilon = Variable::from("epsilon");
     let at = |n: u32| Polynomial::variable(format!("A{n}").as_str()) * cosine(1);
     let motion: Vec<Polynomial> =
@@ -71,11 +71,11 @@ fn picking_an_order(printed: &Printed) -> Option<Finding> {
          exactly; the sine to theta^5 is enough for them: {}",
         sine.evidence
     );
-    let right = picked && sine.verdict == Verdict::Verified;
-    Some(Finding::verified_if(right, sine.correct, evidence))
+    let right = picked && sine.verdict == StatementVerdict::Verified;
+    Some(StatementFinding::verified_if(right, sine.correct, evidence))
 }
 
-fn fundamental_with_even_powers(printed: &Printed) -> Option<Finding> {
+fn fundamental_with_even_powers(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::every_gauge(5)?;
     form(printed.formula(0)?, &[], &expansion.harmonic(1), &expansion)
 }
@@ -94,20 +94,20 @@ fn at_second_order() -> Option<Polynomial> {
     orders.get(2).cloned()
 }
 
-fn second_order(printed: &Printed) -> Option<Finding> {
+fn second_order(printed: &Printed) -> Option<StatementFinding> {
     let stands = polynomial(printed.formula(0)?, &cosines())?;
     let how =
         "the order epsilon^2 of the equation with A2, B2, C2 open, as a polynomial in cos(Omega*t), exactly";
     Some(same_polynomial(&stands, &at_second_order()?, how))
 }
 
-fn second_order_of_the_third(printed: &Printed) -> Option<Finding> {
+fn second_order_of_the_third(printed: &Printed) -> Option<StatementFinding> {
     let computed = projection(&at_second_order()?, 3);
     let how = "the projection of c2(0) on cos(3*Omega*t), exactly";
     Some(same_polynomial(&polynomial(printed.formula(0)?, &[])?, &computed, how))
 }
 
-fn even_orders(printed: &Printed) -> Option<Finding> {
+fn even_orders(printed: &Printed) -> Option<StatementFinding> {
     let factor = |n: i64| polynomial(printed.formula(0)?, &[("n", number(n))])?.to_constant();
     let second = at_second_order()?;
     let computed =
@@ -129,6 +129,6 @@ fn even_orders(printed: &Printed) -> Option<Finding> {
     let forced = !factor(1)?.is_zero() && agree;
     let correct = "for n = 1 the even A_m are a choice of gauge; for n >= 3 it holds for m = 2, and for m >= 4 where \
                    A2 = A4 = ... = 0";
-    let finding = Finding::verified_if(forced, correct, evidence);
+    let finding = StatementFinding::verified_if(forced, correct, evidence);
     Some(if forced { finding } else { finding.restricted("for n = 1") })
 }

@@ -6,7 +6,7 @@ use super::in_amplitude::period;
 use super::iteration::parameter_in_amplitude_to;
 use super::statement;
 use crate::paper::cosines::projection;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
@@ -60,7 +60,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
 ];
 
 /// With θ″ = d²θ/d(Ωt)² the solution satisfies it; with θ″ = d²θ/dt² it does not.
-fn equation_to_seventh(printed: &Printed) -> Option<Finding> {
+fn equation_to_seventh(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(7)?;
     let frequency = expansion.frequency()?;
     let motion: Vec<Polynomial> = expansion.motion().iter().take(frequency.len()).cloned().collect();
@@ -77,20 +77,20 @@ fn equation_to_seventh(printed: &Printed) -> Option<Finding> {
         leftover.clone().unwrap_or_else(|| "nothing".to_owned())
     );
     if !solved {
-        return Some(Finding::wrong("0 = Delta^2*theta'' + sin(theta) to theta^7", evidence));
+        return Some(StatementFinding::wrong("0 = Delta^2*theta'' + sin(theta) to theta^7", evidence));
     }
-    Some(Finding::typo("the dots must be derivatives with respect to Omega*t here", evidence))
+    Some(StatementFinding::typo("the dots must be derivatives with respect to Omega*t here", evidence))
 }
 
-fn solution_to_seventh(printed: &Printed) -> Option<Finding> {
+fn solution_to_seventh(printed: &Printed) -> Option<StatementFinding> {
     constants(printed, 7)
 }
 
-fn parameter_to_seventh(printed: &Printed) -> Option<Finding> {
+fn parameter_to_seventh(printed: &Printed) -> Option<StatementFinding> {
     parameter_in_amplitude_to(printed, 7)
 }
 
-fn frequency_to_sixth(printed: &Printed) -> Option<Finding> {
+fn frequency_to_sixth(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(7)?;
     form(printed.formula(0)?, &[("omega0", number(1))], &expansion.frequency()?, &expansion)
 }

@@ -2,7 +2,7 @@
 
 use super::{statement, text_after};
 use crate::paper::compare::{ROUNDING, decimal, series_in};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::{agreement, exact_series, ratio_series};
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -47,16 +47,16 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-fn agrees_to_second(printed: &Printed) -> Option<Finding> {
+fn agrees_to_second(printed: &Printed) -> Option<StatementFinding> {
     agreement(printed.formula(0)?, 2)
 }
 
-fn agrees_to_sixth(printed: &Printed) -> Option<Finding> {
+fn agrees_to_sixth(printed: &Printed) -> Option<StatementFinding> {
     agreement(printed.formula(0)?, 6)
 }
 
 /// T = T0/√F: the exponent p of θ0/sin θ0 in the period must make p·(1/6) the exact 1/16.
-fn exponent_of_molina(printed: &Printed) -> Option<Finding> {
+fn exponent_of_molina(printed: &Printed) -> Option<StatementFinding> {
     let force = series_in("theta0", 8, printed.formula(0)?, &[])?;
     let from_force = PowerSeries::rational(8).power(&force, &Rational::new(-1, 2)?)?;
     let period = ratio_series(printed.formula(1)?, 8)?;
@@ -72,11 +72,11 @@ fn exponent_of_molina(printed: &Printed) -> Option<Finding> {
          {exponent} in the period and a = {twice} in F; 1/sqrt(F) and (5) agree to theta0^{}",
         from_force.len() - 1
     );
-    Some(Finding::verified_if(follows && matches, correct, evidence))
+    Some(StatementFinding::verified_if(follows && matches, correct, evidence))
 }
 
 /// formula/exact − 1 over δ², which must tend to −(1/16 − 1/(48·ln(8/δ))), where the next term of K is.
-fn asymptotic_at_the_top(printed: &Printed) -> Option<Finding> {
+fn asymptotic_at_the_top(printed: &Printed) -> Option<StatementFinding> {
     let complements = [1e-1, 1e-2, 1e-3];
     let mut shown = Vec::new();
     let mut vanishes = true;
@@ -97,5 +97,5 @@ fn asymptotic_at_the_top(printed: &Printed) -> Option<Finding> {
         shown.join(", "),
         100.0 * (decimal(printed.formula(0)?, &[("T0", 2.0), ("theta0", 0.0)])? / 2.0 - 1.0)
     );
-    Some(Finding::verified_if(vanishes, "", evidence).restricted("near theta0 = pi"))
+    Some(StatementFinding::verified_if(vanishes, "", evidence).restricted("near theta0 = pi"))
 }

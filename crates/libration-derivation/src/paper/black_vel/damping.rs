@@ -3,7 +3,7 @@
 use super::statement;
 use crate::paper::compare::decimal;
 use crate::paper::evaluate::value;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use libration::algebra::{Rational, Ring};
@@ -18,7 +18,7 @@ pub(super) const STATEMENTS: &[Statement] = &[statement(
 )];
 
 /// θ′ times the equation is dE/dt = −c·θ′ⁿ⁺¹, which must not be positive for any θ′.
-fn damping(printed: &Printed) -> Option<Finding> {
+fn damping(printed: &Printed) -> Option<StatementFinding> {
     let mut driving = Vec::new();
     for n in 1..=4 {
         let exponent = Expression::Number(Rational::from(n));
@@ -45,7 +45,7 @@ fn damping(printed: &Printed) -> Option<Finding> {
         conserved
     );
     let correct = "theta'' + c*theta'*|theta'|^(n-1) + omega0^2*sin(theta) = 0";
-    let finding = Finding::verified_if(driving.is_empty(), correct, evidence);
+    let finding = StatementFinding::verified_if(driving.is_empty(), correct, evidence);
     Some(if driving.is_empty() { finding } else { finding.restricted("for even n") })
 }
 

@@ -5,7 +5,7 @@ use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::{POINTS, ROUNDING, decimal, series_in};
 use crate::paper::evaluate::value;
 use crate::paper::exact_motion::{GRAVITY, LENGTH, instants};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use libration::algebra::{Rational, Ring};
@@ -56,7 +56,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-fn equation_of_motion(printed: &Printed) -> Option<Finding> {
+fn equation_of_motion(printed: &Printed) -> Option<StatementFinding> {
     let amplitude = at_degrees(120.0)?;
     let residual = printed.residual(0)?;
     let values = instants(&amplitude, 48)?.into_iter().map(|instant| {
@@ -68,11 +68,11 @@ fn equation_of_motion(printed: &Printed) -> Option<Finding> {
         "at 48 instants of the exact motion from 120 degrees (l = {LENGTH} m, g = {GRAVITY} m/s^2) the sides \
          differ by at most {largest:.1e} of omega0^2"
     );
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
 /// theta″ + (g/l)·theta = 0 in exact power series of the time, with g/l = 1 and phi = 0.
-fn small_swing(printed: &Printed) -> Option<Finding> {
+fn small_swing(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 12;
     let values = [("theta0", 3), ("g", 5), ("l", 5), ("phi", 0)];
     let angle = series_in("t", TERMS, printed.formula(0)?, &values)?;
@@ -88,7 +88,7 @@ fn small_swing(printed: &Printed) -> Option<Finding> {
         TERMS - 3,
         POINTS
     );
-    Some(Finding::verified_if(solves && frequency < 1e-6, "", evidence))
+    Some(StatementFinding::verified_if(solves && frequency < 1e-6, "", evidence))
 }
 
 /// The same by central differences, where g/l and phi are not rational squares.
@@ -105,7 +105,7 @@ fn largest_residual_of_the_swing(angle: &Expression) -> Option<f64> {
     Some(largest)
 }
 
-fn small_angle_period(printed: &Printed) -> Option<Finding> {
+fn small_angle_period(printed: &Printed) -> Option<StatementFinding> {
     let period = decimal(printed.formula(0)?, &[("l", LENGTH), ("g", GRAVITY)])?;
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let limit = pendulum.period(&Amplitude::new(Angle::from_radians(1e-9).ok()?).ok()?);
@@ -113,11 +113,11 @@ fn small_angle_period(printed: &Printed) -> Option<Finding> {
     let evidence = format!(
         "the exact period from 1e-9 rad differs from it by {deviation:.1e} (l = {LENGTH} m, g = {GRAVITY} m/s^2)"
     );
-    Some(Finding::verified_if(deviation < 1e-15, "", evidence))
+    Some(StatementFinding::verified_if(deviation < 1e-15, "", evidence))
 }
 
 /// 2π over the period of the smallest swings of three pendulums.
-fn frequency_of_small_swings(printed: &Printed) -> Option<Finding> {
+fn frequency_of_small_swings(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     let tiny = Amplitude::new(Angle::from_radians(1e-9).ok()?).ok()?;
     for (l, g) in [(LENGTH, GRAVITY), (2.0, 1.62), (0.1, 24.8)] {
@@ -129,11 +129,11 @@ fn frequency_of_small_swings(printed: &Printed) -> Option<Finding> {
         "with omega0 = 2*pi/T for the exact periods T from 1e-9 rad of three pendulums the sides differ by at most \
          {largest:.1e} of omega0^2"
     );
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
 /// d/dt along any motion is θ′ times the equation of motion: in exact series of the time.
-fn energy_is_conserved(printed: &Printed) -> Option<Finding> {
+fn energy_is_conserved(printed: &Printed) -> Option<StatementFinding> {
     let ring = PowerSeries::rational(10);
     let angle = arbitrary_motion();
     let (velocity, acceleration) = (derivative(&angle), derivative(&derivative(&angle)));
@@ -152,7 +152,7 @@ fn energy_is_conserved(printed: &Printed) -> Option<Finding> {
     let same = derivative(&energy).iter().zip(&power).all(|(a, b)| a == b);
     let evidence = "along theta(t) = t/2 + t^2/3 - t^3/5 + t^4/7 its derivative equals theta'*(theta'' + \
                     omega0^2*sin(theta)) to t^6 in exact series (omega0 = 3), which vanishes by (8)";
-    Some(Finding::verified_if(same, "", evidence))
+    Some(StatementFinding::verified_if(same, "", evidence))
 }
 
 /// θ = t/2 + t²/3 − t³/5 + t⁴/7, which solves no particular equation, to t⁹.
@@ -167,7 +167,7 @@ fn derivative(series: &[Rational]) -> Vec<Rational> {
     series.iter().skip(1).zip(factors).map(|(coefficient, n)| coefficient.clone() * n).collect()
 }
 
-fn velocity_at_an_angle(printed: &Printed) -> Option<Finding> {
+fn velocity_at_an_angle(printed: &Printed) -> Option<StatementFinding> {
     let amplitude = at_degrees(120.0)?;
     let mut largest = 0.0_f64;
     for instant in instants(&amplitude, 48)? {
@@ -180,5 +180,5 @@ fn velocity_at_an_angle(printed: &Printed) -> Option<Finding> {
         "at 48 instants of the exact motion from 120 degrees the squares of both sides differ by at most \
          {largest:.1e} of omega0^2"
     );
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }

@@ -4,7 +4,7 @@ use super::statement;
 use crate::paper::amplitudes::in_degrees;
 use crate::paper::compare::{decimal, series_in};
 use crate::paper::errors::{PLOTTED, error, exact_at, in_words, leaders};
-use crate::paper::finding::{Finding, Verdict};
+use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::period_series::{agreement, ratio_series};
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -36,7 +36,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
 ];
 
 /// Every curve against its exact leading term, and who leads where.
-fn figure(_: &Printed) -> Option<Finding> {
+fn figure(_: &Printed) -> Option<StatementFinding> {
     const SMALL: f64 = 0.01;
     let mut farthest = 0.0_f64;
     for key in PLOTTED {
@@ -52,7 +52,7 @@ fn figure(_: &Printed) -> Option<Finding> {
          formula dips to 0 at {zeros}; the best of the plotted ones is {}",
         in_words(&leaders(&PLOTTED)?)
     );
-    Some(Finding::verified_if(farthest < 1e-3, "", evidence))
+    Some(StatementFinding::verified_if(farthest < 1e-3, "", evidence))
 }
 
 /// 1/a₂ of the mean from 1 and cos(θ0/2), as a series.
@@ -69,7 +69,7 @@ fn second_mean_series(terms: usize) -> Option<Vec<Rational>> {
     ring.divide(&one, &a)
 }
 
-fn second_mean(printed: &Printed) -> Option<Finding> {
+fn second_mean(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 14;
     let stands = ratio_series(printed.formula(0)?, TERMS)?;
     let same = stands == second_mean_series(TERMS)?;
@@ -79,7 +79,7 @@ fn second_mean(printed: &Printed) -> Option<Finding> {
         if same { " to theta0^13, exactly" } else { ": it does not" },
         agreement.evidence
     );
-    Some(Finding::verified_if(same, "T = T0/a2 = 4*T0/(1 + sqrt(cos(theta0/2)))^2", evidence))
+    Some(StatementFinding::verified_if(same, "T = T0/a2 = 4*T0/(1 + sqrt(cos(theta0/2)))^2", evidence))
 }
 
 /// What may be meant under the roots.
@@ -91,11 +91,11 @@ const READINGS: [&str; 5] = [
     "cos(theta0/2)",
 ];
 
-fn belendez(printed: &Printed) -> Option<Finding> {
+fn belendez(printed: &Printed) -> Option<StatementFinding> {
     let formula = printed.formula(0)?;
     let inserted = |under: &Expression| formula.substitute(&Symbol::plain("r"), under);
     let stands = inserted(printed.formula(1)?);
-    if let Some(found) = agreement(&stands, 2).filter(|found| found.verdict == Verdict::Verified) {
+    if let Some(found) = agreement(&stands, 2).filter(|found| found.verdict == StatementVerdict::Verified) {
         return Some(found);
     }
     let mut tried = Vec::new();
@@ -109,16 +109,17 @@ fn belendez(printed: &Printed) -> Option<Finding> {
             Some(slope) => format!("r = {reading}: T/T0 = 1 + {slope}*theta0^2 + ..."),
             None => format!("r = {reading}: T(0)/T0 = {at_rest:.5}"),
         });
-        let agrees = agreement(&whole, 2).filter(|found| found.verdict == Verdict::Verified);
+        let agrees = agreement(&whole, 2).filter(|found| found.verdict == StatementVerdict::Verified);
         meant = meant.or_else(|| agrees.map(|found| (reading, found.evidence)));
     }
     let at_rest = decimal(&stands, &[("theta0", 0.0), ("T0", 1.0)])?;
     let evidence =
         format!("as it stands T(0)/T0 = {at_rest:.5}, which must be 1; readings tried: {}", tried.join("; "));
     Some(match meant {
-        Some((reading, agreement)) => {
-            Finding::typo(format!("r = {reading}"), format!("{evidence}; with r = {reading}: {agreement}"))
-        }
-        None => Finding::wrong("", evidence),
+        Some((reading, agreement)) => StatementFinding::typo(
+            format!("r = {reading}"),
+            format!("{evidence}; with r = {reading}: {agreement}"),
+        ),
+        None => StatementFinding::wrong("", evidence),
     })
 }

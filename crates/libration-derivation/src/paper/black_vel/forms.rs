@@ -3,7 +3,7 @@
 use super::{statement, text_after};
 use crate::paper::compare::polynomial;
 use crate::paper::cosines::{cosines, projection};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
@@ -54,7 +54,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
 ];
 
-fn three_harmonics(printed: &Printed) -> Option<Finding> {
+fn three_harmonics(printed: &Printed) -> Option<StatementFinding> {
     let theta = polynomial(printed.formula(0)?, &cosines())?;
     let expansion = Expansion::odd_gauge(7)?;
     let first_order_of = |k: u32| expansion.harmonic(k).iter().position(|coefficient| !coefficient.is_zero());
@@ -66,30 +66,30 @@ fn three_harmonics(printed: &Printed) -> Option<Finding> {
         first_order_of(5)?,
         first_order_of(7)?
     );
-    Some(Finding::verified_if(names == ["a1", "a3", "a5"], "", evidence))
+    Some(StatementFinding::verified_if(names == ["a1", "a3", "a5"], "", evidence))
 }
 
-fn form_of_the_fundamental(printed: &Printed) -> Option<Finding> {
+fn form_of_the_fundamental(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(5)?;
     form(printed.formula(0)?, &[], &expansion.harmonic(1), &expansion)
 }
 
-fn form_of_the_third(printed: &Printed) -> Option<Finding> {
+fn form_of_the_third(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(5)?;
     form(printed.formula(0)?, &[], &expansion.harmonic(3), &expansion)
 }
 
-fn form_of_the_fifth(printed: &Printed) -> Option<Finding> {
+fn form_of_the_fifth(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(5)?;
     form(printed.formula(0)?, &[], &expansion.harmonic(5), &expansion)
 }
 
-fn form_of_the_frequency(printed: &Printed) -> Option<Finding> {
+fn form_of_the_frequency(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(5)?;
     form(printed.formula(0)?, &[], &expansion.frequency()?, &expansion)
 }
 
-fn equation_to_fifth(printed: &Printed) -> Option<Finding> {
+fn equation_to_fifth(printed: &Printed) -> Option<StatementFinding> {
     equation_with_sine(printed, 5)
 }
 
@@ -113,7 +113,7 @@ fn nine_equations(equation: &Expression) -> Option<Vec<Polynomial>> {
     Some([1, 3, 5].into_iter().flat_map(|n| [1, 3, 5].map(|k| projection(&at[n], k))).collect())
 }
 
-fn free_constants(printed: &Printed) -> Option<Finding> {
+fn free_constants(printed: &Printed) -> Option<StatementFinding> {
     let equations = nine_equations(printed.formula(1)?)?;
     let trivial = equations.iter().filter(|equation| equation.is_zero()).count();
     let (motion, frequency) = open_motion();
@@ -146,5 +146,5 @@ fn free_constants(printed: &Printed) -> Option<Finding> {
     let right = printed.number(0)? == Rational::from(i64::try_from(free).ok()?) && solved;
     let correct =
         format!("{free} constants are free, A1, A3 and A5: the choice is of all {free} (as is then done)");
-    Some(Finding::verified_if(right, correct, evidence))
+    Some(StatementFinding::verified_if(right, correct, evidence))
 }

@@ -4,7 +4,7 @@ use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::{ROUNDING, decimal, series_in};
 use crate::paper::exact_motion::{frequency_ratio, harmonics};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use libration::algebra::Rational;
@@ -39,7 +39,7 @@ fn released_from(amplitude: &Angle) -> Option<Motion> {
     Pendulum::from_angular_frequency(1.0).ok()?.released_from(*amplitude).ok()
 }
 
-fn released_swing(printed: &Printed) -> Option<Finding> {
+fn released_swing(printed: &Printed) -> Option<StatementFinding> {
     let series = series_in("t", 12, printed.formula(0)?, &[("theta0", 3), ("omega0", 2)])?;
     let start = series.first() == Some(&Rational::from(3)) && series.get(1).is_some_and(Rational::is_zero);
     let steps = (1..).map(Rational::from);
@@ -61,11 +61,11 @@ fn released_swing(printed: &Printed) -> Option<Finding> {
         largest(0.1)?,
         largest(0.2)?
     );
-    Some(Finding::verified_if(start && solves, "", evidence))
+    Some(StatementFinding::verified_if(start && solves, "", evidence))
 }
 
 /// The series against the motion, which is computed from theta functions without any Fourier series.
-fn fourier_series(printed: &Printed) -> Option<Finding> {
+fn fourier_series(printed: &Printed) -> Option<StatementFinding> {
     let amplitude = at_degrees(150.0)?;
     let (coefficients, motion) = (harmonics(&amplitude)?, released_from(&amplitude)?);
     let frequency = frequency_ratio(&amplitude)?;
@@ -83,7 +83,7 @@ fn fourier_series(printed: &Printed) -> Option<Finding> {
          its own even cosines and all sines are below {:.1e} rad",
         largest_other_harmonic(&motion)
     );
-    Some(Finding::verified_if(largest < 1e-12, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-12, "", evidence))
 }
 
 /// The largest of the first even cosines and sines of a motion, by the trapezoidal rule.
@@ -103,7 +103,7 @@ fn largest_other_harmonic(motion: &Motion) -> f64 {
     evens.chain(sines).fold(0.0, f64::max)
 }
 
-fn centre_of_antisymmetry(printed: &Printed) -> Option<Finding> {
+fn centre_of_antisymmetry(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
     let motion = released_from(&at_degrees(60.0)?)?;
     let half = motion.period() / 2.0;
@@ -120,10 +120,10 @@ fn centre_of_antisymmetry(printed: &Printed) -> Option<Finding> {
     );
     let correct = "antisymmetry about theta = 0: theta(Omega*t + pi) = -theta(Omega*t), that is about the phase \
                    Omega*t = pi/2, where theta = 0";
-    Some(Finding::verified_if(claimed.abs() <= farthest, correct, evidence))
+    Some(StatementFinding::verified_if(claimed.abs() <= farthest, correct, evidence))
 }
 
-fn sum_of_coefficients(printed: &Printed) -> Option<Finding> {
+fn sum_of_coefficients(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     for degrees in [30.0, 90.0, 150.0, 179.0] {
         let amplitude = at_degrees(degrees)?;
@@ -134,5 +134,5 @@ fn sum_of_coefficients(printed: &Printed) -> Option<Finding> {
     let evidence = format!(
         "the closed coefficients sum to theta0 within {largest:.1e} rad at 30, 90, 150 and 179 degrees"
     );
-    Some(Finding::verified_if(largest < 50.0 * ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < 50.0 * ROUNDING, "", evidence))
 }

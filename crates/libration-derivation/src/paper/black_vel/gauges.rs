@@ -2,7 +2,7 @@
 
 use super::{statement, text_after};
 use crate::paper::compare::series_in;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -58,7 +58,7 @@ pub(super) fn gauge_of(assignments: &[(String, Rational)], order: u32) -> Vec<Ra
 }
 
 /// Printed constants against those of the gauge named among them.
-pub(super) fn constants(printed: &Printed, order: u32) -> Option<Finding> {
+pub(super) fn constants(printed: &Printed, order: u32) -> Option<StatementFinding> {
     let assignments = printed.assignments()?;
     let gauge = gauge_of(&assignments, order);
     let expansion = Expansion::of_numbers(&gauge)?;
@@ -74,14 +74,14 @@ pub(super) fn constants(printed: &Printed, order: u32) -> Option<Finding> {
     let gauge = gauge.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let evidence =
         format!("the orders solved in turn with A1, A2, ... = {gauge}, exactly: {}", shown.join(", "));
-    Some(Finding::verified_if(wrong.is_empty(), wrong.join(", "), evidence))
+    Some(StatementFinding::verified_if(wrong.is_empty(), wrong.join(", "), evidence))
 }
 
-fn solution_in_a_gauge(printed: &Printed) -> Option<Finding> {
+fn solution_in_a_gauge(printed: &Printed) -> Option<StatementFinding> {
     constants(printed, 5)
 }
 
-fn solution_in_the_other_gauge(printed: &Printed) -> Option<Finding> {
+fn solution_in_the_other_gauge(printed: &Printed) -> Option<StatementFinding> {
     let mut finding = constants(printed, 5)?;
     let one = Rational::from(1);
     let zero = Rational::from(0);
@@ -96,7 +96,7 @@ fn solution_in_the_other_gauge(printed: &Printed) -> Option<Finding> {
 }
 
 /// θ0(ε) = ε demands A1 = 1 and Aₙ = −(Bₙ + Cₙ), which are known from the orders below.
-fn amplitude_as_parameter(printed: &Printed) -> Option<Finding> {
+fn amplitude_as_parameter(printed: &Printed) -> Option<StatementFinding> {
     let demanded = series_in("epsilon", 6, printed.left(0)?, &[])?;
     let mut gauge = demanded.get(1..)?.to_vec();
     for order in 1..gauge.len() {
@@ -115,5 +115,5 @@ fn amplitude_as_parameter(printed: &Printed) -> Option<Finding> {
         value("B5")?,
         value("d4")?
     );
-    Some(Finding::verified_if(exists, "", evidence))
+    Some(StatementFinding::verified_if(exists, "", evidence))
 }

@@ -2,7 +2,7 @@
 
 use super::statement;
 use crate::paper::compare::{series_in, written};
-use crate::paper::finding::{Finding, Verdict};
+use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::period_series::{agreement, frequency_series, ratio_series};
 use crate::paper::printed::Printed;
@@ -35,19 +35,19 @@ fn in_every_gauge(stands: &[Rational], computed: &[Polynomial], amplitude: &[Pol
     Some(inserted.iter().zip(computed).all(|(a, b)| a == b))
 }
 
-fn fundamental(printed: &Printed) -> Option<Finding> {
+fn fundamental(printed: &Printed) -> Option<StatementFinding> {
     harmonic_in_amplitude(printed, 1)
 }
 
-fn third_harmonic(printed: &Printed) -> Option<Finding> {
+fn third_harmonic(printed: &Printed) -> Option<StatementFinding> {
     harmonic_in_amplitude(printed, 3)
 }
 
-fn fifth_harmonic(printed: &Printed) -> Option<Finding> {
+fn fifth_harmonic(printed: &Printed) -> Option<StatementFinding> {
     harmonic_in_amplitude(printed, 5)
 }
 
-fn harmonic_in_amplitude(printed: &Printed, k: u32) -> Option<Finding> {
+fn harmonic_in_amplitude(printed: &Printed, k: u32) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(5)?;
     let stands = series_in("theta0", 6, printed.formula(0)?, &[])?;
     let right = in_every_gauge(&stands, &expansion.harmonic(k), &expansion.amplitude())?;
@@ -57,7 +57,7 @@ fn harmonic_in_amplitude(printed: &Printed, k: u32) -> Option<Finding> {
          gauge A1 = 1 the series is {}",
         written(&exact, "theta0")
     );
-    Some(Finding::verified_if(right, written(&exact[..6], "theta0"), evidence))
+    Some(StatementFinding::verified_if(right, written(&exact[..6], "theta0"), evidence))
 }
 
 /// The k-th harmonic in θ0 to the seventh power.
@@ -69,7 +69,7 @@ fn compose_with_inverse(k: u32) -> Option<Vec<Rational>> {
     Some(inverse.composed(&Rationals, &numbers(&expansion.harmonic(k))?))
 }
 
-pub(super) fn period(printed: &Printed) -> Option<Finding> {
+pub(super) fn period(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 7;
     let ring = PowerSeries::rational(TERMS);
     let ratio = ratio_series(printed.formula(0)?, TERMS)?;
@@ -84,6 +84,6 @@ pub(super) fn period(printed: &Printed) -> Option<Finding> {
         exact.evidence
     );
     let correct = written(&frequency_series(TERMS), "theta0");
-    let both = right && exact.verdict == Verdict::Verified;
-    Some(Finding::verified_if(both, format!("T = T0/({correct})"), evidence))
+    let both = right && exact.verdict == StatementVerdict::Verified;
+    Some(StatementFinding::verified_if(both, format!("T = T0/({correct})"), evidence))
 }

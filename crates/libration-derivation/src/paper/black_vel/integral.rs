@@ -4,7 +4,7 @@ use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::decimal;
 use crate::paper::exact_motion::{GRAVITY, LENGTH};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::to_amplitude;
 use crate::paper::statement::Statement;
@@ -54,16 +54,16 @@ fn largest_deviation(printed: &Printed, expected: impl Fn(&Amplitude) -> f64) ->
     Some(largest)
 }
 
-fn exact_period(printed: &Printed) -> Option<Finding> {
+fn exact_period(printed: &Printed) -> Option<StatementFinding> {
     let omega0 = (GRAVITY / LENGTH).sqrt();
     let largest = largest_deviation(printed, |amplitude| 4.0 * amplitude.modulus().first() / omega0)?;
     let evidence = format!(
         "its quadrature differs from 4*K(sin(theta0/2))/omega0 by at most {largest:.1e} at 30, 60, 90 and 120 degrees"
     );
-    Some(Finding::verified_if(largest < 1e-12, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-12, "", evidence))
 }
 
-fn name_of_the_integral(printed: &Printed) -> Option<Finding> {
+fn name_of_the_integral(printed: &Printed) -> Option<StatementFinding> {
     let omega0 = (GRAVITY / LENGTH).sqrt();
     let amplitude = Amplitude::new(at_degrees(60.0)?).ok()?;
     let quarter = period_by_quadrature(printed, amplitude.radians())? * omega0 / 4.0;
@@ -76,10 +76,14 @@ fn name_of_the_integral(printed: &Printed) -> Option<Finding> {
         modulus.first()
     );
     let correct = "the complete elliptic integral of the first kind, K(sin(theta0/2))";
-    Some(if complete { Finding::wrong(correct, evidence) } else { Finding::verified(evidence) })
+    Some(if complete {
+        StatementFinding::wrong(correct, evidence)
+    } else {
+        StatementFinding::verified(evidence)
+    })
 }
 
-fn by_the_mean(printed: &Printed) -> Option<Finding> {
+fn by_the_mean(printed: &Printed) -> Option<StatementFinding> {
     let omega0 = (GRAVITY / LENGTH).sqrt();
     let by_mean = |amplitude: &Amplitude| {
         let (mut a, mut b) = (1.0, libm::cos(amplitude.radians() / 2.0));
@@ -93,5 +97,5 @@ fn by_the_mean(printed: &Printed) -> Option<Finding> {
         "six steps of the mean from 1 and cos(theta0/2) differ from the quadrature of (13) by at most {largest:.1e}; \
          what the mean computes is the complete integral"
     );
-    Some(Finding::verified_if(largest < 1e-12, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-12, "", evidence))
 }

@@ -4,7 +4,7 @@ use super::gauges::gauge_of;
 use super::statement;
 use crate::paper::compare::{against_series, first_difference, inserted, polynomial, series_in, written};
 use crate::paper::evaluate::value;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::orders::in_epsilon;
 use crate::paper::printed::Printed;
@@ -56,7 +56,7 @@ pub(super) fn amplitude_of_fundamental(order: usize) -> Option<Vec<Rational>> {
     numbers(&Expansion::of_numbers(&gauge)?.amplitude())
 }
 
-fn amplitude_in_the_gauge(printed: &Printed) -> Option<Finding> {
+fn amplitude_in_the_gauge(printed: &Printed) -> Option<StatementFinding> {
     let stands = series_in("epsilon", 6, printed.formula(0)?, &[])?;
     against_series(
         &stands,
@@ -74,28 +74,28 @@ fn split(order: usize) -> Option<Polynomial> {
     Some(Polynomial::variable("epsilon") - in_epsilon(&amplitude))
 }
 
-fn split_off(printed: &Printed) -> Option<Finding> {
+fn split_off(printed: &Printed) -> Option<StatementFinding> {
     let stands = polynomial(printed.formula(0)?, &[("F", split(5)?)])?;
     let right = stands == Polynomial::variable("epsilon") - split(5)?;
-    Some(Finding::verified_if(
+    Some(StatementFinding::verified_if(
         right,
         "",
         format!("definition; F = {}, from the computed amplitude", split(5)?),
     ))
 }
 
-fn what_is_split_off(printed: &Printed) -> Option<Finding> {
+fn what_is_split_off(printed: &Printed) -> Option<StatementFinding> {
     let stands = polynomial(printed.formula(0)?, &[("z", Polynomial::variable("epsilon"))])?;
     let computed = split(5)?;
     let evidence = format!("epsilon less the computed amplitude, exactly: {computed}");
-    Some(Finding::verified_if(stands == computed, format!("F(epsilon) = {computed}"), evidence))
+    Some(StatementFinding::verified_if(stands == computed, format!("F(epsilon) = {computed}"), evidence))
 }
 
-fn turned_round(printed: &Printed) -> Option<Finding> {
+fn turned_round(printed: &Printed) -> Option<StatementFinding> {
     let theta0 = Polynomial::variable("epsilon") - split(5)?;
     let stands = polynomial(printed.formula(0)?, &[("F", split(5)?), ("theta0", theta0)])?;
     let right = stands == Polynomial::variable("epsilon");
-    Some(Finding::verified_if(
+    Some(StatementFinding::verified_if(
         right,
         "",
         "with F(epsilon) and theta0(epsilon) as computed both sides are epsilon, exactly",
@@ -114,13 +114,13 @@ fn improved(x: &[Rational]) -> Option<Vec<Rational>> {
     Some(ring.add(&ring.variable()?, &excess))
 }
 
-fn first_iteration(printed: &Printed) -> Option<Finding> {
+fn first_iteration(printed: &Printed) -> Option<StatementFinding> {
     let ring = PowerSeries::rational(8);
     let stands = series_in("theta0", ring.terms, printed.formula(0)?, &[])?;
     iteration(&stands, &improved(&ring.variable()?)?, 3)
 }
 
-fn second_iteration(printed: &Printed) -> Option<Finding> {
+fn second_iteration(printed: &Printed) -> Option<StatementFinding> {
     let ring = PowerSeries::rational(8);
     let first = series_in("theta0", ring.terms, printed.formula(1)?, &[])?;
     let stands = value(&ring, printed.formula(0)?, &|name| match name {
@@ -132,7 +132,7 @@ fn second_iteration(printed: &Printed) -> Option<Finding> {
 }
 
 /// A step of the iteration as printed and as computed, and how far it meets the inverse of (39).
-fn iteration(stands: &[Rational], computed: &[Rational], through: usize) -> Option<Finding> {
+fn iteration(stands: &[Rational], computed: &[Rational], through: usize) -> Option<StatementFinding> {
     let mut amplitude = amplitude_of_fundamental(5)?;
     amplitude.resize(stands.len(), Rational::from(0));
     let exact = inverse(&amplitude)?;
@@ -143,12 +143,12 @@ fn iteration(stands: &[Rational], computed: &[Rational], through: usize) -> Opti
         computed[power], exact[power]
     );
     let right = power > through && stands == computed;
-    let finding = Finding::verified_if(right, written(&exact[..=through], "theta0"), evidence);
+    let finding = StatementFinding::verified_if(right, written(&exact[..=through], "theta0"), evidence);
     Some(finding.restricted(format!("to theta0^{through}")))
 }
 
 /// ε in θ0 in the gauge that stands first.
-pub(super) fn parameter_in_amplitude_to(printed: &Printed, order: u32) -> Option<Finding> {
+pub(super) fn parameter_in_amplitude_to(printed: &Printed, order: u32) -> Option<StatementFinding> {
     let assignments: Vec<(String, Rational)> = printed.gauge();
     let expansion = Expansion::of_numbers(&gauge_of(&assignments, order))?;
     let exact = inverse(&numbers(&expansion.amplitude())?)?;
@@ -162,6 +162,6 @@ pub(super) fn parameter_in_amplitude_to(printed: &Printed, order: u32) -> Option
     )
 }
 
-fn parameter_in_amplitude(printed: &Printed) -> Option<Finding> {
+fn parameter_in_amplitude(printed: &Printed) -> Option<StatementFinding> {
     parameter_in_amplitude_to(printed, 5)
 }

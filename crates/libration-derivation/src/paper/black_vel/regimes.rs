@@ -7,7 +7,7 @@ use crate::paper::errors::{
     PLOTTED, better_on, crossings, error, error_at, exact_at, in_words, intervals_in_words, leaders,
     ratio_at, ratio_of_leading_errors,
 };
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::ratio_series;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -75,7 +75,7 @@ pub(super) fn below(limit: f64) -> String {
     format!("for theta0 below {}", in_degrees(limit))
 }
 
-fn best_on_the_lower_half(printed: &Printed) -> Option<Finding> {
+fn best_on_the_lower_half(printed: &Printed) -> Option<StatementFinding> {
     let upper = amplitude(printed)?;
     let leaders = leaders(&PLOTTED)?;
     let (first, until) = leaders.first()?.clone();
@@ -89,10 +89,10 @@ fn best_on_the_lower_half(printed: &Printed) -> Option<Finding> {
         intervals_in_words(&beaten[1])
     );
     let correct = format!("it is the most accurate {}", below(until));
-    Some(Finding::verified_if(holds, correct, evidence).holding_for(vec![(0.0, until)]))
+    Some(StatementFinding::verified_if(holds, correct, evidence).holding_for(vec![(0.0, until)]))
 }
 
-fn one_term_on_the_upper_half(printed: &Printed) -> Option<Finding> {
+fn one_term_on_the_upper_half(printed: &Printed) -> Option<StatementFinding> {
     let lower = amplitude(printed)?;
     let from = |other: &str| Some(crossings("black_vel_1", other)?.last()?.amplitude.radians());
     let (two, three) = (from("black_vel_2")?, from("black_vel_3")?);
@@ -107,7 +107,7 @@ fn one_term_on_the_upper_half(printed: &Printed) -> Option<Finding> {
         error_at("black_vel_3", 100.0)?
     );
     let correct = format!("true for theta0 above {}", in_degrees(above_both));
-    let finding = Finding::verified_if(above_both <= lower, correct, evidence);
+    let finding = StatementFinding::verified_if(above_both <= lower, correct, evidence);
     let finding = if above_both <= lower {
         finding
     } else {
@@ -116,7 +116,7 @@ fn one_term_on_the_upper_half(printed: &Printed) -> Option<Finding> {
     Some(finding.holding_for(vec![(above_both, PI)]))
 }
 
-fn dip_of_one_term(printed: &Printed) -> Option<Finding> {
+fn dip_of_one_term(printed: &Printed) -> Option<StatementFinding> {
     let lower = amplitude(printed)?;
     let zeros = exact_at("black_vel_1")?;
     let within = zeros.iter().any(|zero| *zero > lower);
@@ -127,11 +127,11 @@ fn dip_of_one_term(printed: &Printed) -> Option<Finding> {
         zeros.iter().map(|zero| in_degrees(*zero)).collect::<Vec<_>>().join(", "),
         shown.into_iter().collect::<Option<Vec<_>>>()?.join(", ")
     );
-    Some(Finding::verified_if(within, "", evidence))
+    Some(StatementFinding::verified_if(within, "", evidence))
 }
 
 /// The [0/1] Padé approximant of the series of T in θ0² is 1/(1 − t₁θ0²).
-fn interplay(printed: &Printed) -> Option<Finding> {
+fn interplay(printed: &Printed) -> Option<StatementFinding> {
     let stands = ratio_series(printed.formula(0)?, 8)?;
     let slope = period_in_amplitude(1).pop()?;
     let mut geometric = vec![Rational::from(0); 8];
@@ -149,10 +149,10 @@ fn interplay(printed: &Printed) -> Option<Finding> {
          ({zero:.14} rad)",
         in_degrees(zero)
     );
-    Some(Finding::verified_if(is_pade, "", evidence))
+    Some(StatementFinding::verified_if(is_pade, "", evidence))
 }
 
-fn against_the_power_series(printed: &Printed) -> Option<Finding> {
+fn against_the_power_series(printed: &Printed) -> Option<StatementFinding> {
     let corrections = printed.number(0)?;
     let (ours, theirs) = (format!("black_vel_{corrections}"), format!("power_series_{corrections}"));
     let always = better_on(&ours, &theirs)?;
@@ -169,10 +169,10 @@ fn against_the_power_series(printed: &Printed) -> Option<Finding> {
         three?
     );
     let right = always.first().is_some_and(|&(from, to)| from <= 0.0 && to >= PI) && always.len() == 1;
-    Some(Finding::verified_if(right, "", evidence).holding_for(always))
+    Some(StatementFinding::verified_if(right, "", evidence).holding_for(always))
 }
 
-fn on_a_par(printed: &Printed) -> Option<Finding> {
+fn on_a_par(printed: &Printed) -> Option<StatementFinding> {
     let upper = amplitude(printed)?;
     let worst = |key: &str| Some(error(key, upper)?.abs());
     let shown = PLOTTED.map(|key| Some(format!("{key} {:.2e}", worst(key)?)));
@@ -180,5 +180,5 @@ fn on_a_par(printed: &Printed) -> Option<Finding> {
         format!("at {}: {}", in_degrees(upper), shown.into_iter().collect::<Option<Vec<_>>>()?.join(", "));
     let published = ["bernoulli", "molina", "kidd_fogg"].map(worst);
     let best = published.into_iter().collect::<Option<Vec<_>>>()?.into_iter().fold(f64::INFINITY, f64::min);
-    Some(Finding::verified_if(worst("black_vel_1")? <= best, "", evidence))
+    Some(StatementFinding::verified_if(worst("black_vel_1")? <= best, "", evidence))
 }

@@ -4,7 +4,7 @@ use super::text_after;
 use crate::paper::amplitudes::{amplitude_where_zero, at_degrees, in_degrees};
 use crate::paper::compare::decimal;
 use crate::paper::exact_motion::{frequency_ratio, harmonics};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use libration::quantity::Angle;
@@ -55,7 +55,7 @@ fn limits() -> Option<[f64; 3]> {
     harmonics(&top()?)?.get(..3)?.try_into().ok()
 }
 
-fn largest_fundamental(printed: &Printed) -> Option<Finding> {
+fn largest_fundamental(printed: &Printed) -> Option<StatementFinding> {
     let bound = decimal(printed.formula(0)?, &[])?;
     let [a1, a3, a5] = limits()?;
     let passed = amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(harmonics(amplitude)?[0] - bound));
@@ -66,10 +66,10 @@ fn largest_fundamental(printed: &Printed) -> Option<Finding> {
     );
     let correct = "a1 < 4, which it tends to as theta0 -> pi";
     // A bit: a tenth.
-    Some(Finding::verified_if(a1 <= 1.1 * bound, correct, evidence))
+    Some(StatementFinding::verified_if(a1 <= 1.1 * bound, correct, evidence))
 }
 
-fn largest_third(printed: &Printed) -> Option<Finding> {
+fn largest_third(printed: &Printed) -> Option<StatementFinding> {
     let bound = decimal(printed.formula(0)?, &[])?;
     let [_, a3, _] = limits()?;
     let reached = |bound: f64| {
@@ -83,11 +83,11 @@ fn largest_third(printed: &Printed) -> Option<Finding> {
     );
     let correct =
         limit.map_or(String::new(), |limit| format!("|a3| < {bound} for theta0 below {}", in_degrees(limit)));
-    let finding = Finding::verified_if(a3.abs() <= bound, correct, evidence);
+    let finding = StatementFinding::verified_if(a3.abs() <= bound, correct, evidence);
     Some(finding.holding_for(vec![(0.0, limit.unwrap_or(PI))]))
 }
 
-fn product_of_both(printed: &Printed) -> Option<Finding> {
+fn product_of_both(printed: &Printed) -> Option<StatementFinding> {
     let bound = decimal(printed.formula(0)?, &[])?;
     let product = |amplitude: &Angle| {
         let harmonics = harmonics(amplitude)?;
@@ -107,12 +107,12 @@ fn product_of_both(printed: &Printed) -> Option<Finding> {
     let correct = limit
         .map_or(String::new(), |limit| format!("|a1*a3| < {bound} for theta0 below {}", in_degrees(limit)));
     Some(
-        Finding::verified_if(limit.is_none(), correct, evidence)
+        StatementFinding::verified_if(limit.is_none(), correct, evidence)
             .holding_for(vec![(0.0, limit.unwrap_or(PI))]),
     )
 }
 
-fn order_of_corrections(printed: &Printed) -> Option<Finding> {
+fn order_of_corrections(printed: &Printed) -> Option<StatementFinding> {
     let bound = decimal(printed.formula(0)?, &[])?;
     let ratio =
         |amplitude: &Angle| Some(harmonics(amplitude)?[1].abs() / (1.0 - frequency_ratio(amplitude)?));
@@ -131,7 +131,7 @@ fn order_of_corrections(printed: &Printed) -> Option<Finding> {
         format!("|a3| < {bound}*|Delta - 1| for theta0 below {}", in_degrees(limit))
     });
     Some(
-        Finding::verified_if(limit.is_none(), correct, evidence)
+        StatementFinding::verified_if(limit.is_none(), correct, evidence)
             .holding_for(vec![(0.0, limit.unwrap_or(PI))]),
     )
 }

@@ -7,7 +7,7 @@ use crate::paper::compare::{
     against_series, coefficients, decimal, first_difference, inserted, polynomial, series_in, written,
 };
 use crate::paper::exact_motion::harmonics;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -57,11 +57,11 @@ fn square_of_frequency() -> Option<Polynomial> {
     (-condition.coefficient(&delta, 0)).divide_exactly(&condition.coefficient(&delta, 2))
 }
 
-fn solved_for_the_frequency(printed: &Printed) -> Option<Finding> {
+fn solved_for_the_frequency(printed: &Printed) -> Option<StatementFinding> {
     let (stands, computed) = (polynomial(printed.formula(0)?, &[])?, square_of_frequency()?);
     let difference = stands.clone() - computed.clone();
     if difference.is_zero() {
-        return Some(Finding::verified("(22) solved for Delta^2, exactly"));
+        return Some(StatementFinding::verified("(22) solved for Delta^2, exactly"));
     }
     let left_over = condition(1)?.coefficient(&"Delta".into(), 0)
         + condition(1)?.coefficient(&"Delta".into(), 2) * stands;
@@ -71,7 +71,7 @@ fn solved_for_the_frequency(printed: &Printed) -> Option<Finding> {
          projection it leaves {left_over} instead of 0; the difference is of the order theta0^{order}, beyond what \
          is kept"
     );
-    Some(Finding::wrong(format!("Delta^2 = {computed}"), evidence))
+    Some(StatementFinding::wrong(format!("Delta^2 = {computed}"), evidence))
 }
 
 /// The lowest power of θ0 where a1 is of the first and a3 of the third.
@@ -83,7 +83,7 @@ fn order_of(sum: &Polynomial) -> u32 {
     orders.min().unwrap_or(0)
 }
 
-fn root_of_the_square(printed: &Printed) -> Option<Finding> {
+fn root_of_the_square(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 6;
     let leading = square_of_frequency()?.substitute(&"a3".into(), &Polynomial::zero());
     let root =
@@ -94,7 +94,11 @@ fn root_of_the_square(printed: &Printed) -> Option<Finding> {
         "the root of the correct Delta^2 at a3 = 0 is {} + ..., exactly; a3, of the order a1^3, enters at a1^4",
         written(&root[..4], "a1")
     );
-    Some(Finding::verified_if(agrees_below > 2, format!("Delta = {}", written(&root[..3], "a1")), evidence))
+    Some(StatementFinding::verified_if(
+        agrees_below > 2,
+        format!("Delta = {}", written(&root[..3], "a1")),
+        evidence,
+    ))
 }
 
 /// The second condition with this frequency, solved for the a3 that stands alone: the numerator and the divisor.
@@ -105,7 +109,7 @@ fn third_alone(frequency: &Polynomial) -> Option<(Polynomial, Rational)> {
     Some((Polynomial::variable("a3").scaled(&alone) - scaled, alone))
 }
 
-fn solved_for_the_third(printed: &Printed) -> Option<Finding> {
+fn solved_for_the_third(printed: &Printed) -> Option<StatementFinding> {
     let stands = polynomial(printed.formula(0)?, &[])?;
     let of_frequency = |text: &str| {
         let frequency = Printed::read(&[text])?;
@@ -115,7 +119,7 @@ fn solved_for_the_third(printed: &Printed) -> Option<Finding> {
     let (slip, slip_divisor) = of_frequency("1 - a1^2")?;
     let inverse = Rational::from(1).checked_div(&divisor)?;
     if stands == numerator.scaled(&inverse) {
-        return Some(Finding::verified("(26) put into (23) and solved for a3, exactly"));
+        return Some(StatementFinding::verified("(26) put into (23) and solved for a3, exactly"));
     }
     let from_slip = stands == slip.scaled(&Rational::from(1).checked_div(&slip_divisor)?);
     let origin = if from_slip { ", which is exactly what is printed: the 1/16 was lost" } else { "" };
@@ -123,7 +127,7 @@ fn solved_for_the_third(printed: &Printed) -> Option<Finding> {
         "(26) put into (23), exactly, gives 192*a3 = {numerator}; with Delta = 1 - a1^2 instead it gives \
          {slip_divisor}*a3 = {slip}{origin}; the leading term and so (28) are not touched"
     );
-    Some(Finding::wrong(format!("a3 = ({numerator})/{divisor}"), evidence))
+    Some(StatementFinding::wrong(format!("a3 = ({numerator})/{divisor}"), evidence))
 }
 
 /// a3 of a1 from both conditions, as a series, by iteration.
@@ -166,7 +170,7 @@ fn solution_in_amplitude(terms: usize) -> Option<[Vec<Rational>; 3]> {
     Some([fundamental, third, frequency])
 }
 
-fn third_of_fundamental(printed: &Printed) -> Option<Finding> {
+fn third_of_fundamental(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 8;
     let stands = series_in("a1", TERMS, printed.formula(0)?, &[])?;
     let truncated = third_of_fundamental_series(TERMS)?;
@@ -182,7 +186,7 @@ fn whole_third() -> Option<Vec<Rational>> {
     numbers(&Expansion::of_numbers(&gauge)?.harmonic(3))
 }
 
-fn third_of_amplitude(printed: &Printed) -> Option<Finding> {
+fn third_of_amplitude(printed: &Printed) -> Option<StatementFinding> {
     let right_angle = at_degrees(90.0)?;
     let approximate = decimal(printed.formula(0)?, &[("theta0", right_angle.radians())])?;
     let exact = *harmonics(&right_angle)?.get(1)?;
@@ -194,16 +198,16 @@ fn third_of_amplitude(printed: &Printed) -> Option<Finding> {
     Some(finding)
 }
 
-fn fundamental_of_amplitude(printed: &Printed) -> Option<Finding> {
+fn fundamental_of_amplitude(printed: &Printed) -> Option<StatementFinding> {
     in_amplitude(printed, 0, 3)
 }
 
-fn frequency_of_amplitude(printed: &Printed) -> Option<Finding> {
+fn frequency_of_amplitude(printed: &Printed) -> Option<StatementFinding> {
     in_amplitude(printed, 2, 2)
 }
 
 /// One of a1, a3, Δ against the solution of (22) to (24) in the amplitude.
-fn in_amplitude(printed: &Printed, which: usize, through: usize) -> Option<Finding> {
+fn in_amplitude(printed: &Printed, which: usize, through: usize) -> Option<StatementFinding> {
     const TERMS: usize = 6;
     let stands = series_in("theta0", TERMS, printed.formula(0)?, &[])?;
     let computed = solution_in_amplitude(TERMS)?;

@@ -5,7 +5,7 @@ use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::{polynomial, same_polynomial};
 use crate::paper::cosines::{cosine, cosines, projection, second_derivative};
 use crate::paper::exact_motion::harmonics;
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::sine::{equation_with_sine, sine};
 use crate::paper::statement::Statement;
@@ -62,7 +62,7 @@ pub(super) fn condition(n: u32) -> Option<Polynomial> {
     Some(projection(&equation_of(&motion())?, n))
 }
 
-fn two_harmonics(printed: &Printed) -> Option<Finding> {
+fn two_harmonics(printed: &Printed) -> Option<StatementFinding> {
     let theta = polynomial(printed.formula(0)?, &cosines())?;
     let shares = [30.0, 90.0].map(|degrees| {
         let harmonics = harmonics(&at_degrees(degrees)?)?;
@@ -73,40 +73,40 @@ fn two_harmonics(printed: &Printed) -> Option<Finding> {
          left out, a5, is {:.1e} of a1 at 30 degrees and {:.1e} at 90 degrees",
         shares[0]?, shares[1]?
     );
-    Some(Finding::verified_if(theta == motion(), "theta = a1*c1 + a3*c3", evidence))
+    Some(StatementFinding::verified_if(theta == motion(), "theta = a1*c1 + a3*c3", evidence))
 }
 
-fn sine_to_third(printed: &Printed) -> Option<Finding> {
+fn sine_to_third(printed: &Printed) -> Option<StatementFinding> {
     sine(printed.formula(0)?, 3)
 }
 
-fn truncated_equation(printed: &Printed) -> Option<Finding> {
+fn truncated_equation(printed: &Printed) -> Option<StatementFinding> {
     equation_with_sine(printed, 3)
 }
 
-fn inserted(printed: &Printed) -> Option<Finding> {
+fn inserted(printed: &Printed) -> Option<StatementFinding> {
     let stands = -polynomial(&printed.residual(0)?, &cosines())?;
     let how = "theta of (18) put into (20) as a polynomial in cos(Omega*t), exactly";
     Some(same_polynomial(&stands, &equation_of(&motion())?, how))
 }
 
-fn on_the_fundamental(printed: &Printed) -> Option<Finding> {
+fn on_the_fundamental(printed: &Printed) -> Option<StatementFinding> {
     projected(printed, 1)
 }
 
-fn on_the_third(printed: &Printed) -> Option<Finding> {
+fn on_the_third(printed: &Printed) -> Option<StatementFinding> {
     projected(printed, 3)
 }
 
-fn projected(printed: &Printed, n: u32) -> Option<Finding> {
+fn projected(printed: &Printed, n: u32) -> Option<StatementFinding> {
     let (stands, computed) = (-polynomial(&printed.residual(0)?, &[])?, condition(n)?);
     let multiple = if n == 1 { String::new() } else { format!("{n}*") };
     let how = format!("the projection of (21) on cos({multiple}Omega*t)");
     if let Some(factor) = computed.divide_exactly(&stands).filter(|factor| factor.terms().count() == 1) {
-        return Some(Finding::verified(format!("{how} is ({factor}) times it, exactly")));
+        return Some(StatementFinding::verified(format!("{how} is ({factor}) times it, exactly")));
     }
     let correct = computed.divide_exactly(&common_factor(&computed))?;
-    Some(Finding::wrong(format!("0 = {correct}"), format!("{how} is {computed}")))
+    Some(StatementFinding::wrong(format!("0 = {correct}"), format!("{how} is {computed}")))
 }
 
 /// The monomial that divides every term.
@@ -118,7 +118,7 @@ fn common_factor(sum: &Polynomial) -> Polynomial {
     powers.fold(Polynomial::constant(Rational::from(1)), |product, power| product * power)
 }
 
-fn amplitude_of_two(printed: &Printed) -> Option<Finding> {
+fn amplitude_of_two(printed: &Printed) -> Option<StatementFinding> {
     let at_start = motion().substitute(&"c".into(), &Polynomial::constant(Rational::from(1)));
     Some(same_polynomial(&polynomial(printed.formula(0)?, &[])?, &at_start, "(18) at t = 0, exactly"))
 }

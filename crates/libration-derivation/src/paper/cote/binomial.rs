@@ -4,7 +4,7 @@ use super::period::sum_for_the_integral;
 use super::terms::{TERMS, double_factorial, partial_sum};
 use super::{statement, text_after};
 use crate::paper::compare::{polynomial, series_in};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
 use libration::algebra::{Polynomial, Rational};
@@ -47,7 +47,7 @@ fn integrand() -> Option<Polynomial> {
     Some((0..).zip(coefficients).fold(Polynomial::zero(), |sum, (n, c)| sum + x.pow(n).scaled(&c)))
 }
 
-fn binomial_terms(printed: &Printed) -> Option<Finding> {
+fn binomial_terms(printed: &Printed) -> Option<StatementFinding> {
     let exact = integrand()?;
     let m = "m".into();
     let kept = (0..=4)
@@ -55,27 +55,27 @@ fn binomial_terms(printed: &Printed) -> Option<Finding> {
     let sides = printed.sides(0)?.iter().map(|side| polynomial(side, &[])).collect::<Option<Vec<_>>>()?;
     let right = sides.iter().all(|side| *side == kept);
     let evidence = "both forms are the binomial series of (1 - m*s^2)^(-1/2) to m^4, exactly, with every sign as displayed";
-    Some(Finding::verified_if(right, kept.to_string(), evidence))
+    Some(StatementFinding::verified_if(right, kept.to_string(), evidence))
 }
 
-fn sum_of_the_integrand(printed: &Printed) -> Option<Finding> {
+fn sum_of_the_integrand(printed: &Printed) -> Option<StatementFinding> {
     let missing = integrand()? - partial_sum(printed)?;
     let evidence = format!(
         "(1 - m*s^2)^(-1/2) less the sum is {missing}, exactly to m^8; (23), which it abbreviates, begins with n = 0"
     );
-    Some(Finding::verified_if(missing.is_zero(), "sum from n = 0, with (-1)!! = 0!! = 1", evidence))
+    Some(StatementFinding::verified_if(missing.is_zero(), "sum from n = 0, with (-1)!! = 0!! = 1", evidence))
 }
 
-fn double_factorials(printed: &Printed) -> Option<Finding> {
+fn double_factorials(printed: &Printed) -> Option<StatementFinding> {
     let (five, six) = (printed.number(0)?, printed.number(1)?);
     let right = five == Rational::from(double_factorial(5)) && six == Rational::from(double_factorial(6));
-    Some(Finding::verified_if(
+    Some(StatementFinding::verified_if(
         right,
         "",
         format!("5!! = {}, 6!! = {}", double_factorial(5), double_factorial(6)),
     ))
 }
 
-fn sum_of_the_integral(printed: &Printed) -> Option<Finding> {
+fn sum_of_the_integral(printed: &Printed) -> Option<StatementFinding> {
     sum_for_the_integral(printed, "")
 }

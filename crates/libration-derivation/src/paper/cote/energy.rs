@@ -4,7 +4,7 @@ use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::{ROUNDING, decimal, identity, series_in};
 use crate::paper::exact_motion::{GRAVITY, Instant, LENGTH, instants};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::to_amplitude;
 use crate::paper::statement::Statement;
@@ -92,7 +92,7 @@ fn evidence(largest: f64, what: &str) -> String {
 }
 
 /// The formula gives the same energy at all times, which is that of the release.
-fn energy_of_the_motion(printed: &Printed) -> Option<Finding> {
+fn energy_of_the_motion(printed: &Printed) -> Option<StatementFinding> {
     let theta0 = amplitude()?;
     let scale = MASS * GRAVITY * LENGTH;
     let release = scale * (1.0 - libm::cos(theta0.radians()));
@@ -105,11 +105,11 @@ fn energy_of_the_motion(printed: &Printed) -> Option<Finding> {
             largest.max((stands - of("T")? - of("U")?).abs() / scale).max((stands - release).abs() / scale);
     }
     let what = "the energy m*v^2/2 + m*g*l*(1 - cos(theta)) of the motion (T is the kinetic energy here, the period from (9) on)";
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
 }
 
 /// −dU/dθ must be the torque −m·g·l·sin θ, exactly.
-fn potential_energy(printed: &Printed) -> Option<Finding> {
+fn potential_energy(printed: &Printed) -> Option<StatementFinding> {
     let potential = series_in("theta", 12, printed.formula(0)?, &[("m", 2), ("g", 3), ("l", 5)])?;
     let torque = Printed::read(&["30*sin(theta)"])?;
     let torque = series_in("theta", 11, torque.formula(0)?, &[])?;
@@ -117,7 +117,7 @@ fn potential_energy(printed: &Printed) -> Option<Finding> {
     let right = slope.eq(torque) && potential.first().is_some_and(Rational::is_zero);
     let evidence =
         "it vanishes at the bottom and its derivative is the torque m*g*l*sin(theta) to theta^10, exactly";
-    Some(Finding::verified_if(right, "U = m*g*l*(1 - cos(theta))", evidence))
+    Some(StatementFinding::verified_if(right, "U = m*g*l*(1 - cos(theta))", evidence))
 }
 
 /// The largest difference of the sides over the motion, for some mass.
@@ -130,20 +130,24 @@ fn largest_difference(printed: &Printed, mass: f64) -> Option<f64> {
     Some(differences.into_iter().fold(0.0, f64::max) / (GRAVITY * LENGTH))
 }
 
-fn holds_in_motion(printed: &Printed) -> Option<Finding> {
+fn holds_in_motion(printed: &Printed) -> Option<StatementFinding> {
     let largest = largest_difference(printed, MASS)?;
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence(largest, "every quarter of the swing")))
+    Some(StatementFinding::verified_if(
+        largest < ROUNDING,
+        "",
+        evidence(largest, "every quarter of the swing"),
+    ))
 }
 
-fn without_mass(printed: &Printed) -> Option<Finding> {
+fn without_mass(printed: &Printed) -> Option<StatementFinding> {
     let masses = [0.1, 1.0, 10.0];
     let differences = masses.map(|mass| largest_difference(printed, mass).map(|largest| largest / mass));
     let largest = differences.into_iter().collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max);
     let what = "the same speeds with m = 0.1, 1 and 10 kg";
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
 }
 
-fn speed_along_the_arc(printed: &Printed) -> Option<Finding> {
+fn speed_along_the_arc(printed: &Printed) -> Option<StatementFinding> {
     let cartesian = Printed::read(&["(l*cos(theta)*theta')^2 + (l*sin(theta)*theta')^2"])?;
     let square = Expression::Power(
         Box::new(printed.formula(0)?.clone()),
@@ -154,7 +158,7 @@ fn speed_along_the_arc(printed: &Printed) -> Option<Finding> {
     identity(&residual, &ranges, "its square is that of the velocity of (l*sin(theta), -l*cos(theta))")
 }
 
-fn rising_quarter(printed: &Printed) -> Option<Finding> {
+fn rising_quarter(printed: &Printed) -> Option<StatementFinding> {
     let theta0 = amplitude()?;
     let (mut squares, mut rising) = (0.0_f64, true);
     for instant in instants(&theta0, 48)? {
@@ -169,10 +173,10 @@ fn rising_quarter(printed: &Printed) -> Option<Finding> {
         "at 48 instants of the exact motion from 120 degrees the squares of both sides differ by at most {squares:.1e}*g/l; \
          the sign is that of the quarters in which theta grows: after the release theta' is negative, for the same time"
     );
-    Some(Finding::verified_if(squares < ROUNDING && rising, "", evidence))
+    Some(StatementFinding::verified_if(squares < ROUNDING && rising, "", evidence))
 }
 
-fn separated(printed: &Printed) -> Option<Finding> {
+fn separated(printed: &Printed) -> Option<StatementFinding> {
     let both =
         Expression::Multiply(Box::new(printed.formula(0)?.clone()), Box::new(printed.formula(1)?.clone()));
     let residual = Expression::Subtract(Box::new(both), Box::new(Expression::Number(Rational::from(1))));
@@ -180,16 +184,16 @@ fn separated(printed: &Printed) -> Option<Finding> {
     identity(&residual, &ranges, "it is one over the angular velocity of (7)")
 }
 
-fn quarter_of_the_period(printed: &Printed) -> Option<Finding> {
+fn quarter_of_the_period(printed: &Printed) -> Option<StatementFinding> {
     integral(printed, 4.0)
 }
 
-fn whole_period(printed: &Printed) -> Option<Finding> {
+fn whole_period(printed: &Printed) -> Option<StatementFinding> {
     integral(printed, 1.0)
 }
 
 /// The quadrature against the exact period over a number.
-fn integral(printed: &Printed, share: f64) -> Option<Finding> {
+fn integral(printed: &Printed, share: f64) -> Option<StatementFinding> {
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let factor = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;
     let mut largest = 0.0_f64;
@@ -204,10 +208,10 @@ fn integral(printed: &Printed, share: f64) -> Option<Finding> {
         "quadrature and exact period differ by at most {largest:.1e} at 30, 60, 90 and 120 degrees; the integrand is \
          infinite at theta0, the integral is not"
     );
-    Some(Finding::verified_if(largest < 1e-12, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-12, "", evidence))
 }
 
-fn leading_term(printed: &Printed) -> Option<Finding> {
+fn leading_term(printed: &Printed) -> Option<StatementFinding> {
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let stands = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;
     let excess = |theta0: f64| {
@@ -219,10 +223,10 @@ fn leading_term(printed: &Printed) -> Option<Finding> {
         excess(0.01)?,
         excess(1e-9)?
     );
-    Some(Finding::verified_if(excess(1e-9)?.abs() < 1e-15, "", evidence))
+    Some(StatementFinding::verified_if(excess(1e-9)?.abs() < 1e-15, "", evidence))
 }
 
-fn binomial_series(printed: &Printed) -> Option<Finding> {
+fn binomial_series(printed: &Printed) -> Option<StatementFinding> {
     let exponents = [(-1, 2), (1, 3), (-2, 1), (5, 2)];
     let mut right = true;
     for (numerator, denominator) in exponents {
@@ -232,5 +236,5 @@ fn binomial_series(printed: &Printed) -> Option<Finding> {
     }
     let evidence =
         "the first four terms are exact for n = -1/2, 1/3, -2 and 5/2; the series converges for |x| < 1";
-    Some(Finding::verified_if(right, "", evidence).restricted("for |x| < 1"))
+    Some(StatementFinding::verified_if(right, "", evidence).restricted("for |x| < 1"))
 }

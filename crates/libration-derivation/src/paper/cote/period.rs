@@ -5,7 +5,7 @@ use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
 use crate::paper::compare::{decimal, polynomial};
 use crate::paper::exact_motion::{GRAVITY, LENGTH};
-use crate::paper::finding::Finding;
+use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::agreement;
 use crate::paper::printed::Printed;
 use crate::paper::statement::Statement;
@@ -70,7 +70,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
 ];
 
 /// A sum that should be K(m).
-pub(super) fn sum_for_the_integral(printed: &Printed, remark: &str) -> Option<Finding> {
+pub(super) fn sum_for_the_integral(printed: &Printed, remark: &str) -> Option<StatementFinding> {
     let missing = complete_integral()? - partial_sum(printed)?;
     let at_half = {
         let value = partial_sum(printed)?.value(|_| Rational::new(1, 2))?;
@@ -82,16 +82,16 @@ pub(super) fn sum_for_the_integral(printed: &Printed, remark: &str) -> Option<Fi
     };
     let lacking = times_half_pi(&missing);
     let evidence = format!("K(m) less the sum is {lacking}, exactly to m^8; {at_half}{remark}");
-    Some(Finding::verified_if(missing.is_zero(), "sum from n = 0", evidence))
+    Some(StatementFinding::verified_if(missing.is_zero(), "sum from n = 0", evidence))
 }
 
-fn sum_of_squares(printed: &Printed) -> Option<Finding> {
+fn sum_of_squares(printed: &Printed) -> Option<StatementFinding> {
     let remark = "; its two sides, begun alike, agree with each other but not with K(m), and (36), called its expansion, has \
                   the term of n = 0 again";
     sum_for_the_integral(printed, remark)
 }
 
-fn first_terms(printed: &Printed) -> Option<Finding> {
+fn first_terms(printed: &Printed) -> Option<StatementFinding> {
     let stands = polynomial_in_half_pi(printed.formula(0)?)?;
     let exact = complete_integral()?;
     let m = "m".into();
@@ -100,24 +100,24 @@ fn first_terms(printed: &Printed) -> Option<Finding> {
     let next = exact.coefficient(&m, 4);
     let evidence =
         format!("2*K(m)/pi from the squares of the central binomials, exactly: {kept} + {next}*m^4 + ...");
-    Some(Finding::verified_if(stands == kept, format!("pi/2*({kept})"), evidence))
+    Some(StatementFinding::verified_if(stands == kept, format!("pi/2*({kept})"), evidence))
 }
 
 fn polynomial_in_half_pi(formula: &Expression) -> Option<Polynomial> {
     polynomial(&in_half_pi(formula), &[("halfpi", constant(1))])
 }
 
-fn period(printed: &Printed) -> Option<Finding> {
+fn period(printed: &Printed) -> Option<StatementFinding> {
     let found = agreement(printed.formula(0)?, 6)?;
     let next = period_in_sine_squared(5);
     let evidence = format!(
         "{}; the next terms are {}*sin(theta0/2)^8 and {}*sin(theta0/2)^10",
         found.evidence, next[4], next[5]
     );
-    Some(Finding { evidence, ..found })
+    Some(StatementFinding { evidence, ..found })
 }
 
-fn any_starting_angle(printed: &Printed) -> Option<Finding> {
+fn any_starting_angle(printed: &Printed) -> Option<StatementFinding> {
     let limit = decimal(printed.formula(0)?, &[])?;
     let partial = |count: usize| -> f64 { period_in_sine_squared(count).iter().map(Rational::to_f64).sum() };
     let short_of = |degrees: f64| {
@@ -136,12 +136,12 @@ fn any_starting_angle(printed: &Printed) -> Option<Finding> {
         short_of(179.0)?
     );
     let right = limit <= PI;
-    let finding =
-        Finding::verified_if(right, "theta0 < pi", evidence).with_correct("for every theta0 < 180 degrees");
+    let finding = StatementFinding::verified_if(right, "theta0 < pi", evidence)
+        .with_correct("for every theta0 < 180 degrees");
     Some(finding.restricted("for theta0 < pi").holding_for(vec![(0.0, PI)]))
 }
 
-fn small_angle(printed: &Printed) -> Option<Finding> {
+fn small_angle(printed: &Printed) -> Option<StatementFinding> {
     let series = period_in_sine_squared(1);
     let stands = decimal(printed.formula(0)?, &[("l", LENGTH), ("g", GRAVITY)])?;
     let limit =
@@ -151,10 +151,10 @@ fn small_angle(printed: &Printed) -> Option<Finding> {
         "T/T0 = {} + {}*sin(theta0/2)^2 + ..., exactly; the exact period from 1e-9 rad differs from the limit by {deviation:.1e}",
         series[0], series[1]
     );
-    Some(Finding::verified_if(deviation < 1e-14, "", evidence))
+    Some(StatementFinding::verified_if(deviation < 1e-14, "", evidence))
 }
 
-fn terms_needed(printed: &Printed) -> Option<Finding> {
+fn terms_needed(printed: &Printed) -> Option<StatementFinding> {
     let tolerance = decimal(printed.formula(0)?, &[])?;
     let needed = |stem: &str, degrees: f64| {
         let angle = at_degrees(degrees)?;
@@ -171,11 +171,11 @@ fn terms_needed(printed: &Printed) -> Option<Finding> {
         counts.push(sine);
     }
     let evidence = format!("corrections for a relative error of {tolerance}: {}", shown.join(", "));
-    Some(Finding::verified_if(counts.is_sorted() && counts.first() < counts.last(), "", evidence))
+    Some(StatementFinding::verified_if(counts.is_sorted() && counts.first() < counts.last(), "", evidence))
 }
 
 /// A uniform rod about its end: I = mL²/3, centre of mass at L/2.
-fn physical_pendulum(printed: &Printed) -> Option<Finding> {
+fn physical_pendulum(printed: &Printed) -> Option<StatementFinding> {
     let (length, gravity) = (1.0, 9.81);
     let stands = decimal(printed.formula(0)?, &[("L", length), ("g", gravity)])?;
     let inertia_over_moment = (length * length / 3.0) / (length / 2.0);
@@ -190,6 +190,6 @@ fn physical_pendulum(printed: &Printed) -> Option<Finding> {
     );
     let correct = "also the moment of inertia I about the pivot: omega0^2 = m*g*d/I, d from the pivot to the centre of mass";
     let right = (stands / exact - 1.0).abs() < 1e-12;
-    let finding = Finding::verified_if(right, correct, evidence);
+    let finding = StatementFinding::verified_if(right, correct, evidence);
     Some(if right { finding } else { finding.restricted("by omission") })
 }

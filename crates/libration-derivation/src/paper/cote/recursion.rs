@@ -3,7 +3,7 @@
 use super::terms::{at_index, complete_integral, mean_of_power, partial_sum, term, times_half_pi};
 use super::{statement, text_after};
 use crate::paper::compare::{decimal, identity, series_in};
-use crate::paper::finding::{Finding, Verdict};
+use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::quarter;
 use crate::paper::statement::Statement;
@@ -69,7 +69,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-fn wallis(printed: &Printed) -> Option<Finding> {
+fn wallis(printed: &Printed) -> Option<StatementFinding> {
     let exact = (0..12).map(|n| Some(term(printed.formula(0)?, n)?.to_constant() == mean_of_power(n)));
     let right = exact.collect::<Option<Vec<_>>>()?.into_iter().all(|same| same);
     let quadrature = quarter(&|psi| Some(libm::pow(libm::sin(psi), 6.0)))?;
@@ -78,34 +78,34 @@ fn wallis(printed: &Printed) -> Option<Finding> {
          at n = 3 quadrature gives {quadrature:.12}, it is {:.12}",
         mean_of_power(3)?.to_f64() * FRAC_PI_2
     );
-    Some(Finding::verified_if(right, "", evidence))
+    Some(StatementFinding::verified_if(right, "", evidence))
 }
 
-fn lowest_index(printed: &Printed) -> Option<Finding> {
+fn lowest_index(printed: &Printed) -> Option<StatementFinding> {
     let missing = complete_integral()? - partial_sum(printed)?;
     let evidence = format!(
         "begun there the sum lacks {}, the term I(0); n = 0 is the natural seed of the recursion: I(1) = \
          (1/2)*I(0) = pi/4 follows",
         times_half_pi(&missing)
     );
-    Some(Finding::verified_if(missing.is_zero(), "the lowest n is 0, with I(0) = pi/2", evidence))
+    Some(StatementFinding::verified_if(missing.is_zero(), "the lowest n is 0, with I(0) = pi/2", evidence))
 }
 
-fn first_integral(printed: &Printed) -> Option<Finding> {
+fn first_integral(printed: &Printed) -> Option<StatementFinding> {
     let stands = term(printed.formula(0)?, 1)?.to_constant()?;
     let computed = mean_of_power(1)?;
     let quadrature = quarter(&|psi| Some(libm::sin(psi) * libm::sin(psi)))?;
     let evidence =
         format!("the mean of sin^2 is {computed}, exactly, times pi/2; quadrature {quadrature:.12}");
-    Some(Finding::verified_if(stands == computed, format!("I = {computed}*pi/2"), evidence))
+    Some(StatementFinding::verified_if(stands == computed, format!("I = {computed}*pi/2"), evidence))
 }
 
-fn split_sine(printed: &Printed) -> Option<Finding> {
+fn split_sine(printed: &Printed) -> Option<StatementFinding> {
     let mut last = None;
     for n in 1..5 {
         let found =
             identity(&at_index(&printed.residual(0)?, n), &[("psi", 0.0, FRAC_PI_2)], "for n = 1 to 4")?;
-        if found.verdict != Verdict::Verified {
+        if found.verdict != StatementVerdict::Verified {
             return Some(found);
         }
         last = Some(found);
@@ -114,7 +114,7 @@ fn split_sine(printed: &Printed) -> Option<Finding> {
 }
 
 /// d/dψ of the boundary term and the integrand must sum to sin²ⁿψ, and the boundary term vanish at both ends.
-fn by_parts(printed: &Printed) -> Option<Finding> {
+fn by_parts(printed: &Printed) -> Option<StatementFinding> {
     let power = Printed::read(&["sin(psi)^(2*n)"])?;
     let mut right = true;
     let mut at_ends = 0.0_f64;
@@ -132,11 +132,11 @@ fn by_parts(printed: &Printed) -> Option<Finding> {
         "for n = 1 to 4 the derivative of the first and the second sum to sin(psi)^(2n) to psi^12, exactly; the first is at most \
          {at_ends:.1e} at 0 and pi/2"
     );
-    Some(Finding::verified_if(right && at_ends < 1e-15, "", evidence))
+    Some(StatementFinding::verified_if(right && at_ends < 1e-15, "", evidence))
 }
 
 /// With v = −cos ψ, the document's own, dv is sin ψ·dψ.
-fn parts(printed: &Printed) -> Option<Finding> {
+fn parts(printed: &Printed) -> Option<StatementFinding> {
     let stands = series_in("psi", 12, printed.formula(0)?, &[("dpsi", 1)])?;
     let part = Printed::read(&["-cos(psi)"])?;
     let part = series_in("psi", 13, part.formula(0)?, &[])?;
@@ -146,13 +146,13 @@ fn parts(printed: &Printed) -> Option<Finding> {
         != series_in("psi", 12, printed.formula(0)?, &[("dpsi", 1)])?;
     let evidence = "the derivative of v = -cos(psi), which (29) uses, is sin(psi), exactly to psi^11; its differential has d(psi)";
     Some(match (right, scales) {
-        (true, true) => Finding::verified(evidence),
-        (true, false) => Finding::typo("dv = sin(psi)*d(psi)", evidence),
-        _ => Finding::wrong("dv = sin(psi)*d(psi)", evidence),
+        (true, true) => StatementFinding::verified(evidence),
+        (true, false) => StatementFinding::typo("dv = sin(psi)*d(psi)", evidence),
+        _ => StatementFinding::wrong("dv = sin(psi)*d(psi)", evidence),
     })
 }
 
-fn by_sines(printed: &Printed) -> Option<Finding> {
+fn by_sines(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     for n in 1..8 {
         let integral = quarter(&|psi| decimal(&at_index(printed.formula(0)?, n), &[("psi", psi)]))?;
@@ -161,10 +161,10 @@ fn by_sines(printed: &Printed) -> Option<Finding> {
     let evidence = format!(
         "its quadrature is I(n) within {largest:.1e} for n = 1 to 7; as displayed the parentheses about the difference are missing"
     );
-    Some(Finding::verified_if(largest < 1e-13, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-13, "", evidence))
 }
 
-fn recursion(printed: &Printed) -> Option<Finding> {
+fn recursion(printed: &Printed) -> Option<StatementFinding> {
     let sides = printed.sides(0)?;
     let from = i64::try_from(sides.len()).ok()? - 1;
     let mut right = true;
@@ -175,16 +175,16 @@ fn recursion(printed: &Printed) -> Option<Finding> {
         }
     }
     let evidence = format!("exact for n = {from} to 11 with I(n) = binomial(2n, n)/4^n*pi/2");
-    Some(Finding::verified_if(right, "I(n) = (2n-1)/(2n)*I(n-1)", evidence))
+    Some(StatementFinding::verified_if(right, "I(n) = (2n-1)/(2n)*I(n-1)", evidence))
 }
 
-fn closed_form(printed: &Printed) -> Option<Finding> {
+fn closed_form(printed: &Printed) -> Option<StatementFinding> {
     let right = |formula: &Expression| {
         let same = (1..12).map(|n| Some(term(formula, n)?.to_constant() == mean_of_power(n)));
         same.collect::<Option<Vec<_>>>().map(|same| same.into_iter().all(|same| same))
     };
     if right(printed.formula(0)?)? {
-        return Some(Finding::verified("exact for n = 1 to 11"));
+        return Some(StatementFinding::verified("exact for n = 1 to 11"));
     }
     let meant = Printed::read(&["odd/even*pi/2"])?;
     let evidence = format!(
@@ -194,8 +194,8 @@ fn closed_form(printed: &Printed) -> Option<Finding> {
     );
     let correct = "I(n) = (2n-1)!!/(2n)!!*pi/2";
     Some(if right(meant.formula(0)?)? {
-        Finding::typo(correct, evidence)
+        StatementFinding::typo(correct, evidence)
     } else {
-        Finding::wrong(correct, evidence)
+        StatementFinding::wrong(correct, evidence)
     })
 }

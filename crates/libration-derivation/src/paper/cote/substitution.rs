@@ -3,7 +3,7 @@
 use super::{statement, text_after};
 use crate::paper::compare::{ROUNDING, decimal, identity};
 use crate::paper::exact_motion::{GRAVITY, LENGTH};
-use crate::paper::finding::{Finding, Verdict};
+use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::{quarter, to_amplitude};
 use crate::paper::statement::Statement;
@@ -101,7 +101,7 @@ fn points() -> impl Iterator<Item = (f64, f64)> {
     amplitudes.into_iter().flat_map(|theta0| (1..10).map(move |i| (theta0, f64::from(i) * FRAC_PI_2 / 10.0)))
 }
 
-fn the_substitution(printed: &Printed) -> Option<Finding> {
+fn the_substitution(printed: &Printed) -> Option<StatementFinding> {
     let residual = printed.residual(0)?;
     let mut largest = 0.0_f64;
     let mut increasing = true;
@@ -117,11 +117,11 @@ fn the_substitution(printed: &Printed) -> Option<Finding> {
         "definition; consistent: psi = 0 and pi/2 belong to theta = 0 and theta0 within {largest:.1e}, and theta grows with psi \
          between them"
     );
-    Some(Finding::verified_if(largest < ROUNDING && increasing, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING && increasing, "", evidence))
 }
 
 /// Both sides with dψ = 2 and dθ = 2·dθ/dψ by central differences.
-fn differential(printed: &Printed) -> Option<Finding> {
+fn differential(printed: &Printed) -> Option<StatementFinding> {
     const STEP: f64 = 1e-5;
     let residual = printed.residual(0)?;
     let mut largest = 0.0_f64;
@@ -139,26 +139,29 @@ fn differential(printed: &Printed) -> Option<Finding> {
     let evidence = format!(
         "at 36 points (theta0, psi) the sides differ by at most {largest:.1e}, d(theta)/d(psi) by central differences"
     );
-    Some(Finding::verified_if(largest < 1e-7, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-7, "", evidence))
 }
 
-fn double_angle(printed: &Printed) -> Option<Finding> {
+fn double_angle(printed: &Printed) -> Option<StatementFinding> {
     let first = identity(&printed.residual(0)?, &[("theta", -3.0, 3.0)], "both forms")?;
     let second = identity(&printed.residual(1)?, &[("theta", -3.0, 3.0)], "both forms")?;
-    Some(if first.verdict == Verdict::Verified { second } else { first })
+    Some(if first.verdict == StatementVerdict::Verified { second } else { first })
 }
 
-fn by_half_angles(printed: &Printed) -> Option<Finding> {
+fn by_half_angles(printed: &Printed) -> Option<StatementFinding> {
     let values = |theta0: f64, psi: f64| [("theta", theta_of(theta0, psi)), ("theta0", theta0), ("psi", psi)];
     chain(printed, &values)
 }
 
-fn substituted_sides(printed: &Printed) -> Option<Finding> {
+fn substituted_sides(printed: &Printed) -> Option<StatementFinding> {
     by_half_angles(printed)
 }
 
 /// All sides of an equation against the first.
-fn chain(printed: &Printed, values: &dyn Fn(f64, f64) -> [(&'static str, f64); 3]) -> Option<Finding> {
+fn chain(
+    printed: &Printed,
+    values: &dyn Fn(f64, f64) -> [(&'static str, f64); 3],
+) -> Option<StatementFinding> {
     let sides = printed.sides(0)?;
     let mut largest = 0.0_f64;
     for (theta0, psi) in points() {
@@ -172,10 +175,10 @@ fn chain(printed: &Printed, values: &dyn Fn(f64, f64) -> [(&'static str, f64); 3
         "at 36 points (theta0, psi), theta from (13), the {} sides differ by at most {largest:.1e}",
         sides.len()
     );
-    Some(Finding::verified_if(largest < ROUNDING, "", evidence))
+    Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
-fn integral_over_psi(printed: &Printed) -> Option<Finding> {
+fn integral_over_psi(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     for theta0 in [0.3, 1.0, 2.0] {
         let integrand = |theta: f64| decimal(printed.formula(0)?, &[("theta", theta), ("theta0", theta0)]);
@@ -186,14 +189,14 @@ fn integral_over_psi(printed: &Printed) -> Option<Finding> {
         }
     }
     let evidence = format!("the three quadratures agree within {largest:.1e} at theta0 = 0.3, 1 and 2 rad");
-    Some(Finding::verified_if(largest < 1e-11, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-11, "", evidence))
 }
 
 fn over_psi(integrand: &Expression, theta0: f64, psi: f64) -> Option<f64> {
     decimal(integrand, &[("theta", theta_of(theta0, psi)), ("theta0", theta0), ("psi", psi)])
 }
 
-fn period(printed: &Printed) -> Option<Finding> {
+fn period(printed: &Printed) -> Option<StatementFinding> {
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let factor = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;
     let mut largest = 0.0_f64;
@@ -206,10 +209,10 @@ fn period(printed: &Printed) -> Option<Finding> {
         "quadrature and exact period differ by at most {largest:.1e} at theta0 = 0.3, 1 and 2 rad; the reference to \
          equation (13) made on the way is to the substitution, as it should be"
     );
-    Some(Finding::verified_if(largest < 1e-13, "", evidence))
+    Some(StatementFinding::verified_if(largest < 1e-13, "", evidence))
 }
 
-fn complete_integral(printed: &Printed) -> Option<Finding> {
+fn complete_integral(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     for m in [0.0, 0.1, 0.5, 0.8] {
         let stands = quarter(&|psi| decimal(printed.formula(0)?, &[("m", m), ("psi", psi)]))?;
@@ -222,16 +225,16 @@ fn complete_integral(printed: &Printed) -> Option<Finding> {
         printed.number(1)?
     );
     if largest > 1e-12 {
-        return Some(Finding::wrong("K(m), the integral of 1/sqrt(1 - m*sin(psi)^2)", evidence));
+        return Some(StatementFinding::wrong("K(m), the integral of 1/sqrt(1 - m*sin(psi)^2)", evidence));
     }
     Some(if at_end.is_finite() {
-        Finding::verified(evidence)
+        StatementFinding::verified(evidence)
     } else {
-        Finding::typo("K(m), 0 <= m < 1", evidence)
+        StatementFinding::typo("K(m), 0 <= m < 1", evidence)
     })
 }
 
-fn largest_parameter(printed: &Printed) -> Option<Finding> {
+fn largest_parameter(printed: &Printed) -> Option<StatementFinding> {
     let m = decimal(printed.formula(0)?, &[])?;
     let integral = |m: f64| Some(Modulus::from_parameter(m).ok()?.first());
     let before = [0.01, 0.0001, 0.000001]
@@ -241,6 +244,6 @@ fn largest_parameter(printed: &Printed) -> Option<Finding> {
         before.into_iter().collect::<Option<Vec<_>>>()?.join(", "),
         integral(m)?
     );
-    let finding = Finding::verified_if(integral(m)?.is_finite(), "0 <= m < 1", evidence);
+    let finding = StatementFinding::verified_if(integral(m)?.is_finite(), "0 <= m < 1", evidence);
     Some(if integral(m)?.is_finite() { finding } else { finding.restricted("at m = 1") })
 }

@@ -69,7 +69,7 @@ fn enhancement(exponent: f64, step: f64, place: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use libration::decay::{Damping, Decay, Law};
+    use libration::decay::{Damping, Decay, EnvelopeLaw};
     use libration::pendulum::Pendulum;
 
     /// The same fall as the averaged law, which integrates over the amplitude.
@@ -85,7 +85,7 @@ mod tests {
             let pendulum = Pendulum::from_angular_frequency(omega0).unwrap();
             let damping = Damping::of_degree(exponent, coefficient).unwrap();
             let decay = Decay::new(pendulum, damping, Angle::from_radians(start).unwrap()).unwrap();
-            let envelope = decay.envelope(Law::Averaged);
+            let envelope = decay.envelope(EnvelopeLaw::Averaged);
             for time in [0.5, 3.0, 6.0] {
                 let (before, after) =
                     (envelope.amplitude_at(time - 1e-3), envelope.amplitude_at(time + 1e-3));

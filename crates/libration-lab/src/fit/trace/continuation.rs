@@ -72,7 +72,7 @@ impl TraceFit {
     ///
     /// # Examples
     /// ```
-    /// use libration::decay::{Damping, Decay, Law};
+    /// use libration::decay::{Damping, Decay, EnvelopeLaw};
     /// use libration::pendulum::Pendulum;
     /// use libration_lab::fit::trace::{TraceOptions, fit_traces};
     /// use libration_lab::measurement::{Seen, Trace};
@@ -86,7 +86,7 @@ impl TraceFit {
     /// let go_on = &mut || ControlFlow::Continue(());
     /// let fit = fit_traces(&[trace], "linear".parse()?, &TraceOptions::default(), go_on)?;
     /// let continued = fit.decay(0)?;
-    /// let after_a_minute = continued.decay.envelope(Law::Averaged).amplitude_at(60.0 - continued.start);
+    /// let after_a_minute = continued.decay.envelope(EnvelopeLaw::Averaged).amplitude_at(60.0 - continued.start);
     /// assert!((after_a_minute / 0.2 / (-0.6_f64).exp() - 1.0).abs() < 0.02);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

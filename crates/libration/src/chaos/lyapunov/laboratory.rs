@@ -6,7 +6,7 @@ use super::super::extent::Extent;
 use super::super::structure::{angles, cyclic, theorem};
 use super::deviation::{Deviation, unequal_part};
 use super::verdict::Evidence;
-use super::{Doubt, LyapunovError, Progress, Regularity, Schedule, Verdict};
+use super::{Doubt, LyapunovError, LyapunovVerdict, Progress, Regularity, Schedule};
 use crate::expression::Equation;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched, with_tangents};
 
@@ -85,16 +85,16 @@ impl<'a> Laboratory<'a> {
         evidence: &Evidence,
         start: &Moment,
         watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Verdict {
+    ) -> LyapunovVerdict {
         if let Some(regularity) = self.known {
-            return Verdict::Regular(regularity);
+            return LyapunovVerdict::Regular(regularity);
         }
         let verdict = evidence.verdict(self.effort, &self.unconfined);
-        if verdict != Verdict::Chaotic {
+        if verdict != LyapunovVerdict::Chaotic {
             return verdict;
         }
         let doubts = (1..=NEIGHBOURS).map(|neighbour| self.doubt_from(neighbour, evidence, start, watch));
-        doubts.flatten().next().map_or(Verdict::Chaotic, Verdict::Undecided)
+        doubts.flatten().next().map_or(LyapunovVerdict::Chaotic, LyapunovVerdict::Undecided)
     }
 
     /// What a neighbour has against the chaos of a motion.
@@ -116,7 +116,8 @@ impl<'a> Laboratory<'a> {
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
             Ok(other) => {
                 let verdict = other.verdict(self.effort, &self.unconfined);
-                let grows = matches!(verdict, Verdict::Chaotic | Verdict::Undecided(Doubt::Unsteady));
+                let grows =
+                    matches!(verdict, LyapunovVerdict::Chaotic | LyapunovVerdict::Undecided(Doubt::Unsteady));
                 let same = grows && evidence.agrees_with(&other);
                 (!same).then(|| Doubt::Neighbours { exponent: other.record.exponent() })
             }

@@ -19,7 +19,7 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment};
 use laboratory::Laboratory;
 
 pub use schedule::Schedule;
-pub use verdict::{Doubt, Regularity, Verdict};
+pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 
 /// The largest Lyapunov exponent of a motion, as far as it was measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct LyapunovExponent {
     /// Its standard error from ten blocks, or what the second half of the time has changed, if that is more.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
-    pub verdict: Verdict,
+    pub verdict: LyapunovVerdict,
     /// The estimates from the beginning of the measurement up to a time after it: `(time, exponent)`.
     pub convergence: Vec<(f64, f64)>,
 }
@@ -88,7 +88,7 @@ pub struct Progress {
 ///
 /// # Examples
 /// ```
-/// use libration::chaos::{Schedule, Verdict, lyapunov_exponent};
+/// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
 /// use libration::taylor::{Effort, Moment};
 /// use std::ops::ControlFlow;
 /// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;
@@ -96,7 +96,7 @@ pub struct Progress {
 /// let effort = Effort::to_tolerance(1e-12);
 /// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
 /// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort, |_| ControlFlow::Continue(()))?;
-/// assert_eq!(found.verdict, Verdict::Chaotic);
+/// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -2,7 +2,7 @@
 #![expect(clippy::float_cmp, reason = "sums of small whole numbers are exact")]
 
 use super::record::Record;
-use super::verdict::{Doubt, Evidence, Regularity, Verdict};
+use super::verdict::{Doubt, Evidence, LyapunovVerdict, Regularity};
 use crate::taylor::{Cause, Effort};
 
 /// So many intervals, of which the eleventh part is the beginning.
@@ -23,7 +23,7 @@ fn wandering(growth: impl Fn(usize) -> f64, place: impl Fn(usize) -> f64) -> Evi
     evidence
 }
 
-fn verdict(evidence: &Evidence) -> Verdict {
+fn verdict(evidence: &Evidence) -> LyapunovVerdict {
     evidence.verdict(&EFFORT, &[false])
 }
 
@@ -33,7 +33,7 @@ fn steady(_: usize) -> f64 {
 
 #[test]
 fn steady_growth_on_a_bounded_motion_is_chaotic() {
-    assert_eq!(verdict(&evidence(steady)), Verdict::Chaotic);
+    assert_eq!(verdict(&evidence(steady)), LyapunovVerdict::Chaotic);
 }
 
 #[test]
@@ -42,8 +42,8 @@ fn growth_below_e_to_the_hundred_is_too_short() {
     for (total, chaotic) in [(99.9, false), (100.1, true)] {
         let found = verdict(&evidence(|_| total / 200.0));
         match found {
-            Verdict::Chaotic => assert!(chaotic, "{total}"),
-            Verdict::Undecided(Doubt::TooShort { growth }) => {
+            LyapunovVerdict::Chaotic => assert!(chaotic, "{total}"),
+            LyapunovVerdict::Undecided(Doubt::TooShort { growth }) => {
                 assert!(!chaotic && (growth - total).abs() < 1e-9, "{growth}");
             }
             other => panic!("{total}: {other:?}"),
@@ -58,8 +58,8 @@ fn fewer_intervals_than_blocks_are_too_short_however_much_they_grow() {
         for n in 0..intervals {
             evidence.add(50.0, &[if n % 2 == 0 { 0.0 } else { 1.0 }], intervals);
         }
-        assert_eq!(verdict(&evidence) == Verdict::Chaotic, expected, "{intervals}");
-        let short = matches!(verdict(&evidence), Verdict::Undecided(Doubt::TooShort { .. }));
+        assert_eq!(verdict(&evidence) == LyapunovVerdict::Chaotic, expected, "{intervals}");
+        let short = matches!(verdict(&evidence), LyapunovVerdict::Undecided(Doubt::TooShort { .. }));
         assert_eq!(short, !expected);
     }
 }
@@ -68,48 +68,50 @@ fn fewer_intervals_than_blocks_are_too_short_however_much_they_grow() {
 fn deep_valleys_lose_the_digits() {
     // Up by four more than down, so that every block grows. ln √(10⁻³/10⁻¹³) is 11.51, ln √(10⁻³/10⁻¹⁵) is 13.8.
     let with_valleys = |depth: f64| evidence(move |n| if n.is_multiple_of(2) { depth + 4.0 } else { -depth });
-    assert_eq!(verdict(&with_valleys(11.5)), Verdict::Chaotic);
-    let Verdict::Undecided(Doubt::DigitsLost { valley }) = verdict(&with_valleys(11.53)) else { panic!() };
+    assert_eq!(verdict(&with_valleys(11.5)), LyapunovVerdict::Chaotic);
+    let LyapunovVerdict::Undecided(Doubt::DigitsLost { valley }) = verdict(&with_valleys(11.53)) else {
+        panic!()
+    };
     assert!((valley - 11.53).abs() < 1e-9, "{valley}");
     let finer = Effort::to_tolerance(1e-15);
-    assert_eq!(with_valleys(13.7).verdict(&finer, &[false]), Verdict::Chaotic);
+    assert_eq!(with_valleys(13.7).verdict(&finer, &[false]), LyapunovVerdict::Chaotic);
     assert!(matches!(
         with_valleys(13.9).verdict(&finer, &[false]),
-        Verdict::Undecided(Doubt::DigitsLost { .. })
+        LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })
     ));
     // No tolerance makes the roundings smaller.
     let finest = Effort::to_tolerance(1e-18);
     assert!(matches!(
         with_valleys(14.7).verdict(&finest, &[false]),
-        Verdict::Undecided(Doubt::DigitsLost { .. })
+        LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })
     ));
     // One valley is as bad as many.
     let once = evidence(|n| if n == 120 { -12.0 } else { 1.0 });
-    assert!(matches!(verdict(&once), Verdict::Undecided(Doubt::DigitsLost { .. })));
+    assert!(matches!(verdict(&once), LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })));
 }
 
 #[test]
 fn motions_that_go_farther_and_farther_are_unbounded() {
     let widening = |factor: f64| wandering(steady, move |n| if 2 * n < INTERVALS { 1.0 } else { factor });
-    assert_eq!(verdict(&widening(1.49)), Verdict::Chaotic);
-    assert_eq!(verdict(&widening(1.51)), Verdict::Undecided(Doubt::Unbounded));
+    assert_eq!(verdict(&widening(1.49)), LyapunovVerdict::Chaotic);
+    assert_eq!(verdict(&widening(1.51)), LyapunovVerdict::Undecided(Doubt::Unbounded));
     // An angle may turn on and on.
-    assert_eq!(widening(1.51).verdict(&EFFORT, &[true]), Verdict::Chaotic);
-    assert_eq!(verdict(&wandering(steady, |n| if n < 10 { 3.0 } else { 1.0 })), Verdict::Chaotic);
+    assert_eq!(widening(1.51).verdict(&EFFORT, &[true]), LyapunovVerdict::Chaotic);
+    assert_eq!(verdict(&wandering(steady, |n| if n < 10 { 3.0 } else { 1.0 })), LyapunovVerdict::Chaotic);
     // A motion that begins to move late is not bounded by where it was.
     let late = wandering(steady, |n| if 2 * n < INTERVALS { 0.0 } else { 1.0 });
-    assert_eq!(verdict(&late), Verdict::Undecided(Doubt::Unbounded));
+    assert_eq!(verdict(&late), LyapunovVerdict::Undecided(Doubt::Unbounded));
 }
 
 #[test]
 fn growth_that_pauses_is_unsteady() {
     // For one block of twenty intervals, by more or by less than nothing.
     let pausing = |rate: f64| evidence(move |n| if (100..120).contains(&n) { rate } else { 2.0 });
-    assert_eq!(verdict(&pausing(-0.1)), Verdict::Undecided(Doubt::Unsteady));
-    assert_eq!(verdict(&pausing(0.1)), Verdict::Chaotic);
+    assert_eq!(verdict(&pausing(-0.1)), LyapunovVerdict::Undecided(Doubt::Unsteady));
+    assert_eq!(verdict(&pausing(0.1)), LyapunovVerdict::Chaotic);
     // All of it in two blocks: the mean is not five errors from zero.
     let once = evidence(|n| if n >= 180 { 4.0 } else { 0.01 });
-    assert_eq!(verdict(&once), Verdict::Undecided(Doubt::Unsteady));
+    assert_eq!(verdict(&once), LyapunovVerdict::Undecided(Doubt::Unsteady));
 }
 
 #[test]
@@ -120,30 +122,30 @@ fn growth_in_proportion_to_the_time_is_slow() {
             p * libm::log(after / before)
         })
     };
-    let Verdict::Regular(Regularity::Slow { below }) = verdict(&power(1.0)) else { panic!() };
+    let LyapunovVerdict::Regular(Regularity::Slow { below }) = verdict(&power(1.0)) else { panic!() };
     // 2·1.5 in the time measured.
     assert!((below - 3.0 / 220.0).abs() < 1e-15, "{below}");
-    assert!(matches!(verdict(&power(2.1)), Verdict::Regular(_)));
-    assert!(matches!(verdict(&power(2.4)), Verdict::Undecided(Doubt::TooShort { .. })));
+    assert!(matches!(verdict(&power(2.1)), LyapunovVerdict::Regular(_)));
+    assert!(matches!(verdict(&power(2.4)), LyapunovVerdict::Undecided(Doubt::TooShort { .. })));
     // Fast in one half only.
     let late = evidence(|n| if n >= 110 { 1.0 } else { 0.0 });
-    assert!(!matches!(verdict(&late), Verdict::Regular(_)));
+    assert!(!matches!(verdict(&late), LyapunovVerdict::Regular(_)));
     let early = evidence(|n| if (55..110).contains(&n) { 1.0 } else { 0.0 });
-    assert!(!matches!(verdict(&early), Verdict::Regular(_)));
+    assert!(!matches!(verdict(&early), LyapunovVerdict::Regular(_)));
 }
 
 #[test]
 fn shrinking_deviations_converge_if_they_do_in_every_block() {
-    assert_eq!(verdict(&evidence(|_| -0.01)), Verdict::Regular(Regularity::Converging));
+    assert_eq!(verdict(&evidence(|_| -0.01)), LyapunovVerdict::Regular(Regularity::Converging));
     let pausing = evidence(|n| if (100..120).contains(&n) { 0.001 } else { -0.01 });
-    assert!(matches!(verdict(&pausing), Verdict::Regular(Regularity::Slow { .. })));
+    assert!(matches!(verdict(&pausing), LyapunovVerdict::Regular(Regularity::Slow { .. })));
 }
 
 #[test]
 fn a_motion_that_stopped_shows_nothing() {
     let mut stopped = evidence(steady);
     stopped.stopped = Some(Cause::Singularity);
-    assert_eq!(verdict(&stopped), Verdict::Undecided(Doubt::Stopped(Cause::Singularity)));
+    assert_eq!(verdict(&stopped), LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Singularity)));
 }
 
 #[test]

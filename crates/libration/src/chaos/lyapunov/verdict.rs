@@ -9,7 +9,7 @@ use crate::taylor::{Cause, Effort};
 
 /// What the growth of deviations says about a motion.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
+pub enum LyapunovVerdict {
     /// Deviations do not grow exponentially, or cannot by a theorem.
     Regular(Regularity),
     /// Deviations grow exponentially and everywhere on a bounded motion and on its neighbours.
@@ -107,25 +107,25 @@ impl Evidence {
     }
 
     /// What a single motion shows, integrated with this effort. Unconfined coordinates may grow without end.
-    pub(super) fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> Verdict {
+    pub(super) fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> LyapunovVerdict {
         let record = &self.record;
         if let Some(cause) = self.stopped {
-            return Verdict::Undecided(Doubt::Stopped(cause));
+            return LyapunovVerdict::Undecided(Doubt::Stopped(cause));
         }
         if record.blocks().is_empty() {
-            return Verdict::Undecided(Doubt::TooShort { growth: record.growth() });
+            return LyapunovVerdict::Undecided(Doubt::TooShort { growth: record.growth() });
         }
         if self.converges() {
-            return Verdict::Regular(Regularity::Converging);
+            return LyapunovVerdict::Regular(Regularity::Converging);
         }
         let valley = record.deepest_valley();
         if valley > deepest_harmless_valley(effort) {
-            return Verdict::Undecided(Doubt::DigitsLost { valley });
+            return LyapunovVerdict::Undecided(Doubt::DigitsLost { valley });
         }
         if record.rises().iter().all(|rise| *rise <= SLOW_RISE) {
-            return Verdict::Regular(Regularity::Slow { below: 2.0 * SLOW_RISE / record.duration() });
+            return LyapunovVerdict::Regular(Regularity::Slow { below: 2.0 * SLOW_RISE / record.duration() });
         }
-        self.doubt(unconfined).map_or(Verdict::Chaotic, Verdict::Undecided)
+        self.doubt(unconfined).map_or(LyapunovVerdict::Chaotic, LyapunovVerdict::Undecided)
     }
 
     fn converges(&self) -> bool {
@@ -166,7 +166,7 @@ fn deepest_harmless_valley(effort: &Effort) -> f64 {
     0.5 * libm::log(THOUSANDTH / effort.relative.max(f64::EPSILON))
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for LyapunovVerdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Regular(_) => "regular",
@@ -176,7 +176,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-impl Verdict {
+impl LyapunovVerdict {
     /// The reason in a sentence.
     #[must_use]
     pub fn reason(&self) -> String {

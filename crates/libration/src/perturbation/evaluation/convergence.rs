@@ -16,7 +16,7 @@ use crate::elementary::count;
 /// // 1/(1 − x/2)² = Σ (n + 1)(x/2)ⁿ.
 /// let series: Vec<_> =
 ///     (0..20).map(|n| format!("{}/{}", n + 1, 1_u64 << n).parse().unwrap()).collect();
-/// let found = Convergence::of(&series).unwrap();
+/// let found = Convergence::estimate(&series).unwrap();
 /// assert!((found.radius - 2.0).abs() < 1e-9);
 /// assert_eq!(found.singularity, Singularity::Positive);
 /// ```
@@ -61,7 +61,7 @@ impl Convergence {
     /// The estimate from c₀, c₁, …; `None` when fewer than
     /// [`LEAST_COEFFICIENTS`](Self::LEAST_COEFFICIENTS) of them are not zero.
     #[must_use]
-    pub fn of(coefficients: &[Rational]) -> Option<Self> {
+    pub fn estimate(coefficients: &[Rational]) -> Option<Self> {
         let present: Vec<usize> = (0..coefficients.len()).filter(|n| !coefficients[*n].is_zero()).collect();
         let first = *present.first()?;
         if present.len() < Self::LEAST_COEFFICIENTS {

@@ -22,7 +22,7 @@ pub use pade::{Pade, Pole};
 /// # Examples
 /// ```
 /// use libration::period_formulas::period_in_amplitude;
-/// use libration::perturbation::{Certainty, Evaluation, pendulum_period_remainder};
+/// use libration::perturbation::{Certainty, SeriesEvaluation, pendulum_period_remainder};
 /// // T/T0 of the pendulum by even powers of θ0, here at a right angle.
 /// let mut series = vec![];
 /// for coefficient in period_in_amplitude(40) {
@@ -30,20 +30,20 @@ pub use pade::{Pade, Pole};
 /// }
 /// let amplitude = 90_f64.to_radians();
 /// let bound = |power| pendulum_period_remainder(amplitude, power / 2);
-/// let ratio = Evaluation::new(&series, amplitude).with_bound(bound);
+/// let ratio = SeriesEvaluation::new(&series, amplitude).with_bound(bound);
 /// assert!((ratio.value() - 1.180340599016096).abs() < 1e-15);
 /// assert_eq!(ratio.steps()[3].remainder.certainty, Certainty::Proven);
 /// assert_eq!(ratio.corrections_needed(1e-6), Some(8));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Evaluation {
+pub struct SeriesEvaluation {
     at: f64,
-    steps: Vec<Step>,
+    steps: Vec<PartialSum>,
 }
 
 /// One term of a series, and the sum so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct PartialSum {
     /// n.
     pub power: usize,
     /// cₙxⁿ.
@@ -73,7 +73,7 @@ pub enum Certainty {
     Estimated,
 }
 
-impl Evaluation {
+impl SeriesEvaluation {
     /// Σ cₙxⁿ with c₀, c₁, … given; all NaN when x is not finite. The remainders are estimates: the distance from the last sum, and for what is
     /// beyond it a geometric series with the ratio that [`Convergence`] finds.
     #[must_use]
@@ -82,7 +82,7 @@ impl Evaluation {
         let last = sums.last().cloned().unwrap_or_else(|| float(0.0));
         let beyond = beyond_the_last(coefficients, &terms, x);
         let rounded = |number: &BigFloat| if x.is_finite() { number.to_f64() } else { f64::NAN };
-        let steps = terms.iter().zip(sums).map(|((power, term), sum)| Step {
+        let steps = terms.iter().zip(sums).map(|((power, term), sum)| PartialSum {
             power: *power,
             term: rounded(term),
             sum: rounded(&sum),
@@ -112,7 +112,7 @@ impl Evaluation {
 
     /// The terms by ascending power.
     #[must_use]
-    pub fn steps(&self) -> &[Step] {
+    pub fn steps(&self) -> &[PartialSum] {
         &self.steps
     }
 
@@ -124,8 +124,8 @@ impl Evaluation {
 
     /// The smallest term, beyond the first, when the last two are larger: the sum gets no better after it.
     #[must_use]
-    pub fn smallest_term(&self) -> Option<&Step> {
-        let size = |step: &Step| step.term.abs();
+    pub fn smallest_term(&self) -> Option<&PartialSum> {
+        let size = |step: &PartialSum| step.term.abs();
         let smallest = self.steps.iter().skip(1).min_by(|a, b| size(a).total_cmp(&size(b)))?;
         let last = self.steps.iter().rev().take(2);
         last.map(size).all(|last| last > size(smallest)).then_some(smallest)
@@ -135,7 +135,7 @@ impl Evaluation {
     /// sum; `None` when the terms given do not reach it.
     #[must_use]
     pub fn corrections_needed(&self, tolerance: f64) -> Option<usize> {
-        let reached = |step: &Step| step.remainder.size <= tolerance * step.sum.abs();
+        let reached = |step: &PartialSum| step.remainder.size <= tolerance * step.sum.abs();
         let good = self.steps.iter().rev().take_while(|step| reached(step)).count();
         (good > 0).then(|| self.steps.len() - good)
     }
@@ -172,7 +172,7 @@ fn terms_and_sums(coefficients: &[Rational], x: f64) -> (Vec<(usize, BigFloat)>,
 fn beyond_the_last(coefficients: &[Rational], terms: &[(usize, BigFloat)], x: f64) -> f64 {
     const LAST: usize = 4;
     let Some((end, _)) = terms.last() else { return 0.0 };
-    let Some(convergence) = Convergence::of(coefficients) else {
+    let Some(convergence) = Convergence::estimate(coefficients) else {
         // Too few terms to see a ratio: what is missing is as large as what came last.
         return terms.iter().skip(1).next_back().map_or(0.0, |(_, term)| term.to_f64().abs());
     };

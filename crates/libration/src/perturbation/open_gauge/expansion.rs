@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Condition, Powers};
+use super::{Condition, EpsilonPowers};
 use crate::algebra::{PhaseRing, Polynomial, Polynomials, Rational, Ring, Variable};
 use crate::perturbation::cosines::{COSINES, Cosines, cosines};
 
@@ -14,11 +14,11 @@ pub(super) struct Ansatz {
 }
 
 impl Ansatz {
-    pub(super) fn new(order: u32, powers: Powers, asymmetric: bool) -> Self {
+    pub(super) fn new(order: u32, powers: EpsilonPowers, asymmetric: bool) -> Self {
         let odd = || (1..=order).step_by(2).collect();
         Self {
             harmonics: if asymmetric { (0..=order).collect() } else { odd() },
-            orders: if powers == Powers::All { (1..=order).collect() } else { odd() },
+            orders: if powers == EpsilonPowers::All { (1..=order).collect() } else { odd() },
         }
     }
 }

@@ -10,7 +10,7 @@ use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
 
 /// Which powers of ε the ansatz has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Powers {
+pub enum EpsilonPowers {
     /// Odd powers in the harmonics and even ones in Ω, which is enough for an odd force.
     OneParity,
     /// All of them.
@@ -36,10 +36,10 @@ pub struct Condition {
 ///
 /// # Examples
 /// ```
-/// use libration::perturbation::{OpenGauge, Powers};
+/// use libration::perturbation::{OpenGauge, EpsilonPowers};
 /// // sin θ up to the fifth power.
 /// let sine = ["1", "0", "-1/6", "0", "1/120"].map(|text| text.parse().unwrap());
-/// let pendulum = OpenGauge::new(&sine, 5, Powers::OneParity)?;
+/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity)?;
 /// assert_eq!(pendulum.solution()[&"d4".into()].to_string(), "-A1*A3/8 + A1^4/1024");
 /// assert_eq!(pendulum.free_constants().len(), 3);
 /// # Ok::<(), libration::perturbation::OpenGaugeError>(())
@@ -65,13 +65,17 @@ impl OpenGauge {
     /// # Errors
     /// When the order is not between 1 and [`MAX_ORDER`](Self::MAX_ORDER), g₁ is not positive, or the force has
     /// an even term while the ansatz has one parity.
-    pub fn new(restoring_force: &[Rational], order: u32, powers: Powers) -> Result<Self, OpenGaugeError> {
+    pub fn new(
+        restoring_force: &[Rational],
+        order: u32,
+        powers: EpsilonPowers,
+    ) -> Result<Self, OpenGaugeError> {
         if !(1..=Self::MAX_ORDER).contains(&order) {
             return Err(OpenGaugeError::Order { order });
         }
         let force = over_linear_term(restoring_force).ok_or(OpenGaugeError::NotRestoring)?;
         let even = (2..).step_by(2).zip(force.iter().skip(1).step_by(2)).find(|(_, term)| !term.is_zero());
-        if let (Powers::OneParity, Some((power, _))) = (powers, even) {
+        if let (EpsilonPowers::OneParity, Some((power, _))) = (powers, even) {
             return Err(OpenGaugeError::EvenTerm { power });
         }
         let ansatz = Ansatz::new(order, powers, even.is_some());

@@ -12,7 +12,7 @@ use super::open_gauge::over_linear_term;
 use crate::algebra::{Complex, PhaseRing, Polynomial, Rational, Ring, Variable};
 use collocation::Collocation;
 pub use error::TruncatedSystemError;
-pub use verdict::Verdict;
+pub use verdict::SolutionVerdict;
 
 /// The system of equations for x = a₁ cos Ωt + a₃ cos 3Ωt + … with few harmonics, under an odd force cut off
 /// after a power: the projections of Δ²x″ + g(x)/ω0² = 0 on those harmonics, with Δ = Ω/ω0, together with
@@ -20,7 +20,7 @@ pub use verdict::Verdict;
 ///
 /// # Examples
 /// ```
-/// use libration::perturbation::{TruncatedSystem, Verdict};
+/// use libration::perturbation::{TruncatedSystem, SolutionVerdict};
 /// let sine = ["1", "0", "-1/6"].map(|text| text.parse().unwrap());
 /// let system = TruncatedSystem::new(&sine, 2, 3)?;
 /// let [first, third] = &system.conditions()[..] else { panic!() };
@@ -29,7 +29,7 @@ pub use verdict::Verdict;
 ///
 /// let solutions = system.solutions(1.0)?;
 /// assert_eq!(solutions.len(), 4);
-/// assert_eq!(solutions[0].verdict, Verdict::Accepted);
+/// assert_eq!(solutions[0].verdict, SolutionVerdict::Accepted);
 /// assert!((solutions[0].frequency_ratio_squared.re - 0.87425).abs() < 1e-5);
 /// # Ok::<(), libration::perturbation::TruncatedSystemError>(())
 /// ```
@@ -56,7 +56,7 @@ pub struct TruncatedSolution {
     /// of the mean of |Δ²x″ + g(x)/ω0²|² over a period, in the units of x.
     pub residual: f64,
     /// Whether it is the motion sought, or why not.
-    pub verdict: Verdict,
+    pub verdict: SolutionVerdict,
 }
 
 impl TruncatedSystem {

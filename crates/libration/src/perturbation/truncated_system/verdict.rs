@@ -10,7 +10,7 @@ use crate::algebra::Complex;
 
 /// What is to be thought of a solution of a truncated system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Verdict {
+pub enum SolutionVerdict {
     /// It grows out of small oscillations: followed to amplitude 0 it has a₁ = amplitude and Δ = 1.
     Accepted,
     /// Real with a₁ = 0: a motion such as x = a₃ cos 3Ωt, whose frequency is not Ω but 3Ω.
@@ -24,7 +24,7 @@ pub enum Verdict {
 }
 
 /// As `rejected: Δ² is not positive, so nothing oscillates`.
-impl fmt::Display for Verdict {
+impl fmt::Display for SolutionVerdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Accepted => "accepted: grows out of small oscillations",
@@ -57,25 +57,29 @@ pub(super) fn judged(
     solutions
 }
 
-fn verdict(amplitudes: &[Complex], frequency_ratio_squared: Complex, sought: Option<&Root>) -> Verdict {
+fn verdict(
+    amplitudes: &[Complex],
+    frequency_ratio_squared: Complex,
+    sought: Option<&Root>,
+) -> SolutionVerdict {
     let size = amplitudes.iter().map(|a| a.abs()).fold(0.0, f64::max);
     let real = |z: Complex, size: f64| z.im.abs() <= 1e-9 * size;
     if !(amplitudes.iter().all(|a| real(*a, size))
         && real(frequency_ratio_squared, frequency_ratio_squared.abs()))
     {
-        return Verdict::Complex;
+        return SolutionVerdict::Complex;
     }
     if frequency_ratio_squared.re <= 0.0 {
-        return Verdict::NoOscillation;
+        return SolutionVerdict::NoOscillation;
     }
     let near = |root: &Root| {
         let gap = amplitudes.iter().zip(&root.amplitudes).map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
         gap <= 1e-8 * size
     };
     match amplitudes.first() {
-        _ if sought.is_some_and(near) => Verdict::Accepted,
-        Some(first) if first.abs() <= 1e-9 * size => Verdict::Overtone,
-        _ => Verdict::OtherBranch,
+        _ if sought.is_some_and(near) => SolutionVerdict::Accepted,
+        Some(first) if first.abs() <= 1e-9 * size => SolutionVerdict::Overtone,
+        _ => SolutionVerdict::OtherBranch,
     }
 }
 

@@ -3,8 +3,8 @@
 use super::{GRAVITY, OMEGA0, angle, parameter};
 use crate::systems::{NamedBody, NamedCoordinate, NamedSystem};
 
-const fn length(name: &'static str, rest: &'static str) -> NamedCoordinate {
-    NamedCoordinate { name, unit: "m", rest }
+const fn length(name: &'static str, at_rest: &'static str) -> NamedCoordinate {
+    NamedCoordinate { name, unit: "m", at_rest }
 }
 
 pub(super) const SYSTEMS: &[NamedSystem] = &[
@@ -24,7 +24,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
-        bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], held: ["0", "0"] }],
+        bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], pivot: ["0", "0"] }],
         description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
         domain: "r above zero",
         source: "derived from its Lagrangian; attributed to A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
@@ -54,10 +54,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         drive_frequency: None,
         whole_powers: false,
         bodies: &[
-            NamedBody { place: ["l1*sin(theta1)", "-l1*cos(theta1)"], held: ["0", "0"] },
+            NamedBody { place: ["l1*sin(theta1)", "-l1*cos(theta1)"], pivot: ["0", "0"] },
             NamedBody {
                 place: ["l1*sin(theta1) + l2*sin(theta2)", "-l1*cos(theta1) - l2*cos(theta2)"],
-                held: ["l1*sin(theta1)", "-l1*cos(theta1)"],
+                pivot: ["l1*sin(theta1)", "-l1*cos(theta1)"],
             },
         ],
         description: "a pendulum that hangs from the bob of another, both rods massless; both angles from the downward vertical",
@@ -76,7 +76,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
-        bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], held: ["0", "0"] }],
+        bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], pivot: ["0", "0"] }],
         description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
         domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
         source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
@@ -94,7 +94,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         drive_frequency: None,
         whole_powers: false,
-        bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], held: ["0", "0"] }],
+        bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], pivot: ["0", "0"] }],
         description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
         domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
         source: "derived from the force of the rod that keeps its length; attributed to J. L. Lagrange, Mecanique analytique (1788)",
@@ -123,8 +123,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         drive_frequency: None,
         whole_powers: false,
         bodies: &[
-            NamedBody { place: ["sin(theta1)", "-cos(theta1)"], held: ["0", "0"] },
-            NamedBody { place: ["sin(theta2)", "-cos(theta2)"], held: ["0", "0"] },
+            NamedBody { place: ["sin(theta1)", "-cos(theta1)"], pivot: ["0", "0"] },
+            NamedBody { place: ["sin(theta2)", "-cos(theta2)"], pivot: ["0", "0"] },
         ],
         description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
         domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",

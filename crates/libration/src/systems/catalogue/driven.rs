@@ -1,10 +1,10 @@
 //! One pendulum that is driven: by a torque, or by its pivot.
 
 use super::{HANGING, OMEGA0, SWING_ENERGY, THETA, parameter};
-use crate::systems::{NamedBody, NamedSystem, Parameter};
+use crate::systems::{NamedBody, NamedSystem, SystemParameter};
 
-const DAMPING: Parameter = parameter("c", "0", "1/s", "linear damping");
-const PIVOT: Parameter =
+const DAMPING: SystemParameter = parameter("c", "0", "1/s", "linear damping");
+const PIVOT: SystemParameter =
     parameter("a", "0", "1", "amplitude of the pivot's motion over the length of the pendulum");
 
 pub(super) const SYSTEMS: &[NamedSystem] = &[
@@ -49,7 +49,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         whole_powers: false,
         bodies: &[NamedBody {
             place: ["sin(theta)", "a*cos(omega*t) - cos(theta)"],
-            held: ["0", "a*cos(omega*t)"],
+            pivot: ["0", "a*cos(omega*t)"],
         }],
         description: "the pivot is at the height a*l*cos(omega*t), whose acceleration adds to gravity; energy in the frame of the pivot; fast and strong driving holds the pendulum upright",
         domain: "all motions",
@@ -74,7 +74,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         whole_powers: false,
         bodies: &[NamedBody {
             place: ["a*cos(omega*t) + sin(theta)", "-cos(theta)"],
-            held: ["a*cos(omega*t)", "0"],
+            pivot: ["a*cos(omega*t)", "0"],
         }],
         description: "the pivot is at a*l*cos(omega*t) along the horizontal in the plane of the swing; energy in the frame of the pivot",
         domain: "all motions",

@@ -4,7 +4,7 @@ mod coupled;
 mod driven;
 mod free;
 
-use super::named::{NamedBody, NamedCoordinate, NamedSystem, Parameter};
+use super::named::{NamedBody, NamedCoordinate, NamedSystem, SystemParameter};
 use crate::quantity::{excerpt, nearest};
 use crate::systems::UnknownSystem;
 
@@ -18,23 +18,24 @@ const fn parameter(
     default: &'static str,
     unit: &'static str,
     meaning: &'static str,
-) -> Parameter {
-    Parameter { name, default, unit, meaning }
+) -> SystemParameter {
+    SystemParameter { name, default, unit, meaning }
 }
 
-const OMEGA0: Parameter = parameter("omega0", "1", "rad/s", "angular frequency of small swings, sqrt(g/l)");
-const GRAVITY: Parameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
+const OMEGA0: SystemParameter =
+    parameter("omega0", "1", "rad/s", "angular frequency of small swings, sqrt(g/l)");
+const GRAVITY: SystemParameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
 
 /// The angle of one pendulum.
 const THETA: &[NamedCoordinate] = &[angle("theta")];
 
 /// An angle from the downward vertical.
 const fn angle(name: &'static str) -> NamedCoordinate {
-    NamedCoordinate { name, unit: "rad", rest: "0" }
+    NamedCoordinate { name, unit: "rad", at_rest: "0" }
 }
 
 /// One pendulum on a fixed axle.
-const HANGING: &[NamedBody] = &[NamedBody { place: ["sin(theta)", "-cos(theta)"], held: ["0", "0"] }];
+const HANGING: &[NamedBody] = &[NamedBody { place: ["sin(theta)", "-cos(theta)"], pivot: ["0", "0"] }];
 
 /// The energy of one pendulum over its moment of inertia, zero at rest at the bottom.
 const SWING_ENERGY: &str = "theta'^2/2 + 2*omega0^2*sin(theta/2)^2";

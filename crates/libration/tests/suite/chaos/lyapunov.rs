@@ -4,7 +4,7 @@
 use super::integrable::{Case, cases};
 use crate::golden::Table;
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, Progress, Regularity, Schedule, Theorem, Verdict,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Regularity, Schedule, Theorem,
     lyapunov_exponent,
 };
 use libration::taylor::{Cause, Effort, Moment};
@@ -43,10 +43,10 @@ fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     for Case { equation, start } in cases {
         let found = attempt_to(tolerance, equation, start, intervals, |_| ControlFlow::Continue(()));
         match found.map(|found| found.verdict) {
-            Ok(Verdict::Regular(_)) => counts[0] += 1,
-            Ok(Verdict::Undecided(_)) | Err(LyapunovError::Integration(_)) => counts[1] += 1,
+            Ok(LyapunovVerdict::Regular(_)) => counts[0] += 1,
+            Ok(LyapunovVerdict::Undecided(_)) | Err(LyapunovError::Integration(_)) => counts[1] += 1,
             Err(error) => panic!("{equation} from {start:?}: {error}"),
-            Ok(Verdict::Chaotic) => panic!("{equation} from {start:?} is integrable"),
+            Ok(LyapunovVerdict::Chaotic) => panic!("{equation} from {start:?} is integrable"),
         }
     }
     counts
@@ -78,7 +78,7 @@ fn chaotic_motions_have_the_exponents_of_the_table() {
     for row in Table::read("lyapunov.csv").rows() {
         let start: Vec<f64> = row.text("start").split(' ').map(|number| number.parse().unwrap()).collect();
         let found = measure(row.text("equation"), &start, 2000);
-        assert_eq!(found.verdict, Verdict::Chaotic, "{}", row.text("equation"));
+        assert_eq!(found.verdict, LyapunovVerdict::Chaotic, "{}", row.text("equation"));
         let bound = 4.0 * (found.uncertainty + row.input("error"));
         let error = found.exponent - row.input("exponent");
         assert!(error.abs() < bound, "{}: {} ± {}", row.text("equation"), found.exponent, found.uncertainty);
@@ -91,8 +91,8 @@ fn the_double_pendulum_released_from_120_degrees_is_chaotic() {
     let equation = "a'' = (-2 sin(a) - sin(a-b) (b'^2 + a'^2 cos(a-b)) + cos(a-b) sin(b))/(2 - cos(a-b)^2); \
                     b'' = (sin(a-b)*(2 a'^2 + b'^2 cos(a-b)) + 2 sin(a) cos(a-b) - 2 sin(b))/(2 - cos(a-b)^2)";
     let angle = 120_f64.to_radians();
-    assert_eq!(measure(equation, &[angle, angle, 0.0, 0.0], 120).verdict, Verdict::Chaotic);
-    assert!(matches!(measure(equation, &[0.1, 0.1, 0.0, 0.0], 100).verdict, Verdict::Regular(_)));
+    assert_eq!(measure(equation, &[angle, angle, 0.0, 0.0], 120).verdict, LyapunovVerdict::Chaotic);
+    assert!(matches!(measure(equation, &[0.1, 0.1, 0.0, 0.0], 100).verdict, LyapunovVerdict::Regular(_)));
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_damped_linear_oscillator_has_minus_half_its_damping() {
             "{equation}: {}",
             found.exponent
         );
-        assert!(found.uncertainty < 2e-3 && matches!(found.verdict, Verdict::Regular(_)));
+        assert!(found.uncertainty < 2e-3 && matches!(found.verdict, LyapunovVerdict::Regular(_)));
     }
 }
 
@@ -114,7 +114,7 @@ fn in_its_regular_windows_the_driven_pendulum_is_regular() {
     for amplitude in ["0.9", "1.35", "1.47"] {
         let found =
             measure(&format!("theta'' + theta'/2 + sin(theta) = {amplitude} cos(2t/3)"), &[0.2, 0.0], 300);
-        assert!(matches!(found.verdict, Verdict::Regular(_)), "{amplitude}: {:?}", found.verdict);
+        assert!(matches!(found.verdict, LyapunovVerdict::Regular(_)), "{amplitude}: {:?}", found.verdict);
         assert!(found.exponent > -0.2501 && found.exponent < -0.01, "{amplitude}: {}", found.exponent);
     }
 }
@@ -124,10 +124,10 @@ fn theorems_decide_where_they_hold() {
     // At the unstable equilibrium deviations grow as eᵗ for ever, and nothing is chaotic.
     let found = measure("x'' = x - x^3", &[0.0, 0.0], 400);
     assert!((found.exponent - 1.0).abs() < 1e-12);
-    assert_eq!(found.verdict, Verdict::Regular(Regularity::Theorem(Theorem::Plane)));
+    assert_eq!(found.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Plane)));
     let parametric = measure("x'' = -(1 + cos(2 t)/2)*x", &[1.0, 0.0], 50);
     assert!(parametric.exponent > 0.1, "{}", parametric.exponent);
-    assert_eq!(parametric.verdict, Verdict::Regular(Regularity::Theorem(Theorem::Linear)));
+    assert_eq!(parametric.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Linear)));
 }
 
 #[test]
@@ -135,11 +135,11 @@ fn an_unstable_motion_inside_chaos_or_not_is_not_called_chaotic() {
     let wells = "x'' = x - x^3 + (y - x)/10; y'' = y - y^3 + (x - y)/10";
     // Both at rest on top; both together, a periodic motion with unstable neighbours.
     let rest = measure(wells, &[0.0, 0.0, 0.0, 0.0], 100).verdict;
-    assert_eq!(rest, Verdict::Regular(Regularity::AtRest));
+    assert_eq!(rest, LyapunovVerdict::Regular(Regularity::AtRest));
     let together = measure(wells, &[0.1, 0.1, 0.0, 0.0], 300);
     assert!(together.exponent > 0.3, "{}", together.exponent);
     assert!(
-        matches!(together.verdict, Verdict::Undecided(Doubt::Neighbours { .. })),
+        matches!(together.verdict, LyapunovVerdict::Undecided(Doubt::Neighbours { .. })),
         "{:?}",
         together.verdict
     );
@@ -161,7 +161,7 @@ fn an_interruption_keeps_the_estimate() {
         if progress.intervals >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let found = attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, stop).unwrap();
-    assert_eq!(found.verdict, Verdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
+    assert_eq!(found.verdict, LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
     let (time, last) = *found.convergence.last().unwrap();
     assert!((time / (1.5 * std::f64::consts::PI) - 50.0).abs() < 1e-9 && last == found.exponent);
 }

@@ -1,8 +1,8 @@
 //! Poincaré sections and bifurcation diagrams.
 
 use libration::chaos::{
-    Column, Continuation, Ending, Family, PoincareSection, Points, Section, Taken, bifurcation_diagram,
-    drive_period, folded, section,
+    Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding, Taken,
+    bifurcation_diagram, drive_period, folded, section,
 };
 use libration::taylor::{Cause, Direction, Effort, Moment};
 use std::f64::consts::{PI, TAU};
@@ -14,13 +14,25 @@ fn from(state: &[f64]) -> Moment {
     Moment { time: 0.0, state: state.to_vec() }
 }
 
-fn points_of(equation: &str, state: &[f64], cut: &Section, skipped: usize, kept: usize) -> PoincareSection {
+fn points_of(
+    equation: &str,
+    state: &[f64],
+    cut: &Section,
+    skipped: usize,
+    recorded: usize,
+) -> PoincareSection {
     let (equation, effort) = (equation.parse().unwrap(), Effort::to_tolerance(1e-12));
-    let points = Points { skipped, kept };
+    let points = Points { skipped, recorded };
     section(&equation, &from(state), cut, points, &effort, |_| ControlFlow::Continue(())).unwrap()
 }
 
-fn diagram(equation: &str, values: &[f64], state: &[f64], how: Continuation, points: Points) -> Vec<Column> {
+fn diagram(
+    equation: &str,
+    values: &[f64],
+    state: &[f64],
+    how: Continuation,
+    points: Points,
+) -> Vec<DiagramColumn> {
     let equation = equation.parse().unwrap();
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let effort = Effort::to_tolerance(1e-12);
@@ -71,7 +83,7 @@ fn different(section: &PoincareSection) -> usize {
 
 #[test]
 fn the_driven_pendulum_doubles_its_period_on_the_way_to_chaos() {
-    let points = Points { skipped: 1000, kept: 64 };
+    let points = Points { skipped: 1000, recorded: 64 };
     let values = [0.9, 1.07, 1.08, 1.0825, 1.5];
     let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)";
     let columns = diagram(equation, &values, &[0.2, 0.0], Continuation::SameStart, points);
@@ -84,13 +96,14 @@ fn the_driven_pendulum_doubles_its_period_on_the_way_to_chaos() {
 fn sweeps_up_and_down_differ_where_two_motions_are_stable() {
     // Between its two jumps Duffing's oscillator keeps the motion it had.
     let equation = "x'' + 0.2 x' + x + x^3 = A cos(1.8 t)";
-    let points = Points { skipped: 100, kept: 1 };
+    let points = Points { skipped: 100, recorded: 1 };
     let up: Vec<f64> = (0..=30).map(|n| 0.1 * f64::from(n)).collect();
     let down: Vec<f64> = up.iter().rev().copied().collect();
     let sweep = |values: &[f64]| diagram(equation, values, &[0.0, 0.0], Continuation::LastState, points);
     let (rising, falling) = (sweep(&up), sweep(&down));
-    let distance =
-        |(a, b): (&Column, &Column)| (a.section.points[0].state[0] - b.section.points[0].state[0]).abs();
+    let distance = |(a, b): (&DiagramColumn, &DiagramColumn)| {
+        (a.section.points[0].state[0] - b.section.points[0].state[0]).abs()
+    };
     let apart: Vec<f64> = rising.iter().zip(falling.iter().rev()).map(distance).collect();
     assert!(apart[1] < 1e-6 && apart[30] < 1e-6, "{apart:?}");
     assert!(apart.iter().filter(|distance| **distance > 0.3).count() >= 3, "{apart:?}");
@@ -98,7 +111,7 @@ fn sweeps_up_and_down_differ_where_two_motions_are_stable() {
 
 #[test]
 fn columns_from_the_same_start_know_nothing_of_each_other() {
-    let points = Points { skipped: 20, kept: 10 };
+    let points = Points { skipped: 20, recorded: 10 };
     let values: Vec<f64> = (0..21).map(|n| 1.0 + 0.025 * f64::from(n)).collect();
     let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)";
     let columns = diagram(equation, &values, &[0.2, 0.0], Continuation::SameStart, points);
@@ -114,9 +127,9 @@ fn columns_from_the_same_start_know_nothing_of_each_other() {
 
 #[test]
 fn the_drive_may_be_the_parameter() {
-    let points = Points { skipped: 200, kept: 1 };
+    let points = Points { skipped: 200, recorded: 1 };
     for how in [Continuation::SameStart, Continuation::LastState] {
-        for Column { value, section } in
+        for DiagramColumn { value, section } in
             diagram("x'' + 0.3 x' + x = cos(A t)", &[0.5, 1.0, 1.7], &[1.0, 0.0], how, points)
         {
             let (stiff, slow) = (1.0 - value * value, 0.3 * value);
@@ -170,18 +183,18 @@ fn no_crossing_is_missed_or_doubled() {
 #[test]
 fn a_motion_that_crosses_no_more_says_so() {
     let found = points_of("x'' = 0", &[1.0, -4.0], &surface("x", Direction::Falling), 0, 5);
-    assert_eq!((found.points.len(), found.stopped), (1, Some(Ending::NoCrossing)));
+    assert_eq!((found.points.len(), found.stopped), (1, Some(SectionEnding::NoCrossing)));
     // Nor does one that runs away.
     for running in ["x'' = 1", "x'' = x"] {
         let found = points_of(running, &[0.5, 1.0], &surface("x", Direction::Rising), 0, 5);
-        assert_eq!((found.points.len(), found.stopped), (0, Some(Ending::NoCrossing)), "{running}");
+        assert_eq!((found.points.len(), found.stopped), (0, Some(SectionEnding::NoCrossing)), "{running}");
     }
 }
 
 #[test]
 fn interruptions_keep_what_is_done() {
     let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)".parse().unwrap();
-    let points = Points { skipped: 5, kept: 20 };
+    let points = Points { skipped: 5, recorded: 20 };
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let stop = |limit: usize| {
         move |done: usize| if done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -199,7 +212,7 @@ fn interruptions_keep_what_is_done() {
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
     let stop_at_seven = |taken: Taken| stop(7)(taken.points);
     let found = section(&equation, &start, &FLASH, points, &effort, stop_at_seven).unwrap();
-    assert_eq!(found.stopped, Some(Ending::Stopped(Cause::Interrupted)));
+    assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
     assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
 }
 
@@ -240,7 +253,7 @@ fn folded_angles_are_in_the_turn_around_zero() {
 #[test]
 fn a_section_tells_how_far_it_is_and_stops_when_asked() {
     let equation = "x'' = -x - x'/2 + cos(t)".parse().unwrap();
-    let (effort, points) = (Effort::to_tolerance(1e-9), Points { skipped: 5, kept: 20 });
+    let (effort, points) = (Effort::to_tolerance(1e-9), Points { skipped: 5, recorded: 20 });
     let surface = Section::Crossing { formula: "x".parse().unwrap(), direction: Direction::Rising };
     for cut in [FLASH, surface] {
         let mut told: Vec<Taken> = vec![];
@@ -249,7 +262,7 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
             if taken.time > 60.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         let found = found.unwrap();
-        assert_eq!(found.stopped, Some(Ending::Stopped(Cause::Interrupted)));
+        assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         assert!(told.is_sorted_by(|a, b| a.time < b.time && a.points <= b.points));
         let last = told.last().unwrap();
         assert!(
@@ -262,7 +275,7 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
 fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
     let equation = "x'' = -x - x'/2 + cos(A*t)".parse().unwrap();
     let section = Section::Stroboscope { period: None, phase: 0.25 };
-    let points = Points { skipped: 0, kept: 3 };
+    let points = Points { skipped: 0, recorded: 3 };
     let family = Family { equation: &equation, parameter: "A", section: &section, points };
     let effort = Effort::to_tolerance(1e-12);
     let columns = bifurcation_diagram(

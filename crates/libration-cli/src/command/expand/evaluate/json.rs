@@ -4,8 +4,8 @@ use super::{NOT_REACHED, Numbers, Quotient, certainty};
 use crate::output::json::{self, Record};
 use crate::output::series::coefficient;
 use crate::output::{csv, number};
-use libration::comparison::{Radius, Road};
-use libration::perturbation::Step;
+use libration::comparison::{Method, Radius};
+use libration::perturbation::PartialSum;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
@@ -39,9 +39,9 @@ fn with_pade(record: Record, numbers: &Numbers<'_>) -> Record {
 fn with_exact(record: Record, numbers: &Numbers<'_>) -> Record {
     match &numbers.exact {
         Some(Ok(exact)) => {
-            let road = match exact.road {
-                Road::Elliptic => "elliptic integrals",
-                Road::Integration => "integration of the equation of motion",
+            let road = match exact.method {
+                Method::Elliptic => "elliptic integrals",
+                Method::Integration => "integration of the equation of motion",
             };
             let record = record
                 .number("exact", exact.value)
@@ -68,7 +68,7 @@ fn with_radius(record: Record, numbers: &Numbers<'_>) -> Record {
     record.number_or("radius", value, why_none).with("radius_is", certainty)
 }
 
-fn record(numbers: &Numbers<'_>, step: &Step) -> Value {
+fn record(numbers: &Numbers<'_>, step: &PartialSum) -> Value {
     let exact = &numbers.relation.series()[step.power];
     Record::new()
         .with("power", step.power)

@@ -8,8 +8,8 @@ use crate::failure::Failure;
 use crate::output::Form;
 use crate::output::number::short;
 use crate::parallel;
-use libration::comparison::{ExactValue, NoExactValue, Quantity, Radius, Relation};
-use libration::perturbation::{Certainty, Evaluation};
+use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use libration::perturbation::{Certainty, SeriesEvaluation};
 use libration::quantity::Displacement;
 use std::io::Write;
 use std::sync::Arc;
@@ -23,9 +23,9 @@ const HIGHEST_DEGREE: usize = 16;
 /// A relation at one amplitude, with all that is said about it. `None` is what Ctrl-C came before.
 struct Numbers<'a> {
     answer: &'a Answer,
-    relation: &'a Relation<'a>,
+    relation: &'a SeriesComparison<'a>,
     amplitude: f64,
-    evaluation: Evaluation,
+    evaluation: SeriesEvaluation,
     exact: Option<Result<ExactValue, NoExactValue>>,
     radius: Option<Option<Radius>>,
     pade: Option<Vec<Quotient>>,
@@ -48,10 +48,10 @@ pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
     answer: Arc<Answer>,
-    quantity: Quantity,
+    quantity: SeriesQuantity,
     amplitude: &Displacement,
 ) -> Result<Option<String>, Failure> {
-    let relation = Relation::new(&answer.oscillator, &answer.expansion, quantity);
+    let relation = SeriesComparison::new(&answer.oscillator, &answer.expansion, quantity);
     if relation.series().iter().all(libration::algebra::Rational::is_zero) {
         return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(&answer))));
     }
@@ -74,7 +74,7 @@ fn absent(answer: &Answer) -> String {
 impl<'a> Numbers<'a> {
     fn new(
         answer: &'a Arc<Answer>,
-        relation: &'a Relation<'a>,
+        relation: &'a SeriesComparison<'a>,
         exactly: &Displacement,
     ) -> Result<Self, Failure> {
         let amplitude = exactly.to_f64();
@@ -134,7 +134,7 @@ impl<'a> Numbers<'a> {
 /// What may take long and nobody waits for after Ctrl-C, for which it has an answer of its own.
 struct Work {
     answer: Arc<Answer>,
-    quantity: Quantity,
+    quantity: SeriesQuantity,
 }
 
 impl Work {
@@ -155,17 +155,17 @@ impl Work {
     fn done<R: Send + 'static>(
         &self,
         what: &str,
-        work: impl FnOnce(&Relation<'_>) -> R + Send + 'static,
+        work: impl FnOnce(&SeriesComparison<'_>) -> R + Send + 'static,
     ) -> Option<R> {
         let Self { answer, quantity } = self;
         let (answer, quantity) = (Arc::clone(answer), *quantity);
         parallel::until_asked(what, move || {
-            work(&Relation::new(&answer.oscillator, &answer.expansion, quantity))
+            work(&SeriesComparison::new(&answer.oscillator, &answer.expansion, quantity))
         })
     }
 }
 
-fn quotient(relation: &Relation<'_>, degree: usize, amplitude: f64) -> Option<Quotient> {
+fn quotient(relation: &SeriesComparison<'_>, degree: usize, amplitude: f64) -> Option<Quotient> {
     let approximant = relation.approximant(degree)?;
     let pole_before = approximant.first_pole().filter(|pole| *pole <= amplitude);
     Some(Quotient { degree, value: approximant.value_at(amplitude), pole_before })

@@ -6,8 +6,8 @@ use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{coefficient, subscript, superscript};
 use crate::output::table::{Column, Table, sheet, write_text};
 use libration::algebra::Rational;
-use libration::comparison::{Quantity, Radius, Road};
-use libration::perturbation::{Certainty, Evaluation, Precision, Step};
+use libration::comparison::{Method, Radius, SeriesQuantity};
+use libration::perturbation::{Certainty, PartialSum, Precision, SeriesEvaluation};
 use std::io::{self, Write};
 
 /// Longer coefficients are written as decimals.
@@ -36,11 +36,11 @@ fn symbol(numbers: &Numbers<'_>) -> String {
     }
 }
 
-fn name(quantity: Quantity) -> String {
+fn name(quantity: SeriesQuantity) -> String {
     match quantity {
-        Quantity::Period => "T/T0".to_owned(),
-        Quantity::Frequency => "Ω/ω0".to_owned(),
-        Quantity::Cosine(k) => format!("a{}", subscript(k)),
+        SeriesQuantity::Period => "T/T0".to_owned(),
+        SeriesQuantity::Frequency => "Ω/ω0".to_owned(),
+        SeriesQuantity::Cosine(k) => format!("a{}", subscript(k)),
     }
 }
 
@@ -54,7 +54,7 @@ fn subject(numbers: &Numbers<'_>) -> String {
     };
     let unit = &numbers.answer.expansion.unit_squared;
     let units = match numbers.relation.quantity() {
-        Quantity::Cosine(_) if *unit != Rational::from(1) => format!(", in units of √({unit})"),
+        SeriesQuantity::Cosine(_) if *unit != Rational::from(1) => format!(", in units of √({unit})"),
         _ => String::new(),
     };
     format!("{} by powers of {symbol}{units}, {place}", name(numbers.relation.quantity()))
@@ -90,7 +90,7 @@ fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     table.finish(out)
 }
 
-fn row(numbers: &Numbers<'_>, step: &Step) -> Vec<String> {
+fn row(numbers: &Numbers<'_>, step: &PartialSum) -> Vec<String> {
     let smallest = numbers.evaluation.smallest_term().is_some_and(|smallest| smallest.power == step.power);
     vec![
         step.power.to_string(),
@@ -134,9 +134,9 @@ fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
 fn exact(numbers: &Numbers<'_>) -> String {
     match &numbers.exact {
         Some(Ok(exact)) => {
-            let road = match exact.road {
-                Road::Elliptic => "by elliptic integrals",
-                Road::Integration => "by integrating the equation of motion",
+            let road = match exact.method {
+                Method::Elliptic => "by elliptic integrals",
+                Method::Integration => "by integrating the equation of motion",
             };
             format!("{}, right to {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
         }
@@ -175,7 +175,7 @@ fn convergence(numbers: &Numbers<'_>) -> String {
 }
 
 /// Where the series is at its best when its terms grow.
-fn after(numbers: &Numbers<'_>, smallest: &Step) -> String {
+fn after(numbers: &Numbers<'_>, smallest: &PartialSum) -> String {
     let error = match numbers.error(smallest.sum) {
         Some(error) => format!(", where the error is {}", rounded(error, 2)),
         None => String::new(),
@@ -183,7 +183,7 @@ fn after(numbers: &Numbers<'_>, smallest: &Step) -> String {
     format!("{}{}: from there on the terms grow{error}", symbol(numbers), superscript(smallest.power))
 }
 
-fn needed(evaluation: &Evaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
+fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
     let known = evaluation.steps().len().saturating_sub(1);
     let mut counted = vec![];
     for (tolerance, count) in counts {

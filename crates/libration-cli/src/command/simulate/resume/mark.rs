@@ -71,12 +71,12 @@ fn event(value: &Value) -> Option<EventCheckpoint> {
 
 /// Numbers that are not finite, as of an energy without a value, are null.
 fn energy_to_json(account: &EnergyAccount) -> Value {
-    let EnergyAccount { start, last, potential, missed, largest_change, largest_kinetic } = account;
+    let EnergyAccount { start, last, potential, quadrature_error, largest_change, largest_kinetic } = account;
     json!({
         "start": start,
         "last": last,
         "potential": potential,
-        "missed": missed,
+        "missed": quadrature_error,
         "largest_change": largest_change,
         "largest_kinetic": largest_kinetic,
     })
@@ -89,7 +89,7 @@ fn energy_from_json(value: &Value) -> Option<EnergyAccount> {
         start: list(&value["start"], number)?,
         last: list(&value["last"], number)?,
         potential: potential.try_into().ok()?,
-        missed: number(&value["missed"])?,
+        quadrature_error: number(&value["missed"])?,
         largest_change: number(&value["largest_change"])?,
         largest_kinetic: number(&value["largest_kinetic"])?,
     })
