@@ -59,6 +59,7 @@
 //! | [`taylor`] | the motion of any system of equations in time |
 //! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
 //! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
+//! | [`spectrum`] | how much of each frequency is in a motion |
 //! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
@@ -98,6 +99,8 @@ pub mod chaos;
 pub mod systems;
 
 pub mod orbit;
+
+pub mod spectrum;
 
 pub mod decay;
 pub mod normal_modes;
