@@ -10,6 +10,7 @@ use crate::elementary::{atan_of_ratio, sinh_cosh, two_word};
 
 /// Jacobi's functions at one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Jacobi {
     /// sn u = sin am u.
     pub sn: f64,

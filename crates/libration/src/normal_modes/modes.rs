@@ -31,6 +31,7 @@ use crate::expression::{Equation, Symbol};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalModes {
     /// The names of the coordinates.
     pub variables: Vec<String>,

@@ -6,6 +6,7 @@ use crate::linear::eigenvalues;
 /// The Floquet multipliers of a periodic orbit: the eigenvalues of the matrix that maps a deviation to what it is one
 /// period later.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Floquet {
     /// By descending magnitude.
     ///
@@ -18,6 +19,7 @@ pub struct Floquet {
 
 /// What small deviations do. A shift along an orbit that no force beats time for stays, and does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Stability {
     /// All die out.
     Attracting,

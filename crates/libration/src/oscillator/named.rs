@@ -14,6 +14,7 @@ use crate::expression::{Equation, EquationError, Expression};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedOscillator {
     /// The name it is asked for by.
     pub key: &'static str,
@@ -37,6 +38,7 @@ pub struct NamedOscillator {
 
 /// A parameter of a named oscillator.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OscillatorParameter {
     /// Its name in the equation.
     pub name: &'static str,

@@ -7,6 +7,7 @@ use crate::algebra::Rational;
 /// Periodic motions x = xₑ + Σₖ aₖ cos kΩt + bₖ sin kΩt of an oscillator as power series. Lists are indexed by the
 /// power of the variable. Displacements count from the equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Expansion {
     /// The displacement is given up to this power of the variable, the frequency up to one less; of a limit cycle
     /// both up to this power.
@@ -40,6 +41,7 @@ pub struct Expansion {
 
 /// What the series of an expansion are in.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ExpansionVariable {
     /// The parameter ε of a family of motions, in this gauge.
     Epsilon(Gauge),
@@ -68,6 +70,7 @@ impl ExpansionVariable {
 
 /// Whether coefficients are exact fractions or stand for numbers that are none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Precision {
     /// Every coefficient is the number itself.
     Exact,
@@ -77,6 +80,7 @@ pub enum Precision {
 
 /// The coefficients of cos kΩt and sin kΩt.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HarmonicSeries {
     /// Which harmonic.
     pub k: usize,
@@ -88,6 +92,7 @@ pub struct HarmonicSeries {
 
 /// Physical relations by powers of an amplitude: the same in every gauge.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AmplitudeSeries {
     /// Ω/ω0.
     pub frequency_ratio: Vec<Rational>,
@@ -102,6 +107,7 @@ pub struct AmplitudeSeries {
 /// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
 /// fresh primes of 62 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Certificate {
     /// All coefficients were computed again in plain rational arithmetic: they are proven.
     PlainRationals,

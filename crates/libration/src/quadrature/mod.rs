@@ -31,6 +31,7 @@ pub use kronrod::gauss_kronrod;
 
 /// The integral of a function, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Integral {
     /// NaN where it does not converge.
     pub value: f64,

@@ -13,6 +13,7 @@ use super::{Dimension, QuantityError};
 
 /// A value in its SI unit with its standard uncertainty, if one was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Quantity {
     /// In the SI unit of the dimension, finite.
     pub value: f64,

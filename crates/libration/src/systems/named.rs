@@ -14,6 +14,7 @@ use crate::quantity::STANDARD_GRAVITY;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedSystem {
     /// The name it is asked for by.
     pub key: &'static str,
@@ -50,6 +51,7 @@ pub struct NamedSystem {
 /// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the
 /// rod. Formulas of the coordinates, the parameters and the time.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedBody {
     /// Where it is, to the right and upwards.
     pub place: [&'static str; 2],
@@ -59,6 +61,7 @@ pub struct NamedBody {
 
 /// A coordinate of a named system.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedCoordinate {
     /// Its name in the equations.
     pub name: &'static str,
@@ -70,6 +73,7 @@ pub struct NamedCoordinate {
 
 /// A parameter of a named system.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SystemParameter {
     /// Its name in the equations.
     pub name: &'static str,

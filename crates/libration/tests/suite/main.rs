@@ -28,6 +28,8 @@ mod orbit;
 mod period;
 mod period_formulas;
 mod quantity;
+#[cfg(feature = "serde")]
+mod serialize;
 mod series;
 mod series_evaluation;
 mod systems;

@@ -18,6 +18,7 @@ use crate::algebra::{BigFloat, Complex, Rational};
 /// assert_eq!(pade.poles()[0].position.re, 16.0);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pade {
     numerator: Vec<Rational>,
     denominator: Vec<Rational>,
@@ -28,6 +29,7 @@ pub struct Pade {
 
 /// A pole of an approximant.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pole {
     /// Where it is.
     pub position: Complex,
