@@ -120,7 +120,7 @@ pub enum SectionError {
 /// kept.
 ///
 /// # Accuracy
-/// As that of [`integrate`]; points of a chaotic motion are those of a motion near by after some ten of its periods.
+/// As that of [`integrate`](crate::taylor::integrate()); points of a chaotic motion are those of a motion near by after some ten of its periods.
 ///
 /// # Errors
 /// A parameter without a value; a start that does not fit; no period.

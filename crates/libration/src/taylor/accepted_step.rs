@@ -73,6 +73,16 @@ pub fn integrate_from(
     effort: &Effort,
     mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
+    resumed(system, start, times, effort, &mut watch)
+}
+
+fn resumed(
+    system: &System,
+    start: &Start,
+    times: &[f64],
+    effort: &Effort,
+    watch: &mut dyn FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
+) -> Result<Solution, IntegrationError> {
     let (start, checkpoint) = match start {
         Start::State(moment) => (moment.clone(), None),
         Start::Checkpoint(checkpoint) => {
@@ -85,7 +95,7 @@ pub fn integrate_from(
     }
     let trajectory = Trajectory { start, parameters: vec![], times };
     let mut batch = Batch::<1>::new(system, effort).resumed_from(checkpoint);
-    let outcomes =
-        batch.integrate(std::slice::from_ref(&trajectory), |_, taken| watch(&AcceptedStep { taken: *taken }));
+    let outcomes = batch
+        .integrate(std::slice::from_ref(&trajectory), &mut |_, taken| watch(&AcceptedStep { taken: *taken }));
     outcomes.into_iter().next().expect("one motion has one outcome")
 }

@@ -44,7 +44,7 @@ impl<'a, const N: usize> Batch<'a, N> {
     pub(super) fn integrate(
         &mut self,
         trajectories: &'a [Trajectory<'_>],
-        mut watch: impl FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+        watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
     ) -> Vec<Outcome> {
         let mut outcomes: Vec<Option<Outcome>> = trajectories.iter().map(|_| None).collect();
         let mut waiting = trajectories.iter().enumerate();
@@ -63,7 +63,7 @@ impl<'a, const N: usize> Batch<'a, N> {
             for (lane, ahead) in ahead.into_iter().enumerate() {
                 let Some(solution) = self.solutions[lane].take() else { continue };
                 let number = solution.number;
-                match self.advance(lane, solution, ahead, &mut interrupted, &mut watch) {
+                match self.advance(lane, solution, ahead, &mut interrupted, watch) {
                     Ok(solution) => self.solutions[lane] = Some(solution),
                     Err(outcome) => {
                         self.stepper.idle(lane);
@@ -116,7 +116,7 @@ impl<'a, const N: usize> Batch<'a, N> {
         mut solution: PartialSolution<'a>,
         ahead: Result<(), Cause>,
         interrupted: &mut bool,
-        watch: &mut impl FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+        watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
     ) -> Result<PartialSolution<'a>, Outcome> {
         let allowed =
             if *interrupted { Err(Cause::Interrupted) } else { solution.has_steps_left(&self.effort) };

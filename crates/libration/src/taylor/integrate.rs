@@ -90,9 +90,7 @@ impl Trajectory<'_> {
         effort: &Effort,
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> Result<Solution, IntegrationError> {
-        let mut batch = Batch::<1>::new(system, effort);
-        let outcomes = batch.integrate(std::slice::from_ref(self), |_, taken| watch(&taken.step));
-        outcomes.into_iter().next().expect("one motion has one outcome")
+        one(system, self, effort, &mut watch)
     }
 }
 
@@ -119,7 +117,30 @@ pub fn integrate_many_watched(
     effort: &Effort,
     mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    Batch::<LANES>::new(system, effort).integrate(trajectories, |number, taken| watch(number, &taken.step))
+    many(system, trajectories, effort, &mut watch)
+}
+
+// Loops over steps that do not depend on the type of their watch, so that they are compiled once and in this crate.
+
+fn one(
+    system: &System,
+    trajectory: &Trajectory<'_>,
+    effort: &Effort,
+    watch: &mut dyn FnMut(&Step<'_>) -> ControlFlow<()>,
+) -> Result<Solution, IntegrationError> {
+    let mut batch = Batch::<1>::new(system, effort);
+    let outcomes = batch.integrate(std::slice::from_ref(trajectory), &mut |_, taken| watch(&taken.step));
+    outcomes.into_iter().next().expect("one motion has one outcome")
+}
+
+fn many(
+    system: &System,
+    trajectories: &[Trajectory<'_>],
+    effort: &Effort,
+    watch: &mut dyn FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+) -> Vec<Result<Solution, IntegrationError>> {
+    let mut batch = Batch::<LANES>::new(system, effort);
+    batch.integrate(trajectories, &mut |number, taken| watch(number, &taken.step))
 }
 
 /// How many motions go side by side: two vector registers of AVX2.
