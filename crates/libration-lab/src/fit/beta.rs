@@ -1,5 +1,7 @@
 //! The one-parameter test of a law: T = T0·[1 + β(R(A) − 1)], where β = 1 is the law itself.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::significance::SIGNIFICANT;
 use super::uncertain::Uncertain;
 
@@ -15,8 +17,10 @@ pub struct Beta {
 }
 
 impl Beta {
-    /// Of the line T = T0 + (T0β)·(R − 1): its two coefficients, with their covariance.
-    pub(super) fn of_line([t0, slope]: [f64; 2], [[of_t0, both], [_, of_slope]]: [[f64; 2]; 2]) -> Self {
+    /// By the line T = T0 + (T0β)·(R − 1): its two coefficients, with their covariance.
+    pub(super) fn from_line(coefficients: &DVector<f64>, covariance: &DMatrix<f64>) -> Self {
+        let [t0, slope] = [coefficients[0], coefficients[1]];
+        let [of_t0, both, of_slope] = [covariance[(0, 0)], covariance[(0, 1)], covariance[(1, 1)]];
         let beta = slope / t0;
         let variance = (of_slope - 2.0 * beta * both + beta * beta * of_t0) / (t0 * t0);
         Self {
@@ -80,7 +84,10 @@ mod tests {
     /// T0 and T0β without a correlation: β = 1.5 varies by both.
     #[test]
     fn the_quotient_has_the_covariance_of_the_line() {
-        let found = Beta::of_line([2.0, 3.0], [[4e-6, 0.0], [0.0, 9e-6]]);
+        let found = Beta::from_line(
+            &DVector::from_row_slice(&[2.0, 3.0]),
+            &DMatrix::from_row_slice(2, 2, &[4e-6, 0.0, 0.0, 9e-6]),
+        );
         let variance: f64 = (9e-6 + 2.25 * 4e-6) / 4.0;
         assert!((found.factor.value - 1.5).abs() < 1e-15);
         assert!((found.factor.uncertainty - variance.sqrt()).abs() < 1e-15);

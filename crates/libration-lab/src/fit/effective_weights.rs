@@ -15,23 +15,25 @@ pub(super) trait Weighted {
     fn negligible(&self) -> f64;
 }
 
-/// What `solve` finds with the variances that belong to it, and these; with unit weights, and none of them, without uncertainties.
+/// What `solve` finds with the weights that belong to it, one over standard deviations, and the variances; with unit weights, and no
+/// variances, without uncertainties.
 ///
 /// # Errors
-/// [`FitError::NoConvergence`] of these parameters.
+/// [`FitError::NoConvergence`] of these parameters, or what `solve` says.
 pub(super) fn settled<S: Weighted>(
     points: &[Point],
     weighting: Weighting,
     parameters: &'static str,
-    solve: impl Fn(&[f64]) -> S,
+    solve: impl Fn(&[f64]) -> Result<S, FitError>,
 ) -> Result<(S, Option<Vec<f64>>), FitError> {
-    let mut found = solve(&vec![1.0; points.len()]);
+    let mut found = solve(&vec![1.0; points.len()])?;
     if weighting == Weighting::Scatter {
         return Ok((found, None));
     }
     for _ in 0..MOST_ROUNDS {
         let variances: Vec<f64> = points.iter().map(|point| point.variance(found.scale())).collect();
-        let renewed = solve(&variances);
+        let weights: Vec<f64> = variances.iter().map(|variance| 1.0 / variance.sqrt()).collect();
+        let renewed = solve(&weights)?;
         if (renewed.scale() - found.scale()).abs() <= renewed.negligible() {
             return Ok((renewed, Some(variances)));
         }
@@ -68,7 +70,7 @@ mod tests {
     #[test]
     fn what_is_found_belongs_to_its_own_weights() {
         let (points, weighting) = points(true);
-        let solve = |variances: &[f64]| Found(1.0 + variances[1]);
+        let solve = |weights: &[f64]| Ok(Found(1.0 + 1.0 / (weights[1] * weights[1])));
         let (Found(scale), variances) = settled(&points, weighting, "T0", solve).unwrap();
         let variance = variances.unwrap()[1];
         assert!(
@@ -81,7 +83,7 @@ mod tests {
     fn what_does_not_settle_is_refused() {
         let (points, weighting) = points(true);
         // Small weights ask for 1, and those of 1 for 10.
-        let to_and_fro = |variances: &[f64]| Found(if variances[1] > 0.1 { 1.0 } else { 10.0 });
+        let to_and_fro = |weights: &[f64]| Ok(Found(if weights[1] < 3.0 { 1.0 } else { 10.0 }));
         let refused = settled(&points, weighting, "T0", to_and_fro).map(|_| ());
         assert_eq!(refused, Err(FitError::NoConvergence("T0")));
     }
@@ -89,7 +91,8 @@ mod tests {
     #[test]
     fn without_uncertainties_all_rows_count_alike() {
         let (points, weighting) = points(false);
-        let (Found(sum), variances) = settled(&points, weighting, "T0", |v| Found(v.iter().sum())).unwrap();
+        let (Found(sum), variances) =
+            settled(&points, weighting, "T0", |weights| Ok(Found(weights.iter().sum()))).unwrap();
         assert!((sum - 2.0).abs() < 1e-15 && variances.is_none());
     }
 }

@@ -1,11 +1,13 @@
 //! β of a law by a table of periods.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::beta::Beta;
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
-use crate::statistics::count;
+use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 
 /// β with T0 left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,64 +49,45 @@ pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "beta" });
     }
     let points = law.points(&table.rows)?;
-    if points.iter().all(|point| point.ratio.to_bits() == points[0].ratio.to_bits()) {
-        return Err(FitError::EqualAmplitudes);
-    }
-    let solve = |variances: &[f64]| Line::through(&points, variances);
-    let (line, _) = settled(&points, table.weighting(), "beta", solve)?;
-    Ok(line.to_fit(&points, table.weighting()))
+    let (line, _) = settled(&points, table.weighting(), "beta", |weights| Line::through(&points, weights))?;
+    Ok(line.to_fit(points.len() - 2, table.weighting()))
 }
 
-/// T = mean + slope·(x − centre) with x = R − 1, and the variances of its uncorrelated two parameters.
-struct Line {
-    centre: f64,
-    mean: f64,
-    slope: f64,
-    mean_variance: f64,
-    slope_variance: f64,
-    chi2: f64,
-}
+/// T = T0 + (T0β)·(R − 1).
+struct Line(LinearFit);
 
 impl Weighted for Line {
     fn scale(&self) -> f64 {
-        self.slope
+        self.0.coefficients[1]
     }
 
     /// Far less than its own uncertainty, of a slope that may be zero.
     fn negligible(&self) -> f64 {
-        1e-12 * (self.slope.abs() + self.slope_variance.sqrt())
+        1e-12 * (self.scale().abs() + self.0.covariance[(1, 1)].sqrt())
     }
 }
 
 impl Line {
-    fn through(points: &[Point], variances: &[f64]) -> Self {
-        let sum = |term: &dyn Fn(f64, f64) -> f64| -> f64 {
-            points.iter().zip(variances).map(|(p, v)| term(p.ratio - 1.0, p.row.period) / v).sum()
-        };
-        let weight = sum(&|_, _| 1.0);
-        let (centre, mean) = (sum(&|x, _| x) / weight, sum(&|_, t| t) / weight);
-        let spread = sum(&|x, _| (x - centre) * (x - centre));
-        let slope = sum(&|x, t| (x - centre) * (t - mean)) / spread;
-        let residual = |x: f64, t: f64| t - mean - slope * (x - centre);
-        let chi2 = sum(&|x, t| residual(x, t) * residual(x, t));
-        Self { centre, mean, slope, mean_variance: 1.0 / weight, slope_variance: 1.0 / spread, chi2 }
+    fn through(points: &[Point], weights: &[f64]) -> Result<Self, FitError> {
+        let columns =
+            DMatrix::from_fn(points.len(), 2, |i, k| if k == 0 { 1.0 } else { points[i].ratio - 1.0 });
+        let periods = DVector::from_fn(points.len(), |i, _| points[i].row.period);
+        let fit = weighted_least_squares(columns, periods, weights);
+        fit.map(Self).map_err(|reason| match reason {
+            Undetermined::Dependent { .. } | Undetermined::TooFewRows => FitError::EqualAmplitudes,
+            Undetermined::NotFinite => FitError::NoConvergence("beta"),
+        })
     }
 
-    fn to_fit(&self, points: &[Point], weighting: Weighting) -> ExcessScaleFit {
-        let dof = points.len() - 2;
+    fn to_fit(&self, dof: usize, weighting: Weighting) -> ExcessScaleFit {
+        let Self(fit) = self;
         let weighted = weighting != Weighting::Scatter;
-        let per_dof = (dof > 0).then(|| self.chi2 / count(dof));
-        let chi2 = weighted.then_some(self.chi2);
+        let per_dof = (dof > 0).then(|| fit.chi2() / count(dof));
+        let chi2 = weighted.then_some(fit.chi2());
         let enlargement = scatter::enlargement(chi2, dof);
         // Unit weights: the variance of a row is the scatter about the line.
         let unit = if weighted { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
-        let t0 = self.mean - self.slope * self.centre;
-        let t0_variance = self.mean_variance + self.centre * self.centre * self.slope_variance;
-        let both = -self.centre * self.slope_variance;
-        let covariance = |unit: f64| {
-            [[t0_variance, both], [both, self.slope_variance]].map(|row| row.map(|entry| entry * unit))
-        };
-        let beta = |unit: f64| Beta::of_line([t0, self.slope], covariance(unit));
+        let beta = |unit: f64| Beta::from_line(&fit.coefficients, &(&fit.covariance * unit));
         ExcessScaleFit {
             beta: beta(unit),
             uncertainty_scaled: per_dof.map(|per_dof| beta(per_dof).factor.uncertainty),

@@ -4,7 +4,8 @@ use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Weighting};
-use crate::statistics::count;
+use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
+use nalgebra::{DMatrix, DVector};
 
 /// T0 under one law.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,49 +60,45 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "T0" });
     }
     let points = law.points(&table.rows)?;
-    let solve = |variances: &[f64]| T0(weighted_t0(&points, variances));
-    let (T0(t0), variances) = settled(&points, table.weighting(), "T0", solve)?;
+    let solve = |weights: &[f64]| T0::through(&points, weights);
+    let (T0(fit), variances) = settled(&points, table.weighting(), "T0", solve)?;
+    let t0 = fit.coefficients[0];
     let residuals: Vec<f64> = points.iter().map(|point| point.row.period - t0 * point.ratio).collect();
     let dof = points.len() - 1;
-    let variances = variances.unwrap_or_else(|| vec![sum_of_squares(&residuals) / count(dof); points.len()]);
-    let chi2: f64 = residuals.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
-    let chi2 = (table.weighting() != Weighting::Scatter).then_some(chi2);
+    let weighted = table.weighting() != Weighting::Scatter;
+    // Unit weights: the variance of a row is the scatter about the law.
+    let unit = if weighted { 1.0 } else { fit.chi2() / count(dof) };
+    let chi2 = weighted.then_some(fit.chi2());
+    let variances = variances.unwrap_or_else(|| vec![unit; points.len()]);
     Ok(LawFit {
         key: law.key().into(),
         t0,
-        t0_uncertainty: scatter::enlargement(chi2, dof) / information(&points, &variances).sqrt(),
+        t0_uncertainty: scatter::enlargement(chi2, dof) * (unit * fit.covariance[(0, 0)]).sqrt(),
         chi2,
         dof,
-        rms: (sum_of_squares(&residuals) / count(residuals.len())).sqrt(),
+        rms: root_mean_square(residuals.iter().copied()),
         residuals,
         standard_deviations: variances.iter().map(|v| v.sqrt()).collect(),
     })
 }
 
-/// T0 in the making.
-struct T0(f64);
+/// T = T0·R.
+struct T0(LinearFit);
+
+impl T0 {
+    fn through(points: &[Point], weights: &[f64]) -> Result<Self, FitError> {
+        let ratios = DMatrix::from_fn(points.len(), 1, |i, _| points[i].ratio);
+        let periods = DVector::from_fn(points.len(), |i, _| points[i].row.period);
+        weighted_least_squares(ratios, periods, weights).map(Self).map_err(|_| FitError::NoConvergence("T0"))
+    }
+}
 
 impl Weighted for T0 {
     fn scale(&self) -> f64 {
-        self.0
+        self.0.coefficients[0]
     }
 
     fn negligible(&self) -> f64 {
-        1e-13 * self.0.abs()
+        1e-13 * self.scale().abs()
     }
-}
-
-/// Σ R T/σ² over Σ R²/σ².
-fn weighted_t0(points: &[Point], variances: &[f64]) -> f64 {
-    let moment: f64 = points.iter().zip(variances).map(|(p, v)| p.ratio * p.row.period / v).sum();
-    moment / information(points, variances)
-}
-
-/// Σ R²/σ², the inverse of the variance of T0.
-fn information(points: &[Point], variances: &[f64]) -> f64 {
-    points.iter().zip(variances).map(|(p, v)| p.ratio * p.ratio / v).sum()
-}
-
-fn sum_of_squares(values: &[f64]) -> f64 {
-    values.iter().map(|x| x * x).sum()
 }

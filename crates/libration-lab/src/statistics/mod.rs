@@ -7,10 +7,13 @@ mod robust;
 
 pub(crate) mod akaike;
 pub(crate) mod chi_squared;
+pub(crate) mod levenberg_marquardt;
 pub(crate) mod student;
 
 pub(crate) use count::count;
-pub(crate) use least_squares::least_squares;
+pub(crate) use least_squares::{
+    Design, LinearFit, ROUNDING, Undetermined, least_squares, weighted_least_squares,
+};
 pub(crate) use mean::{mean, root_mean_square};
 pub(crate) use robust::{
     NORMAL_PER_MEDIAN_DEVIATION, deviation_by_median, lower_median, median, robust_deviation,

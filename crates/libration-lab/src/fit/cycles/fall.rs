@@ -7,9 +7,15 @@ use nalgebra::{DMatrix, DVector};
 use super::HalfSwing;
 use super::decay_rates::DecayRates;
 use crate::fit::trace::{DampingTerm, DampingTerms};
-use crate::statistics::{median, robust_deviation};
+use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
 
-const MOST_ROUNDS: usize = 30;
+/// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
+const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
+/// Derivatives are differences over this part of an amplitude, or of a coefficient that would halve it.
+const STEP: f64 = 1e-5;
+/// Rounding errors over that step, with those of hundreds of steps of the integration.
+const EXACTNESS: f64 = 1e-8;
 /// Extremes further from the curve than so many robust standard deviations do not count.
 const OUTLIER: f64 = 6.0;
 
@@ -47,39 +53,20 @@ impl<'a> Fall<'a> {
 }
 
 impl Fall<'_> {
-    /// The parameters by Marquardt's method, beginning with those of a linear equation; none where the data are too few.
+    /// The parameters by least squares, beginning with those of a linear equation; none where the data are too few or leave one
+    /// open.
     pub(super) fn fit(&self, terms: DampingTerms) -> Option<Curve> {
-        let mut parameters = self.guess(terms)?;
-        let mut chi2 = self.chi2(terms, &parameters);
-        let mut damping = 1e-3;
-        for _ in 0..MOST_ROUNDS {
-            let (matrix, residuals) = self.linearised(terms, &parameters);
-            let normal = matrix.transpose() * &matrix;
-            let mut damped = normal.clone();
-            for k in 0..damped.nrows() {
-                damped[(k, k)] *= 1.0 + damping;
-            }
-            let step = damped.cholesky()?.solve(&(matrix.transpose() * residuals));
-            let moved: Vec<f64> = parameters.iter().zip(step.iter()).map(|(p, s)| p + s).collect();
-            let renewed = self.chi2(terms, &moved);
-            if renewed.is_nan() || renewed > chi2 {
-                damping *= 10.0;
-                continue;
-            }
-            let settled = chi2 - renewed <= 1e-10 * chi2;
-            (parameters, chi2, damping) = (moved, renewed, damping * 0.1);
-            if settled {
-                break;
-            }
-        }
-        let (matrix, _) = self.linearised(terms, &parameters);
-        let covariance = (matrix.transpose() * matrix).cholesky()?.inverse();
+        let found =
+            minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
+        let covariance = Design::new(&found.linearised.jacobian, EXACTNESS).ok()?.covariance();
+        let parameters: Vec<f64> = found.parameters.iter().copied().collect();
         let fitted = self.amplitudes(terms, &parameters);
+        let chi2 = found.linearised.residuals.norm_squared();
         Some(Curve { terms, parameters, covariance, chi2, fitted })
     }
 
     /// A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.
-    fn guess(&self, terms: DampingTerms) -> Option<Vec<f64>> {
+    fn guess(&self, terms: DampingTerms) -> Option<DVector<f64>> {
         let used = self.weights.iter().filter(|&&weight| weight > 0.0).count();
         if used < terms.count() + 2 {
             return None;
@@ -94,28 +81,27 @@ impl Fall<'_> {
             }
             columns.push(integral);
         }
-        let matrix =
-            DMatrix::from_fn(self.half_swings.len(), columns.len(), |i, j| columns[j][i] * self.weights[i]);
-        let right =
-            DVector::from_fn(self.half_swings.len(), |i, _| self.half_swings[i].amplitude * self.weights[i]);
-        let solution = (matrix.transpose() * &matrix).cholesky()?.solve(&(matrix.transpose() * right));
-        Some(solution.iter().copied().collect())
+        let rows = self.half_swings.len();
+        let matrix = DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);
+        let amplitudes = DVector::from_fn(rows, |i, _| self.half_swings[i].amplitude);
+        Some(weighted_least_squares(matrix, amplitudes, &self.weights).ok()?.coefficients)
     }
 
-    /// The derivatives of the weighted amplitudes, and the weighted residuals.
-    fn linearised(&self, terms: DampingTerms, parameters: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
-        let fitted = self.amplitudes(terms, parameters);
-        let residuals = DVector::from_vec(self.residuals(&fitted));
-        let mut matrix = DMatrix::zeros(fitted.len(), parameters.len());
+    /// What the law says less the amplitudes, over their uncertainties, with its derivatives by differences.
+    fn linearised(&self, terms: DampingTerms, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
+        let fitted = self.amplitudes(terms, parameters.as_slice());
+        let residuals = -DVector::from_vec(self.residuals(&fitted));
+        let mut jacobian = DMatrix::zeros(fitted.len(), parameters.len());
         for k in 0..parameters.len() {
-            let mut moved = parameters.to_vec();
-            let step = 1e-5 * if k == 0 { parameters[0] } else { self.typical(terms, k) };
+            let mut moved = parameters.clone();
+            let step = STEP * if k == 0 { parameters[0] } else { self.typical(terms, k) };
             moved[k] += step;
-            for (row, value) in self.amplitudes(terms, &moved).iter().enumerate() {
-                matrix[(row, k)] = (value - fitted[row]) / step * self.weights[row];
+            for (row, value) in self.amplitudes(terms, moved.as_slice()).iter().enumerate() {
+                jacobian[(row, k)] = (value - fitted[row]) / step * self.weights[row];
             }
         }
-        (matrix, residuals)
+        let finite = residuals.iter().chain(jacobian.iter()).all(|x| x.is_finite());
+        if finite { Ok(Linearised { residuals, jacobian }) } else { Err(NoResiduals::OutOfDomain) }
     }
 
     /// The coefficient with which a kind of damping alone would halve the amplitude in this time.
@@ -152,10 +138,6 @@ impl Fall<'_> {
     pub(super) fn residuals(&self, fitted: &[f64]) -> Vec<f64> {
         let rows = self.half_swings.iter().zip(fitted).zip(&self.weights);
         rows.map(|((half, fitted), weight)| (half.amplitude - fitted) * weight).collect()
-    }
-
-    fn chi2(&self, terms: DampingTerms, parameters: &[f64]) -> f64 {
-        self.residuals(&self.amplitudes(terms, parameters)).iter().map(|r| r * r).sum()
     }
 
     /// Takes the weight from extremes far from the law with all kinds of damping, and says how many they are.

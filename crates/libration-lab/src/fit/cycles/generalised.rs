@@ -12,8 +12,10 @@
 //! Reference: H. D. Patterson and R. Thompson, *Recovery of inter-block information when block sizes are unequal*,
 //! Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::row::Row;
-use crate::statistics::count;
+use crate::statistics::{count, least_squares};
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
@@ -23,12 +25,12 @@ const EVIDENCE: f64 = 2.0;
 /// With fewer degrees of freedom the fluctuations cannot be told from the noise.
 const FEWEST_TO_TELL: usize = 6;
 
-/// One or two coefficients.
+/// Coefficients of the columns.
 #[derive(Clone, Debug)]
 pub(super) struct Generalised {
-    pub(super) coefficients: Vec<f64>,
+    pub(super) coefficients: DVector<f64>,
     /// With the size of the errors that the data show.
-    pub(super) covariance: [[f64; 2]; 2],
+    pub(super) covariance: DMatrix<f64>,
     /// χ² by the noise alone.
     pub(super) chi2_per_dof: Option<f64>,
     /// How much single periods scatter.
@@ -56,7 +58,7 @@ struct Equations<'a> {
     typical: f64,
 }
 
-/// Coefficients of one or two columns, when the period changes by `slope`·R′ with the amplitude.
+/// Coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
 pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Generalised> {
     let noise = bands(rows, |one, other| one.noise_with(other, slope));
     let typical = noise.iter().map(|entries| entries[2]).sum::<f64>() / count(rows.len());
@@ -83,8 +85,9 @@ pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Gene
 
 /// The solution for one ratio of the variances.
 struct Solution {
-    coefficients: Vec<f64>,
-    inverse: [[f64; 2]; 2],
+    coefficients: DVector<f64>,
+    /// (XᵀV⁻¹X)⁻¹.
+    inverse: DMatrix<f64>,
     chi2: f64,
     /// Of the variance of the fluctuations to the typical one of the noise.
     ratio: f64,
@@ -95,8 +98,8 @@ struct Solution {
 impl Equations<'_> {
     /// A solution with the covariance that the scale of the whitened residuals gives.
     fn described(&self, solution: Solution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
-        let covariance = solution.inverse.map(|line| line.map(|entry| entry * scale));
         let scatter = self.scatter(&solution);
+        let covariance = solution.inverse * scale;
         Generalised { coefficients: solution.coefficients, covariance, chi2_per_dof, scatter }
     }
 
@@ -106,12 +109,10 @@ impl Equations<'_> {
         let fluctuation = solution.ratio * self.typical;
         let (mut found, mut expected, mut noise_part) = (0.0, 0.0, 0.0);
         for (row, noise) in self.noise.iter().map(|entries| entries[2]).enumerate() {
-            let column = |k: usize| self.columns.get(k).map_or(0.0, |column| column[row]);
-            let fitted: f64 = (0..).zip(&solution.coefficients).map(|(k, c)| c * column(k)).sum();
-            let residual = self.rows[row].period - fitted;
-            let [[a, b], [_, c]] = solution.inverse;
-            let by_fit =
-                a * column(0) * column(0) + 2.0 * b * column(0) * column(1) + c * column(1) * column(1);
+            let own =
+                DVector::from_iterator(self.columns.len(), self.columns.iter().map(|column| column[row]));
+            let residual = self.rows[row].period - own.dot(&solution.coefficients);
+            let by_fit = own.dot(&(&solution.inverse * &own));
             let variance = noise + fluctuation;
             found += residual * residual / variance;
             expected += 1.0 - by_fit / variance;
@@ -124,32 +125,14 @@ impl Equations<'_> {
 
     fn solve(&self, ratio: f64) -> Option<Solution> {
         let factor = Factor::of(&self.noise, &self.fluctuation, ratio)?;
-        let columns: Vec<Vec<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();
-        let right = factor.whitened(&self.rows.iter().map(|row| row.period).collect::<Vec<_>>());
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let (coefficients, inverse, determinant) = match &columns[..] {
-            [only] => {
-                let square = product(only, only);
-                (vec![product(only, &right) / square], [[1.0 / square, 0.0], [0.0; 2]], square)
-            }
-            [first, second] => {
-                let [a, b, c] = [product(first, first), product(first, second), product(second, second)];
-                let [p, q] = [product(first, &right), product(second, &right)];
-                let determinant = a * c - b * b;
-                let inverse = [[c / determinant, -b / determinant], [-b / determinant, a / determinant]];
-                (inverse.map(|line| line[0] * p + line[1] * q).to_vec(), inverse, determinant)
-            }
-            _ => return None,
-        };
-        let residual = |row: usize| {
-            let fitted: f64 = columns.iter().zip(&coefficients).map(|(column, c)| column[row] * c).sum();
-            right[row] - fitted
-        };
-        let chi2: f64 = (0..self.rows.len()).map(|row| residual(row) * residual(row)).sum();
+        let columns: Vec<DVector<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();
+        let periods: Vec<f64> = self.rows.iter().map(|row| row.period).collect();
+        let fit = least_squares(&DMatrix::from_columns(&columns), &factor.whitened(&periods)).ok()?;
+        let chi2 = fit.chi2();
         let dof = count(self.rows.len().saturating_sub(columns.len()));
-        let likelihood = -0.5 * (factor.log_determinant() + libm::log(determinant) + dof * libm::log(chi2));
-        let usable = coefficients.iter().all(|x| x.is_finite());
-        usable.then_some(Solution { coefficients, inverse, chi2, ratio, likelihood })
+        let logarithms = factor.log_determinant() + fit.log_determinant + dof * libm::log(chi2);
+        let (coefficients, inverse) = (fit.coefficients, fit.covariance);
+        Some(Solution { coefficients, inverse, chi2, ratio, likelihood: -0.5 * logarithms })
     }
 }
 
@@ -175,13 +158,13 @@ impl Factor {
     }
 
     /// L⁻¹ of a column.
-    fn whitened(&self, column: &[f64]) -> Vec<f64> {
+    fn whitened(&self, column: &[f64]) -> DVector<f64> {
         let mut white: Vec<f64> = Vec::with_capacity(column.len());
         for (n, (&value, [second, first, own])) in column.iter().zip(&self.0).enumerate() {
             let before = |back: usize| n.checked_sub(back).map_or(0.0, |m| white[m]);
             white.push((value - second * before(2) - first * before(1)) / own);
         }
-        white
+        DVector::from_vec(white)
     }
 
     fn log_determinant(&self) -> f64 {
@@ -205,7 +188,7 @@ mod tests {
         let noise: Bands = (0..6).map(entries).collect();
         let none = vec![[0.0; 3]; 6];
         let factor = Factor::of(&noise, &none, 1.0).unwrap();
-        let matrix = nalgebra::DMatrix::from_fn(6, 6, |i: usize, j: usize| match i.abs_diff(j) {
+        let matrix = DMatrix::from_fn(6, 6, |i: usize, j: usize| match i.abs_diff(j) {
             0 => 1.5,
             1 => 0.2,
             2 => -0.3,
@@ -213,8 +196,8 @@ mod tests {
         });
         let column = [1.0, -2.0, 0.5, 3.0, 0.0, 1.0];
         let white = factor.whitened(&column);
-        let square: f64 = white.iter().map(|x| x * x).sum();
-        let vector = nalgebra::DVector::from_row_slice(&column);
+        let square = white.norm_squared();
+        let vector = DVector::from_row_slice(&column);
         let whole = (vector.transpose() * matrix.clone().try_inverse().unwrap() * &vector)[(0, 0)];
         assert!((square - whole).abs() < 1e-12 * whole);
         assert!((factor.log_determinant() - libm::log(matrix.determinant())).abs() < 1e-12);

@@ -1,6 +1,6 @@
 //! A curve with a few coefficients through a few points, robust to an outlier among them.
 
-use crate::statistics::count;
+use crate::statistics::{count, weighted_least_squares};
 use nalgebra::{DMatrix, DVector};
 
 /// Rounds of weighting.
@@ -62,22 +62,15 @@ impl Points {
 
     fn weighted(&self, weights: &[f64]) -> Option<LocalFit> {
         let (points, width) = (self.len(), self.rows.first()?.len());
-        if weights.iter().filter(|&&weight| weight > 0.0).count() < width {
-            return None;
-        }
-        let scale = |point: usize| weights[point].sqrt() / self.deviations[point];
-        let matrix = DMatrix::from_fn(points, width, |i, j| self.rows[i][j] * scale(i));
-        let right = DVector::from_fn(points, |i, _| self.values[i] * scale(i));
-        let normal = matrix.transpose() * &matrix;
-        let cholesky = normal.cholesky()?;
-        let coefficients: Vec<f64> = cholesky.solve(&(matrix.transpose() * right)).iter().copied().collect();
-        let residuals = self.residuals(&coefficients);
+        let matrix = DMatrix::from_fn(points, width, |i, j| self.rows[i][j]);
+        let values = DVector::from_column_slice(&self.values);
+        let over = weights.iter().zip(&self.deviations).map(|(weight, deviation)| weight.sqrt() / deviation);
+        let fit = weighted_least_squares(matrix, values, &over.collect::<Vec<f64>>()).ok()?;
+        let coefficients: Vec<f64> = fit.coefficients.iter().copied().collect();
         let spare = points.saturating_sub(width);
         let enlarged = if spare > 0 { (count(points) / count(spare)).sqrt() } else { 0.0 };
-        let covariance = cholesky.inverse();
-        let usable = coefficients.iter().chain(covariance.iter()).all(|x| x.is_finite());
-        let residuals = residuals.into_iter().map(|residual| residual * enlarged).collect();
-        usable.then_some(LocalFit { coefficients, covariance, residuals })
+        let residuals = self.residuals(&coefficients).into_iter().map(|residual| residual * enlarged);
+        Some(LocalFit { residuals: residuals.collect(), covariance: fit.covariance, coefficients })
     }
 
     fn residuals(&self, coefficients: &[f64]) -> Vec<f64> {

@@ -80,7 +80,7 @@ impl Row {
 pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0)?;
-    let [t0, variance] = [found.coefficients[0], found.covariance[0][0]];
+    let [t0, variance] = [found.coefficients[0], found.covariance[(0, 0)]];
     let (chi2_per_dof, scatter) = (found.chi2_per_dof, found.scatter);
     Some(PeriodLaw { t0, t0_uncertainty: variance.sqrt(), chi2_per_dof, scatter })
 }
@@ -97,7 +97,7 @@ pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
     let found = settled(rows, &columns, 1).ok_or(open)?;
-    Ok(Beta::of_line([found.coefficients[0], found.coefficients[1]], found.covariance))
+    Ok(Beta::from_line(&found.coefficients, &found.covariance))
 }
 
 /// Refuses amplitudes of which more than 5 % of the variance of T/T0 is their noise: a regression on values with errors is drawn

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::statistics::count;
+use crate::statistics::{count, least_squares};
 use libration::quantity::Quantity;
 
 /// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.
@@ -25,13 +25,9 @@ fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Optio
     let scale = (last - first).max(f64::MIN_POSITIVE);
     let power = |t: f64, k: usize| (0..k).fold(1.0, |product, _| product * (t - time) / scale);
     let matrix = DMatrix::from_fn(times.len(), degree + 1, |i, k| power(times[i], k));
-    let right = DVector::from_row_slice(periods);
-    let cholesky = (matrix.transpose() * &matrix).cholesky()?;
-    let solution = cholesky.solve(&(matrix.transpose() * &right));
-    let residuals = right - &matrix * &solution;
+    let fit = least_squares(&matrix, &DVector::from_row_slice(periods)).ok()?;
     let dof = count(times.len().saturating_sub(degree + 1).max(1));
-    let variance = residuals.norm_squared() / dof * cholesky.inverse()[(0, 0)];
-    Some((solution[0], variance.sqrt()))
+    Some((fit.coefficients[0], (fit.chi2() / dof * fit.covariance[(0, 0)]).sqrt()))
 }
 
 #[cfg(test)]

@@ -6,9 +6,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
 use crate::fit::scatter::{self, Scatter};
-use crate::statistics::akaike;
-use crate::statistics::count;
 use crate::statistics::student::probability_beyond;
+use crate::statistics::{akaike, count, weighted_least_squares};
 use libration::quantity::Quantity;
 
 /// Rounds in which the weights, and the term of the bob, are renewed.
@@ -133,15 +132,13 @@ fn columns(row: &Row, width: usize, known: f64, offset: f64) -> Vec<f64> {
 
 fn solve(rows: &[Row], width: usize, known: f64, offset: f64, variances: &[f64]) -> Option<Solution> {
     let columns: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, width, known, offset)).collect();
-    let scale = |i: usize| 1.0 / variances[i].sqrt();
-    let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j] * scale(i));
-    let right = DVector::from_fn(rows.len(), |i, _| rows[i].square() * scale(i));
-    let cholesky = (matrix.transpose() * &matrix).cholesky()?;
-    let coefficients: Vec<f64> = cholesky.solve(&(matrix.transpose() * right)).iter().copied().collect();
-    let covariance = cholesky.inverse();
-    let usable = coefficients[0] > 0.0 && coefficients.iter().all(|x| x.is_finite());
-    let determined = (0..width).all(|k| covariance[(k, k)].is_finite() && covariance[(k, k)] > 0.0);
-    (usable && determined).then(|| Solution { coefficients, covariance, variances: variances.to_vec() })
+    let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j]);
+    let values = DVector::from_fn(rows.len(), |i, _| rows[i].square());
+    let weights: Vec<f64> = variances.iter().map(|variance| 1.0 / variance.sqrt()).collect();
+    let fit = weighted_least_squares(matrix, values, &weights).ok()?;
+    let coefficients: Vec<f64> = fit.coefficients.iter().copied().collect();
+    let solution = Solution { coefficients, covariance: fit.covariance, variances: variances.to_vec() };
+    Some(solution).filter(|solution| solution.coefficients[0] > 0.0)
 }
 
 impl Solution {

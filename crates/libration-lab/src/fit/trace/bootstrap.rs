@@ -4,12 +4,33 @@
 //! doi:10.1214/aos/1176347265), so that within a block they stay as alike as they are. The parameters answer linearly,
 //! by the pseudo-inverse of the derivatives.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{DMatrix, DVector};
 
+use super::Autocorrelation;
+use super::layout::Layout;
+use super::minimum::Minimum;
 use super::random::Random;
+use crate::measurement::Trace;
 use crate::statistics::count;
 
 const REPLICAS: usize = 500;
+
+/// How many rows a block has: it holds one swing, and the more the longer residuals remember and the more there is to choose from.
+pub(super) fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
+    let Some(longest) = traces.iter().max_by_key(|trace| trace.len()) else { return 1 };
+    let end = longest.times()[0] + TAU / minimum.parameters[Layout::OMEGA0];
+    let swing = longest.times().partition_point(|&time| time < end);
+    let (rows, time) = (longest.len(), autocorrelation.time);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "it is below the number of rows"
+    )]
+    let grown = (time * libm::cbrt(count(rows) / time)) as usize;
+    swing.max(grown).min(rows / 3).max(1)
+}
 
 /// The standard deviation of each parameter over replicas; `response` has a row for each parameter, and `lengths` are
 /// those of the series of residuals.

@@ -17,16 +17,20 @@ mod swing;
 
 mod weak_form;
 
+mod data;
 mod huber;
 mod layout;
+mod minimum;
+mod model;
 mod problem;
 mod search;
+mod weights;
 
 mod autocorrelation;
 mod bootstrap;
-mod linearised;
 mod noise;
 mod random;
+mod response;
 mod uncertainty;
 
 mod clock;
@@ -35,7 +39,7 @@ mod systematic;
 
 mod profile;
 
-mod compare;
+mod comparison;
 mod fitted;
 mod information;
 
@@ -43,14 +47,14 @@ mod continuation;
 
 pub use super::{DampingTerm, DampingTerms, DampingTermsError};
 pub use autocorrelation::Autocorrelation;
-pub use compare::{Averaged, Comparison, Standing, compare};
+pub use comparison::{Averaged, Comparison, Standing, compare};
 pub use continuation::{ContinuationError, FittedDecay, FittedTurningPoint};
 pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;
 
 use crate::measurement::Trace;
-use search::Search;
+use problem::Problem;
 use std::ops::ControlFlow;
 
 /// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
@@ -82,9 +86,9 @@ pub fn fit_traces(
     options: &TraceOptions,
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<TraceFit, TraceFitError> {
-    let mut search = Search::new(traces, damping, *options, watch)?;
-    let minimum = search.minimum_from_scratch()?;
-    let fit = uncertainty::fit(&mut search, &minimum)?;
+    let problem = Problem::new(traces, damping, *options)?;
+    let minimum = search::from_scratch(&problem, watch)?;
+    let fit = uncertainty::fit(&problem, &minimum, watch)?;
     check_explained(&fit).map(|()| fit)
 }
 

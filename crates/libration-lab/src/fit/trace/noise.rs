@@ -9,7 +9,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::linearised::Linearised;
+use super::response::Response;
 use crate::measurement::Trace;
 use crate::statistics::{count, median};
 
@@ -34,10 +34,10 @@ const LONGEST_ROWS: f64 = 400.0;
 const LEAST_DEGREES: f64 = 2.0;
 
 /// The effect on each parameter of a least squares problem, by how the parameters answer to the rows.
-pub(super) fn effects(traces: &[Trace], problem: &Linearised) -> Vec<Effect> {
-    let response = &problem.response;
+pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
+    let response = &problem.matrix;
     let rows = Rows::new(traces, problem);
-    let degrees = count(problem.residuals.len().saturating_sub(response.nrows()).max(1));
+    let degrees = count(problem.linearised.residuals.len().saturating_sub(response.nrows()).max(1));
     let white = rows.tried(&Noise::WHITE, response, degrees);
     let Some(white) = white else {
         return vec![Effect { inflation: 1.0, degrees_of_freedom: degrees }; response.nrows()];
@@ -124,17 +124,17 @@ struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    fn new(traces: &'a [Trace], problem: &Linearised) -> Self {
-        let parameters = problem.jacobian.ncols();
-        let sizes: Vec<f64> = problem.jacobian.column_iter().map(|column| column.norm()).collect();
+    fn new(traces: &'a [Trace], problem: &Response) -> Self {
+        let parameters = problem.linearised.jacobian.ncols();
+        let sizes: Vec<f64> = problem.linearised.jacobian.column_iter().map(|column| column.norm()).collect();
         let mut parts = vec![];
         let mut first = 0;
         for trace in traces {
             let derivatives = (0..parameters).map(|place| {
-                let column = problem.jacobian.column(place);
+                let column = problem.linearised.jacobian.column(place);
                 (place, column.rows(first, trace.len()).iter().map(|x| x / sizes[place]).collect())
             });
-            let residuals = problem.residuals.rows(first, trace.len()).iter().copied().collect();
+            let residuals = problem.linearised.residuals.rows(first, trace.len()).iter().copied().collect();
             let depends = |column: &(usize, Vec<f64>)| column.1.iter().any(|x| x.abs() > 0.0);
             let columns = derivatives.filter(depends).chain([(parameters, residuals)]).collect();
             parts.push(Part { times: trace.times(), first, columns });

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::Minimum;
+use super::minimum::Minimum;
 use crate::measurement::{FittedPivot, Trace};
 
 /// The covariance of the parameters by the pivots, as far as they answer linearly to shifted angles. Traces about one pivot
@@ -26,12 +26,12 @@ pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix
 
 /// The changes of all rows in one of the errors of a pivot, times their weights.
 fn weighted(traces: &[Trace], minimum: &Minimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
-    let of_trace = |(trace, weights): (&Trace, &Vec<f64>)| match trace.fitted_pivot() {
+    let of_trace = |(trace, weights): (&Trace, &[f64])| match trace.fitted_pivot() {
         Some(own) if own.is_that_of(pivot) => {
             own.errors()[error].iter().zip(weights).map(|(change, weight)| change * weight).collect()
         }
         _ => vec![0.0; trace.len()],
     };
-    let rows: Vec<f64> = traces.iter().zip(&minimum.weights).flat_map(of_trace).collect();
+    let rows: Vec<f64> = traces.iter().zip(minimum.weights.traces()).flat_map(of_trace).collect();
     DVector::from_vec(rows)
 }

@@ -2,11 +2,12 @@
 //! has grown by as much as the level says (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
 //! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
 
-use nalgebra::DMatrix;
+use std::ops::ControlFlow;
 
-use super::problem::Minimum;
-use super::search::Search;
+use super::minimum::Minimum;
+use super::problem::Problem;
 use super::{Parameter, TraceFitError};
+use nalgebra::DMatrix;
 
 /// Standard deviations within which a normal distribution has 68.27 % and 95 %.
 const LEVELS: [f64; 2] = [1.0, 1.959963984540054];
@@ -27,13 +28,14 @@ pub(super) fn quantiles(degrees_of_freedom: f64) -> [f64; 2] {
 
 /// Puts the intervals of all shared parameters in.
 pub(super) fn intervals(
-    search: &mut Search<'_>,
+    problem: &Problem<'_>,
     minimum: &Minimum,
     covariance: &DMatrix<f64>,
     variance: f64,
     parameters: &mut [Parameter],
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<(), TraceFitError> {
-    let free = search.free();
+    let free = problem.model.free();
     for (place, parameter) in
         parameters.iter_mut().enumerate().filter(|(_, parameter)| parameter.trace.is_none())
     {
@@ -42,8 +44,8 @@ pub(super) fn intervals(
         for (interval, level) in found.iter_mut().zip(LEVELS) {
             for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {
                 let wanted = students(level, parameter.degrees_of_freedom) * inflation;
-                let profile = Profile { minimum, free: &free, covariance, place, variance };
-                *end = profile.end(search, side * wanted, parameter.formal_uncertainty)?;
+                let profile = Profile { problem, minimum, free: &free, covariance, place, variance };
+                *end = profile.end(side * wanted, parameter.formal_uncertainty, watch)?;
             }
         }
         parameter.intervals = found;
@@ -53,6 +55,7 @@ pub(super) fn intervals(
 
 /// One parameter as it is moved away from the minimum.
 struct Profile<'a> {
+    problem: &'a Problem<'a>,
     minimum: &'a Minimum,
     free: &'a [usize],
     covariance: &'a DMatrix<f64>,
@@ -63,11 +66,16 @@ struct Profile<'a> {
 
 impl Profile<'_> {
     /// The value at so many standard deviations; as if the model were linear where the profile does not reach so far.
-    fn end(&self, search: &mut Search<'_>, deviations: f64, uncertainty: f64) -> Result<f64, TraceFitError> {
+    fn end(
+        &self,
+        deviations: f64,
+        uncertainty: f64,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<f64, TraceFitError> {
         let centre = self.minimum.parameters[self.free[self.place]];
         let mut distance = deviations * uncertainty;
         for _ in 0..TRIES {
-            let reached = match self.deviations(search, distance) {
+            let reached = match self.deviations(distance, watch) {
                 Err(TraceFitError::Interrupted) => return Err(TraceFitError::Interrupted),
                 Err(_) => return Ok(centre + deviations * uncertainty),
                 Ok(reached) => reached,
@@ -83,16 +91,20 @@ impl Profile<'_> {
 
     /// By how many standard deviations the data contradict a value at this distance. The other parameters follow it from
     /// where they would be if the model were linear.
-    fn deviations(&self, search: &mut Search<'_>, distance: f64) -> Result<f64, TraceFitError> {
+    fn deviations(
+        &self,
+        distance: f64,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
         let variance = self.covariance[(self.place, self.place)];
         for (column, &place) in self.free.iter().enumerate() {
             parameters[place] += distance * self.covariance[(self.place, column)] / variance;
         }
-        let moved = self.free[self.place];
-        let others = self.free.iter().copied().filter(|&other| other != moved).collect();
-        let growth =
-            search.minimum_next_to(parameters, others)?.sum_of_squares() - self.minimum.sum_of_squares();
+        let own = self.free[self.place];
+        let others = self.free.iter().copied().filter(|&other| other != own).collect();
+        let moved = self.problem.minimum_beside(&self.minimum.weights, parameters, others, watch)?;
+        let growth = moved.sum_of_squares() - self.minimum.sum_of_squares();
         Ok((growth.max(0.0) / self.variance).sqrt())
     }
 }

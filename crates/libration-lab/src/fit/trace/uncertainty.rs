@@ -1,82 +1,109 @@
 //! From the minimum to parameters with uncertainties.
 
-use crate::statistics::count;
-use nalgebra::{DMatrix, DVector};
+use std::ops::ControlFlow;
 
-use super::layout::Layout;
-use super::linearised::Linearised;
-use super::problem::Minimum;
-use super::search::Search;
+use nalgebra::DMatrix;
+
+use super::minimum::Minimum;
+use super::problem::Problem;
+use super::response::Response;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
 use super::{bootstrap, clock, huber, noise, pivot, profile, systematic};
 use crate::measurement::Trace;
+use crate::statistics::{count, mean};
 
 /// The fit with its uncertainties.
-pub(super) fn fit(search: &mut Search<'_>, minimum: &Minimum) -> Result<TraceFit, TraceFitError> {
-    let (free, traces) = (search.free(), search.traces);
-    let described = |place: &usize| search.layout.described(*place, traces);
-    let mut parameters: Vec<Parameter> = free.iter().map(described).collect();
-    let response = response(&minimum.jacobian, &parameters)?;
-    let covariance = &response * response.transpose();
-    let mut shared = pivot::covariance(traces, minimum, &response);
-    let all = search.unweighted(minimum);
-    let degrees_of_freedom = all.len().saturating_sub(free.len()).max(1);
-    let chi2 = all.iter().map(|residual| residual * residual).sum::<f64>() / count(degrees_of_freedom);
-    let has_uncertainties = traces.iter().any(|trace| trace.uncertainties().is_some());
-    let variance = match search.options.robust {
-        true => huber::variance(&all, free.len()),
-        false => chi2,
-    };
-    let variance = if has_uncertainties { variance.max(1.0) } else { variance };
-    let series = split(&all, traces);
-    let autocorrelation = Autocorrelation::of(&series);
-    let linearised = match search.options.robust {
-        true => without_weights(search, minimum, &all, &parameters)?,
-        false => {
-            Linearised { jacobian: minimum.jacobian.clone(), residuals: minimum.residuals.clone(), response }
-        }
-    };
-    let block = (!autocorrelation.is_noise()).then(|| block(&autocorrelation, minimum, traces));
-    let formal = (0..free.len()).map(|place| (variance * covariance[(place, place)]).sqrt());
-    for (place, (parameter, formal)) in parameters.iter_mut().zip(formal).enumerate() {
-        (parameter.value, parameter.formal_uncertainty) = (minimum.parameters[free[place]], formal);
+pub(super) fn fit(
+    problem: &Problem<'_>,
+    minimum: &Minimum,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<TraceFit, TraceFitError> {
+    let traces = problem.data.traces;
+    let residuals = minimum.standard_residuals(traces);
+    let scatter = Scatter::new(problem, &residuals);
+    let autocorrelation = Autocorrelation::of(&split(&residuals, traces));
+    let block = (!autocorrelation.is_noise()).then(|| bootstrap::block(&autocorrelation, minimum, traces));
+    let mut parameters = described(problem, minimum);
+    let response = Response::new(minimum, &parameters)?;
+    let covariance = response.covariance();
+    for (place, parameter) in parameters.iter_mut().enumerate() {
+        parameter.formal_uncertainty = (scatter.variance * covariance[(place, place)]).sqrt();
     }
-    heed_noise(&mut parameters, traces, &linearised, block);
-    let independent_rows = independent_rows(&parameters, all.len());
-    if search.options.profile {
-        search.weights.clone_from(&minimum.weights);
-        profile::intervals(search, minimum, &covariance, variance, &mut parameters)?;
+    let mut shared = pivot::covariance(traces, minimum, &response.matrix);
+    let unweighted = match problem.options.robust {
+        true => Response::without_weights(minimum, traces, &parameters)?,
+        false => response,
+    };
+    heed_noise(&mut parameters, traces, &unweighted, block);
+    let independent_rows = independent_rows(&parameters, residuals.len());
+    if problem.options.profile {
+        profile::intervals(problem, minimum, &covariance, scatter.variance, &mut parameters, watch)?;
     }
     let by_clock = clock::deviation(traces, parameters[0].value);
     shared[(0, 0)] += by_clock * by_clock;
     let mut correlations = correlations(&covariance);
     systematic::add(&mut parameters, &mut correlations, &shared);
     Ok(TraceFit {
-        damping: search.layout.terms(),
+        damping: problem.model.layout.terms(),
         correlations,
-        traces: fitted(search, &all),
-        degrees_of_freedom,
+        traces: fitted(traces, &residuals),
+        degrees_of_freedom: scatter.degrees_of_freedom,
         independent_rows,
-        chi2_per_dof: has_uncertainties.then_some(chi2),
-        rms: rms(search, &all),
+        chi2_per_dof: scatter.is_stated.then_some(scatter.per_degree),
+        rms: rms(traces, &residuals),
         autocorrelation,
         bootstrap_block: block,
         converged: minimum.converged,
-        unexplained: search.unexplained(minimum),
-        standard_residuals: all,
+        unexplained: problem.unexplained(minimum),
+        standard_residuals: residuals,
         parameters,
     })
 }
 
+/// How large residuals are beside their stated uncertainties.
+struct Scatter {
+    degrees_of_freedom: usize,
+    /// The sum of their squares for each degree of freedom.
+    per_degree: f64,
+    /// Whether there are stated uncertainties.
+    is_stated: bool,
+    /// What the covariance of the parameters is multiplied by: the scatter, and no less than what is stated.
+    variance: f64,
+}
+
+impl Scatter {
+    fn new(problem: &Problem<'_>, residuals: &[f64]) -> Self {
+        let parameters = problem.model.free().len();
+        let degrees_of_freedom = residuals.len().saturating_sub(parameters).max(1);
+        let squares: f64 = residuals.iter().map(|residual| residual * residual).sum();
+        let per_degree = squares / count(degrees_of_freedom);
+        let is_stated = problem.data.traces.iter().any(|trace| trace.uncertainties().is_some());
+        let shown = if problem.options.robust { huber::variance(residuals, parameters) } else { per_degree };
+        let variance = if is_stated { shown.max(1.0) } else { shown };
+        Self { degrees_of_freedom, per_degree, is_stated, variance }
+    }
+}
+
+/// The free parameters with their values.
+fn described(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Parameter> {
+    let layout = problem.model.layout;
+    let one = |place: usize| Parameter {
+        value: minimum.parameters[place],
+        ..layout.described(place, problem.data.traces)
+    };
+    problem.model.free().into_iter().map(one).collect()
+}
+
 /// Uncertainties and intervals from the formal ones: by the noise, and by blocks of so many rows if that is more.
-fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], linearised: &Linearised, block: Option<usize>) {
+fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Response, block: Option<usize>) {
     let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
-    let rows = linearised.residuals.len();
+    let residuals = &response.linearised.residuals;
+    let rows = residuals.len();
     let correction = (count(rows) / count(rows.saturating_sub(parameters.len()).max(1))).sqrt();
     let by_blocks = block.map_or(vec![0.0; parameters.len()], |block| {
-        bootstrap::deviations(&linearised.response, &linearised.residuals, &lengths, block)
+        bootstrap::deviations(&response.matrix, residuals, &lengths, block)
     });
-    let effects = noise::effects(traces, linearised);
+    let effects = noise::effects(traces, response);
     for ((parameter, effect), by_blocks) in parameters.iter_mut().zip(effects).zip(by_blocks) {
         let by_noise = parameter.formal_uncertainty * effect.inflation.sqrt();
         parameter.uncertainty = by_noise.max(by_blocks * correction);
@@ -92,41 +119,8 @@ fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
         .map(|it| 2.0 * libm::log(it.uncertainty / it.formal_uncertainty))
         .filter(|x| x.is_finite())
         .collect();
-    let mean = logarithms.iter().sum::<f64>() / count(logarithms.len().max(1));
-    count(rows) / libm::exp(mean.max(0.0))
-}
-
-/// The problem that a robust one is in the limit of many rows: outliers are bounded there, and their rows have full weight, so
-/// that the noise is the same in all.
-fn without_weights(
-    search: &Search<'_>,
-    minimum: &Minimum,
-    all: &[f64],
-    parameters: &[Parameter],
-) -> Result<Linearised, TraceFitError> {
-    let mut jacobian = minimum.jacobian.clone();
-    let stated = search.stated_weights().into_iter().flatten();
-    let weights = minimum.weights.iter().flatten().zip(stated);
-    for (mut row, (weight, stated)) in jacobian.row_iter_mut().zip(weights) {
-        row *= stated / weight;
-    }
-    let response = response(&jacobian, parameters)?;
-    Ok(Linearised { jacobian, residuals: DVector::from_vec(huber::bounded(all)), response })
-}
-
-/// The pseudo-inverse of the derivatives, by which parameters answer to residuals.
-fn response(jacobian: &DMatrix<f64>, parameters: &[Parameter]) -> Result<DMatrix<f64>, TraceFitError> {
-    let sizes: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
-    let factored = jacobian.clone().qr();
-    let triangle = factored.r();
-    for (place, size) in sizes.iter().enumerate() {
-        // What is left of a column that the others span is rounding errors.
-        if triangle[(place, place)].abs() <= 1e-11 * size || *size <= 0.0 {
-            return Err(TraceFitError::Undetermined { parameter: parameters[place].name });
-        }
-    }
-    let undetermined = TraceFitError::Undetermined { parameter: parameters[0].name };
-    triangle.solve_upper_triangular(&factored.q().transpose()).ok_or(undetermined)
+    // Without any, NaN, of which the larger of two is the other.
+    count(rows) / libm::exp(mean(logarithms.into_iter()).max(0.0))
 }
 
 fn correlations(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
@@ -137,48 +131,33 @@ fn correlations(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
     (0..covariance.nrows()).map(row).collect()
 }
 
-/// A block holds one swing, and the longer the more there is to choose from.
-fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
-    let longest = traces.iter().max_by_key(|trace| trace.len());
-    let swing = longest.map_or(1, |trace| {
-        let period = 2.0 * std::f64::consts::PI / minimum.parameters[Layout::OMEGA0];
-        trace.times().partition_point(|&time| time < trace.times()[0] + period)
-    });
-    let rows = longest.map_or(1, Trace::len);
-    let time = autocorrelation.time;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "it is below the number of rows"
-    )]
-    let grown = (time * libm::cbrt(count(rows) / time)) as usize;
-    swing.max(grown).min(rows / 3).max(1)
-}
-
 /// A column cut into those of the traces.
 fn split(column: &[f64], traces: &[Trace]) -> Vec<Vec<f64>> {
     let mut rest = column.iter().copied();
     traces.iter().map(|trace| rest.by_ref().take(trace.len()).collect()).collect()
 }
 
+/// The stated uncertainty of each row, or one.
+fn uncertainties(trace: &Trace) -> impl Iterator<Item = f64> {
+    (0..trace.len()).map(|row| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]))
+}
+
 /// What was seen less what should have been, from residuals in units of the uncertainties.
-fn fitted(search: &Search<'_>, all: &[f64]) -> Vec<FittedTrace> {
+fn fitted(traces: &[Trace], all: &[f64]) -> Vec<FittedTrace> {
     let scale = huber::scale(all);
     let one = |(trace, column): (&Trace, Vec<f64>)| {
-        let uncertainty = |row: usize| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]);
-        let residuals: Vec<f64> = column.iter().enumerate().map(|(row, r)| -r * uncertainty(row)).collect();
+        let residuals: Vec<f64> =
+            column.iter().zip(uncertainties(trace)).map(|(r, uncertainty)| -r * uncertainty).collect();
         let fitted =
             trace.values().iter().zip(&residuals).map(|(value, residual)| value - residual).collect();
         let outliers = (0..column.len()).filter(|&row| huber::is_outlier(column[row], scale)).collect();
         FittedTrace { begins: trace.times()[0], fitted, residuals, outliers }
     };
-    search.traces.iter().zip(split(all, search.traces)).map(one).collect()
+    traces.iter().zip(split(all, traces)).map(one).collect()
 }
 
-fn rms(search: &Search<'_>, all: &[f64]) -> f64 {
-    let uncertainties = search.traces.iter().flat_map(|trace| {
-        (0..trace.len()).map(|row| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]))
-    });
+fn rms(traces: &[Trace], all: &[f64]) -> f64 {
+    let uncertainties = traces.iter().flat_map(uncertainties);
     let size =
         all.iter().zip(uncertainties).fold(0.0, |size, (r, uncertainty)| libm::hypot(size, r * uncertainty));
     size / count(all.len()).sqrt()

@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::measurement::{Seen, Trace};
 use crate::statistics::count;
-use crate::statistics::least_squares;
 use crate::statistics::median;
+use crate::statistics::{least_squares, weighted_least_squares};
 
 /// Where a fit begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,9 +81,9 @@ fn estimate(times: &[f64], angles: &[f64], half: f64, interval: f64) -> Option<E
     let (mut solution, mut scale) = (DVector::zeros(3), 0.0);
     // Windows with outliers are turned down by the size of their residuals.
     for _ in 0..6 {
-        let matrix = DMatrix::from_fn(rows.len(), 3, |i, k| rows[i][k + 1] * weights[i]);
-        let right = DVector::from_fn(rows.len(), |i, _| rows[i][0] * weights[i]);
-        solution = least_squares(&matrix, &right)?;
+        let matrix = DMatrix::from_fn(rows.len(), 3, |i, k| rows[i][k + 1]);
+        let values = DVector::from_fn(rows.len(), |i, _| rows[i][0]);
+        solution = weighted_least_squares(matrix, values, &weights).ok()?.coefficients;
         let explained = |row: &[f64; 4]| row[1..].iter().zip(&solution).map(|(x, p)| x * p).sum::<f64>();
         let residuals: Vec<f64> = rows.iter().map(|row| (row[0] - explained(row)).abs()).collect();
         scale = median(residuals.clone())?;
@@ -156,7 +156,7 @@ fn first_state(times: &[f64], angles: &[f64], omega0: f64) -> Option<[f64; 2]> {
         DVector::from_fn(near, |i, _| since[i]),
         DVector::from_fn(near, |i, _| since[i] * since[i]),
     ];
-    let solution =
-        least_squares(&DMatrix::from_columns(&columns), &DVector::from_row_slice(angles.get(..near)?))?;
-    Some([solution[0], solution[1]])
+    let values = DVector::from_row_slice(angles.get(..near)?);
+    let parabola = least_squares(&DMatrix::from_columns(&columns), &values).ok()?.coefficients;
+    Some([parabola[0], parabola[1]])
 }

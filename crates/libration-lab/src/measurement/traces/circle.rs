@@ -6,10 +6,9 @@
 //! # References
 //! I. Kåsa, IEEE Trans. Instrum. Meas. 25, 8–14 (1976), for the algebraic circle.
 
-use crate::statistics::count;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::storage::Owned;
-use nalgebra::{Dyn, Matrix3, OMatrix, OVector, U3, Vector3};
+use crate::statistics::levenberg_marquardt::{Effort, Linearised, minimum};
+use crate::statistics::{Design, ROUNDING, count, least_squares};
+use nalgebra::{DMatrix, DVector};
 
 /// A circle fitted to points, in their unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +24,9 @@ pub(super) struct Circle {
     pub(super) covariance: [[f64; 2]; 2],
 }
 
+/// Distances are exact to their rounding errors.
+const EFFORT: Effort = Effort { tolerance: 1e-14, patience: 100 };
+
 impl Circle {
     /// The circle that fits these points best; none for fewer than three points, or points on a line.
     pub(super) fn fit(points: &[(f64, f64)]) -> Option<Self> {
@@ -33,19 +35,16 @@ impl Circle {
         let scaled: Vec<_> =
             points.iter().map(|(x, y)| ((x - centre.0) / size, (y - centre.1) / size)).collect();
         let start = algebraic(&scaled)?;
-        let (problem, report) =
-            LevenbergMarquardt::new().minimize(Distances { points: &scaled, circle: start });
-        let fitted = report.termination.was_successful().then_some(problem)?;
-        let freedom = (points.len().checked_sub(3)?).max(1);
-        let variance = 2.0 * report.objective_function / count(freedom);
-        let jacobian = fitted.jacobian()?;
-        let covariance = (jacobian.transpose() * jacobian).try_inverse()? * variance;
-        let [x, y, radius] = fitted.circle.into();
+        let found = minimum(start, EFFORT, |circle| Ok(distances(&scaled, circle))).ok()?;
+        let Linearised { residuals, jacobian } = found.converged.then_some(found.linearised)?;
+        let (squares, freedom) = (residuals.norm_squared(), points.len().checked_sub(3)?.max(1));
+        let covariance = Design::new(&jacobian, ROUNDING).ok()?.covariance() * (squares / count(freedom));
+        let [x, y, radius] = [found.parameters[0], found.parameters[1], found.parameters[2]];
         let circle = Self {
             x: centre.0 + size * x,
             y: centre.1 + size * y,
             radius: size * radius.abs(),
-            scatter: size * (2.0 * report.objective_function / count(points.len())).sqrt(),
+            scatter: size * (squares / count(points.len())).sqrt(),
             radius_uncertainty: size * covariance[(2, 2)].sqrt(),
             covariance: [0, 1].map(|i| [0, 1].map(|j| size * size * covariance[(i, j)])),
         };
@@ -94,62 +93,31 @@ fn centre_and_size(points: &[(f64, f64)]) -> Option<((f64, f64), f64)> {
     (points.len() >= 3 && size > 0.0 && size.is_finite()).then_some(((x, y), size))
 }
 
-/// x² + y² = 2ax + 2by + c in the least-squares sense.
-fn algebraic(points: &[(f64, f64)]) -> Option<Vector3<f64>> {
-    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for &(x, y) in points {
-        let row = Vector3::new(2.0 * x, 2.0 * y, 1.0);
-        matrix += row * row.transpose();
-        right += row * (x * x + y * y);
-    }
-    let solution = matrix.try_inverse()? * right;
-    let (x, y) = (solution[0], solution[1]);
-    let radius = (solution[2] + x * x + y * y).sqrt();
-    radius.is_finite().then(|| Vector3::new(x, y, radius))
+/// x² + y² = 2ax + 2by + c in the least-squares sense: x, y and radius.
+fn algebraic(points: &[(f64, f64)]) -> Option<DVector<f64>> {
+    let entry = |i: usize, k: usize| [2.0 * points[i].0, 2.0 * points[i].1, 1.0][k];
+    let matrix = DMatrix::from_fn(points.len(), 3, entry);
+    let squares =
+        DVector::from_fn(points.len(), |i, _| points[i].0 * points[i].0 + points[i].1 * points[i].1);
+    let mut circle = least_squares(&matrix, &squares).ok()?.coefficients;
+    circle[2] = (circle[2] + circle[0] * circle[0] + circle[1] * circle[1]).sqrt();
+    circle[2].is_finite().then_some(circle)
 }
 
 /// The distances of points from a circle.
-struct Distances<'a> {
-    points: &'a [(f64, f64)],
-    /// x, y, radius
-    circle: Vector3<f64>,
-}
-
-impl Distances<'_> {
-    fn each(&self) -> impl Iterator<Item = (f64, f64, f64)> {
-        let (x, y) = (self.circle[0], self.circle[1]);
-        self.points.iter().map(move |point| (point.0 - x, point.1 - y, libm::hypot(point.0 - x, point.1 - y)))
-    }
-}
-
-impl LeastSquaresProblem<f64, Dyn, U3> for Distances<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, U3>;
-    type ParameterStorage = Owned<f64, U3>;
-
-    fn set_params(&mut self, circle: &Vector3<f64>) {
-        self.circle = *circle;
-    }
-
-    fn params(&self) -> Vector3<f64> {
-        self.circle
-    }
-
-    fn residuals(&self) -> Option<OVector<f64, Dyn>> {
-        let radius = self.circle[2];
-        Some(OVector::<f64, Dyn>::from_iterator(
-            self.points.len(),
-            self.each().map(|(_, _, distance)| distance - radius),
-        ))
-    }
-
-    fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U3>> {
-        let mut jacobian = OMatrix::<f64, Dyn, U3>::zeros(self.points.len());
-        for (mut row, (dx, dy, distance)) in jacobian.row_iter_mut().zip(self.each()) {
-            let distance = distance.max(f64::MIN_POSITIVE);
-            (row[0], row[1], row[2]) = (-dx / distance, -dy / distance, -1.0);
-        }
-        Some(jacobian)
+fn distances(points: &[(f64, f64)], circle: &DVector<f64>) -> Linearised {
+    let from_centre = |i: usize| {
+        let (dx, dy) = (points[i].0 - circle[0], points[i].1 - circle[1]);
+        (dx, dy, libm::hypot(dx, dy))
+    };
+    let derivative = |i: usize, k: usize| {
+        let (dx, dy, distance) = from_centre(i);
+        let distance = distance.max(f64::MIN_POSITIVE);
+        [-dx / distance, -dy / distance, -1.0][k]
+    };
+    Linearised {
+        residuals: DVector::from_fn(points.len(), |i, _| from_centre(i).2 - circle[2]),
+        jacobian: DMatrix::from_fn(points.len(), 3, derivative),
     }
 }
 
@@ -191,14 +159,13 @@ mod tests {
     #[test]
     fn the_derivatives_of_the_distances_are_the_limit_of_differences() {
         let points = [(12.5, 5.5), (9.0, 2.5), (10.0, 8.0)];
-        let at = |circle: Vector3<f64>| Distances { points: &points, circle };
-        let (circle, step) = (Vector3::new(10.0, 5.0, 2.0), 1e-5);
-        let jacobian = at(circle).jacobian().unwrap();
+        let (circle, step) = (DVector::from_row_slice(&[10.0, 5.0, 2.0]), 1e-5);
+        let jacobian = distances(&points, &circle).jacobian;
         for parameter in 0..3 {
-            let mut change = Vector3::zeros();
+            let mut change = DVector::zeros(3);
             change[parameter] = step;
-            let difference =
-                at(circle + change).residuals().unwrap() - at(circle - change).residuals().unwrap();
+            let residuals = |circle: DVector<f64>| distances(&points, &circle).residuals;
+            let difference = residuals(&circle + &change) - residuals(&circle - &change);
             for row in 0..points.len() {
                 assert!((jacobian[(row, parameter)] - difference[row] / (2.0 * step)).abs() < 1e-8);
             }

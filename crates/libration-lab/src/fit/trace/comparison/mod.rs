@@ -1,0 +1,95 @@
+//! Which kinds of damping the data tell apart.
+
+mod average;
+mod models;
+mod standing;
+
+#[cfg(test)]
+mod tests;
+
+pub use average::Averaged;
+pub use models::compare;
+pub use standing::Standing;
+
+use super::information::information;
+use super::{TraceFit, huber};
+use crate::statistics::count;
+
+/// The same traces under several models.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// One for each model that could be fitted, simpler ones first.
+    pub fits: Vec<TraceFit>,
+    /// Akaike's criterion of each, less the least.
+    pub excess_information: Vec<f64>,
+    /// The place of the model that the data prefer: the simplest of those whose evidence is within [`Self::SUBSTANTIAL`] of the
+    /// best.
+    pub preferred: usize,
+    /// How many rows were counted as independent, by the residuals of the largest model; never fewer than it takes to judge that.
+    pub independent_rows: f64,
+}
+
+impl Comparison {
+    /// Models whose criterion differs by less explain the data nearly as well; the data cannot tell them apart (Burnham and
+    /// Anderson 2002, section 2.6).
+    pub const INDISTINGUISHABLE: f64 = 4.0;
+    /// Beyond it a model has essentially no support (ibidem): a weight of e⁻⁵, or 1 in 148.
+    pub const UNSUPPORTED: f64 = 10.0;
+    /// Of models whose criterion is within this of the least the simplest is preferred.
+    pub const SUBSTANTIAL: f64 = 2.0;
+    /// So many of its uncertainties a coefficient does not move by chance: one in 370 times.
+    pub const MOVED: f64 = 3.0;
+    /// A coefficient is believed to be negative where the criterion differs by more.
+    pub const DECISIVE: f64 = 20.0;
+
+    /// The model that the data prefer.
+    #[must_use]
+    pub fn best(&self) -> &TraceFit {
+        &self.fits[self.preferred]
+    }
+
+    /// The criterion, with what it takes to believe in a negative coefficient; infinite for what no friction does.
+    fn evidence(&self, place: usize) -> f64 {
+        evidence(&self.fits[place], self.excess_information[place])
+    }
+
+    fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
+        let independent_rows = rows_that_count(fits.last()?);
+        let scales = fits.iter().map(|fit| huber::scale(&fit.standard_residuals));
+        let scale = scales.reduce(f64::min).filter(|&scale| robust && scale > 0.0);
+        let information: Vec<f64> =
+            fits.iter().map(|fit| information(fit, independent_rows, scale)).collect();
+        let least = information.iter().copied().fold(f64::INFINITY, f64::min);
+        let excess_information: Vec<f64> =
+            information.iter().map(|value| if value.is_finite() { value - least } else { *value }).collect();
+        let evidence: Vec<f64> =
+            fits.iter().zip(&excess_information).map(|(fit, excess)| evidence(fit, *excess)).collect();
+        let counts: Vec<usize> = fits.iter().map(|fit| fit.damping.count()).collect();
+        Some(Self { preferred: simplest(&counts, &evidence), fits, excess_information, independent_rows })
+    }
+}
+
+/// The independent rows of the largest model. Where they are fewer than its parameters, the criterion would be infinite for the
+/// large models, or for all of them, and the simplest one preferred however badly it describes the data. With the fewest that
+/// make it finite a parameter more costs some ten times as much as with many rows: only a far better fit is worth it.
+fn rows_that_count(largest: &TraceFit) -> f64 {
+    // The variance of the residuals is a parameter too, and n − k − 1 must be above zero.
+    largest.independent_rows.max(count(largest.parameters.len() + 1) + 2.0)
+}
+
+fn evidence(fit: &TraceFit, excess: f64) -> f64 {
+    match (fit.takes_energy(), fit.damps_by_each_term()) {
+        (false, _) => f64::INFINITY,
+        (true, false) => excess + Comparison::DECISIVE,
+        (true, true) => excess,
+    }
+}
+
+/// Of the models within [`Comparison::SUBSTANTIAL`] of the best one those with the fewest terms, and of these the best.
+fn simplest(counts: &[usize], evidence: &[f64]) -> usize {
+    let least = evidence.iter().copied().fold(f64::INFINITY, f64::min);
+    let close = (0..counts.len()).filter(|&place| evidence[place] <= least + Comparison::SUBSTANTIAL);
+    let order =
+        |&a: &usize, &b: &usize| counts[a].cmp(&counts[b]).then_with(|| evidence[a].total_cmp(&evidence[b]));
+    close.min_by(order).unwrap_or(0)
+}

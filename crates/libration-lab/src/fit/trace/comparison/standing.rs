@@ -1,0 +1,89 @@
+//! How models stand beside the one that the data prefer.
+
+use super::Comparison;
+use crate::fit::trace::{DampingTerms, TraceFit};
+
+/// How a model stands beside the preferred one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// The one that the data prefer.
+    Preferred,
+    /// The data cannot tell it from the preferred one.
+    Tied,
+    /// Worse, but the data do not exclude it.
+    Possible,
+    /// It explains the data better, by too little to believe in a coefficient that is negative.
+    Negative,
+    /// It feeds energy to the pendulum at some speed, which no friction does.
+    FeedsEnergy,
+    /// The data exclude it.
+    Excluded,
+}
+
+impl Standing {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Preferred => "preferred",
+            Self::Tied => "tied",
+            Self::Possible => "possible",
+            Self::Negative => "negative",
+            Self::FeedsEnergy => "feeds_energy",
+            Self::Excluded => "excluded",
+        }
+    }
+}
+
+impl Comparison {
+    /// How the model at this place stands.
+    #[must_use]
+    pub fn standing(&self, place: usize) -> Standing {
+        let fit = &self.fits[place];
+        let beyond = self.evidence(place) - self.evidence(self.preferred);
+        match () {
+            () if place == self.preferred => Standing::Preferred,
+            () if !fit.takes_energy() => Standing::FeedsEnergy,
+            () if beyond < Self::INDISTINGUISHABLE => Standing::Tied,
+            () if beyond < Self::UNSUPPORTED => Standing::Possible,
+            () if self.is_better(place) => Standing::Negative,
+            () => Standing::Excluded,
+        }
+    }
+
+    /// The other models that the data do not exclude.
+    #[must_use]
+    pub fn rivals(&self) -> Vec<DampingTerms> {
+        let left = |place: &usize| matches!(self.standing(*place), Standing::Tied | Standing::Possible);
+        (0..self.fits.len()).filter(left).map(|place| self.fits[place].damping).collect()
+    }
+
+    /// Those of the rivals that contradict the preferred model: they lack a kind of damping that it has, or with what they add to
+    /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states.
+    #[must_use]
+    pub fn contradicting(&self) -> Vec<DampingTerms> {
+        let preferred = self.best();
+        let moves = |rival: &TraceFit| {
+            preferred.damping.iter().any(|term| {
+                let [own, other] = [preferred, rival].map(|fit| fit.parameter(term.name()));
+                own.zip(other).is_none_or(|(own, other)| {
+                    (other.value - own.value).abs() > Self::MOVED * own.uncertainty
+                })
+            })
+        };
+        let named = |terms: DampingTerms| self.fits.iter().find(|fit| fit.damping == terms);
+        self.rivals().into_iter().filter(|&rival| named(rival).is_some_and(moves)).collect()
+    }
+
+    /// The models that explain the data better than the preferred one and are not believed, with by how much.
+    pub fn better(&self) -> impl Iterator<Item = (&TraceFit, f64)> {
+        let least = self.excess_information[self.preferred];
+        let places = (0..self.fits.len()).filter(|&place| place != self.preferred && self.is_better(place));
+        places.map(move |place| (&self.fits[place], least - self.excess_information[place]))
+    }
+
+    fn is_better(&self, place: usize) -> bool {
+        let possible = self.fits[place].takes_energy() && self.fits[place].damps_by_each_term();
+        !possible && self.excess_information[place] < self.excess_information[self.preferred]
+    }
+}

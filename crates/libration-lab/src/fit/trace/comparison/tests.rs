@@ -1,0 +1,148 @@
+//! Models as they stand beside each other.
+
+use super::*;
+use crate::fit::trace::{Autocorrelation, DampingTerm, DampingTerms, FittedTrace, Parameter};
+
+fn coefficient(name: &'static str, value: f64) -> Parameter {
+    Parameter { name, value, uncertainty: 0.001, ..Parameter::default() }
+}
+
+/// A model of a pendulum with ω0 and these coefficients that leaves residuals of this size in 100 rows.
+fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFit {
+    let damping: DampingTerms = terms.parse().unwrap();
+    let names = damping.iter().map(DampingTerm::name);
+    let of_damping = names.zip(coefficients).map(|(name, &value)| coefficient(name, value));
+    let speed = Parameter { trace: Some(0), ..coefficient("velocity0", 2.0) };
+    let parameters: Vec<Parameter> =
+        [coefficient("omega0", omega0)].into_iter().chain(of_damping).chain([speed]).collect();
+    let n = parameters.len();
+    let unit = |i: usize| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+    TraceFit {
+        damping,
+        correlations: (0..n).map(unit).collect(),
+        parameters,
+        traces: vec![FittedTrace { begins: 0.0, fitted: vec![], residuals: vec![], outliers: vec![] }],
+        degrees_of_freedom: 100 - n,
+        independent_rows: 100.0,
+        chi2_per_dof: None,
+        rms: residual,
+        unexplained: 0.0,
+        autocorrelation: Autocorrelation::of(&[]),
+        bootstrap_block: None,
+        converged: true,
+        standard_residuals: vec![residual; 100],
+    }
+}
+
+/// The size of residuals of 100 rows by which linear damping is worse than linear and quadratic one by `excess`.
+fn residual(excess: f64) -> f64 {
+    let cost = |k: f64| crate::statistics::akaike::cost(100.0, k).unwrap();
+    libm::exp((excess + cost(5.0) - cost(4.0)) / 200.0)
+}
+
+fn two(excess: f64, first: f64, second: f64) -> Comparison {
+    let fits = vec![
+        fit("linear", 3.0, &[first], residual(excess)),
+        fit("linear+quadratic", 3.01, &[0.02, second], 1.0),
+    ];
+    Comparison::new(fits, false).unwrap()
+}
+
+#[test]
+fn the_simplest_of_those_within_two_is_preferred() {
+    assert_eq!(two(1.99, 0.1, 0.03).preferred, 0);
+    assert_eq!(two(2.01, 0.1, 0.03).preferred, 1);
+    assert_eq!(simplest(&[1, 1, 2], &[1.5, 0.5, 0.0]), 1);
+}
+
+#[test]
+fn standings_change_at_four_and_at_ten() {
+    for (excess, expected) in [
+        (3.99, Standing::Tied),
+        (4.01, Standing::Possible),
+        (9.99, Standing::Possible),
+        (10.01, Standing::Excluded),
+    ] {
+        let comparison = two(excess, 0.1, 0.03);
+        assert_eq!((comparison.preferred, comparison.standing(0)), (1, expected), "{excess}");
+        assert_eq!(comparison.rivals().len(), usize::from(expected != Standing::Excluded));
+    }
+}
+
+/// Uncertainties are 0.001: the linear coefficient is 0.02 in the larger model.
+#[test]
+fn a_larger_model_contradicts_where_it_moves_a_coefficient() {
+    for (linear, contradicts) in [(0.0229, false), (0.0231, true), (0.0169, true)] {
+        let comparison = two(1.5, linear, 0.03);
+        assert_eq!((comparison.preferred, comparison.rivals().len()), (0, 1));
+        assert_eq!(comparison.contradicting().len(), usize::from(contradicts), "{linear}");
+    }
+    // A smaller one lacks what the preferred one has, as long as it is not excluded.
+    assert_eq!(two(4.1, 0.02, 0.03).contradicting().len(), 1);
+    assert_eq!(two(10.1, 0.1, 0.03).contradicting().len(), 0);
+}
+
+#[test]
+fn a_negative_coefficient_is_believed_beyond_twenty_only_and_else_told() {
+    let doubted = two(11.9, 0.1, -0.005);
+    assert_eq!((doubted.preferred, doubted.standing(1)), (0, Standing::Possible));
+    let better: Vec<f64> = doubted.better().map(|(_, by)| by).collect();
+    assert!(better.len() == 1 && (better[0] - 11.9).abs() < 1e-9, "{better:?}");
+    assert_eq!(two(9.0, 0.1, -0.005).standing(1), Standing::Negative);
+    assert_eq!(two(19.0, 0.1, -0.005).preferred, 0);
+    let believed = two(22.1, 0.1, -0.005);
+    assert_eq!((believed.preferred, believed.better().count()), (1, 0));
+}
+
+#[test]
+fn what_feeds_energy_is_never_preferred() {
+    let comparison = two(100.0, 0.1, -1.0);
+    assert_eq!((comparison.preferred, comparison.standing(1)), (0, Standing::FeedsEnergy));
+    assert!(comparison.weights()[0] > 0.999 && comparison.weights()[1] <= 0.0);
+}
+
+/// Weights 1 : e⁻² by hand, and the variance of both parts.
+#[test]
+fn numbers_are_averaged_over_the_models_that_are_left() {
+    let comparison = two(4.0 + 1e-9, 0.1, 0.03);
+    let part = libm::exp(-2.0) / (1.0 + libm::exp(-2.0));
+    assert!((comparison.weights()[0] - part).abs() < 1e-9);
+    let omega0 = comparison.parameter("omega0").unwrap();
+    assert!((omega0.value - (3.01 - 0.01 * part)).abs() < 1e-9);
+    let spread = 0.01 * (part * (1.0 - part)).sqrt();
+    assert!((omega0.spread - spread).abs() < 1e-9);
+    assert!((omega0.uncertainty - libm::hypot(spread, 0.001)).abs() < 1e-9);
+    assert_eq!(comparison.parameter("quadratic").unwrap().value.to_bits(), 0.03_f64.to_bits());
+    assert_eq!(comparison.parameter("dry"), None);
+    assert!((comparison.small_angle_period().value - 2.0 * std::f64::consts::PI / omega0.value).abs() < 1e-5);
+}
+
+/// Five rows count as seven, the fewest that judge the larger model: 8 + 40/2 and 10 + 60/1 is what the parameters cost,
+/// 42 of which a residual e^−3 as large just pays: 7·2·3.
+#[test]
+fn few_independent_rows_believe_in_far_better_fits_only() {
+    let preferred = |residual: f64| {
+        let mut fits = vec![fit("linear", 3.0, &[0.1], 1.0), fit("dry+linear", 3.0, &[0.1, 0.1], residual)];
+        fits[1].independent_rows = 5.0;
+        let comparison = Comparison::new(fits, false).unwrap();
+        assert!((comparison.independent_rows - 7.0).abs() < 1e-12, "{}", comparison.independent_rows);
+        assert!(comparison.excess_information.iter().all(|excess| excess.is_finite()));
+        comparison.preferred
+    };
+    assert_eq!(preferred(0.5), 0);
+    // The simpler one of those within two.
+    assert_eq!(preferred(libm::exp(-3.1)), 0);
+    assert_eq!(preferred(libm::exp(-3.2)), 1);
+    assert_eq!(preferred(0.01), 1);
+}
+
+/// One outlier spoils the squares of the better model, and not Huber's loss.
+#[test]
+fn outliers_do_not_choose_a_robust_model() {
+    let mut better = fit("linear", 3.0, &[0.1], 1.0);
+    better.standard_residuals[7] = 40.0;
+    let worse = fit("quadratic", 3.0, &[0.1], 2.0);
+    let fits = vec![better, worse];
+    assert_eq!(Comparison::new(fits.clone(), false).unwrap().best().damping.to_string(), "quadratic");
+    assert_eq!(Comparison::new(fits, true).unwrap().best().damping.to_string(), "linear");
+}

@@ -1,0 +1,61 @@
+//! The traces that are fitted, and how many of their rows count.
+
+use super::TraceFitError;
+use super::weights::Weights;
+use crate::fit::cycles;
+use crate::measurement::Trace;
+use crate::statistics::mean;
+
+/// At least one trace, of angles or of velocities that a pendulum can have.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Data<'a> {
+    pub(super) traces: &'a [Trace],
+}
+
+impl<'a> Data<'a> {
+    /// Of traces with rows enough for so many parameters.
+    pub(super) fn new(traces: &'a [Trace], parameters: usize) -> Result<Self, TraceFitError> {
+        if traces.is_empty() {
+            return Err(TraceFitError::NoTrace);
+        }
+        if let Some(beyond) = traces.iter().find_map(cycles::beyond_a_turn) {
+            return Err(beyond.into());
+        }
+        let needed = 2 * parameters / traces.len() + 4;
+        match traces.iter().find(|trace| trace.len() < needed) {
+            Some(trace) => {
+                let (name, rows) = (trace.name().to_owned(), trace.len());
+                Err(TraceFitError::TooFewRows { name, rows, parameters, needed })
+            }
+            None => Ok(Self { traces }),
+        }
+    }
+
+    /// How many rows each trace has.
+    pub(super) fn rows(&self) -> Vec<usize> {
+        self.traces.iter().map(Trace::len).collect()
+    }
+
+    /// How many of them are within so much time of the first; at least so many as there are.
+    pub(super) fn rows_within(&self, span: f64, least: usize) -> Vec<usize> {
+        let within = |trace: &Trace| trace.times().partition_point(|&time| time <= trace.times()[0] + span);
+        self.traces.iter().map(|trace| within(trace).max(least.min(trace.len()))).collect()
+    }
+
+    /// The time from the first row to the last of the longest trace.
+    pub(super) fn span(&self) -> f64 {
+        let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
+        self.traces.iter().map(span).fold(0.0, f64::max)
+    }
+
+    /// The weighted sum of squares about the mean of each trace, of so many rows.
+    pub(super) fn scatter(&self, rows: &[usize], weights: &Weights) -> f64 {
+        let of_trace = |((trace, weights), &rows): ((&Trace, &[f64]), &usize)| {
+            let values = &trace.values()[..rows];
+            let mean = mean(values.iter().copied());
+            let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
+            deviations.map(|deviation| deviation * deviation).sum::<f64>()
+        };
+        self.traces.iter().zip(weights.traces()).zip(rows).map(of_trace).sum()
+    }
+}

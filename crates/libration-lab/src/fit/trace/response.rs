@@ -1,0 +1,56 @@
+//! How parameters answer to residuals next to the minimum.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::minimum::Minimum;
+use super::{Parameter, TraceFitError, huber};
+use crate::measurement::Trace;
+use crate::statistics::levenberg_marquardt::Linearised;
+use crate::statistics::{Design, Undetermined};
+
+/// Derivatives of the motion are integrated to 1e-12, so that errors of that size, with those of an order of magnitude that add up
+/// on the way, are what is left of a column that the others span.
+const EXACTNESS: f64 = 1e-11;
+
+/// A problem of least squares at its minimum, in which parameters answer linearly to residuals.
+pub(super) struct Response {
+    pub(super) linearised: Linearised,
+    /// A row for each parameter, a column for each residual.
+    pub(super) matrix: DMatrix<f64>,
+}
+
+impl Response {
+    /// At a minimum, as its rows are weighted.
+    pub(super) fn new(minimum: &Minimum, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
+        Self::with(minimum.linearised.clone(), parameters)
+    }
+
+    /// Of the problem that a robust one is in the limit of many rows: outliers are bounded there, and their rows have full
+    /// weight, so that the noise is the same in all.
+    pub(super) fn without_weights(
+        minimum: &Minimum,
+        traces: &[Trace],
+        parameters: &[Parameter],
+    ) -> Result<Self, TraceFitError> {
+        let mut jacobian = minimum.linearised.jacobian.clone();
+        for (mut row, part) in jacobian.row_iter_mut().zip(minimum.weights.parts(traces)) {
+            row /= part;
+        }
+        let residuals = DVector::from_vec(huber::bounded(&minimum.standard_residuals(traces)));
+        Self::with(Linearised { residuals, jacobian }, parameters)
+    }
+
+    fn with(linearised: Linearised, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
+        let undetermined = |column: usize| TraceFitError::Undetermined { parameter: parameters[column].name };
+        let design = Design::new(&linearised.jacobian, EXACTNESS).map_err(|reason| match reason {
+            Undetermined::Dependent { column } => undetermined(column),
+            Undetermined::TooFewRows | Undetermined::NotFinite => undetermined(0),
+        })?;
+        Ok(Self { matrix: design.pseudo_inverse(), linearised })
+    }
+
+    /// Of the parameters, if the residuals were independent with a variance of one.
+    pub(super) fn covariance(&self) -> DMatrix<f64> {
+        &self.matrix * self.matrix.transpose()
+    }
+}
