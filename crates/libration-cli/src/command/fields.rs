@@ -10,7 +10,6 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::Table;
 use crate::output::{Form, FormOptions, csv};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// What the fields of JSON and CSV answers mean: names, units, meanings
@@ -135,14 +134,11 @@ impl FieldsQuestion {
 
 fn record(answers: &Answers) -> Record {
     let of_description = of_description();
-    let records = |list: &[Description]| -> Vec<Value> {
-        list.iter().map(|description| of_description.record(description).into()).collect()
-    };
     Record::new()
         .with(COMMAND.0, answers.command)
         .with(OPTION.0, answers.option)
-        .with("json", records(&answers.json))
-        .with("csv", records(&answers.csv))
+        .with("json", of_description.records(&answers.json))
+        .with("csv", of_description.records(&answers.csv))
 }
 
 /// The two forms that have fields, by name.

@@ -49,12 +49,10 @@ fn of_oscillator() -> Fields<NamedOscillator> {
     type Of = Field<NamedOscillator>;
     Fields::from([
         Of::value("key", "", "short name that commands take", |it| it.key.into()),
-        Of::list("also", "", "other names that they take", |it| json::texts(it.also.to_vec())),
+        Of::value("also[]", "", "other names that they take", |it| json::list(it.also.to_vec())),
         Of::value("title", "", "usual name", |it| it.title.into()),
         Of::value("equation", "", "equation of motion", |it| it.equation.into()),
-        Of::records("parameters", |it| {
-            it.parameters.iter().map(|parameter| of_parameter().record(parameter).into()).collect()
-        }),
+        Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
         Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
             .only_csv(),
         Of::value(
@@ -85,9 +83,8 @@ fn defaults(named: &NamedOscillator) -> String {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let of_parameter = of_parameter().described("oscillators[].parameters[].");
-    let json = [of_oscillator().described("oscillators[]."), of_parameter].concat();
-    vec![Answers { command: "oscillators", option: "", json, csv: of_oscillator().described_in_csv() }]
+    let (json, csv) = (of_oscillator().described("oscillators[]."), of_oscillator().described_in_csv());
+    vec![Answers { command: "oscillators", option: "", json, csv }]
 }
 
 fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {

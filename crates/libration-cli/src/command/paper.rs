@@ -1,7 +1,7 @@
 //! `libration paper`: two published derivations checked equation by equation.
 
 use crate::failure::Failure;
-use crate::output::description::{Answers, descriptions};
+use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
@@ -44,7 +44,9 @@ impl Paper {
         }
         match self.form.form() {
             Form::Json => {
-                json::document_with_list(out, Record::new(), "equations", chosen.iter().map(record))?;
+                let fields = of_statement();
+                let records = chosen.iter().map(|row| fields.record(row));
+                json::document_with_list(out, Record::new(), "equations", records)?;
             }
             Form::Csv => {
                 let fields = of_statement();
@@ -90,7 +92,7 @@ fn of_statement() -> Fields<Row> {
             row.label.as_str().into()
         }),
         Of::value("claim", "", "what is claimed, in words", |row| row.claim.as_str().into()),
-        Of::list("printed", "", "formulas as they are printed", |row| json::texts(row.printed.clone())),
+        Of::value("printed[]", "", "formulas as they are printed", |row| json::list(row.printed.clone())),
         Of::value("printed", "", "formulas as they are printed, with ; between them", |row| {
             row.printed.join("; ").into()
         })
@@ -107,23 +109,17 @@ fn of_statement() -> Fields<Row> {
             row.finding.correct.as_str().into()
         }),
         Of::value("evidence", "", "how that was found", |row| row.finding.evidence.as_str().into()),
+        Of::present_value("holds_for_rad[][]", "rad", HOLDS, |row| {
+            let ends = row.finding.holds_for.iter().map(|&(from, to)| json::numbers(&[from, to]));
+            (!row.finding.holds_for.is_empty()).then(|| json::list(ends))
+        }),
         Of::value("holds_for_rad", "rad", HOLDS, |row| ranges(row).into()).only_csv(),
         Of::value("paraphrase", "", PARAPHRASE, |row| row.paraphrase.into()).only_csv(),
     ])
 }
 
-fn record(row: &Row) -> Record {
-    let record = of_statement().record(row);
-    if row.finding.holds_for.is_empty() {
-        return record;
-    }
-    let ends = row.finding.holds_for.iter().map(|&(from, to)| json::numbers(&[from, to]));
-    record.with("holds_for_rad", ends.collect::<Vec<_>>())
-}
-
 pub(crate) fn answers() -> Vec<Answers> {
-    let holds = descriptions("equations[].", &[("holds_for_rad[][]", "rad", HOLDS)]);
-    let json = [of_statement().described("equations[]."), holds].concat();
+    let json = of_statement().described("equations[].");
     vec![Answers { command: "paper", option: "", json, csv: of_statement().described_in_csv() }]
 }
 

@@ -52,19 +52,15 @@ fn of_system() -> Fields<NamedSystem> {
     type Of = Field<NamedSystem>;
     Fields::from([
         Of::value("key", "", "short name that commands take", |it| it.key.into()),
-        Of::list("also", "", "other names that they take", |it| json::texts(it.also.to_vec())),
+        Of::value("also[]", "", "other names that they take", |it| json::list(it.also.to_vec())),
         Of::value("title", "", "usual name", |it| it.title.into()),
-        Of::list("equations", "", "equations of motion", |it| {
-            json::texts(it.equations.split(';').map(str::trim))
+        Of::value("equations[]", "", "equations of motion", |it| {
+            json::list(it.equations.split(';').map(str::trim))
         }),
         Of::value("equations", "", "equations of motion, with ; between them", |it| it.equations.into())
             .only_csv(),
-        Of::records("coordinates", |it| {
-            it.coordinates.iter().map(|coordinate| of_coordinate().record(coordinate).into()).collect()
-        }),
-        Of::records("parameters", |it| {
-            it.parameters.iter().map(|parameter| of_parameter().record(parameter).into()).collect()
-        }),
+        Of::nested("coordinates[].", &of_coordinate(), |it| of_coordinate().records(it.coordinates)),
+        Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
         Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
             .only_csv(),
         Of::value("energy", "", "formula of the energy", |it| it.energy.into()),
@@ -111,13 +107,8 @@ fn defaults(named: &NamedSystem) -> String {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json = [
-        of_system().described("systems[]."),
-        of_coordinate().described("systems[].coordinates[]."),
-        of_parameter().described("systems[].parameters[]."),
-    ];
-    let csv = of_system().described_in_csv();
-    vec![Answers { command: "systems", option: "", json: json.concat(), csv }]
+    let (json, csv) = (of_system().described("systems[]."), of_system().described_in_csv());
+    vec![Answers { command: "systems", option: "", json, csv }]
 }
 
 fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {

@@ -12,12 +12,23 @@ pub(crate) fn number(value: f64) -> Value {
 }
 
 /// Numbers, null where they are not finite.
-pub(crate) fn numbers(values: &[f64]) -> Vec<Value> {
-    values.iter().map(|&value| number(value)).collect()
+pub(crate) fn numbers(values: &[f64]) -> Value {
+    list(values.iter().map(|&value| number(value)))
 }
 
-pub(crate) fn texts(texts: impl IntoIterator<Item = impl Into<Value>>) -> Vec<Value> {
-    texts.into_iter().map(Into::into).collect()
+/// A list of counts, words or lists.
+pub(crate) fn list(values: impl IntoIterator<Item = impl Into<Value>>) -> Value {
+    values.into_iter().map(Into::into).collect::<Vec<Value>>().into()
+}
+
+/// A list of objects.
+pub(crate) fn records(records: impl IntoIterator<Item = Record>) -> Value {
+    list(records)
+}
+
+/// An object whose names the question decides.
+pub(crate) fn object(fields: impl IntoIterator<Item = (String, impl Into<Value>)>) -> Value {
+    Value::Object(fields.into_iter().map(|(name, value)| (name, value.into())).collect())
 }
 
 /// A JSON object in the making.

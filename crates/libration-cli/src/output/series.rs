@@ -2,8 +2,9 @@
 
 use super::screen;
 use libration::algebra::Rational;
+use libration::comparison::Radius;
 use libration::expression::Expression;
-use libration::perturbation::Precision;
+use libration::perturbation::{Certainty, Precision};
 
 /// How coefficients are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,6 +99,21 @@ pub(crate) fn coefficient(value: &Rational, precision: Precision) -> String {
     match precision {
         Precision::Exact => value.to_string(),
         Precision::Digits(digits) => value.to_decimal(digits),
+    }
+}
+
+/// The word for what a bound rests on.
+pub(crate) fn certainty(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Proven => "proven",
+        Certainty::Estimated => "estimated",
+    }
+}
+
+pub(crate) fn radius_certainty(radius: &Radius) -> Certainty {
+    match radius {
+        Radius::Known(_) => Certainty::Proven,
+        Radius::Estimated(_) => Certainty::Estimated,
     }
 }
 

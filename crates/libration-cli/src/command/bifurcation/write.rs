@@ -47,7 +47,7 @@ impl Diagram<'_> {
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let fields = of_row();
-        let points = self.rows().map(|row| fields.record(&row).with("state", json::numbers(&row.state)));
+        let points = self.rows().map(|row| fields.record(&row));
         json::document_with_list(out, of_diagram().record(self), "points", points)
     }
 
@@ -115,10 +115,12 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
         Of::value("skipped", "1", "points of the transient that were left out, for each value", |it| {
             it.points.skipped.into()
         }),
-        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
+        Of::value("state[]", "", "names of the numbers of the state", |it| {
+            json::list(it.model.state_names())
+        }),
         Of::value("complete", "", "whether each sweep has all values", |it| it.is_complete().into()),
-        Of::list("stopped", "", "values for which the motion stopped early, and why", |it| {
-            json::texts(it.stopped())
+        Of::value("stopped[]", "", "values for which the motion stopped early, and why", |it| {
+            json::list(it.stopped())
         }),
     ])
 }
@@ -132,14 +134,13 @@ fn of_row() -> Fields<Row> {
             .in_csv_as("KEY")
             .short("KEY", 10),
         Of::number("time", "s", "time of the point", |it| it.time).short("time", 10),
+        Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
     ])
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const STATE: description::Row = ("state[]", "", "state there, in the order of the names");
     const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
-    let json =
-        [of_diagram().described(""), of_row().described("points[]."), descriptions("points[].", &[STATE])];
+    let json = [of_diagram().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "bifurcation", option: "", json: json.concat(), csv: csv.concat() }]
 }

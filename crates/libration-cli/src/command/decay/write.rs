@@ -9,7 +9,6 @@ use crate::output::number::{seconds, short};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
 use libration::decay::{Decay, DecayEnding};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// A decay with what was asked.
@@ -33,11 +32,9 @@ impl Answer<'_> {
     }
 
     fn head(&self) -> Record {
-        let of_term = fields::of_term();
-        let terms = self.decay.damping().terms().iter().map(|term| of_term.record(term).into());
+        let terms = fields::of_term().records(self.decay.damping().terms());
         let given = self.given.map_or_else(Record::new, PendulumOptions::record);
-        let record =
-            fields::of_pendulum().added_to(given, self.decay).with("damping", terms.collect::<Vec<Value>>());
+        let record = fields::of_pendulum().added_to(given, self.decay).with("damping", terms);
         fields::of_decay().added_to(record, &Found { decay: self.decay, report: self.report })
     }
 

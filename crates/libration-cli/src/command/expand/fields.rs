@@ -1,114 +1,254 @@
-//! What the fields of an expansion mean, and those of a series in numbers.
+//! What is said of an expansion: its series as lists of coefficients, each a text.
 
-use crate::output::description::{Answers, Row, descriptions};
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::series::coefficient;
+use libration::algebra::Rational;
+use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, Precision};
+use serde_json::Value;
 
-const SERIES: &[Row] = &[
-    ("oscillator", "", "key of the oscillator, null where its equation was typed"),
-    ("equation", "", "equation of motion"),
-    ("parameters.NAME", "", "value of the parameter with this name, as text"),
-    ("order", "1", "highest power of the expansion"),
-    ("gauge", "", "what the expansion parameter means, null for the strength of a self-excited oscillator"),
-    ("variable", "", "name of the expansion parameter"),
-    ("precision", "", "`exact`, or to how many digits the coefficients are known"),
-    ("equilibrium", "", "equilibrium x₀ about which it oscillates"),
-    ("omega0_squared", "", "square of the angular frequency ω0 of small oscillations"),
-    ("frequency_ratio[]", "", "coefficients of the frequency over ω0, by powers of the expansion parameter"),
-    (
-        "harmonics.K.cos[]",
-        "",
-        "coefficients of cos Kτ in the displacement, by powers of the expansion parameter; τ = Ωt",
-    ),
-    ("harmonics.K.sin[]", "", "those of sin Kτ"),
-    ("unit_squared", "", "square of the unit that harmonics and turning points are measured in"),
-    ("x_max[]", "", "coefficients of the upper turning point"),
-    ("x_min[]", "", "coefficients of the lower turning point"),
-    ("of_amplitude.frequency_ratio[]", "", "coefficients of the frequency over ω0, by powers of x_max"),
-    ("of_amplitude.period_ratio[]", "", "coefficients of the period times ω0/2π, by powers of x_max"),
-    ("of_amplitude.epsilon[]", "", "coefficients of the expansion parameter, by powers of x_max"),
-    ("of_amplitude.harmonics.K.cos[]", "", "coefficients of cos Kτ in the displacement, by powers of x_max"),
-    ("of_amplitude.harmonics.K.sin[]", "", "those of sin Kτ"),
-    (
-        "of_half_swing.frequency_ratio[]",
-        "",
-        "coefficients of the frequency over ω0, by powers of half the swing",
-    ),
-    (
-        "of_half_swing.period_ratio[]",
-        "",
-        "coefficients of the period times ω0/2π, by powers of half the swing",
-    ),
-    ("of_half_swing.epsilon[]", "", "coefficients of the expansion parameter, by powers of half the swing"),
-    (
-        "of_half_swing.harmonics.K.cos[]",
-        "",
-        "coefficients of cos Kτ in the displacement, by powers of half the swing",
-    ),
-    ("of_half_swing.harmonics.K.sin[]", "", "those of sin Kτ"),
-    ("certified", "", "whether an independent exact computation proves the coefficients"),
-    ("certificate", "", "the check that was made"),
-    ("interrupted", "", "true where Ctrl-C ended the work before the order asked for, else left out"),
-];
+/// Coefficients by powers.
+type Series = Vec<String>;
 
-const SERIES_CSV: &[Row] = &[
-    ("quantity", "", "what is expanded"),
-    ("variable", "", "in powers of what"),
-    ("power", "1", "power"),
-    ("coefficient", "", "coefficient of that power, a fraction or a decimal"),
-];
+/// A harmonic of the displacement.
+struct Harmonic {
+    k: usize,
+    cos: Series,
+    sin: Series,
+}
 
-const NUMBERS: &[Row] = &[
-    ("oscillator", "", "key of the oscillator, null where its equation was typed"),
-    ("equation", "", "equation of motion"),
-    ("order", "1", "highest power of the expansion"),
-    ("quantity", "", "quantity whose series is evaluated"),
-    ("amplitude_is", "", "what the series is in powers of"),
-    ("amplitude", "", "its value, in rad for angles"),
-    ("exact", "", "value of the quantity by another road, or null"),
-    ("exact_uncertainty", "", "bound on the error of that value"),
-    ("exact_by", "", "the other road: elliptic integrals, or integration of the equation of motion"),
-    ("encloses", "", "another equilibrium that the orbit goes around, or null"),
-    ("radius", "", "radius of convergence, or null"),
-    ("radius_is", "", "proven or estimated, or null"),
-    ("smallest_term_power", "1", "power of the smallest term, where a divergent series is best cut off"),
-    ("steps[].power", "1", "power of the term"),
-    ("steps[].coefficient", "", "its coefficient, a fraction or a decimal"),
-    ("steps[].term", "", "the term"),
-    ("steps[].sum", "", "sum up to it"),
-    ("steps[].error", "", "that sum minus the exact value, or null"),
-    ("steps[].bound", "", "bound on what is left out, or an estimate of it"),
-    ("steps[].bound_is", "", "proven or estimated"),
-    ("pade[].degrees[]", "1", "degrees of numerator and denominator of the Padé approximant"),
-    ("pade[].value", "", "its value"),
-    ("pade[].error", "", "its value minus the exact one, or null"),
-    (
-        "pade[].pole_before",
-        "",
-        "place of a pole between zero and the amplitude, which makes the value worthless, or null",
-    ),
-    (
-        "terms_needed.TOLERANCE",
-        "1",
-        "terms beyond the first until the remainder stays below this fraction of the sum, or null",
-    ),
-    ("interrupted", "", "true where Ctrl-C ended the work before all was known, else left out"),
-];
+/// What depends on an amplitude in one way, in every gauge.
+struct OfAmplitude {
+    frequency_ratio: Series,
+    period_ratio: Series,
+    epsilon: Series,
+    harmonics: Vec<Harmonic>,
+}
 
-const NUMBERS_CSV: &[Row] = &[
-    ("power", "1", "power of the term"),
-    ("coefficient", "", "its coefficient, a fraction or a decimal"),
-    ("term", "", "the term"),
-    ("sum", "", "sum up to it"),
-    ("error", "", "that sum minus the exact value"),
-    ("bound", "", "bound on what is left out, or an estimate of it"),
-    ("bound_is", "", "proven or estimated"),
-];
+/// One coefficient of a series.
+pub(super) struct Coefficient<'a> {
+    quantity: String,
+    variable: &'a str,
+    power: usize,
+    text: String,
+}
 
-pub(crate) fn answers() -> Vec<Answers> {
-    let kind = |option, json, csv| Answers {
-        command: "expand",
-        option,
-        json: descriptions("", json),
-        csv: descriptions("", csv),
+pub(super) fn of_expansion() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
+            it.key.into()
+        }),
+        Of::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
+            json::object(it.values.iter().cloned())
+        }),
+        Of::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
+        Of::value(
+            "gauge",
+            "",
+            "what the expansion parameter means, null for the strength of a self-excited oscillator",
+            |it| match &it.expansion.variable {
+                ExpansionVariable::Epsilon(gauge) => gauge.to_string().into(),
+                ExpansionVariable::Parameter(_) => Value::Null,
+            },
+        ),
+        Of::value("variable", "", "name of the expansion parameter", |it| {
+            it.expansion.variable.name().into()
+        }),
+        Of::value("precision", "", "`exact`, or to how many digits the coefficients are known", |it| {
+            precision(it.expansion.precision).into()
+        }),
+        Of::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |it| {
+            text(&it.expansion, &it.expansion.equilibrium).into()
+        }),
+        Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |it| {
+            text(&it.expansion, &it.expansion.omega0_squared).into()
+        }),
+        Of::value(
+            "frequency_ratio[]",
+            "",
+            "coefficients of the frequency over ω0, by powers of the expansion parameter",
+            |it| texts(&it.expansion, &it.expansion.frequency_ratio).into(),
+        ),
+        Of::nested(
+            "harmonics.K.",
+            &of_harmonic(
+                "coefficients of cos Kτ in the displacement, by powers of the expansion parameter; τ = Ωt",
+            ),
+            |it| by_number(&harmonics(&it.expansion)),
+        ),
+        Of::value(
+            "unit_squared",
+            "",
+            "square of the unit that harmonics and turning points are measured in",
+            |it| text(&it.expansion, &it.expansion.unit_squared).into(),
+        ),
+        Of::value("x_max[]", "", "coefficients of the upper turning point", |it| {
+            texts(&it.expansion, &it.expansion.x_max).into()
+        }),
+        Of::value("x_min[]", "", "coefficients of the lower turning point", |it| {
+            texts(&it.expansion, &it.expansion.x_min).into()
+        }),
+        Of::nested("of_amplitude.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_amplitude)),
+        Of::nested("of_half_swing.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_half_swing)),
+        Of::value(
+            "certified",
+            "",
+            "whether an independent exact computation proves the coefficients",
+            |it| it.expansion.certificate.is_proof().into(),
+        ),
+        Of::value("certificate", "", "the check that was made", |it| {
+            certificate(it.expansion.certificate).into()
+        }),
+        Of::present_value(
+            "interrupted",
+            "",
+            "true where Ctrl-C ended the work before the order asked for, else left out",
+            |it| it.interrupted.map(|_| true.into()),
+        ),
+    ])
+}
+
+fn of_harmonic(cosines: &'static str) -> Fields<Harmonic> {
+    type Of = Field<Harmonic>;
+    Fields::from([
+        Of::value("cos[]", "", cosines, |it| it.cos.clone().into()),
+        Of::value("sin[]", "", "those of sin Kτ", |it| it.sin.clone().into()),
+    ])
+}
+
+fn of_amplitude() -> Fields<OfAmplitude> {
+    type Of = Field<OfAmplitude>;
+    const COSINES: &str =
+        "coefficients of cos Kτ in the displacement, by powers of x_max or of half the swing";
+    Fields::from([
+        Of::value(
+            "frequency_ratio[]",
+            "",
+            "coefficients of the frequency over ω0, by powers of x_max or of half the swing",
+            |it| it.frequency_ratio.clone().into(),
+        ),
+        Of::value(
+            "period_ratio[]",
+            "",
+            "coefficients of the period times ω0/2π, by powers of x_max or of half the swing",
+            |it| it.period_ratio.clone().into(),
+        ),
+        Of::value(
+            "epsilon[]",
+            "",
+            "coefficients of the expansion parameter, by powers of x_max or of half the swing",
+            |it| it.epsilon.clone().into(),
+        ),
+        Of::nested("harmonics.K.", &of_harmonic(COSINES), |it| by_number(&it.harmonics)),
+    ])
+}
+
+pub(super) fn of_coefficient<'a>() -> Fields<Coefficient<'a>> {
+    type Of<'a> = Field<Coefficient<'a>>;
+    Fields::from([
+        Of::value("quantity", "", "what is expanded", |it| it.quantity.as_str().into()),
+        Of::value("variable", "", "in powers of what", |it| it.variable.into()),
+        Of::value("power", "1", "power", |it| it.power.into()),
+        Of::value("coefficient", "", "coefficient of that power, a fraction or a decimal", |it| {
+            it.text.as_str().into()
+        }),
+    ])
+}
+
+pub(super) fn answers() -> Answers {
+    let (json, csv) = (of_expansion().described(""), of_coefficient().described_in_csv());
+    Answers { command: "expand", option: "", json, csv }
+}
+
+/// Those of all series, in the order of JSON; of harmonics in an amplitude without the sines, which vanish.
+pub(super) fn coefficients(expansion: &Expansion) -> Vec<Coefficient<'_>> {
+    let mut all = vec![];
+    let mut add = |quantity: String, variable, series: Series| {
+        let each = series.into_iter().enumerate();
+        all.extend(each.map(|(power, text)| Coefficient {
+            quantity: quantity.clone(),
+            variable,
+            power,
+            text,
+        }));
     };
-    vec![kind("", SERIES, SERIES_CSV), kind("--evaluate", NUMBERS, NUMBERS_CSV)]
+    let variable = expansion.variable.name();
+    add("frequency_ratio".to_owned(), variable, texts(expansion, &expansion.frequency_ratio));
+    for Harmonic { k, cos, sin } in harmonics(expansion) {
+        add(format!("cos_{k}"), variable, cos);
+        add(format!("sin_{k}"), variable, sin);
+    }
+    add("x_max".to_owned(), variable, texts(expansion, &expansion.x_max));
+    add("x_min".to_owned(), variable, texts(expansion, &expansion.x_min));
+    for (name, of) in [("x_max", &expansion.of_amplitude), ("half_swing", &expansion.of_half_swing)] {
+        let Some(of) = of else { continue };
+        let of = OfAmplitude::new(expansion, of);
+        add("frequency_ratio".to_owned(), name, of.frequency_ratio);
+        add("period_ratio".to_owned(), name, of.period_ratio);
+        add("epsilon".to_owned(), name, of.epsilon);
+        of.harmonics.into_iter().for_each(|Harmonic { k, cos, .. }| add(format!("cos_{k}"), name, cos));
+    }
+    all
+}
+
+fn text(expansion: &Expansion, value: &Rational) -> String {
+    coefficient(value, expansion.precision)
+}
+
+fn texts(expansion: &Expansion, series: &[Rational]) -> Series {
+    series.iter().map(|value| text(expansion, value)).collect()
+}
+
+fn harmonics(expansion: &Expansion) -> Vec<Harmonic> {
+    let texts = |series: &[Rational]| texts(expansion, series);
+    let harmonics = expansion.harmonics.iter();
+    harmonics.map(|it| Harmonic { k: it.k, cos: texts(&it.cos), sin: texts(&it.sin) }).collect()
+}
+
+fn by_number(harmonics: &[Harmonic]) -> Value {
+    let fields = of_harmonic("");
+    json::object(harmonics.iter().map(|harmonic| (harmonic.k.to_string(), fields.record(harmonic))))
+}
+
+fn in_amplitude(answer: &Answer, of: &Option<AmplitudeSeries>) -> Value {
+    let of = of.as_ref().map(|of| OfAmplitude::new(&answer.expansion, of));
+    of.map_or(Value::Null, |of| of_amplitude().record(&of).into())
+}
+
+impl OfAmplitude {
+    fn new(expansion: &Expansion, of: &AmplitudeSeries) -> Self {
+        let texts = |series: &[Rational]| texts(expansion, series);
+        let harmonic = |(k, series): &(usize, Vec<Rational>)| Harmonic {
+            k: *k,
+            cos: texts(series),
+            sin: texts(&vec![Rational::from(0); series.len()]),
+        };
+        Self {
+            frequency_ratio: texts(&of.frequency_ratio),
+            period_ratio: texts(&of.period_ratio),
+            epsilon: texts(&of.epsilon),
+            harmonics: of.harmonics.iter().map(harmonic).collect(),
+        }
+    }
+}
+
+fn precision(precision: Precision) -> String {
+    match precision {
+        Precision::Exact => "exact".to_owned(),
+        Precision::Digits(digits) => format!("{digits} digits"),
+    }
+}
+
+fn certificate(certificate: Certificate) -> &'static str {
+    match certificate {
+        Certificate::PlainRationals => "plain rationals",
+        Certificate::Potential => "potential",
+        Certificate::FirstIntegral => "first integral",
+        Certificate::FreshPrimes => "fresh primes",
+        Certificate::TwoPrecisions => "two precisions",
+    }
 }

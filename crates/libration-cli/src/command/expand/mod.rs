@@ -2,11 +2,12 @@
 
 mod evaluate;
 mod fields;
-mod json;
 mod listing;
+mod write;
 
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
+use crate::output::description::Answers;
 use crate::output::{Form, FormOptions};
 use crate::{interrupt, parallel};
 use libration::comparison::SeriesQuantity;
@@ -15,8 +16,6 @@ use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progr
 use libration::quantity::Displacement;
 use std::io::Write;
 use std::sync::{Arc, Mutex};
-
-pub(crate) use fields::answers;
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
@@ -82,6 +81,10 @@ struct Answer {
     interrupted: Option<usize>,
 }
 
+pub(crate) fn answers() -> Vec<Answers> {
+    vec![fields::answers(), evaluate::answers()]
+}
+
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let chosen = self.oscillator.chosen()?;
@@ -113,8 +116,8 @@ impl Expand {
             return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
         }
         match self.form.form() {
-            Form::Json => json::write(out, &answer)?,
-            Form::Csv => json::write_csv(out, &answer)?,
+            Form::Json => write::write_json(out, &answer)?,
+            Form::Csv => write::write_csv(out, &answer)?,
             Form::Table if self.latex => listing::write_latex(out, &answer)?,
             Form::Table => listing::write(out, &answer)?,
         }

@@ -1,7 +1,7 @@
 //! What a picture shows, as numbers: a summary to read, or every point as JSON or CSV.
 
 use crate::figure::chart::{Picture, Series};
-use crate::output::description::{Answers, Row, descriptions};
+use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::Table;
@@ -45,8 +45,8 @@ fn of_series() -> Fields<Series> {
     Fields::from([
         Of::value("label", "", "name of the curve in the legend", |it| it.label.as_str().into())
             .words("shown", |it| it.label.clone()),
-        Of::records("points", |it| {
-            it.points.iter().map(|point| json::numbers(&[point.x, point.y]).into()).collect()
+        Of::value("points[][]", "", "places of the points, x and y, in the units of the axes", |it| {
+            json::list(it.points.iter().map(|point| json::numbers(&[point.x, point.y])))
         })
         .numeral("points", |it| it.points.len().to_string()),
     ])
@@ -63,12 +63,7 @@ fn of_point<'a>() -> Fields<(&'a str, f64, f64)> {
 }
 
 pub(super) fn answers() -> Vec<Answers> {
-    const POINTS: Row = ("points[][]", "", "places of the points, x and y, in the units of the axes");
-    let json = [
-        of_picture().described(""),
-        of_series().described("series[]."),
-        descriptions("series[].", &[POINTS]),
-    ];
+    let json = [of_picture().described(""), of_series().described("series[].")];
     vec![Answers { command: "figure", option: "", json: json.concat(), csv: of_point().described_in_csv() }]
 }
 

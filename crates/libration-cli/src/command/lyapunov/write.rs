@@ -62,8 +62,10 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
-        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
-        Of::list("initial", "", "state at the start, in the order of those names", |it| {
+        Of::value("state[]", "", "names of the numbers of the state", |it| {
+            json::list(it.model.state_names())
+        }),
+        Of::value("initial[]", "", "state at the start, in the order of those names", |it| {
             json::numbers(&it.initial)
         }),
         Of::number("transient", "s", "time that passed before measuring", |it| it.schedule.transient),

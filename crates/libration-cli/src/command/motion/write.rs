@@ -9,7 +9,6 @@ use crate::output::json::{self, Record};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
 use libration::pendulum::{Motion, Regime};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// A motion with what its answer says beside the samples.
@@ -64,8 +63,8 @@ impl Answer<'_> {
         if self.comparison.approximations.is_empty() {
             return record;
         }
-        let approximations = self.approximations(sample).map(|it| of_approximation.record(&it).into());
-        record.with("approximations", approximations.collect::<Vec<Value>>())
+        let approximations: Vec<Approximation<'_>> = self.approximations(sample).collect();
+        record.with("approximations", of_approximation.records(&approximations))
     }
 
     fn write_csv(&self, out: &mut dyn Write, times: impl Iterator<Item = f64>) -> io::Result<()> {

@@ -12,7 +12,6 @@ use crate::output::progress::watched;
 use crate::output::{Form, FormOptions};
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
-use serde_json::Value;
 use std::io::Write;
 
 pub(crate) use fields::answers;
@@ -61,9 +60,7 @@ impl Period {
                 let results = amplitudes.map(|amplitude| {
                     let swing = Swing { amplitude, pendulum };
                     let estimates = self.sorted(estimates(&swing, formulas));
-                    let estimates: Vec<Value> =
-                        estimates.iter().map(|estimate| of_formula.record(estimate).into()).collect();
-                    of_swing.record(&swing).with("formulas", estimates)
+                    of_swing.record(&swing).with("formulas", of_formula.records(&estimates))
                 });
                 json::document_with_list(out, self.pendulum.record(), "results", results)?;
             }

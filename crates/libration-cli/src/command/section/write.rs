@@ -35,7 +35,7 @@ impl Answer<'_> {
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let fields = of_row();
-        let points = self.rows().map(|row| fields.record(&row).with("state", json::numbers(&row.state)));
+        let points = self.rows().map(|row| fields.record(&row));
         json::document_with_list(out, of_answer().record(self), "points", points)
     }
 
@@ -94,8 +94,12 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("skipped", "1", "points of the transient that were left out, for each motion", |it| {
             it.points.skipped.into()
         }),
-        Of::list("state", "", "names of the numbers of the state", |it| json::texts(it.model.state_names())),
-        Of::records("initial", |it| json::texts(it.starts.clone())),
+        Of::value("state[]", "", "names of the numbers of the state", |it| {
+            json::list(it.model.state_names())
+        }),
+        Of::value("initial[][]", "", "state at the start of each motion, in the order of the names", |it| {
+            json::list(it.starts.clone())
+        }),
         Of::value("complete", "", "whether all points that were asked for are there", |it| {
             it.is_complete().into()
         }),
@@ -110,20 +114,13 @@ fn of_row() -> Fields<Row> {
         })
         .numeral("motion", |it| it.motion.to_string()),
         Of::number("time", "s", "time of the point", |it| it.time).rounded("time", 10),
+        Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
     ])
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const STARTS: description::Row =
-        ("initial[][]", "", "state at the start of each motion, in the order of the names");
-    const STATE: description::Row = ("state[]", "", "state there, in the order of the names");
     const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
-    let json = [
-        of_answer().described(""),
-        descriptions("", &[STARTS]),
-        of_row().described("points[]."),
-        descriptions("points[].", &[STATE]),
-    ];
+    let json = [of_answer().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]
 }

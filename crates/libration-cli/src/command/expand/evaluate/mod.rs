@@ -1,15 +1,17 @@
 //! `libration expand --evaluate`: a series in numbers, term by term, beside the exact value.
 
-mod json;
+mod fields;
 mod table;
+
+pub(super) use fields::answers;
 
 use super::Answer;
 use crate::failure::Failure;
-use crate::output::Form;
 use crate::output::number::short;
+use crate::output::{Form, csv, json};
 use crate::parallel;
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
-use libration::perturbation::{Certainty, SeriesEvaluation};
+use libration::perturbation::SeriesEvaluation;
 use libration::quantity::Displacement;
 use std::io::Write;
 use std::sync::Arc;
@@ -57,8 +59,8 @@ pub(super) fn write(
     }
     let numbers = Numbers::new(&answer, &relation, amplitude)?;
     match form {
-        Form::Json => json::write(out, &numbers)?,
-        Form::Csv => json::write_csv(out, &numbers)?,
+        Form::Json => json::document(out, fields::of_numbers().record(&numbers))?,
+        Form::Csv => csv::table(out, &fields::of_term(), &numbers.terms())?,
         Form::Table => table::write(out, &numbers)?,
     }
     Ok(numbers.missing())
@@ -169,12 +171,4 @@ fn quotient(relation: &SeriesComparison<'_>, degree: usize, amplitude: f64) -> O
     let approximant = relation.approximant(degree)?;
     let pole_before = approximant.first_pole().filter(|pole| *pole <= amplitude);
     Some(Quotient { degree, value: approximant.value_at(amplitude), pole_before })
-}
-
-/// The word for what a bound rests on.
-fn certainty(certainty: Certainty) -> &'static str {
-    match certainty {
-        Certainty::Proven => "proven",
-        Certainty::Estimated => "estimated",
-    }
 }

@@ -1,17 +1,14 @@
 //! The series in numbers, to read.
 
 use super::super::listing::{self, Symbols};
-use super::{NOT_REACHED, Numbers, Quotient};
+use super::{NOT_REACHED, Numbers, Quotient, fields};
 use crate::output::number::{at_most, rounded, short};
-use crate::output::series::{coefficient, subscript, superscript};
-use crate::output::table::{Column, Table, sheet, write_text};
+use crate::output::series::{subscript, superscript};
+use crate::output::table::{Table, rows, sheet, write_text};
 use libration::algebra::Rational;
 use libration::comparison::{Method, Radius, SeriesQuantity};
-use libration::perturbation::{Certainty, PartialSum, Precision, SeriesEvaluation};
+use libration::perturbation::{Certainty, PartialSum, SeriesEvaluation};
 use std::io::{self, Write};
-
-/// Longer coefficients are written as decimals.
-const LONGEST_FRACTION: usize = 21;
 
 pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     listing::write_head(out, numbers.answer)?;
@@ -72,52 +69,13 @@ fn in_units(numbers: &Numbers<'_>, amplitude: f64, digits: usize) -> String {
 fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     let evaluation = &numbers.evaluation;
     let bound = match evaluation.steps().first().map(|step| step.remainder.certainty) {
-        Some(Certainty::Proven) => "|error| below (proven)",
-        _ => "|error| about (estimated)",
+        Some(Certainty::Proven) => "below (proven)",
+        _ => "about (estimated)",
     };
-    let mut table = Table::new(vec![
-        Column::numbers("power"),
-        Column::numbers("coefficient"),
-        Column::numbers("term"),
-        Column::numbers("sum so far"),
-        Column::numbers("its error"),
-        Column::numbers(bound),
-        Column::words(""),
-    ]);
-    for step in evaluation.steps() {
-        table.row(out, row(numbers, step))?;
-    }
+    let fields = fields::of_term();
+    let mut table = Table::new(fields.columns_for(bound));
+    numbers.terms().iter().try_for_each(|term| table.row(out, fields.cells(term)))?;
     table.finish(out)
-}
-
-fn row(numbers: &Numbers<'_>, step: &PartialSum) -> Vec<String> {
-    let smallest = numbers.evaluation.smallest_term().is_some_and(|smallest| smallest.power == step.power);
-    vec![
-        step.power.to_string(),
-        shortened(&numbers.relation.series()[step.power], numbers.answer.expansion.precision),
-        rounded(step.term, 5),
-        rounded(step.sum, 15),
-        error(numbers, step.sum),
-        if step.remainder.size.is_finite() { rounded(step.remainder.size, 3) } else { "no bound".to_owned() },
-        if smallest { "← smallest term" } else { "" }.to_owned(),
-    ]
-}
-
-/// A fraction while it is short, else the beginning of its decimals.
-fn shortened(value: &Rational, precision: Precision) -> String {
-    let exact = coefficient(value, precision);
-    if exact.chars().count() <= LONGEST_FRACTION { exact } else { format!("{}…", value.to_decimal(10)) }
-}
-
-/// The distance from the exact value, as far as that is known.
-fn error(numbers: &Numbers<'_>, value: f64) -> String {
-    match numbers.known() {
-        Some(exact) if (value - exact.value).abs() <= exact.uncertainty => {
-            format!("below {}", at_most(exact.uncertainty))
-        }
-        Some(exact) => rounded(value - exact.value, 3),
-        None => "unknown".to_owned(),
-    }
 }
 
 fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
@@ -198,25 +156,7 @@ fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Opti
 
 fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>, pade: &[Quotient]) -> io::Result<()> {
     let last = pade.last().map_or(0, |last| last.degree);
-    let mut table = Table::new(vec![
-        Column::words("Padé"),
-        Column::numbers("value"),
-        Column::numbers("its error"),
-        Column::words(""),
-    ]);
-    let shown = |quotient: &&Quotient| quotient.degree.is_power_of_two() || quotient.degree == last;
-    for quotient in pade.iter().filter(shown) {
-        let degree = quotient.degree;
-        let pole = quotient.pole_before.map(|pole| format!("has a pole before, at {}", short(pole, 5)));
-        table.row(
-            out,
-            vec![
-                format!("[{degree}/{degree}]"),
-                rounded(quotient.value, 15),
-                error(numbers, quotient.value),
-                pole.unwrap_or_default(),
-            ],
-        )?;
-    }
-    table.finish(out)
+    let mut approximants = numbers.approximants(pade);
+    approximants.retain(|it| it.quotient.degree.is_power_of_two() || it.quotient.degree == last);
+    rows(out, &fields::of_approximant(), &approximants)
 }

@@ -1,0 +1,206 @@
+//! What is said of a series at one amplitude, of each of its terms, and of Padé approximants.
+
+use super::{NOT_REACHED, Numbers, Quotient};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{at_most, rounded, short};
+use crate::output::series::{certainty, coefficient, radius_certainty};
+use libration::algebra::Rational;
+use libration::comparison::Method;
+use libration::perturbation::{PartialSum, Precision};
+
+/// A term of the series, with the sum up to it.
+pub(super) struct Term<'a> {
+    numbers: &'a Numbers<'a>,
+    step: &'a PartialSum,
+}
+
+/// A Padé approximant at the amplitude.
+pub(super) struct Approximant<'a> {
+    numbers: &'a Numbers<'a>,
+    pub(super) quotient: &'a Quotient,
+}
+
+impl<'a> Numbers<'a> {
+    pub(super) fn terms(&'a self) -> Vec<Term<'a>> {
+        self.evaluation.steps().iter().map(|step| Term { numbers: self, step }).collect()
+    }
+
+    pub(super) fn approximants(&'a self, pade: &'a [Quotient]) -> Vec<Approximant<'a>> {
+        pade.iter().map(|quotient| Approximant { numbers: self, quotient }).collect()
+    }
+
+    /// The distance from the exact value to read, as far as that is known.
+    fn error_text(&self, value: f64) -> String {
+        match self.known() {
+            Some(exact) if (value - exact.value).abs() <= exact.uncertainty => {
+                format!("below {}", at_most(exact.uncertainty))
+            }
+            Some(exact) => rounded(value - exact.value, 3),
+            None => "unknown".to_owned(),
+        }
+    }
+}
+
+pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
+    type Of<'a> = Field<Numbers<'a>>;
+    Fields::from([
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
+            it.answer.key.into()
+        }),
+        Of::value("equation", "", "equation of motion", |it| it.answer.equation.as_str().into()),
+        Of::value("order", "1", "highest power of the expansion", |it| it.answer.expansion.order.into()),
+        Of::value("quantity", "", "quantity whose series is evaluated", |it| {
+            it.relation.quantity().to_string().into()
+        }),
+        Of::value("amplitude_is", "", "what the series is in powers of", |it| {
+            let variable = &it.answer.expansion.variable;
+            if variable.is_strength() { variable.name().into() } else { "x_max".into() }
+        }),
+        Of::number("amplitude", "", "its value, in rad for angles", |it| it.amplitude),
+        Of::known("exact", "", "value of the quantity by another road, or null", |it| match &it.exact {
+            Some(Ok(exact)) => Ok(exact.value),
+            Some(Err(reason)) => Err(reason.to_string()),
+            None => Err(NOT_REACHED.to_owned()),
+        }),
+        Of::present("exact_uncertainty", "", "bound on the error of that value", |it| {
+            it.known().map(|exact| exact.uncertainty)
+        }),
+        Of::present_value(
+            "exact_by",
+            "",
+            "the other road: elliptic integrals, or integration of the equation of motion",
+            |it| it.known().map(|exact| method(exact.method).into()),
+        ),
+        Of::present_value("encloses", "", "another equilibrium that the orbit goes around, or null", |it| {
+            it.known().map(|exact| exact.encloses.map(json::number).into())
+        }),
+        Of::note(Numbers::other_family),
+        Of::known("radius", "", "radius of convergence, or null", radius),
+        Of::value("radius_is", "", "proven or estimated, or null", |it| {
+            it.radius.flatten().map(|radius| certainty(radius_certainty(&radius))).into()
+        }),
+        Of::value(
+            "smallest_term_power",
+            "1",
+            "power of the smallest term, where a divergent series is best cut off",
+            |it| it.evaluation.smallest_term().map(|step| step.power).into(),
+        ),
+        Of::nested("steps[].", &of_term(), |it| of_term().records(&it.terms())),
+        Of::nested("pade[].", &of_approximant(), |it| {
+            it.pade.as_ref().map(|pade| of_approximant().records(&it.approximants(pade))).into()
+        }),
+        Of::note(|it| it.pade.is_none().then(|| format!("pade is null: {NOT_REACHED}"))),
+        Of::value(
+            "terms_needed.TOLERANCE",
+            "1",
+            "terms beyond the first until the remainder stays below this fraction of the sum, or null",
+            |it| json::object(it.needed().map(|(tolerance, count)| (format!("{tolerance:e}"), count))),
+        ),
+        Of::present_value(
+            "interrupted",
+            "",
+            "true where Ctrl-C ended the work before all was known, else left out",
+            |it| it.missing().map(|_| true.into()),
+        ),
+    ])
+}
+
+/// What the bounds rest on stands for `KEY`.
+pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
+    type Of<'a> = Field<Term<'a>>;
+    Fields::from([
+        Of::value("power", "1", "power of the term", |it| it.step.power.into())
+            .numeral("power", |it| it.step.power.to_string()),
+        Of::value("coefficient", "", "its coefficient, a fraction or a decimal", |it| {
+            coefficient(it.coefficient(), it.precision()).into()
+        })
+        .numeral("coefficient", |it| shortened(it.coefficient(), it.precision())),
+        Of::number("term", "", "the term", |it| it.step.term).rounded("term", 5),
+        Of::number("sum", "", "sum up to it", |it| it.step.sum).rounded("sum so far", 15),
+        Of::nullable("error", "", "that sum minus the exact value, or null", |it| {
+            it.numbers.error(it.step.sum)
+        })
+        .numeral("its error", |it| it.numbers.error_text(it.step.sum)),
+        Of::number("bound", "", "bound on what is left out, or an estimate of it", |it| {
+            it.step.remainder.size
+        })
+        .numeral("|error| KEY", |it| match it.step.remainder.size {
+            size if size.is_finite() => rounded(size, 3),
+            _ => "no bound".to_owned(),
+        }),
+        Of::value("bound_is", "", "proven or estimated", |it| certainty(it.step.remainder.certainty).into()),
+        Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
+    ])
+}
+
+pub(super) fn of_approximant<'a>() -> Fields<Approximant<'a>> {
+    type Of<'a> = Field<Approximant<'a>>;
+    Fields::from([
+        Of::value("degrees[]", "1", "degrees of numerator and denominator of the Padé approximant", |it| {
+            json::list([it.quotient.degree; 2])
+        })
+        .words("Padé", |it| format!("[{0}/{0}]", it.quotient.degree)),
+        Of::number("value", "", "its value", |it| it.quotient.value).rounded("value", 15),
+        Of::nullable("error", "", "its value minus the exact one, or null", |it| {
+            it.numbers.error(it.quotient.value)
+        })
+        .numeral("its error", |it| it.numbers.error_text(it.quotient.value)),
+        Of::nullable(
+            "pole_before",
+            "",
+            "place of a pole between zero and the amplitude, which makes the value worthless, or null",
+            |it| it.quotient.pole_before,
+        )
+        .words("", |it| {
+            let pole =
+                it.quotient.pole_before.map(|pole| format!("has a pole before, at {}", short(pole, 5)));
+            pole.unwrap_or_default()
+        }),
+    ])
+}
+
+pub(in crate::command::expand) fn answers() -> Answers {
+    let (json, csv) = (of_numbers().described(""), of_term().described_in_csv());
+    Answers { command: "expand", option: "--evaluate", json, csv }
+}
+
+impl Term<'_> {
+    fn coefficient(&self) -> &Rational {
+        &self.numbers.relation.series()[self.step.power]
+    }
+
+    fn precision(&self) -> Precision {
+        self.numbers.answer.expansion.precision
+    }
+
+    fn is_smallest(&self) -> bool {
+        let smallest = self.numbers.evaluation.smallest_term();
+        smallest.is_some_and(|smallest| smallest.power == self.step.power)
+    }
+}
+
+/// Longer coefficients are written as decimals.
+const LONGEST_FRACTION: usize = 21;
+
+/// A fraction while it is short, else the beginning of its decimals.
+fn shortened(value: &Rational, precision: Precision) -> String {
+    let exact = coefficient(value, precision);
+    if exact.chars().count() <= LONGEST_FRACTION { exact } else { format!("{}…", value.to_decimal(10)) }
+}
+
+fn method(method: Method) -> &'static str {
+    match method {
+        Method::Elliptic => "elliptic integrals",
+        Method::Integration => "integration of the equation of motion",
+    }
+}
+
+fn radius(numbers: &Numbers<'_>) -> Result<f64, String> {
+    match &numbers.radius {
+        Some(Some(radius)) => Ok(radius.value()),
+        Some(None) => Err("there are too few coefficients".to_owned()),
+        None => Err(NOT_REACHED.to_owned()),
+    }
+}

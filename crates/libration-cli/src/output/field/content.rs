@@ -1,0 +1,75 @@
+//! What a field holds: a function of the answer, and its value in JSON and CSV.
+
+use super::Of;
+use crate::output::json::Record;
+use crate::output::number;
+use serde_json::Value;
+
+/// Where the value of a field comes from.
+pub(super) enum Content<A> {
+    Number(Of<A, f64>),
+    Known(Of<A, Result<f64, String>>),
+    Nullable(Of<A, Option<f64>>),
+    Present(Of<A, Option<f64>>),
+    Value(Of<A, Value>),
+    PresentValue(Of<A, Option<Value>>),
+    Note(Of<A, Option<String>>),
+}
+
+/// The value of a field in one answer.
+pub(super) enum Datum {
+    /// Not finite: null with a note.
+    Number(f64),
+    /// Null with a note why.
+    Unknown(String),
+    /// A count, words, a list, an object, or null without a note.
+    Value(Value),
+    /// Said beside the fields before it.
+    Note(String),
+    /// Left out of JSON.
+    Absent,
+}
+
+impl<A> Content<A> {
+    pub(super) fn in_answer(&self, answer: &A) -> Datum {
+        match self {
+            Self::Number(value) => Datum::Number(value(answer)),
+            Self::Known(value) => value(answer).map_or_else(Datum::Unknown, Datum::Number),
+            Self::Nullable(value) => value(answer).map_or(Datum::Value(Value::Null), Datum::Number),
+            Self::Present(value) => value(answer).map_or(Datum::Absent, Datum::Number),
+            Self::Value(value) => Datum::Value(value(answer)),
+            Self::PresentValue(value) => value(answer).map_or(Datum::Absent, Datum::Value),
+            Self::Note(note) => note(answer).map_or(Datum::Absent, Datum::Note),
+        }
+    }
+}
+
+impl Datum {
+    pub(super) fn added_to(self, record: Record, key: &str) -> Record {
+        match self {
+            Self::Number(value) => record.number(key, value),
+            Self::Unknown(why) => record.number_or(key, None, &why),
+            Self::Value(value) => record.with(key, value),
+            Self::Note(note) => record.note(&note),
+            Self::Absent => record,
+        }
+    }
+
+    /// As a cell of CSV; none where there is nothing.
+    pub(super) fn to_cell(&self) -> Option<String> {
+        match self {
+            Self::Number(value) => Some(number::exact(*value)),
+            Self::Value(Value::String(text)) => Some(text.clone()),
+            Self::Unknown(_) | Self::Note(_) | Self::Absent | Self::Value(Value::Null) => None,
+            Self::Value(other) => Some(other.to_string()),
+        }
+    }
+
+    pub(super) fn to_f64(&self) -> Option<f64> {
+        match self {
+            Self::Number(value) => Some(*value),
+            Self::Value(value) => value.as_f64(),
+            Self::Unknown(_) | Self::Note(_) | Self::Absent => None,
+        }
+    }
+}

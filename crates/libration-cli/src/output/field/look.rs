@@ -1,0 +1,46 @@
+//! How people see a field: in a column of a table, or on a line of a sheet.
+
+use super::Of;
+use crate::output::number;
+
+/// Below a title, or behind it.
+pub(super) struct Shown<A> {
+    pub(super) title: &'static str,
+    pub(super) look: Look<A>,
+}
+
+pub(super) enum Look<A> {
+    Rounded(usize),
+    Short(usize),
+    /// An angle, which is in radians otherwise.
+    Degrees(usize),
+    /// With its unit behind it.
+    WithUnit(usize),
+    Words(Of<A, String>),
+    Numeral(Of<A, String>),
+}
+
+impl<A> Look<A> {
+    pub(super) fn is_of_words(&self) -> bool {
+        matches!(self, Self::Words(_))
+    }
+
+    /// The text of a number with this unit, or of the answer; none where there is no number.
+    pub(super) fn text(&self, value: Option<f64>, unit: &str, answer: &A) -> Option<String> {
+        match *self {
+            Self::Rounded(digits) => value.map(|value| number::rounded(value, digits)),
+            Self::Short(digits) => value.map(|value| number::short(value, digits)),
+            Self::Degrees(digits) => value.map(|value| number::rounded(value.to_degrees(), digits)),
+            Self::WithUnit(digits) => value.map(|value| with_unit(value, unit, digits)),
+            Self::Words(text) | Self::Numeral(text) => Some(text(answer)),
+        }
+    }
+}
+
+fn with_unit(value: f64, unit: &str, digits: usize) -> String {
+    match unit {
+        "1" => number::rounded(value, digits),
+        "s" => number::seconds(value, digits),
+        unit => format!("{} {unit}", number::rounded(value, digits)),
+    }
+}
