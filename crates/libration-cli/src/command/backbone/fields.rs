@@ -1,51 +1,181 @@
-//! What the fields of a backbone mean.
+//! What is said of a backbone, and of each of its points.
 
-use crate::output::description::{Answers, Row, descriptions};
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{at_most, rounded, short};
+use crate::output::series::{certainty, radius_certainty};
+use libration::comparison::{BackbonePoint, ExactValue, OrbitFrequency};
 
-const JSON: &[Row] = &[
-    ("oscillator", "", "key of the oscillator, null where its equation was typed"),
-    ("equation", "", "equation of motion"),
-    ("parameters.NAME", "", "value of the parameter with this name, as text"),
-    ("order", "1", "order of the perturbation series"),
-    ("centre", "", "equilibrium that amplitudes are measured from"),
-    (
-        "centre_is_equilibrium",
-        "",
-        "whether it is one that the force drives back to; else amplitudes count from 0",
-    ),
-    ("omega0", "rad/s", "angular frequency of small oscillations, or null"),
-    ("no_series", "", "why there is no series, or null"),
-    ("series_radius", "", "amplitude below which the series converges"),
-    ("series_radius_is", "", "proven or estimated"),
-    ("interrupted", "", "true where Ctrl-C ended the work before the last amplitude, else left out"),
-    ("points[].amplitude", "", "amplitude, in rad for angles"),
-    ("points[].frequency", "rad/s", "angular frequency by the orbit, or null"),
-    ("points[].uncertainty", "rad/s", "bound on the error of that frequency"),
-    ("points[].other_turning_point", "", "displacement from the centre at the other turning point"),
-    ("points[].encloses", "", "another equilibrium that the orbit goes around, or null"),
-    ("points[].no_orbit", "", "why there is no orbit"),
-    ("points[].series", "rad/s", "angular frequency by the perturbation series, or null"),
-    (
-        "points[].series_remainder",
-        "rad/s",
-        "bound on what the series leaves out, or an estimate of it; or null",
-    ),
-    ("points[].series_remainder_is", "", "proven or estimated"),
-    ("points[].exact", "rad/s", "angular frequency of the pendulum by elliptic integrals, else null"),
-    ("points[].exact_uncertainty", "rad/s", "bound on the error of that frequency"),
-];
+/// A point of the backbone of an answer.
+pub(super) struct Point<'a> {
+    answer: &'a Answer,
+    pub(super) point: &'a BackbonePoint,
+}
 
-const CSV: &[Row] = &[
-    ("amplitude", "", "amplitude, in rad for angles"),
-    ("frequency", "rad/s", "angular frequency by the orbit"),
-    ("uncertainty", "rad/s", "bound on the error of that frequency"),
-    ("other_turning_point", "", "displacement from the centre at the other turning point"),
-    ("series", "rad/s", "angular frequency by the perturbation series"),
-    ("exact", "rad/s", "angular frequency of the pendulum by elliptic integrals"),
-    ("exact_uncertainty", "rad/s", "bound on the error of that frequency"),
-];
+impl Answer {
+    pub(super) fn listed(&self) -> impl Iterator<Item = Point<'_>> {
+        self.points.iter().map(|point| Point { answer: self, point })
+    }
+
+    /// An amplitude to read, in degrees where it is an angle.
+    pub(super) fn amplitude_text(&self, amplitude: f64, digits: usize) -> String {
+        if self.is_angle() {
+            format!("{}°", short(amplitude.to_degrees(), digits))
+        } else {
+            short(amplitude, digits)
+        }
+    }
+}
+
+pub(super) fn of_backbone() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
+            it.asked.key.into()
+        })
+        .line_of("oscillator", |it| it.asked.title.clone()),
+        Of::value("equation", "", "equation of motion", |it| it.asked.equation.to_string().into())
+            .line_of("equation", |it| it.asked.equation.to_string()),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
+            json::object(it.asked.values.iter().cloned())
+        }),
+        Of::value("order", "1", "order of the perturbation series", |it| it.order.into()),
+        Of::number("centre", "", "equilibrium that amplitudes are measured from", |it| it.curve.centre()),
+        Of::value(
+            "centre_is_equilibrium",
+            "",
+            "whether it is one that the force drives back to; else amplitudes count from 0",
+            |it| it.curve.has_equilibrium().into(),
+        ),
+        Of::known("omega0", "rad/s", "angular frequency of small oscillations, or null", |it| {
+            it.curve.omega0().ok_or_else(|| no_series(it).unwrap_or_default())
+        }),
+        Of::value("no_series", "", "why there is no series, or null", |it| no_series(it).into()),
+        Of::present("series_radius", "", "amplitude below which the series converges", |it| {
+            it.curve.radius().map(|radius| radius.value())
+        }),
+        Of::present_value("series_radius_is", "", "proven or estimated", |it| {
+            it.curve.radius().map(|radius| certainty(radius_certainty(&radius)).into())
+        }),
+        Of::present_value(
+            "interrupted",
+            "",
+            "true where Ctrl-C ended the work before the last amplitude, else left out",
+            |it| it.interruption().map(|_| true.into()),
+        ),
+    ])
+}
+
+fn no_series(answer: &Answer) -> Option<String> {
+    answer.curve.no_series().map(ToString::to_string)
+}
+
+pub(super) const ORBIT: [&str; 3] = ["amplitude", "Ω by orbit", "uncertain by"];
+pub(super) const SERIES: [&str; 2] = ["Ω by series", "its error"];
+pub(super) const EXACT: &str = "Ω exactly";
+
+pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
+    type Of<'a> = Field<Point<'a>>;
+    Fields::from([
+        Of::number("amplitude", "", "amplitude, in rad for angles", |it| it.point.amplitude)
+            .numeral(ORBIT[0], |it| it.answer.amplitude_text(it.point.amplitude, 10)),
+        Of::nullable("frequency", "rad/s", "angular frequency by the orbit, or null", |it| {
+            it.orbit().map(|orbit| orbit.frequency)
+        })
+        .rounded(ORBIT[1], 15)
+        .or("none"),
+        Of::present("uncertainty", "rad/s", "bound on the error of that frequency", |it| {
+            it.orbit().map(|orbit| orbit.uncertainty)
+        })
+        .numeral(ORBIT[2], |it| it.orbit().map_or_else(String::new, |orbit| at_most(orbit.uncertainty))),
+        Of::present(
+            "other_turning_point",
+            "",
+            "displacement from the centre at the other turning point",
+            |it| it.orbit().map(|orbit| orbit.other_side),
+        ),
+        Of::present_value("encloses", "", "another equilibrium that the orbit goes around, or null", |it| {
+            it.orbit().map(|orbit| orbit.encloses.map(json::number).into())
+        })
+        .only_json(),
+        Of::present_value("no_orbit", "", "why there is no orbit", |it| {
+            it.point.orbit.as_ref().err().map(|reason| reason.to_string().into())
+        })
+        .only_json(),
+        Of::nullable("series", "rad/s", "angular frequency by the perturbation series, or null", |it| {
+            it.point.series.as_ref().map(|series| series.frequency)
+        })
+        .rounded(SERIES[0], 15)
+        .or("none"),
+        Of::unnamed().numeral(SERIES[1], error),
+        Of::present_value(
+            "series_remainder",
+            "rad/s",
+            "bound on what the series leaves out, or an estimate of it; or null",
+            |it| it.point.series.as_ref().map(|series| json::number(series.remainder.size)),
+        )
+        .only_json(),
+        Of::present_value("series_remainder_is", "", "proven or estimated", |it| {
+            it.point.series.as_ref().map(|series| certainty(series.remainder.certainty).into())
+        })
+        .only_json(),
+        Of::note(enclosing),
+        Of::nullable(
+            "exact",
+            "rad/s",
+            "angular frequency of the pendulum by elliptic integrals, else null",
+            |it| it.exact().map(|exact| exact.value),
+        )
+        .rounded(EXACT, 15)
+        .or("none"),
+        Of::note(|it| match &it.point.exact {
+            Some(Err(reason)) => Some(format!("exact is null: {reason}")),
+            _ => None,
+        }),
+        Of::present("exact_uncertainty", "rad/s", "bound on the error of that frequency", |it| {
+            it.exact().map(|exact| exact.uncertainty)
+        }),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (descriptions("", JSON), descriptions("", CSV));
-    vec![Answers { command: "backbone", option: "", json, csv }]
+    let json = [of_backbone().described(""), of_point().described("points[].")].concat();
+    vec![Answers { command: "backbone", option: "", json, csv: of_point().described_in_csv() }]
+}
+
+impl Point<'_> {
+    fn orbit(&self) -> Option<&OrbitFrequency> {
+        self.point.orbit.as_ref().ok()
+    }
+
+    pub(super) fn exact(&self) -> Option<&ExactValue> {
+        self.point.exact.as_ref()?.as_ref().ok()
+    }
+
+    /// Another equilibrium that the orbit goes around.
+    pub(super) fn encloses(&self) -> Option<f64> {
+        self.orbit()?.encloses
+    }
+}
+
+fn enclosing(point: &Point<'_>) -> Option<String> {
+    let place = short(point.encloses()?, 6);
+    Some(format!(
+        "the orbit goes around another equilibrium too, at {place}, and is not of the family that the series is for"
+    ))
+}
+
+/// How far the series is from the exact value, or else from the orbit.
+fn error(point: &Point<'_>) -> String {
+    let orbit = point.orbit().map(|it| (it.frequency, it.uncertainty));
+    let best = point.exact().map(|it| (it.value, it.uncertainty)).or(orbit);
+    match (&point.point.series, best) {
+        (Some(series), Some((value, uncertainty))) if (series.frequency - value).abs() <= uncertainty => {
+            format!("below {}", at_most(uncertainty))
+        }
+        (Some(series), Some((value, _))) => rounded(series.frequency - value, 2),
+        _ => "unknown".to_owned(),
+    }
 }
