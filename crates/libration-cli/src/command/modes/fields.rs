@@ -1,44 +1,148 @@
-//! What the fields of normal modes mean.
+//! What is said of an equilibrium, and of each mode about it.
 
+use super::Answer;
 use crate::output::description::{Answers, Row, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration::algebra::Surd;
+use libration::normal_modes::{Behaviour, Mode, Resonance};
 
-const JSON: &[Row] = &[
-    ("system", "", "key of the system, null where its equations were typed"),
-    ("equations[]", "", "equations of motion as they were understood"),
-    ("parameters.NAME", "", "value of the parameter with this name, as text"),
-    ("coordinates[]", "", "names of the coordinates"),
-    ("equilibrium[]", "", "coordinates of the equilibrium, in the order of the names"),
-    ("exact_equilibrium[]", "", "the same as fractions, or null"),
-    ("modes[].behaviour", "", "oscillating, free, unstable or damped"),
-    ("modes[].frequency", "rad/s", "angular frequency ω of small oscillations"),
-    ("modes[].growth", "1/s", "rate of growth, negative where it decays"),
-    ("modes[].frequency_squared", "", "ω² as a fraction or with a square root, or null"),
-    ("modes[].exact_frequency", "", "ω with square roots, or null"),
-    ("modes[].shape[]", "", "displacements of the coordinates, the largest 1, real part"),
-    ("modes[].shape_imaginary[]", "", "their imaginary parts, of damped modes"),
-    ("modes[].exact_shape[]", "", "displacements as fractions or with square roots, or null"),
-    ("modes[].multiplicity", "1", "number of modes with this frequency"),
-    ("modes[].resonances[].with_mode", "1", "number of the other mode, from 1"),
-    ("modes[].resonances[].multiple", "1", "whole number that the faster frequency is of the slower one"),
-    ("modes[].resonances[].other_is_faster", "", "whether the other mode is the faster one"),
-    ("modes[].resonances[].exact", "", "whether the ratio is exact"),
-    ("modes[].resonances[].detuning", "1", "faster frequency over the multiple of the slower one, minus 1"),
-    ("modes[].shift", "", "κ in Ω = ω + κa², with a the amplitude of the largest displacement, or null"),
-    ("modes[].exact_relative_shift", "", "κ/ω as a fraction or with square roots, or null"),
-    ("modes[].no_shift", "", "why no κ is given, or null"),
-];
+/// A mode with its number, from 1.
+pub(super) struct Numbered<'a> {
+    pub(super) number: usize,
+    pub(super) mode: &'a Mode,
+}
 
-const CSV: &[Row] = &[
-    ("mode", "1", "number of the mode, from 1"),
-    ("behaviour", "", "oscillating, free, unstable or damped"),
-    ("frequency", "rad/s", "angular frequency ω of small oscillations"),
-    ("growth", "1/s", "rate of growth, negative where it decays"),
-    ("exact_frequency", "", "ω with square roots, or empty"),
-    ("shape_NAME", "", "displacement of the coordinate with this name, the largest 1, real part"),
-    ("shift", "", "κ in Ω = ω + κa², with a the amplitude of the largest displacement, or empty"),
-];
+impl Answer {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+        (1..).zip(&self.modes.modes).map(|(number, mode)| Numbered { number, mode })
+    }
+}
+
+pub(super) fn of_equilibrium() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+            json::list(it.model.equation().to_string().split("; "))
+        }),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
+            json::object(it.model.values().iter().map(|(name, value)| (name.clone(), value.to_string())))
+        }),
+        Of::value("coordinates[]", "", "names of the coordinates", |it| {
+            json::list(it.modes.variables.clone())
+        }),
+        Of::value("equilibrium[]", "", "coordinates of the equilibrium, in the order of the names", |it| {
+            json::list(it.modes.equilibrium.clone())
+        }),
+        Of::value("exact_equilibrium[]", "", "the same as fractions, or null", |it| {
+            it.modes.exact_equilibrium.as_ref().map(|exact| texts(exact)).into()
+        }),
+    ])
+}
+
+/// What stands before the shape in CSV.
+pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()).only_csv(),
+        Of::value("behaviour", "", "oscillating, free, unstable or damped", |it| {
+            word(it.mode.behaviour).into()
+        }),
+        Of::number("frequency", "rad/s", "angular frequency ω of small oscillations", |it| {
+            it.mode.exponent.im
+        }),
+        Of::number("growth", "1/s", "rate of growth, negative where it decays", |it| it.mode.exponent.re),
+        Of::value("frequency_squared", "", "ω² as a fraction or with a square root, or null", |it| {
+            it.mode.frequency_squared.as_ref().map(ToString::to_string).into()
+        })
+        .only_json(),
+        Of::value("exact_frequency", "", "ω with square roots, or null", |it| {
+            exact_frequency(it.mode).into()
+        }),
+        Of::value("shape[]", "", "displacements of the coordinates, the largest 1, real part", |it| {
+            json::list(it.mode.shape.iter().map(|part| part.re))
+        }),
+        Of::value("shape_imaginary[]", "", "their imaginary parts, of damped modes", |it| {
+            json::list(it.mode.shape.iter().map(|part| part.im))
+        }),
+        Of::value("exact_shape[]", "", "displacements as fractions or with square roots, or null", |it| {
+            it.mode.exact_shape.as_ref().map(|exact| texts(exact)).into()
+        }),
+        Of::value("multiplicity", "1", "number of modes with this frequency", |it| {
+            it.mode.multiplicity.into()
+        })
+        .only_json(),
+        Of::nested("resonances[].", &of_resonance(), |it| of_resonance().records(&it.mode.resonances)),
+    ])
+}
+
+/// What stands behind it.
+pub(super) fn of_shift<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value(
+            "shift",
+            "",
+            "κ in Ω = ω + κa², with a the amplitude of the largest displacement, or null",
+            |it| it.mode.shift.as_ref().ok().map(|shift| json::number(shift.coefficient)).into(),
+        ),
+        Of::value("exact_relative_shift", "", "κ/ω as a fraction or with square roots, or null", |it| {
+            let relative = it.mode.shift.as_ref().ok().and_then(|shift| shift.relative.as_ref());
+            relative.map(ToString::to_string).into()
+        })
+        .only_json(),
+        Of::value("no_shift", "", "why no κ is given, or null", |it| {
+            it.mode.shift.as_ref().err().map(ToString::to_string).into()
+        })
+        .only_json(),
+    ])
+}
+
+fn of_resonance() -> Fields<Resonance> {
+    type Of = Field<Resonance>;
+    Fields::from([
+        Of::value("with_mode", "1", "number of the other mode, from 1", |it| (it.other + 1).into()),
+        Of::value("multiple", "1", "whole number that the faster frequency is of the slower one", |it| {
+            it.multiple.into()
+        }),
+        Of::value("other_is_faster", "", "whether the other mode is the faster one", |it| {
+            it.other_is_faster.into()
+        }),
+        Of::value("exact", "", "whether the ratio is exact", |it| it.exact.into()),
+        Of::number("detuning", "1", "faster frequency over the multiple of the slower one, minus 1", |it| {
+            it.detuning
+        }),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (descriptions("", JSON), descriptions("", CSV));
-    vec![Answers { command: "modes", option: "", json, csv }]
+    const SHAPE: Row =
+        ("shape_NAME", "", "displacement of the coordinate with this name, the largest 1, real part");
+    let json = [of_mode().described("modes[]."), of_shift().described("modes[].")].concat();
+    let csv = [of_mode().described_in_csv(), descriptions("", &[SHAPE]), of_shift().described_in_csv()];
+    let json = [of_equilibrium().described(""), json].concat();
+    vec![Answers { command: "modes", option: "", json, csv: csv.concat() }]
+}
+
+/// The frequency of an oscillation with square roots.
+pub(super) fn exact_frequency(mode: &Mode) -> Option<String> {
+    let square = mode.frequency_squared.as_ref().filter(|_| mode.behaviour == Behaviour::Oscillating);
+    square.map(Surd::square_root_text)
+}
+
+fn texts(list: &[impl ToString]) -> serde_json::Value {
+    json::list(list.iter().map(ToString::to_string))
+}
+
+fn word(behaviour: Behaviour) -> &'static str {
+    match behaviour {
+        Behaviour::Oscillating => "oscillating",
+        Behaviour::Free => "free",
+        Behaviour::Unstable => "unstable",
+        Behaviour::Damped => "damped",
+    }
 }

@@ -1,13 +1,12 @@
 //! The modes as text, JSON and CSV.
 
 use super::Answer;
-use crate::output::csv;
-use crate::output::json::{self, Record};
+use super::fields::{self, Numbered, exact_frequency};
 use crate::output::number::{exact, rounded, short};
 use crate::output::table::{paragraph, sheet};
-use libration::algebra::{Complex, Rational, Surd};
+use crate::output::{csv, json};
+use libration::algebra::{Complex, Surd};
 use libration::normal_modes::{Behaviour, Mode, Resonance};
-use serde_json::Value;
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
@@ -15,84 +14,29 @@ use std::io::{self, Write};
 const COLUMNS: usize = 120;
 
 pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    let texts = |list: &[Rational]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let values = answer.model.values().iter().map(|(name, value)| (name.clone(), value.to_string()));
-    let head = Record::new()
-        .with("system", answer.model.key())
-        .with("equations", answer.model.equation().to_string().split("; ").collect::<Vec<_>>())
-        .with("parameters", Value::from_iter(values))
-        .with("coordinates", answer.modes.variables.clone())
-        .with("equilibrium", answer.modes.equilibrium.clone())
-        .with("exact_equilibrium", answer.modes.exact_equilibrium.as_deref().map(texts));
-    json::document_with_list(out, head, "modes", answer.modes.modes.iter().map(record))
-}
-
-fn record(mode: &Mode) -> Record {
-    let surds = |list: &Vec<Surd>| list.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let shift = mode.shift.as_ref();
-    Record::new()
-        .with("behaviour", word(mode.behaviour))
-        .number("frequency", mode.exponent.im)
-        .number("growth", mode.exponent.re)
-        .with("frequency_squared", mode.frequency_squared.as_ref().map(ToString::to_string))
-        .with("exact_frequency", exact_frequency(mode))
-        .with("shape", mode.shape.iter().map(|part| part.re).collect::<Vec<_>>())
-        .with("shape_imaginary", mode.shape.iter().map(|part| part.im).collect::<Vec<_>>())
-        .with("exact_shape", mode.exact_shape.as_ref().map(surds))
-        .with("multiplicity", mode.multiplicity)
-        .with("resonances", mode.resonances.iter().map(|it| resonance(it).into()).collect::<Vec<Value>>())
-        .with("shift", shift.map_or(Value::Null, |shift| json::number(shift.coefficient)))
-        .with("exact_relative_shift", shift.ok().and_then(|it| it.relative.as_ref()).map(ToString::to_string))
-        .with("no_shift", shift.err().map(ToString::to_string))
-}
-
-fn resonance(resonance: &Resonance) -> Record {
-    Record::new()
-        .with("with_mode", resonance.other + 1)
-        .with("multiple", resonance.multiple)
-        .with("other_is_faster", resonance.other_is_faster)
-        .with("exact", resonance.exact)
-        .number("detuning", resonance.detuning)
-}
-
-fn exact_frequency(mode: &Mode) -> Option<String> {
-    let square = mode.frequency_squared.as_ref().filter(|_| mode.behaviour == Behaviour::Oscillating);
-    square.map(Surd::square_root_text)
-}
-
-fn word(behaviour: Behaviour) -> &'static str {
-    match behaviour {
-        Behaviour::Oscillating => "oscillating",
-        Behaviour::Free => "free",
-        Behaviour::Unstable => "unstable",
-        Behaviour::Damped => "damped",
-    }
+    let (of_mode, of_shift) = (fields::of_mode(), fields::of_shift());
+    let modes = answer.numbered().map(|mode| of_shift.added_to(of_mode.record(&mode), &mode));
+    json::document_with_list(out, fields::of_equilibrium().record(answer), "modes", modes)
 }
 
 pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    let parts = answer.modes.variables.iter().map(|name| format!("shape_{name}"));
-    let first = ["mode", "behaviour", "frequency", "growth", "exact_frequency"].map(str::to_owned);
-    csv::line(out, &first.into_iter().chain(parts).chain(["shift".to_owned()]).collect::<Vec<_>>())?;
-    for (number, mode) in (1..).zip(&answer.modes.modes) {
-        let number: usize = number;
-        let numbers = [mode.exponent.im, mode.exponent.re].map(exact);
-        let parts = mode.shape.iter().map(|part| exact(part.re));
-        let shift = mode.shift.as_ref().map_or_else(|_| String::new(), |shift| exact(shift.coefficient));
-        let line = [number.to_string(), word(mode.behaviour).to_owned()].into_iter().chain(numbers);
-        let line = line.chain([exact_frequency(mode).unwrap_or_default()]).chain(parts).chain([shift]);
-        csv::line(out, &line.collect::<Vec<_>>())?;
+    let (of_mode, of_shift) = (fields::of_mode(), fields::of_shift());
+    let parts = answer.modes.variables.iter().map(|name| format!("shape_{name}")).collect();
+    csv::line(out, &[of_mode.csv_names(), parts, of_shift.csv_names()].concat())?;
+    for mode in answer.numbered() {
+        let parts = mode.mode.shape.iter().map(|part| exact(part.re)).collect();
+        csv::line(out, &[of_mode.csv_cells(&mode), parts, of_shift.csv_cells(&mode)].concat())?;
     }
     Ok(())
 }
 
 pub(super) fn sheets(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let equations = answer.model.equation().to_string();
-    let mut head = vec![("system", answer.model.title().to_owned())];
+    let mut head = fields::of_equilibrium().lines(answer);
     head.extend(equations.split("; ").map(|equation| ("equation", equation.to_owned())));
     head.push(("equilibrium", equilibrium(answer)));
     sheet(out, &head)?;
-    for (number, mode) in (1..).zip(&answer.modes.modes) {
-        let number: usize = number;
+    for Numbered { number, mode } in answer.numbered() {
         writeln!(out, "\n{}", paragraph(&format!("mode {number}: "), &summary(mode), COLUMNS))?;
         for (name, text) in lines(answer, mode) {
             writeln!(out, "{}", paragraph(&format!("  {name:<11}"), &text, COLUMNS))?;
