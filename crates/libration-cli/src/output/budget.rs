@@ -1,11 +1,13 @@
 //! The budget of the uncertainty of g, as a table and as JSON.
 
+use super::description::Description;
+use super::field::{Field, Fields};
 use super::json::Record;
 use super::table::{Column, Table};
+use super::warnings::Named;
 use super::{combined, number};
 use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, BudgetRow, Correction};
-use serde_json::Value;
 use std::io::{self, Write};
 
 /// The budget as two tables: the effects (name, correction, contribution, kind, formula, and with what), and the inputs.
@@ -30,77 +32,88 @@ pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, Str
 }
 
 /// What is doubtful about g and its uncertainty, with names that stay.
-pub(crate) fn warnings(budget: &Budget) -> Vec<(&'static str, String)> {
+pub(crate) fn warnings(budget: &Budget) -> Vec<Named> {
     budget.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
 
-/// The fields of a budget and of the uncertainty of g.
-pub(crate) fn fields(record: Record, budget: &Budget) -> Record {
-    combined::fields(record.with("budget", records(budget)), &budget.combined)
+/// The effects and the inputs of the uncertainty of g, behind other fields.
+pub(crate) fn added_to(record: Record, budget: &Budget) -> Record {
+    combined::of_uncertainty().added_to(of_budget().added_to(record, budget), &budget.combined)
 }
+
+/// Their descriptions.
+pub(crate) fn described() -> Vec<Description> {
+    [of_budget().described(""), combined::of_uncertainty().described("")].concat()
+}
+
+fn of_budget() -> Fields<Budget> {
+    Fields::from([Field::nested("budget[].", &of_effect(), |it: &Budget| of_effect().records(&it.rows))])
+}
+
+/// `correction` is null where none is applied, `usual_size` says how large it would be.
+fn of_effect() -> Fields<BudgetRow> {
+    type Of = Field<BudgetRow>;
+    Fields::from([
+        Of::value("name", "", "effect", |it| it.name.into()).words(COLUMNS[0], |it| it.name.to_owned()),
+        Of::value("formula", "", "formula of the correction", |it| it.formula.into())
+            .words(COLUMNS[4], |it| it.formula.to_owned()),
+        Of::nullable("correction", "1", "fractional correction of gravity that was applied, or null", |it| {
+            match it.correction {
+                Correction::Applied(part) => Some(part),
+                _ => None,
+            }
+        })
+        .numeral(COLUMNS[1], |it| correction(it.correction)),
+        Of::nullable(
+            "usual_size",
+            "1",
+            "size that the correction usually has, where it was not applied, or null",
+            |it| match it.correction {
+                Correction::Usually(part) => Some(part),
+                _ => None,
+            },
+        ),
+        Of::nullable(
+            "uncertainty_m_per_s2",
+            "m/s²",
+            "standard uncertainty of gravity by this effect, or null",
+            |it| it.uncertainty,
+        )
+        .rounded(COLUMNS[2], 2)
+        .or("–"),
+        Of::value("type", "", combined::KINDS, |it| it.evaluation.letter().to_string().into())
+            .words(COLUMNS[3], |it| it.evaluation.letter().to_string()),
+        Of::value("with", "", "values that the correction was computed with", |it| it.note.as_str().into())
+            .words(COLUMNS[5], |it| match it.correction {
+                Correction::Usually(_) => format!("not corrected; {}", it.note),
+                _ => it.note.clone(),
+            }),
+    ])
+}
+
+const COLUMNS: [&str; 6] = ["effect", "correction of g", "u(g) / m/s²", "type", "formula", "with"];
 
 /// The columns of [`rows`].
 pub(crate) fn columns() -> Vec<Column> {
-    vec![
-        Column::words("effect"),
-        Column::numbers("correction of g"),
-        Column::numbers("u(g) / m/s²"),
-        Column::words("type"),
-        Column::words("formula"),
-        Column::words("with"),
-    ]
+    of_effect().for_table(&COLUMNS).columns()
 }
 
 /// The cells of all rows, and of what they are together.
 pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
+    let fields = of_effect().for_table(&COLUMNS);
     let total = number::rounded(budget.uncertainty, 2);
-    let total = ["together", "", &total, "", "", ""].map(str::to_owned);
-    budget.rows.iter().map(cells).chain([total]).map(Vec::from).collect()
+    let total = ["together", "", &total, "", "", ""].map(str::to_owned).to_vec();
+    budget.rows.iter().map(|row| fields.cells(row)).chain([total]).collect()
 }
 
-/// The cells of a row, as text for people; what is not corrected is in brackets.
-fn cells(row: &BudgetRow) -> [String; 6] {
+/// As text for people; what is not corrected is in brackets.
+fn correction(correction: Correction) -> String {
     let percent =
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
-    let correction = match row.correction {
+    match correction {
         Correction::Applied(part) => percent(part),
         Correction::Usually(part) => format!("(about {})", percent(part)),
         Correction::Unknown => "(not known)".to_owned(),
         Correction::Input => String::new(),
-    };
-    let uncertainty = row.uncertainty.map_or("–".to_owned(), |value| number::rounded(value, 2));
-    let note = match row.correction {
-        Correction::Usually(_) => format!("not corrected; {}", row.note),
-        _ => row.note.clone(),
-    };
-    [
-        row.name.to_owned(),
-        correction,
-        uncertainty,
-        row.evaluation.letter().to_string(),
-        row.formula.to_owned(),
-        note,
-    ]
-}
-
-/// The rows as JSON: `correction` is null where none is applied, `usual_size` says how large it would be.
-fn records(budget: &Budget) -> Vec<Value> {
-    let record = |row: &BudgetRow| {
-        let optional = |value: Option<f64>| value.map_or(Value::Null, super::json::number);
-        let (applied, usual) = match row.correction {
-            Correction::Applied(part) => (Some(part), None),
-            Correction::Usually(part) => (None, Some(part)),
-            Correction::Unknown | Correction::Input => (None, None),
-        };
-        Record::new()
-            .with("name", row.name)
-            .with("formula", row.formula)
-            .with("correction", optional(applied))
-            .with("usual_size", optional(usual))
-            .with("uncertainty_m_per_s2", optional(row.uncertainty))
-            .with("type", row.evaluation.letter().to_string())
-            .with("with", row.note.as_str())
-            .into()
-    };
-    budget.rows.iter().map(record).collect()
+    }
 }

@@ -1,10 +1,9 @@
 //! The uncertainty of g input by input: values, sensitivity coefficients, shares, the expanded uncertainty.
 
-use super::json::{self, Record};
-use super::number;
+use super::field::{Field, Fields};
 use super::table::{Column, Table};
-use libration_lab::fit::{COVERAGE, CombinedUncertainty, Contribution};
-use serde_json::Value;
+use super::{json, number};
+use libration_lab::fit::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
 use std::io::{self, Write};
 
 /// One line for each input that matters.
@@ -29,43 +28,24 @@ pub(crate) fn expanded(combined: &CombinedUncertainty) -> String {
 
 /// The columns of [`rows`].
 pub(crate) fn columns() -> Vec<Column> {
-    let numbers = ["x", "u(x)", "∂g/∂x", "|∂g/∂x| u(x) / m/s²", "share"].map(Column::numbers);
-    let last = [Column::words("type"), Column::numbers("ν")];
-    [vec![Column::words("input")], numbers.to_vec(), last.to_vec()].concat()
+    of_input().columns()
 }
 
 /// The cells of the inputs that g depends on, and of what they are together.
 pub(crate) fn rows(combined: &CombinedUncertainty) -> Vec<Vec<String>> {
-    let known = combined.contributions.iter().filter(|each| each.sensitivity != 0.0);
-    let mut rows: Vec<Vec<String>> = known.map(|each| cells(combined, each)).collect();
+    let fields = of_input();
+    let known = inputs(combined).into_iter().filter(|input| input.each.sensitivity != 0.0);
+    let mut rows: Vec<Vec<String>> = known.map(|input| fields.cells(&input)).collect();
     if !combined.correlations.is_empty() {
-        rows.push(of_all("correlations", "", &percent(combined.share_of_correlations()), ""));
+        rows.push(last_row("correlations", "", &percent(combined.share_of_correlations()), ""));
     }
     let total = number::rounded(combined.standard, 2);
-    rows.push(of_all("together", &total, "", &degrees(combined.degrees_of_freedom)));
+    rows.push(last_row("together", &total, "", &degrees(combined.degrees_of_freedom)));
     rows
 }
 
-fn of_all(name: &str, uncertainty: &str, share: &str, degrees: &str) -> Vec<String> {
+fn last_row(name: &str, uncertainty: &str, share: &str, degrees: &str) -> Vec<String> {
     [name, "", "", "", uncertainty, share, "", degrees].map(str::to_owned).to_vec()
-}
-
-fn cells(combined: &CombinedUncertainty, each: &Contribution) -> Vec<String> {
-    let with_unit = |value: String, unit: &str| match unit {
-        "1" => value,
-        unit => format!("{value} {}", unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")),
-    };
-    let of_known = |text: String| if each.uncertainty.is_some() { text } else { "–".to_owned() };
-    vec![
-        each.input.name().to_owned(),
-        with_unit(number::short(each.value, 7), each.input.unit()),
-        of_known(number::short(each.uncertainty.unwrap_or(0.0), 2)),
-        with_unit(number::short(each.sensitivity, 4), each.input.unit_of_sensitivity()),
-        of_known(number::rounded(each.change().abs(), 2)),
-        of_known(percent(combined.share(each))),
-        each.evaluation.letter().to_string(),
-        degrees(each.degrees_of_freedom),
-    ]
 }
 
 fn percent(part: f64) -> String {
@@ -80,38 +60,130 @@ fn degrees(of_freedom: f64) -> String {
     }
 }
 
-/// The expanded uncertainty and what it comes from.
-pub(crate) fn fields(record: Record, combined: &CombinedUncertainty) -> Record {
-    let inputs: Vec<Value> = combined.contributions.iter().map(|each| input(combined, each).into()).collect();
-    let correlations: Vec<Value> = combined
-        .correlations
-        .iter()
-        .map(|both| {
-            let between: Vec<&str> = both.between.iter().map(|input| input.name()).collect();
-            Record::new().with("between", between).number("coefficient", both.coefficient).into()
-        })
-        .collect();
-    record
-        .number("gravity_expanded_uncertainty_m_per_s2", combined.expanded())
-        .number("coverage_probability", COVERAGE)
-        .number("coverage_factor", combined.coverage_factor())
-        .with("effective_degrees_of_freedom", json::number(combined.degrees_of_freedom))
-        .with("budget_inputs", inputs)
-        .with("budget_correlations", correlations)
-        .number("share_of_correlations", combined.share_of_correlations())
+/// The two ways of the Guide to the Expression of Uncertainty in Measurement.
+pub(super) const KINDS: &str =
+    "A where it comes from the scatter of measurements, B from what is known otherwise";
+
+/// An input of an uncertainty.
+struct Input<'a> {
+    combined: &'a CombinedUncertainty,
+    each: &'a Contribution,
 }
 
-/// Degrees of freedom are null where they are infinite.
-fn input(combined: &CombinedUncertainty, each: &Contribution) -> Record {
-    Record::new()
-        .with("input", each.input.name())
-        .number("value", each.value)
-        .with("unit", each.input.unit())
-        .with("uncertainty", each.uncertainty.map_or(Value::Null, json::number))
-        .number("sensitivity", each.sensitivity)
-        .with("sensitivity_unit", each.input.unit_of_sensitivity())
-        .number("contribution_m_per_s2", each.change())
-        .number("share", combined.share(each))
-        .with("type", each.evaluation.letter().to_string())
-        .with("degrees_of_freedom", json::number(each.degrees_of_freedom))
+fn inputs(combined: &CombinedUncertainty) -> Vec<Input<'_>> {
+    combined.contributions.iter().map(|each| Input { combined, each }).collect()
+}
+
+/// The expanded uncertainty and what it comes from.
+pub(crate) fn of_uncertainty() -> Fields<CombinedUncertainty> {
+    let correlations = |it: &CombinedUncertainty| of_correlation().records(&it.correlations);
+    with_correlations(Field::nested("budget_correlations[].", &of_correlation(), correlations))
+}
+
+/// The same where inputs are independent.
+pub(crate) fn of_independent() -> Fields<CombinedUncertainty> {
+    let none = |_: &CombinedUncertainty| json::records([]);
+    with_correlations(Field::value("budget_correlations[]", "", "empty, as the inputs are independent", none))
+}
+
+fn with_correlations(correlations: Field<CombinedUncertainty>) -> Fields<CombinedUncertainty> {
+    type Of = Field<CombinedUncertainty>;
+    Fields::from([
+        Of::number(
+            "gravity_expanded_uncertainty_m_per_s2",
+            "m/s²",
+            "expanded uncertainty of gravity",
+            |it| it.expanded(),
+        ),
+        Of::number(
+            "coverage_probability",
+            "1",
+            "probability that gravity is within the expanded uncertainty",
+            |_| COVERAGE,
+        ),
+        Of::number("coverage_factor", "1", "expanded uncertainty over the standard one", |it| {
+            it.coverage_factor()
+        }),
+        Of::value(
+            "effective_degrees_of_freedom",
+            "1",
+            "degrees of freedom of the standard uncertainty, null where they are infinite",
+            |it| json::number(it.degrees_of_freedom),
+        ),
+        Of::nested("budget_inputs[].", &of_input(), |it| of_input().records(&inputs(it))),
+        correlations,
+        Of::number(
+            "share_of_correlations",
+            "1",
+            "share of the variance of gravity that correlations make",
+            |it| it.share_of_correlations(),
+        ),
+    ])
+}
+
+fn of_correlation() -> Fields<Correlation> {
+    type Of = Field<Correlation>;
+    Fields::from([
+        Of::value("between[]", "", "names of two inputs that are correlated", |it| {
+            json::list(it.between.iter().map(|input| input.name()))
+        }),
+        Of::number("coefficient", "1", "their correlation coefficient", |it| it.coefficient),
+    ])
+}
+
+fn of_input<'a>() -> Fields<Input<'a>> {
+    type Of<'a> = Field<Input<'a>>;
+    Fields::from([
+        Of::value("input", "", "name of the input quantity x", |it| it.each.input.name().into())
+            .words("input", |it| it.each.input.name().to_owned()),
+        Of::number("value", "", "value of the input, in its unit", |it| it.each.value)
+            .numeral("x", |it| with_unit(number::short(it.each.value, 7), it.each.input.unit())),
+        Of::value("unit", "", "unit of the input", |it| it.each.input.unit().into()),
+        Of::nullable("uncertainty", "", "standard uncertainty u(x), in the same unit, or null", |it| {
+            it.each.uncertainty
+        })
+        .short("u(x)", 2)
+        .or("–"),
+        Of::number("sensitivity", "", "sensitivity coefficient ∂g/∂x", |it| it.each.sensitivity)
+            .numeral("∂g/∂x", |it| {
+                with_unit(number::short(it.each.sensitivity, 4), it.each.input.unit_of_sensitivity())
+            }),
+        Of::value("sensitivity_unit", "", "unit of the sensitivity coefficient", |it| {
+            it.each.input.unit_of_sensitivity().into()
+        }),
+        Of::number(
+            "contribution_m_per_s2",
+            "m/s²",
+            "change of gravity by one standard uncertainty of the input",
+            |it| it.each.change(),
+        )
+        .numeral("|∂g/∂x| u(x) / m/s²", |it| it.if_known(number::rounded(it.each.change().abs(), 2))),
+        Of::number("share", "1", "share of the variance of gravity that the input makes by itself", |it| {
+            it.combined.share(it.each)
+        })
+        .numeral("share", |it| it.if_known(percent(it.combined.share(it.each)))),
+        Of::value("type", "", KINDS, |it| it.each.evaluation.letter().to_string().into())
+            .words("type", |it| it.each.evaluation.letter().to_string()),
+        Of::value(
+            "degrees_of_freedom",
+            "1",
+            "degrees of freedom of u(x), null where they are infinite",
+            |it| json::number(it.each.degrees_of_freedom),
+        )
+        .numeral("ν", |it| degrees(it.each.degrees_of_freedom)),
+    ])
+}
+
+impl Input<'_> {
+    /// A dash where the uncertainty is not known.
+    fn if_known(&self, text: String) -> String {
+        if self.each.uncertainty.is_some() { text } else { "–".to_owned() }
+    }
+}
+
+fn with_unit(value: String, unit: &str) -> String {
+    match unit {
+        "1" => value,
+        unit => format!("{value} {}", unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")),
+    }
 }

@@ -1,6 +1,5 @@
 //! Comma-separated values, quoted where needed (RFC 4180, with bare line feeds).
 
-use super::field::Fields;
 use std::io::{self, Write};
 
 /// Writes one line.
@@ -12,16 +11,6 @@ pub(crate) fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Resu
         out.write_all(quoted(field.as_ref()).as_bytes())?;
     }
     out.write_all(b"\n")
-}
-
-/// Writes the names of the fields, and a line for each answer.
-pub(crate) fn table<'a, A: 'a>(
-    out: &mut dyn Write,
-    fields: &Fields<A>,
-    answers: impl IntoIterator<Item = &'a A>,
-) -> io::Result<()> {
-    line(out, &fields.csv_names())?;
-    answers.into_iter().try_for_each(|answer| line(out, &fields.csv_cells(answer)))
 }
 
 fn quoted(field: &str) -> std::borrow::Cow<'_, str> {

@@ -1,7 +1,6 @@
 //! How answers are written: as a table to read, as JSON, as CSV, or as a file.
 
 pub(crate) mod budget;
-pub(crate) mod budget_fields;
 pub(crate) mod combined;
 pub(crate) mod csv;
 pub(crate) mod description;

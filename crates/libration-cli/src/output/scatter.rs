@@ -1,6 +1,6 @@
 //! How rows scatter beside their stated uncertainties.
 
-use super::json::Record;
+use super::field::Field;
 use libration_lab::fit::Scatter;
 
 /// What stands behind an uncertainty that was enlarged: `  (± is enlarged 1.52 times: …)`; empty for others.
@@ -8,10 +8,24 @@ pub(crate) fn remark(scatter: Option<Scatter>) -> String {
     scatter.and_then(Scatter::enlarged).map_or(String::new(), |enlarged| format!("  ({enlarged})"))
 }
 
-/// The Birge ratio, and by what the uncertainties are enlarged; null without stated ones.
-pub(crate) fn fields(record: Record, scatter: Option<Scatter>) -> Record {
+/// A field with the Birge ratio, or why there is none.
+pub(crate) fn birge_ratio_field<A>(value: fn(&A) -> Result<f64, String>) -> Field<A> {
+    let meaning = "√(χ²/dof): the scatter of the rows over what was stated, or null";
+    Field::known("birge_ratio", "1", meaning, value).only_json()
+}
+
+pub(crate) fn birge_ratio(scatter: Option<Scatter>) -> Result<f64, String> {
     const NONE: &str = "the table has no uncertainties of the periods, or no row to spare";
-    record
-        .number_or("birge_ratio", scatter.map(Scatter::birge_ratio), NONE)
-        .number("uncertainties_enlarged_by", scatter.map_or(1.0, Scatter::enlargement))
+    scatter.map(Scatter::birge_ratio).ok_or_else(|| NONE.to_owned())
+}
+
+/// A field with what uncertainties are enlarged by.
+pub(crate) fn enlargement_field<A>(value: fn(&A) -> Option<f64>) -> Field<A> {
+    let meaning = "factor by which the scatter enlarged the uncertainties";
+    Field::present("uncertainties_enlarged_by", "1", meaning, value).only_json()
+}
+
+/// 1 where uncertainties are as stated, or from the scatter alone.
+pub(crate) fn enlargement(scatter: Option<Scatter>) -> f64 {
+    scatter.map_or(1.0, Scatter::enlargement)
 }

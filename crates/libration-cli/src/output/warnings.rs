@@ -1,9 +1,24 @@
-//! What is doubtful about an answer.
+//! What is doubtful about an answer: the warnings as people read them, and what each is about in a name that stays.
 
-use super::json::Record;
+use super::field::Field;
+use super::json;
+use serde_json::Value;
 
-/// The warnings as people read them, and what each is about in a name that stays.
-pub(crate) fn fields(record: Record, warnings: Vec<(&'static str, String)>) -> Record {
-    let (kinds, texts): (Vec<&str>, Vec<String>) = warnings.into_iter().unzip();
-    record.with("warnings", texts).with("warning_kinds", kinds)
+/// The name that stays, and the text.
+pub(crate) type Named = (&'static str, String);
+
+/// Fields with the texts, and with the names.
+pub(crate) fn fields<A>(texts: fn(&A) -> Value, names: fn(&A) -> Value) -> [Field<A>; 2] {
+    [
+        Field::value("warnings[]", "", "what is doubtful", texts),
+        Field::value("warning_kinds[]", "", "kind of each warning, in the same order", names),
+    ]
+}
+
+pub(crate) fn texts(warnings: Vec<Named>) -> Value {
+    json::list(warnings.into_iter().map(|(_, text)| text))
+}
+
+pub(crate) fn names(warnings: Vec<Named>) -> Value {
+    json::list(warnings.into_iter().map(|(name, _)| name))
 }

@@ -122,18 +122,17 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
         })
         .only_json(),
         Of::note(enclosing),
-        Of::nullable(
+        Of::known(
             "exact",
             "rad/s",
             "angular frequency of the pendulum by elliptic integrals, else null",
-            |it| it.exact().map(|exact| exact.value),
+            |it| match &it.point.exact {
+                Some(exact) => exact.as_ref().map(|exact| exact.value).map_err(ToString::to_string),
+                None => Err(String::new()),
+            },
         )
         .rounded(EXACT, 15)
         .or("none"),
-        Of::note(|it| match &it.point.exact {
-            Some(Err(reason)) => Some(format!("exact is null: {reason}")),
-            _ => None,
-        }),
         Of::present("exact_uncertainty", "rad/s", "bound on the error of that frequency", |it| {
             it.exact().map(|exact| exact.uncertainty)
         }),

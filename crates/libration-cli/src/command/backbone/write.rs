@@ -2,9 +2,9 @@
 
 use super::Answer;
 use super::fields::{self, EXACT, ORBIT, Point, SERIES};
+use crate::output::json;
 use crate::output::number::rounded;
-use crate::output::table::{self, sheet, write_text};
-use crate::output::{csv, json};
+use crate::output::table::{sheet, write_text};
 use libration::comparison::Radius;
 use std::io::{self, Write};
 
@@ -15,7 +15,7 @@ pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 }
 
 pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    csv::table(out, &fields::of_point(), &answer.listed().collect::<Vec<_>>())
+    fields::of_point().write_csv(out, &answer.listed().collect::<Vec<_>>())
 }
 
 /// What is known of the whole, the points if they are to be listed, and why some are missing.
@@ -27,7 +27,7 @@ pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::R
         let mut columns = ORBIT.to_vec();
         columns.extend(SERIES.iter().filter(|_| answer.curve.no_series().is_none()));
         columns.extend(points.iter().any(|point| point.exact().is_some()).then_some(EXACT));
-        table::rows(out, &fields::of_point().for_table(&columns), &points)?;
+        fields::of_point().for_table(&columns).write_table(out, &points)?;
     }
     write_enclosing(out, answer, &points)?;
     write_reasons(out, answer)

@@ -1,47 +1,133 @@
-//! What the fields of a fit of gate times mean.
+//! What is said of the times of a photogate, and of each cycle.
 
-use crate::output::budget_fields;
-use crate::output::description::{Answers, Row, descriptions};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::warnings::{self, Named};
+use crate::output::{budget, json};
+use libration::quantity::Quantity;
+use libration_lab::fit::Budget;
+use libration_lab::fit::gates::{GateCycle, GatesFit, T0Source};
 
-const JSON: &[Row] = &[
-    ("passages", "1", "passages of the bob"),
-    ("edges", "", "whether the times are edges, two for each passage"),
-    ("unpaired_edges", "1", "edges whose other one is missing"),
-    ("double_triggers", "1", "passages too close to others, left out"),
-    ("missed_passages", "1", "passages that should have been seen"),
-    ("rows_incomplete", "1", "rows left out because a number is missing"),
-    (
-        "part_between_passages",
-        "1",
-        "part of a period from a passage of the first side to the other, 0.5 at the centre",
-    ),
-    ("timing_s", "s", "standard deviation of a time, by the scatter of the periods"),
-    ("mean_period_s", "s", "mean of all periods"),
-    ("mean_period_uncertainty_s", "s", "standard uncertainty of that mean"),
-    ("t0_s", "s", "period of small swings T₀, or null"),
-    ("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null"),
-    ("t0_by", "", "what amplitude T₀ was found by"),
-    ("beta", "1", "measured rise of the period with the amplitude over that of the exact law, or null"),
-    ("beta_uncertainty", "1", "standard uncertainty of β, or null"),
-    ("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length"),
-    ("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null"),
-    ("cycles[].time_s", "s", "time of the middle of the cycle"),
-    ("cycles[].period_s", "s", "time between passages of the same side"),
-    ("cycles[].side", "1", "0 where the cycle begins like the first passage, else 1"),
-    ("cycles[].amplitude_rad", "rad", "amplitude by the speed at the gate, or null"),
-    ("told_from_file[]", "", "what was concluded from the file"),
-    ("warnings[]", "", "what is doubtful"),
-    ("warning_kinds[]", "", "kind of each warning, in the same order"),
-];
+/// What is said about the times.
+pub(super) struct Answer<'a> {
+    pub(super) fit: &'a GatesFit,
+    /// With the length.
+    pub(super) budget: Option<(&'a Budget, Quantity)>,
+    pub(super) findings: Vec<String>,
+    pub(super) incomplete: usize,
+}
 
-const CSV: &[Row] = &[
-    ("time_s", "s", "time of the middle of the cycle"),
-    ("period_s", "s", "time between passages of the same side"),
-    ("side", "1", "0 where the cycle begins like the first passage, else 1"),
-    ("amplitude_rad", "rad", "amplitude by the speed at the gate, or empty"),
-];
+impl Answer<'_> {
+    /// With names that stay.
+    fn warnings(&self) -> Vec<Named> {
+        let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
+        of_times.chain(self.budget.into_iter().flat_map(|(budget, _)| budget::warnings(budget))).collect()
+    }
+
+    pub(super) fn source(&self) -> &'static str {
+        match self.fit.t0_source {
+            Some(T0Source::Speeds) => "the speeds at the gate",
+            Some(T0Source::FirstAmplitude) => "the amplitude of the release",
+            None => "nothing",
+        }
+    }
+}
+
+/// What stands before the budget.
+pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
+        Of::value("edges", "", "whether the times are edges, two for each passage", |it| it.fit.edges.into()),
+        Of::value("unpaired_edges", "1", "edges whose other one is missing", |it| it.fit.unpaired.into()),
+        Of::value("double_triggers", "1", "passages too close to others, left out", |it| {
+            it.fit.double_triggers.into()
+        }),
+        Of::value("missed_passages", "1", "passages that should have been seen", |it| it.fit.missed.into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
+            it.incomplete.into()
+        }),
+        Of::number(
+            "part_between_passages",
+            "1",
+            "part of a period from a passage of the first side to the other, 0.5 at the centre",
+            |it| it.fit.part_between,
+        ),
+        Of::number("timing_s", "s", "standard deviation of a time, by the scatter of the periods", |it| {
+            it.fit.timing
+        }),
+        Of::number("mean_period_s", "s", "mean of all periods", |it| it.fit.mean_period.value),
+        Of::number("mean_period_uncertainty_s", "s", "standard uncertainty of that mean", |it| {
+            it.fit.mean_period.uncertainty.unwrap_or(f64::NAN)
+        }),
+        Of::known("t0_s", "s", "period of small swings T₀, or null", |it| {
+            it.fit.t0.map(|t0| t0.value).ok_or_else(no_t0)
+        }),
+        Of::known("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
+            it.fit.t0.and_then(|t0| t0.uncertainty).ok_or_else(no_t0)
+        }),
+        Of::value("t0_by", "", "what amplitude T₀ was found by", |it| it.source().into()),
+        Of::known(
+            "beta",
+            "1",
+            "measured rise of the period with the amplitude over that of the exact law, or null",
+            |it| it.fit.beta.map(|beta| beta.factor.value).ok_or_else(no_beta),
+        ),
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |it| {
+            it.fit.beta.map(|beta| beta.factor.uncertainty).ok_or_else(no_beta)
+        }),
+        Of::known("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length", |it| {
+            it.budget.map(|(budget, _)| budget.g).ok_or_else(no_gravity)
+        }),
+        Of::known("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null", |it| {
+            it.budget.map(|(budget, _)| budget.uncertainty).ok_or_else(no_gravity)
+        }),
+    ])
+}
+
+fn no_t0() -> String {
+    "give the amplitude of the first swing, or the length and the diameter of the bob".to_owned()
+}
+
+fn no_beta() -> String {
+    "amplitudes by the speed at the gate are needed, which fall".to_owned()
+}
+
+fn no_gravity() -> String {
+    "give --length, and what gives T0, to have gravity".to_owned()
+}
+
+/// What stands behind it.
+pub(super) fn of_cycles<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    let warnings = warnings::fields(
+        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it| warnings::names(it.warnings()),
+    );
+    Fields::from([
+        Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&it.fit.cycles)),
+        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+            json::list(it.findings.clone())
+        }),
+    ])
+    .and(warnings)
+}
+
+pub(super) fn of_cycle() -> Fields<GateCycle> {
+    type Of = Field<GateCycle>;
+    Fields::from([
+        Of::number("time_s", "s", "time of the middle of the cycle", |it| it.time),
+        Of::number("period_s", "s", "time between passages of the same side", |it| it.period),
+        Of::value("side", "1", "0 where the cycle begins like the first passage, else 1", |it| {
+            it.side.into()
+        }),
+        Of::nullable("amplitude_rad", "rad", "amplitude by the speed at the gate, or null", |it| {
+            it.amplitude
+        }),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json = [descriptions("", JSON), budget_fields::of_budget()].concat();
-    vec![Answers { command: "fit gates", option: "", json, csv: descriptions("", CSV) }]
+    let json = [of_answer().described(""), budget::described(), of_cycles().described("")].concat();
+    vec![Answers { command: "fit gates", option: "", json, csv: of_cycle().described_in_csv() }]
 }

@@ -7,6 +7,7 @@ use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, told}
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
+use fields::Answer;
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesFit, gates};
@@ -79,7 +80,7 @@ impl FitGates {
         let findings: Vec<String> = read.findings.iter().map(told).collect();
         let incomplete = read.incomplete;
         let budget = budget.as_ref().zip(self.apparatus.length());
-        write::Answer { fit: &fit, budget, findings, incomplete }.write(out, self.form.form())?;
+        Answer { fit: &fit, budget, findings, incomplete }.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 

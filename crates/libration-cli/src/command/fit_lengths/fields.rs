@@ -1,54 +1,160 @@
-//! What the fields of a fit of lengths mean.
+//! What is said of periods against lengths, and of each law.
 
-use crate::output::budget_fields;
-use crate::output::description::{Answers, Row, descriptions};
+use super::input::Measured;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::warnings::{self, Named};
+use crate::output::{combined, json, number, scatter};
+use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning};
 
-const JSON: &[Row] = &[
-    ("rows", "1", "rows that were fitted"),
-    ("rows_incomplete", "1", "rows left out because a number is missing"),
-    ("told_from_file[]", "", "what was concluded from the file"),
-    ("weighting", "", "what the rows are weighted by"),
-    ("law", "", "law that the data prefer, which gravity is from"),
-    ("gravity_m_per_s2", "m/s²", "acceleration of free fall"),
-    ("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity"),
-    ("offset_m", "m", "length to be added to all measured ones, or null"),
-    ("offset_uncertainty_m", "m", "standard uncertainty of that length, or null"),
-    ("laws[].law", "", "what is free in this law beside gravity"),
-    ("laws[].g_m_per_s2", "m/s²", "acceleration of free fall under this law"),
-    ("laws[].g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that"),
-    ("laws[].offset_m", "m", "length to be added to all measured ones, or null"),
-    ("laws[].offset_uncertainty_m", "m", "standard uncertainty of that length, or null"),
-    ("laws[].gyration_m2", "m²", "square of the radius of gyration of the bob, or null"),
-    ("laws[].gyration_uncertainty_m2", "m²", "standard uncertainty of that, or null"),
-    ("laws[].correlation_of_g_and_offset", "1", "correlation coefficient of gravity and offset, or null"),
-    ("laws[].chi2_per_dof", "1", "χ² per degree of freedom, or null"),
-    ("laws[].dof", "1", "degrees of freedom"),
-    ("laws[].aicc", "1", "Akaike's criterion, corrected for few rows, or null"),
-    (
-        "laws[].chance_of_last_parameter",
-        "1",
-        "probability that chance makes the last free parameter as large if it is zero, or null",
-    ),
-    ("warnings[]", "", "what is doubtful"),
-    ("warning_kinds[]", "", "kind of each warning, in the same order"),
-];
+/// What is said about the measurements.
+pub(super) struct Answer<'a> {
+    pub(super) measured: &'a Measured,
+    pub(super) fit: &'a LengthsFit,
+}
 
-const CSV: &[Row] = &[
-    ("law", "", "what is free in this law beside gravity"),
-    ("g_m_per_s2", "m/s²", "acceleration of free fall under this law"),
-    ("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that"),
-    ("offset_m", "m", "length to be added to all measured ones"),
-    ("offset_uncertainty_m", "m", "standard uncertainty of that length"),
-    ("chi2_per_dof", "1", "χ² per degree of freedom"),
-    ("aicc", "1", "Akaike's criterion, corrected for few rows"),
-];
+impl Answer<'_> {
+    /// The warnings with the options that help, and names that stay.
+    pub(super) fn warnings(&self) -> Vec<Named> {
+        let half = self.measured.half_periods;
+        let text = |warning: &LengthsWarning| match warning {
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholeThoughHalf) } if !half => {
+                format!("{warning} (--half-periods)")
+            }
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::HalfThoughWhole) } if half => {
+                format!("{warning} (leave out --half-periods)")
+            }
+            LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
+            LengthsWarning::OffsetLargerThanBob => format!("{warning} (--length-unit)"),
+            _ => warning.to_string(),
+        };
+        self.fit.warnings.iter().map(|warning| (warning.name(), text(warning))).collect()
+    }
+
+    pub(super) fn weighting(&self) -> &'static str {
+        match (self.measured.period_uncertainties.is_some(), self.measured.length_uncertainties.is_some()) {
+            (true, true) => "uncertainties of periods and lengths",
+            (true, false) => "uncertainties of periods",
+            (false, _) => "none: uncertainties from the scatter",
+        }
+    }
+
+    /// The offset of the law that is preferred, or what keeps it open.
+    fn offset(&self) -> Result<libration::quantity::Quantity, String> {
+        self.fit.best().offset.ok_or_else(|| "the rows do not determine an offset".to_owned())
+    }
+}
+
+pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    let before = Fields::from([
+        Of::value("rows", "1", "rows that were fitted", |it| it.measured.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
+            it.measured.dropped.into()
+        }),
+        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+            json::list(it.measured.told.clone())
+        }),
+        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
+            it.fit.best().model.name().into()
+        }),
+        Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall", |it| it.fit.best().g.value),
+        Of::number("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity", |it| {
+            it.fit.combined.standard
+        }),
+        Of::known("offset_m", "m", OFFSET, |it| it.offset().map(|offset| offset.value)),
+        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
+            let none = || "the rows do not determine an offset".to_owned();
+            it.offset()?.uncertainty.ok_or_else(none)
+        }),
+        Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.fits)),
+    ]);
+    let warnings = warnings::fields(
+        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it| warnings::names(it.warnings()),
+    );
+    before.and(warnings).and([
+        scatter::birge_ratio_field(|it: &Answer<'a>| scatter::birge_ratio(it.fit.best().scatter())),
+        scatter::enlargement_field(|it: &Answer<'a>| Some(scatter::enlargement(it.fit.best().scatter()))),
+    ])
+}
+
+const OFFSET: &str = "length to be added to all measured ones, or null";
+const COLUMNS: [&str; 8] = ["law", "g / m/s²", "± / m/s²", "δ / mm", "± / mm", "χ²/dof", "AICc", "by chance"];
+
+pub(super) fn of_law() -> Fields<LengthFit> {
+    type Of = Field<LengthFit>;
+    Fields::from([
+        scatter::birge_ratio_field(|it: &LengthFit| scatter::birge_ratio(it.scatter())),
+        scatter::enlargement_field(|it: &LengthFit| Some(scatter::enlargement(it.scatter()))),
+        Of::value("law", "", "what is free in this law beside gravity", |it| it.model.name().into())
+            .words(COLUMNS[0], |it| it.model.name().to_owned()),
+        Of::number("g_m_per_s2", "m/s²", "acceleration of free fall under this law", |it| it.g.value)
+            .rounded(COLUMNS[1], 6),
+        Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |it| {
+            it.g.uncertainty.unwrap_or(f64::NAN)
+        })
+        .numeral(COLUMNS[2], |it| or_dash(it.g.uncertainty, 2)),
+        Of::known("offset_m", "m", OFFSET, |it| it.offset.map(|offset| offset.value).ok_or_else(not_free))
+            .numeral(COLUMNS[3], |it| or_dash(it.offset.map(|offset| 1e3 * offset.value), 4))
+            .or_nan_in_csv(),
+        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
+            it.offset.and_then(|offset| offset.uncertainty).ok_or_else(not_free)
+        })
+        .numeral(COLUMNS[4], |it| or_dash(it.offset.and_then(|offset| Some(1e3 * offset.uncertainty?)), 2))
+        .or_nan_in_csv(),
+        Of::known("gyration_m2", "m²", "square of the radius of gyration of the bob, or null", |it| {
+            it.gyration.map(|gyration| gyration.value).ok_or_else(not_free)
+        })
+        .only_json(),
+        Of::known("gyration_uncertainty_m2", "m²", "standard uncertainty of that, or null", |it| {
+            it.gyration.and_then(|gyration| gyration.uncertainty).ok_or_else(not_free)
+        })
+        .only_json(),
+        Of::known(
+            "correlation_of_g_and_offset",
+            "1",
+            "correlation coefficient of gravity and offset, or null",
+            |it| it.correlation.ok_or_else(not_free),
+        )
+        .only_json(),
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
+            it.chi2_per_dof().ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
+        })
+        .rounded(COLUMNS[5], 4)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
+        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |it| {
+            it.aicc.ok_or_else(|| "too few rows".to_owned())
+        })
+        .rounded(COLUMNS[6], 5)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::known(
+            "chance_of_last_parameter",
+            "1",
+            "probability that chance makes the last free parameter as large if it is zero, or null",
+            |it| it.chance.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
+        )
+        .only_json()
+        .numeral(COLUMNS[7], |it| match it.chance {
+            Some(chance) if chance < 1e-15 => "<1e-15".to_owned(),
+            chance => or_dash(chance, 2),
+        }),
+    ])
+}
+
+fn not_free() -> String {
+    "not free in this law".to_owned()
+}
+
+fn or_dash(value: Option<f64>, digits: usize) -> String {
+    value.filter(|value| !value.is_nan()).map_or("–".to_owned(), |value| number::rounded(value, digits))
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json = [
-        descriptions("", JSON),
-        budget_fields::of_scatter("laws[]."),
-        budget_fields::of_scatter(""),
-        budget_fields::of_independent_inputs(),
-    ];
-    vec![Answers { command: "fit lengths", option: "", json: json.concat(), csv: descriptions("", CSV) }]
+    let json = [of_answer().described(""), combined::of_independent().described("")].concat();
+    vec![Answers { command: "fit lengths", option: "", json, csv: of_law().described_in_csv() }]
 }

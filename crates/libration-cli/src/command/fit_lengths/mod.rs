@@ -7,6 +7,7 @@ mod write;
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
+use fields::Answer;
 use input::Input;
 pub(crate) use input::Measured;
 use libration::quantity::Quantity;
@@ -60,7 +61,7 @@ impl FitLengths {
             }
             None => vec![],
         };
-        write::Answer { measured: &measured, fit: &fit }.write(out, self.form.form())?;
+        Answer { measured: &measured, fit: &fit }.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

@@ -1,38 +1,146 @@
-//! What the fields of a fit of periods mean.
+//! What is said of measured periods, and of each law.
 
-use crate::output::budget_fields;
-use crate::output::description::{Answers, Row, descriptions};
+use super::input::Measured;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::warnings::{self, Named};
+use crate::output::{budget, json, scatter};
+use libration::quantity::Quantity;
+use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 
-const JSON: &[Row] = &[
-    ("rows", "1", "rows that were fitted"),
-    ("rows_incomplete", "1", "rows left out because a number is missing"),
-    ("told_from_file[]", "", "what was concluded from the file"),
-    ("weighting", "", "what the rows are weighted by"),
-    ("outlier_lines[]", "1", "lines of the file whose period is far from the exact law"),
-    ("laws[].key", "", "law of the period: exact, constant, or a formula"),
-    ("laws[].t0_s", "s", "period of small swings T₀ under this law"),
-    ("laws[].t0_uncertainty_s", "s", "standard uncertainty of T₀"),
-    ("laws[].chi2_per_dof", "1", "χ² per degree of freedom, or null"),
-    ("laws[].rms_s", "s", "root mean square of the residuals"),
-    ("warnings[]", "", "what is doubtful"),
-    ("warning_kinds[]", "", "kind of each warning, in the same order"),
-    ("beta", "1", "measured rise of the period with the amplitude over that of the exact law, 1 if it holds"),
-    ("beta_uncertainty", "1", "standard uncertainty of β"),
-    ("beta_uncertainty_scaled", "1", "that uncertainty enlarged by the scatter of the rows, or null"),
-    ("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length"),
-    ("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null"),
-];
+/// What is said about the measurements.
+pub(super) struct Answer<'a> {
+    pub(super) measured: &'a Measured,
+    pub(super) fit: &'a PeriodFit,
+    pub(super) budget: Option<&'a Budget>,
+    pub(super) length: Option<Quantity>,
+}
 
-const CSV: &[Row] = &[
-    ("key", "", "law of the period: exact, constant, or a formula"),
-    ("t0_s", "s", "period of small swings T₀ under this law"),
-    ("t0_uncertainty_s", "s", "standard uncertainty of T₀"),
-    ("chi2_per_dof", "1", "χ² per degree of freedom"),
-    ("rms_s", "s", "root mean square of the residuals"),
-];
+/// A law with its key, and its fit or why there is none.
+pub(super) struct KeyedLaw<'a> {
+    key: &'a str,
+    fit: Result<&'a LawFit, &'a FitError>,
+}
+
+impl Answer<'_> {
+    /// The exact law, the constant period, the formulas.
+    pub(super) fn laws(&self) -> Vec<KeyedLaw<'_>> {
+        let fixed = [&self.fit.exact, &self.fit.constant].map(|law| KeyedLaw { key: &law.key, fit: Ok(law) });
+        let others = self.fit.others.iter().map(|(key, law)| KeyedLaw { key, fit: law.as_ref() });
+        fixed.into_iter().chain(others).collect()
+    }
+
+    /// What is doubtful about the rows, and about gravity, with names that stay.
+    fn warnings(&self) -> Vec<Named> {
+        let of_rows = self.fit.warnings().into_iter().map(|warning| (warning.name(), warning.to_string()));
+        of_rows.chain(self.budget.into_iter().flat_map(budget::warnings)).collect()
+    }
+
+    pub(super) fn outlier_lines(&self) -> Vec<u64> {
+        self.fit.outliers.iter().filter_map(|&row| self.measured.lines.get(row).copied()).collect()
+    }
+
+    pub(super) fn weighting(&self) -> &'static str {
+        match self.fit.weighting {
+            Weighting::PeriodsAndAmplitudes => "uncertainties of periods and amplitudes",
+            Weighting::Periods => "uncertainties of periods",
+            Weighting::Scatter => "none: uncertainties from the scatter",
+        }
+    }
+}
+
+pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    let before = Fields::from([
+        Of::value("rows", "1", "rows that were fitted", |it| it.fit.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
+            it.measured.dropped.into()
+        }),
+        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+            json::list(it.measured.told.clone())
+        }),
+        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("outlier_lines[]", "1", "lines of the file whose period is far from the exact law", |it| {
+            json::list(it.outlier_lines())
+        }),
+        Of::nested("laws[].", &of_law(), |it| of_law().records(&it.laws())),
+    ]);
+    let warnings = warnings::fields(
+        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it| warnings::names(it.warnings()),
+    );
+    before.and(warnings).and([
+        Of::known(
+            "beta",
+            "1",
+            "measured rise of the period with the amplitude over that of the exact law, 1 if it holds",
+            |it| it.fit.beta.as_ref().map(|beta| beta.beta.factor.value).map_err(ToString::to_string),
+        ),
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β", |it| {
+            it.fit.beta.as_ref().map(|beta| beta.beta.factor.uncertainty).map_err(ToString::to_string)
+        }),
+        Of::known(
+            "beta_uncertainty_scaled",
+            "1",
+            "that uncertainty enlarged by the scatter of the rows, or null",
+            |it| {
+                let scaled = it.fit.beta.as_ref().ok().and_then(|beta| beta.uncertainty_scaled);
+                scaled.ok_or_else(|| "chi² per degree of freedom is needed to scale it".to_owned())
+            },
+        ),
+        Of::known("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length", |it| {
+            it.budget.map(|budget| budget.g).ok_or_else(no_gravity)
+        }),
+        Of::known("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null", |it| {
+            it.budget.map(|budget| budget.uncertainty).ok_or_else(no_gravity)
+        }),
+    ])
+}
+
+fn no_gravity() -> String {
+    "give --length to have gravity".to_owned()
+}
+
+pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
+    type Of<'a> = Field<KeyedLaw<'a>>;
+    Fields::from([
+        Of::value("key", "", "law of the period: exact, constant, or a formula", |it| it.key.into())
+            .words("law", |it| it.key.to_owned()),
+        scatter::birge_ratio_field(|it: &KeyedLaw<'a>| {
+            it.fit.map_or_else(|_| Err(String::new()), |law| scatter::birge_ratio(law.scatter()))
+        }),
+        scatter::enlargement_field(|it: &KeyedLaw<'a>| {
+            it.fit.ok().map(|law| scatter::enlargement(law.scatter()))
+        }),
+        Of::nullable("t0_s", "s", "period of small swings T₀ under this law", |it| {
+            it.fit.ok().map(|law| law.t0)
+        })
+        .rounded("T₀ / s", 8)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::nullable("t0_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
+            it.fit.ok().map(|law| law.t0_uncertainty)
+        })
+        .rounded("± / s", 2)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
+            let chi2 = it.fit.map_err(|_| String::new())?.chi2_per_dof();
+            chi2.ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
+        })
+        .rounded("χ²/dof", 4)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::nullable("rms_s", "s", "root mean square of the residuals", |it| it.fit.ok().map(|law| law.rms))
+            .rounded("rms residual / s", 3)
+            .or("–")
+            .or_nan_in_csv(),
+        Of::note(|it| it.fit.err().map(ToString::to_string)),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json =
-        [descriptions("", JSON), budget_fields::of_scatter("laws[]."), budget_fields::of_budget()].concat();
-    vec![Answers { command: "fit periods", option: "", json, csv: descriptions("", CSV) }]
+    let (json, csv) =
+        ([of_answer().described(""), budget::described()].concat(), of_law().described_in_csv());
+    vec![Answers { command: "fit periods", option: "", json, csv }]
 }

@@ -8,6 +8,7 @@ use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
+use fields::Answer;
 use input::Input;
 pub(crate) use input::Measurement;
 use libration_lab::fit::{self, Law};
@@ -77,7 +78,7 @@ impl FitPeriods {
                 &self.sizes,
             )?);
         }
-        let answer = write::Answer {
+        let answer = Answer {
             measured: &measured,
             fit: &fit,
             budget: budget.as_ref(),

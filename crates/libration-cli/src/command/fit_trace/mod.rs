@@ -1,20 +1,19 @@
 //! `libration fit trace`: measured swings explained by the damped pendulum at any amplitude.
 
 mod answer;
-mod csv;
 mod fields;
 mod input;
-mod json;
 mod model;
 mod options;
 mod report;
 mod sheet;
+mod units;
 
 use crate::arguments::{ApparatusOptions, RecordingOptions};
 use crate::document;
 use crate::failure::Failure;
 use crate::figure;
-use crate::output::{Form, FormOptions, announce};
+use crate::output::{Form, FormOptions, announce, json};
 use answer::Answer;
 use input::{Input, Measured};
 use libration_lab::fit::trace::TraceOptions;
@@ -78,8 +77,8 @@ impl FitTrace {
             written.push(format!("{} written: report with pictures", path.display()));
         }
         match self.form.form() {
-            Form::Json => json::write(out, &answer)?,
-            Form::Csv => csv::write(out, &answer)?,
+            Form::Json => json::document(out, fields::record(&answer))?,
+            Form::Csv => fields::of_row().write_csv(out, &fields::rows(&answer))?,
             Form::Table => sheet::write(out, &answer)?,
         }
         Ok(announce(out, self.form.form(), &written)?)

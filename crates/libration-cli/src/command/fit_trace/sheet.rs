@@ -1,15 +1,15 @@
 //! The answer as a sheet with tables, for people at a terminal.
 
 use super::answer::Answer;
+use super::fields::{self, Model};
+use super::units::in_unit;
 use crate::output;
-use crate::output::number::{self, rounded, short, with_uncertainty};
-use crate::output::table::{Column, Table, paragraph, sheet};
+use crate::output::number::{self, rounded};
+use crate::output::table::{paragraph, sheet};
 use libration::quantity::STANDARD_GRAVITY;
-use libration_lab::fit::cycles::Cycles;
+use libration_lab::fit::alternatives;
 use libration_lab::fit::swings::FittedPendulum;
-use libration_lab::fit::trace::{Comparison, Parameter, Standing};
-use libration_lab::fit::{DampingTerm, alternatives};
-use libration_lab::measurement::Seen;
+use libration_lab::fit::trace::Comparison;
 use std::io::{self, Write};
 
 /// Letters in a line.
@@ -19,10 +19,10 @@ const WIDTH: usize = 100;
 pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
     sheet(out, &lines(answer))?;
     writeln!(out)?;
-    parameters(out, answer)?;
+    fields::shown_parameters().write_table(out, &fields::parameters(answer))?;
     if answer.measured.traces.len() > 1 {
         writeln!(out)?;
-        traces(out, answer)?;
+        fields::of_trace().write_table(out, &fields::traces(answer))?;
     }
     if let Some(comparison) = &answer.swings.comparison {
         writeln!(out)?;
@@ -125,116 +125,21 @@ pub(super) fn beta(answer: &Answer<'_>) -> String {
     }
 }
 
-pub(super) fn parameter_columns() -> Vec<Column> {
-    let numbers = ["value", "±", "68 %", "95 %"].map(Column::numbers);
-    [vec![Column::words("parameter")], numbers.to_vec(), vec![Column::words("unit")]].concat()
-}
-
-fn parameters(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
-    let mut table = Table::new(parameter_columns());
-    for parameter in &answer.swings.fit.parameters {
-        table.row(out, cells(parameter, answer))?;
-    }
-    table.finish(out)
-}
-
-/// Name, value, uncertainty, both intervals, unit.
-pub(super) fn cells(parameter: &Parameter, answer: &Answer<'_>) -> Vec<String> {
-    let interval = |place: usize| {
-        let ends = parameter.intervals[place].map(|end| to_the_digit(end, parameter.uncertainty));
-        format!("{} … {}", ends[0], ends[1])
-    };
-    vec![
-        name(parameter, answer),
-        to_the_digit(parameter.value, parameter.uncertainty),
-        rounded(parameter.uncertainty, 2),
-        interval(0),
-        interval(1),
-        unit(parameter.unit),
-    ]
-}
-
-/// As people write it.
-pub(super) fn unit(unit: &str) -> String {
-    if unit == "1" { String::new() } else { unit.replace("^2", "²") }
-}
-
-/// With the trace it belongs to, where there are several.
-fn name(parameter: &Parameter, answer: &Answer<'_>) -> String {
-    match parameter.trace.filter(|_| answer.measured.traces.len() > 1) {
-        Some(trace) => format!("{}, {}", parameter.name, answer.measured.traces[trace].name()),
-        None => parameter.name.to_owned(),
-    }
-}
-
-/// A value to the last digit of its uncertainty.
-fn to_the_digit(value: f64, uncertainty: f64) -> String {
-    let text = with_uncertainty(value, uncertainty, "");
-    text.split_once(' ').map_or_else(|| short(value, 8), |(value, _)| value.to_owned())
-}
-
-pub(super) fn trace_columns() -> Vec<Column> {
-    let numbers = ["rows", "rms residual", "cycles", "largest", "smallest", "T₀ by cycles / s", "β"]
-        .map(Column::numbers);
-    [vec![Column::words("trace")], numbers.to_vec()].concat()
-}
-
-fn traces(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
-    let mut table = Table::new(trace_columns());
-    for row in trace_rows(answer) {
-        table.row(out, row)?;
-    }
-    table.finish(out)
-}
-
-/// Each trace by itself: rows, what the fit leaves of it, its cycles, their T0 and β.
-pub(super) fn trace_rows(answer: &Answer<'_>) -> Vec<Vec<String>> {
-    let row = |trace: usize| {
-        let measured = &answer.measured.traces[trace];
-        let rms = in_unit(answer, answer.swings.fit.traces[trace].rms(), 3);
-        let first = vec![measured.name().to_owned(), measured.len().to_string(), rms];
-        let none = || std::array::from_fn(|_| "–".to_owned());
-        let rest = answer.swings.cycles[trace].as_ref().map_or_else(|_| none(), of_cycles);
-        [first, rest.to_vec()].concat()
-    };
-    (0..answer.measured.traces.len()).map(row).collect()
-}
-
-/// How many cycles, the largest and the smallest amplitude, T0 and β.
-fn of_cycles(found: &Cycles) -> [String; 5] {
-    let sizes = || found.cycles.iter().map(|cycle| cycle.amplitude.to_degrees());
-    let size = |size: Option<f64>| size.map_or("–".to_owned(), |size| format!("{}°", rounded(size, 3)));
-    let beta = found.beta.as_ref().map(|beta| beta.factor);
-    [
-        found.cycles.len().to_string(),
-        size(sizes().reduce(f64::max)),
-        size(sizes().reduce(f64::min)),
-        with_uncertainty(found.t0, found.t0_uncertainty, ""),
-        beta.map_or("–".to_owned(), |beta| beta.to_string()),
-    ]
-}
-
-/// A difference of two values, in degrees for angles.
-fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
-    match answer.measured.traces[0].seen() {
-        Seen::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
-        Seen::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),
-    }
-}
-
-pub(super) fn model_columns() -> Vec<Column> {
-    let numbers = ["ΔAICc", "weight", "rms residual", "T₀ / s"].map(Column::numbers);
-    [vec![Column::words("damping")], numbers.to_vec(), vec![Column::words("")]].concat()
-}
-
 fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> io::Result<()> {
-    let mut table = Table::new(model_columns());
-    for row in model_rows(answer, comparison) {
-        table.row(out, row)?;
-    }
-    table.finish(out)?;
+    fields::shown_models().write_table(out, &best_first(answer, comparison))?;
     writeln!(out, "{}", paragraph("", &counted_rows(answer, comparison), WIDTH))?;
-    coefficients(out, comparison)
+    if comparison.rivals().is_empty() {
+        return Ok(());
+    }
+    writeln!(out)?;
+    let left = fields::models(answer, comparison).into_iter().filter(Model::is_left);
+    fields::coefficients().write_table(out, &left.collect::<Vec<_>>())
+}
+
+pub(super) fn best_first<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<Model<'a>> {
+    let mut models = fields::models(answer, comparison);
+    models.sort_by(|a, b| a.excess().total_cmp(&b.excess()));
+    models
 }
 
 /// What Akaike's criterion was made with.
@@ -244,61 +149,6 @@ pub(super) fn counted_rows(answer: &Answer<'_>, comparison: &Comparison) -> Stri
         answer.swings.fit.rows(),
         rounded(comparison.independent_rows, 3)
     )
-}
-
-/// The coefficients side by side, where several models are left.
-fn coefficients(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
-    if comparison.rivals().is_empty() {
-        return Ok(());
-    }
-    writeln!(out)?;
-    let titles = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"].map(Column::numbers);
-    let mut table = Table::new([vec![Column::words("damping")], titles.to_vec()].concat());
-    for fit in comparison.weights().iter().zip(&comparison.fits).filter(|it| *it.0 > 0.0).map(|it| it.1) {
-        let cell = |term: DampingTerm| {
-            let parameter = fit.parameter(term.name());
-            parameter.map_or("–".to_owned(), |it| with_uncertainty(it.value, it.uncertainty, ""))
-        };
-        table.row(out, [vec![fit.damping.to_string()], DampingTerm::ALL.map(cell).to_vec()].concat())?;
-    }
-    table.finish(out)
-}
-
-/// Damping, excess of information, weight, residual, T0, remark; the best first.
-pub(super) fn model_rows(answer: &Answer<'_>, comparison: &Comparison) -> Vec<Vec<String>> {
-    let mut order: Vec<usize> = (0..comparison.fits.len()).collect();
-    order.sort_by(|&a, &b| comparison.excess_information[a].total_cmp(&comparison.excess_information[b]));
-    let weights = comparison.weights();
-    let row = |place: usize| {
-        let fit = &comparison.fits[place];
-        let rms = in_unit(answer, fit.rms, 4);
-        vec![
-            fit.damping.to_string(),
-            format!("{:.1}", comparison.excess_information[place]),
-            format!("{:.2}", weights[place]),
-            rms,
-            fit.small_angle_period().to_string(),
-            remark(comparison, place),
-        ]
-    };
-    order.into_iter().map(row).collect()
-}
-
-/// How a model stands, and which coefficients are negative.
-fn remark(comparison: &Comparison, place: usize) -> String {
-    let standing = match comparison.standing(place) {
-        Standing::Preferred => "preferred",
-        Standing::Tied => "tied",
-        Standing::Possible => "possible",
-        Standing::Negative => "not believed",
-        Standing::FeedsEnergy => "feeds energy",
-        Standing::Excluded => "",
-    };
-    let negative =
-        comparison.fits[place].negative_terms().into_iter().map(|term| format!("{} < 0", term.name()));
-    let words: Vec<String> =
-        [standing.to_owned()].into_iter().filter(|word| !word.is_empty()).chain(negative).collect();
-    words.join(", ")
 }
 
 fn list(out: &mut dyn Write, title: &str, items: &[String]) -> io::Result<()> {

@@ -20,7 +20,7 @@ pub(super) enum Content<A> {
 pub(super) enum Datum {
     /// Not finite: null with a note.
     Number(f64),
-    /// Null with a note why.
+    /// Null with a note why, if there is a reason to be told.
     Unknown(String),
     /// A count, words, a list, an object, or null without a note.
     Value(Value),
@@ -35,7 +35,7 @@ impl<A> Content<A> {
         match self {
             Self::Number(value) => Datum::Number(value(answer)),
             Self::Known(value) => value(answer).map_or_else(Datum::Unknown, Datum::Number),
-            Self::Nullable(value) => value(answer).map_or(Datum::Value(Value::Null), Datum::Number),
+            Self::Nullable(value) => value(answer).map_or(Datum::Unknown(String::new()), Datum::Number),
             Self::Present(value) => value(answer).map_or(Datum::Absent, Datum::Number),
             Self::Value(value) => Datum::Value(value(answer)),
             Self::PresentValue(value) => value(answer).map_or(Datum::Absent, Datum::Value),
@@ -48,6 +48,7 @@ impl Datum {
     pub(super) fn added_to(self, record: Record, key: &str) -> Record {
         match self {
             Self::Number(value) => record.number(key, value),
+            Self::Unknown(why) if why.is_empty() => record.with(key, Value::Null),
             Self::Unknown(why) => record.number_or(key, None, &why),
             Self::Value(value) => record.with(key, value),
             Self::Note(note) => record.note(&note),

@@ -17,6 +17,12 @@ impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
 }
 
 impl<A> Fields<A> {
+    /// With these behind them.
+    pub(crate) fn and(mut self, others: impl Into<Self>) -> Self {
+        self.0.extend(others.into().0);
+        self
+    }
+
     pub(crate) fn record(&self, answer: &A) -> Record {
         self.added_to(Record::new(), answer)
     }
@@ -30,8 +36,15 @@ impl<A> Fields<A> {
     }
 
     pub(crate) fn added_to(&self, record: Record, answer: &A) -> Record {
+        self.added_for(NAME, record, answer)
+    }
+
+    /// The same where `NAME` in names stands for this one.
+    pub(crate) fn added_for(&self, name: &str, record: Record, answer: &A) -> Record {
         let fields = self.0.iter().filter(|field| field.in_json);
-        fields.fold(record, |record, field| field.content.in_answer(answer).added_to(record, field.key))
+        fields.fold(record, |record, field| {
+            field.content.in_answer(answer).added_to(record, &field.key.replace(NAME, name))
+        })
     }
 
     /// For a table with these columns, in their order.
@@ -82,6 +95,14 @@ impl<A> Fields<A> {
         self.0.iter().flat_map(cells).collect()
     }
 
+    /// The rows of a table.
+    pub(crate) fn rows<'a>(&self, answers: impl IntoIterator<Item = &'a A>) -> Vec<Vec<String>>
+    where
+        A: 'a,
+    {
+        answers.into_iter().map(|answer| self.cells(answer)).collect()
+    }
+
     pub(crate) fn cells_or_blanks(&self, answer: Option<&A>) -> Vec<String> {
         answer.map_or_else(|| vec![String::new(); self.columns().len()], |answer| self.cells(answer))
     }
@@ -109,3 +130,4 @@ impl<A> Fields<A> {
 
 /// Stands in names and titles for the key of what there are several of.
 const KEY: &str = "KEY";
+const NAME: &str = "NAME";

@@ -5,6 +5,7 @@ mod list;
 mod look;
 #[cfg(test)]
 mod tests;
+mod write;
 
 pub(crate) use list::Fields;
 
@@ -60,7 +61,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
-    /// A number, or why there is none.
+    /// A number, or why there is none; null without a note where that text is empty.
     pub(crate) fn known(
         name: &'static str,
         unit: &'static str,

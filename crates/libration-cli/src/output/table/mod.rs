@@ -2,7 +2,6 @@
 
 mod layout;
 
-use super::field::Fields;
 use super::screen;
 use layout::{Layout, Place, lines};
 use std::io::{self, Write};
@@ -91,17 +90,6 @@ impl Table {
     fn write(&self, out: &mut dyn Write, places: &[Place], cells: &[String]) -> io::Result<()> {
         lines(places, &self.columns, cells).iter().try_for_each(|line| writeln!(out, "{line}"))
     }
-}
-
-/// Writes a table of these fields, with a row for each answer.
-pub(crate) fn rows<'a, A: 'a>(
-    out: &mut dyn Write,
-    fields: &Fields<A>,
-    answers: impl IntoIterator<Item = &'a A>,
-) -> io::Result<()> {
-    let mut table = Table::new(fields.columns());
-    answers.into_iter().try_for_each(|answer| table.row(out, fields.cells(answer)))?;
-    table.finish(out)
 }
 
 /// Longer lines of text are hard to read on any screen.

@@ -1,12 +1,9 @@
 //! The tables of the report.
 
 use super::super::answer::Answer;
-use super::super::sheet;
+use super::super::{fields, sheet};
 use crate::document::{Block, Table};
 use crate::output;
-use crate::output::number::{short, with_uncertainty};
-use crate::output::table::Column;
-use libration_lab::fit::cycles::Cycle;
 use libration_lab::fit::swings::FittedPendulum;
 
 /// The models that were compared.
@@ -16,8 +13,8 @@ pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
         caption: "The kinds of damping that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
                   the data do not decide, above 10 they do"
             .to_owned(),
-        columns: sheet::model_columns(),
-        rows: sheet::model_rows(answer, comparison),
+        columns: fields::shown_models().columns(),
+        rows: fields::shown_models().rows(&sheet::best_first(answer, comparison)),
     })]
 }
 
@@ -28,8 +25,8 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
     }
     vec![Block::Table(Table {
         caption: "Each trace by itself: the amplitudes of its cycles, and T₀ and β by these alone".to_owned(),
-        columns: sheet::trace_columns(),
-        rows: sheet::trace_rows(answer),
+        columns: fields::of_trace().columns(),
+        rows: fields::of_trace().rows(&fields::traces(answer)),
     })]
 }
 
@@ -55,59 +52,29 @@ pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
 
 /// Every cycle that was measured.
 pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
-    let several = answer.measured.traces.len() > 1;
-    let rows: Vec<Vec<String>> = answer
-        .swings
-        .all_cycles()
-        .zip(1..)
-        .map(|(cycle, number)| of_cycle(answer, number, cycle, several))
-        .collect();
-    if rows.is_empty() {
+    let cycles = fields::cycles(answer);
+    if cycles.is_empty() {
         return vec![];
     }
-    let numbers =
-        ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °"].map(Column::numbers);
-    let of_trace = several.then(|| Column::words("trace"));
+    let several = answer.measured.traces.len() > 1;
+    let columns = &fields::CYCLE_COLUMNS[..if several { 7 } else { 6 }];
+    let shown = fields::of_cycle().for_table(columns);
     vec![Block::Table(Table {
         caption: "Every cycle by itself, from one passage of the centre to the next in the same direction; they overlap by half. An \
                   asterisk marks those that do not count because their period is far from the law"
             .to_owned(),
-        columns: numbers.into_iter().chain(of_trace).collect(),
-        rows,
+        columns: shown.columns(),
+        rows: shown.rows(&cycles),
     })]
-}
-
-fn of_cycle(
-    answer: &Answer<'_>,
-    number: usize,
-    (trace, cycle): (usize, &Cycle),
-    several: bool,
-) -> Vec<String> {
-    let both = |value: f64, uncertainty: f64| -> [String; 2] {
-        let text = with_uncertainty(value, uncertainty, "");
-        let (value, uncertainty) = text.split_once(" ± ").unwrap_or((&text, "–"));
-        [value.to_owned(), uncertainty.to_owned()]
-    };
-    let mark = if cycle.outlier { "*" } else { "" };
-    let [period, of_period] = both(cycle.period, cycle.period_uncertainty);
-    let [amplitude, of_amplitude] =
-        both(cycle.amplitude.to_degrees(), cycle.amplitude_uncertainty.to_degrees());
-    let start = short(cycle.time - 0.5 * cycle.period, 6);
-    let name = several.then(|| answer.measured.traces[trace].name().to_owned());
-    [format!("{number}{mark}"), start, period, of_period, amplitude, of_amplitude]
-        .into_iter()
-        .chain(name)
-        .collect()
 }
 
 /// The fitted parameters.
 pub(super) fn parameters(answer: &Answer<'_>) -> Vec<Block> {
-    let rows = answer.swings.fit.parameters.iter().map(|parameter| sheet::cells(parameter, answer));
     vec![Block::Table(Table {
         caption: "The fitted parameters with standard uncertainties, and the intervals that hold the truth with 68 % and 95 % \
                   probability by the profile of the likelihood"
             .to_owned(),
-        columns: sheet::parameter_columns(),
-        rows: rows.collect(),
+        columns: fields::shown_parameters().columns(),
+        rows: fields::shown_parameters().rows(&fields::parameters(answer)),
     })]
 }

@@ -1,7 +1,7 @@
 //! What the report says in words.
 
 use super::super::answer::Answer;
-use super::super::sheet;
+use super::super::{sheet, units};
 use crate::document::{Block, Table};
 use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
@@ -165,7 +165,7 @@ fn named(answer: &Answer<'_>) -> String {
     };
     let coefficient = |term: DampingTerm| {
         let parameter = answer.swings.fit.parameter(term.name())?;
-        let unit = sheet::unit(term.unit());
+        let unit = units::unit(term.unit());
         Some(format!(
             "{} = {}",
             letter(term),

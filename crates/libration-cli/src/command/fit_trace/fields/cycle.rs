@@ -1,0 +1,70 @@
+//! A cycle of a trace.
+
+use super::super::answer::Answer;
+use crate::output::field::{Field, Fields};
+use crate::output::number::{short, with_uncertainty};
+use libration_lab::fit::cycles::Cycle;
+
+/// A cycle with its number, from 1 over all traces.
+pub(in super::super) struct Numbered<'a> {
+    answer: &'a Answer<'a>,
+    number: usize,
+    trace: usize,
+    cycle: &'a Cycle,
+}
+
+pub(in super::super) fn cycles<'a>(answer: &'a Answer<'a>) -> Vec<Numbered<'a>> {
+    let cycles = answer.swings.all_cycles().zip(1..);
+    cycles.map(|((trace, cycle), number)| Numbered { answer, number, trace, cycle }).collect()
+}
+
+/// The columns where there is one trace; where there are several, [`TRACE`] is the last.
+pub(in super::super) const COLUMNS: [&str; 7] =
+    ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °", TRACE];
+pub(in super::super) const TRACE: &str = "trace";
+
+pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::unnamed().numeral(COLUMNS[0], |it| {
+            let mark = if it.cycle.outlier { "*" } else { "" };
+            format!("{}{mark}", it.number)
+        }),
+        Of::number("time_s", "s", "time of the middle of the cycle", |it| it.cycle.time)
+            .numeral(COLUMNS[1], |it| short(it.cycle.time - 0.5 * it.cycle.period, 6)),
+        Of::number("period_s", "s", "period of the cycle", |it| it.cycle.period)
+            .numeral(COLUMNS[2], |it| it.period()[0].clone()),
+        Of::unnamed().numeral(COLUMNS[3], |it| it.period()[1].clone()),
+        Of::number("amplitude_rad", "rad", "amplitude in its middle", |it| it.cycle.amplitude)
+            .numeral(COLUMNS[4], |it| it.amplitude()[0].clone()),
+        Of::unnamed().numeral(COLUMNS[5], |it| it.amplitude()[1].clone()),
+        Of::number("period_uncertainty_s", "s", "standard uncertainty of the period", |it| {
+            it.cycle.period_uncertainty
+        }),
+        Of::number("amplitude_uncertainty_rad", "rad", "standard uncertainty of the amplitude", |it| {
+            it.cycle.amplitude_uncertainty
+        }),
+        Of::value("outlier", "", "whether the period is far from the law", |it| it.cycle.outlier.into()),
+        Of::present_value("trace", "1", "number of the trace, from 0, where there are several", |it| {
+            (it.answer.measured.traces.len() > 1).then(|| it.trace.into())
+        })
+        .words(COLUMNS[6], |it| it.answer.measured.traces[it.trace].name().to_owned()),
+    ])
+}
+
+impl Numbered<'_> {
+    fn period(&self) -> [String; 2] {
+        parts(self.cycle.period, self.cycle.period_uncertainty)
+    }
+
+    fn amplitude(&self) -> [String; 2] {
+        parts(self.cycle.amplitude.to_degrees(), self.cycle.amplitude_uncertainty.to_degrees())
+    }
+}
+
+/// A value to the last digit of its uncertainty, and this.
+fn parts(value: f64, uncertainty: f64) -> [String; 2] {
+    let text = with_uncertainty(value, uncertainty, "");
+    let (value, uncertainty) = text.split_once(" ± ").unwrap_or((&text, "–"));
+    [value.to_owned(), uncertainty.to_owned()]
+}

@@ -1,0 +1,207 @@
+//! What is said of measured swings, of their rows, cycles and traces, and of the models that were compared.
+
+mod cycle;
+mod model;
+mod parameter;
+mod trace;
+
+use super::answer::Answer;
+use super::input::File;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use crate::output::{budget, warnings};
+use libration::quantity::Quantity;
+use libration_lab::fit::swings::{Advice, FittedPendulum, Warning};
+use libration_lab::fit::{Budget, Uncertain};
+use libration_lab::measurement::Seen;
+use serde_json::Value;
+
+pub(super) use cycle::{COLUMNS as CYCLE_COLUMNS, cycles, of_cycle};
+pub(super) use model::{Model, coefficients, models, of_model, shown as shown_models};
+pub(super) use parameter::{of_parameter, rows as parameters, shown as shown_parameters};
+pub(super) use trace::{of_row, of_trace, rows, traces};
+
+/// The whole answer.
+pub(super) fn record(answer: &Answer<'_>) -> Record {
+    let record = of_fit().record(answer);
+    let record = match &answer.swings.pendulum {
+        FittedPendulum::Gravity { budget, length } => {
+            of_gravity().added_to(budget::added_to(record, budget), &(budget, *length))
+        }
+        FittedPendulum::Length(length) => of_length().added_to(record, length),
+    };
+    of_doubts().added_to(record, answer)
+}
+
+/// What stands before the pendulum.
+fn of_fit<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("files[]", "", "names of the files", |it| {
+            json::list(it.measured.files.iter().map(|file| file.name.as_str()))
+        }),
+        Of::value("model", "", "damping that was fitted", |it| it.swings.fit.damping.to_string().into()),
+        Of::nested("parameters[].", &of_parameter().and([parameter::trace()]), |it| {
+            of_parameter().and([parameter::trace()]).records(&parameters(it))
+        }),
+        Of::known(
+            "chi2_per_dof",
+            "1",
+            "χ² per degree of freedom, or null without uncertainties of the rows",
+            |it| it.swings.fit.chi2_per_dof.ok_or_else(|| "the rows have no uncertainties".to_owned()),
+        ),
+        Of::present(
+            "rms_residual_rad",
+            "rad",
+            "root mean square of the residuals, where angles were measured",
+            |it| rms(it, Seen::Angle),
+        ),
+        Of::present(
+            "rms_residual_rad_per_s",
+            "rad/s",
+            "the same where angular velocities were measured",
+            |it| rms(it, Seen::AngularVelocity),
+        ),
+        Of::value("rows", "1", "rows that were fitted", |it| it.swings.fit.rows().into()),
+        Of::value("converged", "", "whether the least sum of squares was reached", |it| {
+            it.swings.fit.converged.into()
+        }),
+        Of::number("small_angle_period_s", "s", "period of small swings T₀", |it| {
+            it.swings.small_angle_period().value
+        }),
+        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
+            it.swings.small_angle_period().uncertainty
+        }),
+        Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&cycles(it))),
+        Of::known(
+            "beta",
+            "1",
+            "measured rise of the period with the amplitude over that of the exact law, or null",
+            |it| it.swings.beta.as_ref().map(|beta| beta.factor.value).map_err(ToString::to_string),
+        ),
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |it| {
+            it.swings.beta.as_ref().map(|beta| beta.factor.uncertainty).map_err(ToString::to_string)
+        }),
+    ])
+}
+
+fn rms(answer: &Answer<'_>, seen: Seen) -> Option<f64> {
+    (answer.measured.traces[0].seen() == seen).then_some(answer.swings.fit.rms)
+}
+
+/// Gravity with the length that was given.
+fn of_gravity<'a>() -> Fields<(&'a Budget, Quantity)> {
+    type Of<'a> = Field<(&'a Budget, Quantity)>;
+    Fields::from([
+        Of::number("length_m", "m", "length of the pendulum that was given", |(_, length)| length.value),
+        Of::known(
+            "length_uncertainty_m",
+            "m",
+            "standard uncertainty of that length, or null",
+            |(_, length)| length.uncertainty.ok_or_else(|| "the length was given without one".to_owned()),
+        ),
+        Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall, with a length", |(budget, _)| {
+            budget.g
+        }),
+        Of::number(
+            "gravity_uncertainty_m_per_s2",
+            "m/s²",
+            "standard uncertainty of gravity",
+            |(budget, _)| budget.uncertainty,
+        ),
+    ])
+}
+
+fn of_length() -> Fields<Uncertain> {
+    type Of = Field<Uncertain>;
+    Fields::from([
+        Of::number(
+            "length_in_standard_gravity_m",
+            "m",
+            "length that the period has in standard gravity, without a length",
+            |length| length.value,
+        ),
+        Of::number(
+            "length_in_standard_gravity_uncertainty_m",
+            "m",
+            "standard uncertainty of that length",
+            |length| length.uncertainty,
+        ),
+        Of::note(|_| Some("give --length to have gravity".to_owned())),
+    ])
+}
+
+/// What is doubtful, and by what it may be judged.
+fn of_doubts<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    let warnings = warnings::fields(
+        |it: &Answer<'a>| json::list(it.warnings()),
+        |it| json::list(it.swings.warnings.iter().map(Warning::name)),
+    );
+    Fields::from(warnings).and([
+        Of::value("advice[]", "", "what would make the answer better", |it| json::list(it.advice())),
+        Of::value("advice_kinds[]", "", "kind of each piece of advice, in the same order", |it| {
+            json::list(it.swings.advice.iter().map(Advice::name))
+        }),
+        Of::nested("traces[].", &of_trace(), |it| of_trace().records(&traces(it))),
+        Of::nested("findings[].", &of_file(), |it| of_file().records(&it.measured.files)),
+        Of::nested("comparison[].", &of_model(), |it| match &it.swings.comparison {
+            Some(comparison) => of_model().records(&models(it, comparison)),
+            None => Value::Null,
+        }),
+        Of::nested("averaged.", &model::of_averages(), |it| {
+            it.swings.comparison.as_ref().map_or(Value::Null, model::averaged)
+        }),
+        Of::value(
+            "correlations[][]",
+            "1",
+            "correlation coefficients of the parameters, in their order",
+            |it| json::list(it.swings.fit.correlations.iter().map(|row| json::numbers(row))),
+        ),
+        Of::nested("autocorrelation.", &of_residuals(), |it| of_residuals().record(it).into()),
+    ])
+}
+
+fn of_file() -> Fields<File> {
+    type Of = Field<File>;
+    Fields::from([
+        Of::value("file", "", "name of the file", |it| it.name.as_str().into()),
+        Of::value("findings[]", "", "what was concluded from it", |it| json::list(it.findings.clone())),
+    ])
+}
+
+fn of_residuals<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("is_noise", "", "whether the residuals look like white noise", |it| {
+            it.swings.fit.autocorrelation.is_noise().into()
+        }),
+        Of::number("correlation_time_rows", "1", "rows after which residuals are independent", |it| {
+            it.swings.fit.autocorrelation.time
+        }),
+        Of::number(
+            "excess",
+            "1",
+            "Ljung and Box's statistic less its mean for noise, over its standard deviation",
+            |it| it.swings.fit.autocorrelation.excess,
+        ),
+        Of::value(
+            "bootstrap_block_rows",
+            "1",
+            "rows of a block of the bootstrap, null where none was needed",
+            |it| it.swings.fit.bootstrap_block.into(),
+        ),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [
+        of_fit().described(""),
+        budget::described(),
+        of_gravity().described(""),
+        of_length().described(""),
+        of_doubts().described(""),
+    ];
+    vec![Answers { command: "fit trace", option: "", json: json.concat(), csv: of_row().described_in_csv() }]
+}

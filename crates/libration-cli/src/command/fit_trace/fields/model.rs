@@ -1,0 +1,158 @@
+//! A kind of damping that was tried, and what all models that are left say together.
+
+use super::super::answer::Answer;
+use super::super::units::in_unit;
+use super::parameter::{Row, of_parameter};
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use crate::output::number::with_uncertainty;
+use libration_lab::fit::DampingTerm;
+use libration_lab::fit::trace::{Averaged, Comparison, Standing, TraceFit};
+use serde_json::Value;
+
+/// A model of a comparison.
+pub(in super::super) struct Model<'a> {
+    answer: &'a Answer<'a>,
+    comparison: &'a Comparison,
+    place: usize,
+    weight: f64,
+}
+
+/// In the order in which they were tried.
+pub(in super::super) fn models<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<Model<'a>> {
+    let weights = comparison.weights().into_iter().enumerate();
+    weights.map(|(place, weight)| Model { answer, comparison, place, weight }).collect()
+}
+
+impl Model<'_> {
+    fn fit(&self) -> &TraceFit {
+        &self.comparison.fits[self.place]
+    }
+
+    /// Akaike's criterion above that of the best.
+    pub(in super::super) fn excess(&self) -> f64 {
+        self.comparison.excess_information[self.place]
+    }
+
+    pub(in super::super) fn is_left(&self) -> bool {
+        self.weight > 0.0
+    }
+
+    /// How it stands, and which coefficients are negative.
+    fn remark(&self) -> String {
+        let standing = match self.comparison.standing(self.place) {
+            Standing::Preferred => "preferred",
+            Standing::Tied => "tied",
+            Standing::Possible => "possible",
+            Standing::Negative => "not believed",
+            Standing::FeedsEnergy => "feeds energy",
+            Standing::Excluded => "",
+        };
+        let negative = self.fit().negative_terms().into_iter().map(|term| format!("{} < 0", term.name()));
+        let words = [standing.to_owned()].into_iter().filter(|word| !word.is_empty()).chain(negative);
+        words.collect::<Vec<_>>().join(", ")
+    }
+
+    fn coefficient(&self, term: DampingTerm) -> String {
+        let parameter = self.fit().parameter(term.name());
+        parameter.map_or("–".to_owned(), |it| with_uncertainty(it.value, it.uncertainty, ""))
+    }
+}
+
+const COLUMNS: [&str; 6] = ["damping", "ΔAICc", "weight", "rms residual", "T₀ / s", ""];
+
+pub(in super::super) fn of_model<'a>() -> Fields<Model<'a>> {
+    type Of<'a> = Field<Model<'a>>;
+    Fields::from([
+        Of::value("model", "", "damping of the model", |it| it.fit().damping.to_string().into())
+            .words(COLUMNS[0], |it| it.fit().damping.to_string()),
+        Of::value("standing", "", "preferred, tied, possible, negative, feeds_energy or excluded", |it| {
+            it.comparison.standing(it.place).name().into()
+        })
+        .words(COLUMNS[5], Model::remark),
+        Of::number("rms_residual", "", "root mean square of the residuals, in rad or rad/s", |it| {
+            it.fit().rms
+        })
+        .numeral(COLUMNS[3], |it| in_unit(it.answer, it.fit().rms, 4)),
+        Of::number("excess_aicc", "1", "Akaike's criterion less the least of all models", Model::excess)
+            .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
+        Of::number("weight", "1", "weight in the averages", |it| it.weight)
+            .numeral(COLUMNS[2], |it| format!("{:.2}", it.weight)),
+        Of::number("independent_rows", "1", "rows that were counted as independent", |it| {
+            it.comparison.independent_rows
+        }),
+        Of::number("small_angle_period_s", "s", "period of small swings T₀ by this model", |it| {
+            it.fit().small_angle_period().value
+        })
+        .numeral(COLUMNS[4], |it| it.fit().small_angle_period().to_string()),
+        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of that", |it| {
+            it.fit().small_angle_period().uncertainty
+        }),
+        Of::value(
+            "takes_energy",
+            "",
+            "whether its damping takes energy at all speeds of the data, within two standard uncertainties",
+            |it| it.fit().takes_energy().into(),
+        ),
+        Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {
+            json::list(it.fit().negative_terms().into_iter().map(DampingTerm::name))
+        }),
+        Of::nested("coefficients[].", &of_parameter(), |it| {
+            let terms = it.fit().damping.iter().filter_map(|term| it.fit().parameter(term.name()));
+            let rows: Vec<Row<'_>> = terms.map(|parameter| Row { parameter, trace: None }).collect();
+            of_parameter().records(&rows)
+        }),
+    ])
+}
+
+/// For a table to read.
+pub(in super::super) fn shown<'a>() -> Fields<Model<'a>> {
+    of_model().for_table(&COLUMNS)
+}
+
+/// The coefficients of each damping side by side.
+pub(in super::super) fn coefficients<'a>() -> Fields<Model<'a>> {
+    type Of<'a> = Field<Model<'a>>;
+    let [dry, linear, quadratic] = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"];
+    Fields::from([
+        Of::unnamed().words(COLUMNS[0], |it| it.fit().damping.to_string()),
+        Of::unnamed().numeral(dry, |it| it.coefficient(DampingTerm::Dry)),
+        Of::unnamed().numeral(linear, |it| it.coefficient(DampingTerm::Linear)),
+        Of::unnamed().numeral(quadratic, |it| it.coefficient(DampingTerm::Quadratic)),
+    ])
+}
+
+/// Over the models by their weights.
+pub(super) fn averaged(comparison: &Comparison) -> Value {
+    let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
+    let names = ["omega0"].into_iter().chain(DampingTerm::ALL.map(DampingTerm::name));
+    let known = names.filter_map(|name| Some((name, comparison.parameter(name)?)));
+    known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
+}
+
+pub(super) fn of_averages() -> Fields<Averaged> {
+    of_period().and(of_average())
+}
+
+fn of_period() -> Fields<Averaged> {
+    let meaning = "T₀ over the models by their weights";
+    let names = ["small_angle_period_s", "small_angle_period_s_uncertainty", "small_angle_period_s_spread"];
+    of_values(names, "s", meaning)
+}
+
+fn of_average() -> Fields<Averaged> {
+    let meaning = "parameter with this name over the models by their weights, in its unit";
+    of_values(["NAME", "NAME_uncertainty", "NAME_spread"], "", meaning)
+}
+
+fn of_values(names: [&'static str; 3], unit: &'static str, meaning: &'static str) -> Fields<Averaged> {
+    type Of = Field<Averaged>;
+    let [value, uncertainty, spread] = names;
+    Fields::from([
+        Of::number(value, unit, meaning, |it| it.value),
+        Of::number(uncertainty, unit, "its standard uncertainty, the spread of the models included", |it| {
+            it.uncertainty
+        }),
+        Of::number(spread, unit, "spread of the models alone, as a standard deviation", |it| it.spread),
+    ])
+}

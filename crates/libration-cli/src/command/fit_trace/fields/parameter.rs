@@ -1,0 +1,85 @@
+//! A fitted parameter.
+
+use super::super::answer::Answer;
+use super::super::units::unit;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{short, with_uncertainty};
+use libration_lab::fit::trace::Parameter;
+
+/// A parameter, with the name of the trace that it belongs to where there are several.
+pub(in super::super) struct Row<'a> {
+    pub(super) parameter: &'a Parameter,
+    pub(super) trace: Option<&'a str>,
+}
+
+pub(in super::super) fn rows<'a>(answer: &'a Answer<'_>) -> Vec<Row<'a>> {
+    let traces = &answer.measured.traces;
+    let name = |place: usize| (traces.len() > 1).then(|| traces[place].name());
+    let parameters = answer.swings.fit.parameters.iter();
+    parameters.map(|parameter| Row { parameter, trace: parameter.trace.and_then(name) }).collect()
+}
+
+const COLUMNS: [&str; 6] = ["parameter", "value", "±", "68 %", "95 %", "unit"];
+
+pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
+    type Of<'a> = Field<Row<'a>>;
+    Fields::from([
+        Of::value("name", "", "name of the parameter", |it| it.parameter.name.into()).words(
+            COLUMNS[0],
+            |it| {
+                it.trace.map_or_else(
+                    || it.parameter.name.to_owned(),
+                    |trace| format!("{}, {trace}", it.parameter.name),
+                )
+            },
+        ),
+        Of::number("value", "", "its value, in its unit", |it| it.parameter.value)
+            .numeral(COLUMNS[1], |it| it.to_the_digit(it.parameter.value)),
+        Of::number("uncertainty", "", "its standard uncertainty, in its unit", |it| it.parameter.uncertainty)
+            .rounded(COLUMNS[2], 2),
+        Of::value("unit", "", "its unit", |it| it.parameter.unit.into())
+            .words(COLUMNS[5], |it| unit(it.parameter.unit)),
+        Of::number(
+            "formal_uncertainty",
+            "",
+            "standard uncertainty as if residuals were independent, in its unit",
+            |it| it.parameter.formal_uncertainty,
+        ),
+        Of::number("degrees_of_freedom", "1", "degrees of freedom of the uncertainty", |it| {
+            it.parameter.degrees_of_freedom
+        }),
+        Of::value("interval_68[]", "", "ends of the interval of 68 % confidence", |it| {
+            json::numbers(&it.parameter.intervals[0])
+        })
+        .numeral(COLUMNS[3], |it| it.interval(0)),
+        Of::value("interval_95[]", "", "ends of the interval of 95 % confidence", |it| {
+            json::numbers(&it.parameter.intervals[1])
+        })
+        .numeral(COLUMNS[4], |it| it.interval(1)),
+    ])
+}
+
+/// For a table to read.
+pub(in super::super) fn shown<'a>() -> Fields<Row<'a>> {
+    of_parameter().for_table(&COLUMNS)
+}
+
+/// Which trace it belongs to.
+pub(super) fn trace<'a>() -> Field<Row<'a>> {
+    let meaning = "number of the trace it belongs to, from 0, if to one";
+    Field::present_value("trace", "1", meaning, |it: &Row<'a>| it.parameter.trace.map(Into::into))
+}
+
+impl Row<'_> {
+    fn interval(&self, place: usize) -> String {
+        let ends = self.parameter.intervals[place].map(|end| self.to_the_digit(end));
+        format!("{} … {}", ends[0], ends[1])
+    }
+
+    /// A value to the last digit of the uncertainty.
+    fn to_the_digit(&self, value: f64) -> String {
+        let text = with_uncertainty(value, self.parameter.uncertainty, "");
+        text.split_once(' ').map_or_else(|| short(value, 8), |(value, _)| value.to_owned())
+    }
+}

@@ -1,0 +1,117 @@
+//! A trace by itself, and its rows.
+
+use super::super::answer::Answer;
+use super::super::units::in_unit;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{rounded, with_uncertainty};
+use libration_lab::fit::Beta;
+use libration_lab::fit::cycles::Cycles;
+
+/// A trace of an answer.
+pub(in super::super) struct TraceOf<'a> {
+    answer: &'a Answer<'a>,
+    place: usize,
+}
+
+pub(in super::super) fn traces<'a>(answer: &'a Answer<'a>) -> Vec<TraceOf<'a>> {
+    (0..answer.measured.traces.len()).map(|place| TraceOf { answer, place }).collect()
+}
+
+/// A row of a trace: time, what was seen, what should have been seen, the difference.
+pub(in super::super) struct Row<'a> {
+    trace: &'a str,
+    numbers: [f64; 4],
+}
+
+pub(in super::super) fn rows<'a>(answer: &'a Answer<'_>) -> Vec<Row<'a>> {
+    let traces = answer.measured.traces.iter().zip(&answer.swings.fit.traces);
+    let rows = traces.flat_map(|(trace, fitted)| {
+        (0..trace.len()).map(move |row| Row {
+            trace: trace.name(),
+            numbers: [trace.times()[row], trace.values()[row], fitted.fitted[row], fitted.residuals[row]],
+        })
+    });
+    rows.collect()
+}
+
+pub(in super::super) fn of_row<'a>() -> Fields<Row<'a>> {
+    type Of<'a> = Field<Row<'a>>;
+    Fields::from([
+        Of::value("trace", "", "name of the run", |it| it.trace.into()),
+        Of::number("time_s", "s", "time of the row", |it| it.numbers[0]),
+        Of::number("value", "", "measured value, in rad or rad/s", |it| it.numbers[1]),
+        Of::number("fitted", "", "value of the fitted motion", |it| it.numbers[2]),
+        Of::number("residual", "", "measured minus fitted", |it| it.numbers[3]),
+    ])
+}
+
+pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
+    type Of<'a> = Field<TraceOf<'a>>;
+    Fields::from([
+        Of::value("name", "", "name of the run", |it| it.name().into())
+            .words("trace", |it| it.name().to_owned()),
+        Of::value("rows", "1", "its rows", |it| it.times().len().into())
+            .numeral("rows", |it| it.times().len().to_string()),
+        Of::number("first_s", "s", "time of its first row", |it| it.times()[0]),
+        Of::number("last_s", "s", "time of its last row", |it| it.times()[it.times().len() - 1]),
+        Of::number("rms_residual", "", "root mean square of its residuals, in rad or rad/s", TraceOf::rms)
+            .numeral("rms residual", |it| in_unit(it.answer, it.rms(), 3)),
+        Of::value(
+            "outlier_rows[]",
+            "1",
+            "rows beyond five robust standard deviations, numbered from 0",
+            |it| json::list(it.answer.swings.fit.traces[it.place].outliers.clone()),
+        ),
+        Of::unnamed().numeral("cycles", |it| {
+            it.cycles().map_or("–".to_owned(), |found| found.cycles.len().to_string())
+        }),
+        Of::unnamed().numeral("largest", |it| it.amplitude(f64::max)),
+        Of::unnamed().numeral("smallest", |it| it.amplitude(f64::min)),
+        Of::known("t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null", |it| {
+            it.cycles().map(|found| found.t0)
+        })
+        .numeral("T₀ by cycles / s", |it| {
+            let t0 = it.cycles().map(|found| with_uncertainty(found.t0, found.t0_uncertainty, ""));
+            t0.unwrap_or("–".to_owned())
+        }),
+        Of::known("t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null", |it| {
+            it.cycles().map(|found| found.t0_uncertainty)
+        }),
+        Of::known("beta", "1", "β of this trace, or null", |it| it.beta().map(|beta| beta.factor.value))
+            .numeral("β", |it| it.beta().map_or("–".to_owned(), |beta| beta.factor.to_string())),
+        Of::known("beta_uncertainty", "1", "standard uncertainty of that, or null", |it| {
+            it.beta().map(|beta| beta.factor.uncertainty)
+        }),
+    ])
+}
+
+impl TraceOf<'_> {
+    fn name(&self) -> &str {
+        self.answer.measured.traces[self.place].name()
+    }
+
+    fn times(&self) -> &[f64] {
+        self.answer.measured.traces[self.place].times()
+    }
+
+    fn rms(&self) -> f64 {
+        self.answer.swings.fit.traces[self.place].rms()
+    }
+
+    fn cycles(&self) -> Result<&Cycles, String> {
+        self.answer.swings.cycles[self.place].as_ref().map_err(ToString::to_string)
+    }
+
+    fn beta(&self) -> Result<&Beta, String> {
+        let beta = self.cycles().ok().and_then(|cycles| cycles.beta.as_ref().ok());
+        beta.ok_or_else(|| "its cycles leave beta open".to_owned())
+    }
+
+    /// The largest or the smallest of its cycles.
+    fn amplitude(&self, extreme: fn(f64, f64) -> f64) -> String {
+        let amplitudes = self.cycles().into_iter().flat_map(|found| &found.cycles);
+        let amplitude = amplitudes.map(|cycle| cycle.amplitude.to_degrees()).reduce(extreme);
+        amplitude.map_or("–".to_owned(), |amplitude| format!("{}°", rounded(amplitude, 3)))
+    }
+}

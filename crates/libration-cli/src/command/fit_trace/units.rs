@@ -1,0 +1,18 @@
+//! Values and units as people write them.
+
+use super::answer::Answer;
+use crate::output::number::rounded;
+use libration_lab::measurement::Seen;
+
+/// As people write it.
+pub(super) fn unit(unit: &str) -> String {
+    if unit == "1" { String::new() } else { unit.replace("^2", "²") }
+}
+
+/// A difference of two values, in degrees for angles.
+pub(super) fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
+    match answer.measured.traces[0].seen() {
+        Seen::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
+        Seen::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),
+    }
+}
