@@ -6,7 +6,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
-use crate::output::{Form, FormOptions, csv};
+use crate::output::{Form, FormOptions};
 use libration::oscillator::{NamedOscillator, OscillatorParameter, catalogue};
 use std::io::{self, Write};
 
@@ -35,10 +35,7 @@ impl Oscillators {
                 let records = chosen.into_iter().map(|named| fields.record(named));
                 json::document_with_list(out, Record::new(), "oscillators", records)?;
             }
-            Form::Csv => {
-                csv::line(out, &fields.csv_names())?;
-                chosen.iter().try_for_each(|named| csv::line(out, &fields.csv_cells(named)))?;
-            }
+            Form::Csv => fields.write_csv(out, chosen)?,
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())

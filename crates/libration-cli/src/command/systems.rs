@@ -6,7 +6,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
-use crate::output::{Form, FormOptions, csv};
+use crate::output::{Form, FormOptions};
 use libration::systems::{NamedCoordinate, NamedSystem, SystemParameter, catalogue};
 use std::io::{self, Write};
 
@@ -38,10 +38,7 @@ impl Systems {
                 let records = chosen.into_iter().map(|named| fields.record(named));
                 json::document_with_list(out, Record::new(), "systems", records)?;
             }
-            Form::Csv => {
-                csv::line(out, &fields.csv_names())?;
-                chosen.iter().try_for_each(|named| csv::line(out, &fields.csv_cells(named)))?;
-            }
+            Form::Csv => fields.write_csv(out, chosen)?,
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! The expansion as JSON and CSV.
 
 use super::{Answer, fields};
-use crate::output::{csv, json};
+use crate::output::json;
 use std::io::{self, Write};
 
 pub(super) fn write_json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
@@ -10,5 +10,5 @@ pub(super) fn write_json(out: &mut dyn Write, answer: &Answer) -> io::Result<()>
 
 /// One coefficient a line.
 pub(super) fn write_csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
-    csv::table(out, &fields::of_coefficient(), &fields::coefficients(&answer.expansion))
+    fields::of_coefficient().write_csv(out, &fields::coefficients(&answer.expansion))
 }

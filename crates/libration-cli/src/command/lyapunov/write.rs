@@ -4,8 +4,8 @@ use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::table::{Table, paragraph, sheet};
-use crate::output::{Form, csv, number};
+use crate::output::table::{paragraph, sheet};
+use crate::output::{Form, number};
 use std::io::{self, Write};
 
 /// Where sentences are broken.
@@ -28,9 +28,7 @@ impl Answer<'_> {
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        let fields = of_point();
-        csv::line(out, &fields.csv_names())?;
-        self.found.convergence.iter().try_for_each(|point| csv::line(out, &fields.csv_cells(point)))
+        of_point().write_csv(out, &self.found.convergence)
     }
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
@@ -42,12 +40,7 @@ impl Answer<'_> {
             return Ok(());
         }
         writeln!(out)?;
-        let fields = of_point();
-        let mut table = Table::new(fields.columns());
-        for point in self.found.convergence.iter().rev().step_by(4).rev() {
-            table.row(out, fields.cells(point))?;
-        }
-        table.finish(out)
+        of_point().write_table(out, self.found.convergence.iter().rev().step_by(4).rev())
     }
 }
 

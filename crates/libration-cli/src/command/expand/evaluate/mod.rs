@@ -8,7 +8,7 @@ pub(super) use fields::answers;
 use super::Answer;
 use crate::failure::Failure;
 use crate::output::number::short;
-use crate::output::{Form, csv, json};
+use crate::output::{Form, json};
 use crate::parallel;
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::perturbation::SeriesEvaluation;
@@ -60,7 +60,7 @@ pub(super) fn write(
     let numbers = Numbers::new(&answer, &relation, amplitude)?;
     match form {
         Form::Json => json::document(out, fields::of_numbers().record(&numbers))?,
-        Form::Csv => csv::table(out, &fields::of_term(), &numbers.terms())?,
+        Form::Csv => fields::of_term().write_csv(out, &numbers.terms())?,
         Form::Table => table::write(out, &numbers)?,
     }
     Ok(numbers.missing())

@@ -4,7 +4,7 @@ use super::super::listing::{self, Symbols};
 use super::{NOT_REACHED, Numbers, Quotient, fields};
 use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{subscript, superscript};
-use crate::output::table::{Table, rows, sheet, write_text};
+use crate::output::table::{Table, sheet, write_text};
 use libration::algebra::Rational;
 use libration::comparison::{Method, Radius, SeriesQuantity};
 use libration::perturbation::{Certainty, PartialSum, SeriesEvaluation};
@@ -158,5 +158,5 @@ fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>, pade: &[Quotient]) -> 
     let last = pade.last().map_or(0, |last| last.degree);
     let mut approximants = numbers.approximants(pade);
     approximants.retain(|it| it.quotient.degree.is_power_of_two() || it.quotient.degree == last);
-    rows(out, &fields::of_approximant(), &approximants)
+    fields::of_approximant().write_table(out, &approximants)
 }
