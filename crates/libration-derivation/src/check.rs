@@ -11,6 +11,7 @@ use libration::algebra::{Rationals, Ring};
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError};
 use libration::series::PowerSeries;
+use libration::watch::Interrupted;
 
 /// A statement that has passed a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -173,6 +174,9 @@ pub enum DerivationError {
     /// A pendulum that cannot be.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
+    /// The watch said so before the first step.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 impl CheckedEquation {

@@ -53,6 +53,7 @@
 //! | [`quadrature`] | integrals of functions of one variable, each with what it misses |
 //! | [`series`] | truncated power series over any ring |
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
+//! | [`watch`] | whether a long call may go on, and how far it is |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
@@ -89,6 +90,8 @@ pub mod roots;
 pub mod series;
 
 pub mod expression;
+
+pub mod watch;
 
 pub mod oscillator;
 

@@ -7,11 +7,13 @@ use crate::{interrupt, parallel};
 use libration::pendulum::Amplitude;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
+use libration::watch::{Progress, Watch};
 use libration_derivation::{
     Derivation, DerivationError, HIGHEST_ORDER, Released, Swing, perturbation_watched,
 };
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A worked derivation, step by step, with each formula checked by computing it
 ///
@@ -145,18 +147,17 @@ impl Derive {
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
         interrupt::listen()?;
-        let mut known = parallel::sent_until_asked(
-            |done| format!("{done} parts of the derivation are done"),
-            move |sender| {
-                let mut watch = |known: &Derivation| parallel::send(sender, Ok((known.clone(), false)));
-                let whole =
-                    perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), &mut watch);
-                parallel::send(sender, whole.map(|whole| (whole, true)));
-            },
-        );
-        let early =
-            || Failure::Interrupted("interrupted before the first step: nothing is written".to_owned());
-        known.pop().ok_or_else(early)?.map_err(failure)
+        let done = AtomicUsize::new(0);
+        let how_far = || format!("{} parts of the derivation are done", done.load(Ordering::Relaxed));
+        parallel::with_progress(how_far, || {
+            let ask = |progress: Progress| {
+                done.store(progress.done, Ordering::Relaxed);
+                interrupt::go_on()
+            };
+            let watch = Watch::new(&ask);
+            let known = perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), &watch);
+            known.map(|known| (known, !watch.is_stopped())).map_err(failure)
+        })
     }
 }
 
@@ -169,6 +170,9 @@ fn failure(error: DerivationError) -> Failure {
             Failure::no_answer("--amplitude", error)
         }
         DerivationError::Order { .. } => Failure::usage("--order", error),
+        DerivationError::Interrupted(_) => {
+            Failure::Interrupted("interrupted before the first step: nothing is written".to_owned())
+        }
         error => Failure::no_answer("derivation", error),
     }
 }

@@ -25,10 +25,11 @@ pub(crate) struct Frame {
 /// The picture of the errors; where an error changes sign its curve runs down to the axis. If somebody asks for an early
 /// end it has only the curves that are done.
 pub(crate) fn errors(curves: Vec<Curve>, frame: Frame) -> Picture {
-    let signed = move |curve: &Curve| amplitudes(frame).map(|x| (x, (curve.error)(x))).collect::<Vec<_>>();
     let numbered: Vec<(usize, Curve)> = curves.into_iter().enumerate().collect();
-    let series = parallel::map_until_asked(numbered, "curves", move |(number, curve)| {
-        Series::line(&curve.label, style::curve(*number), sizes(&signed(curve)))
+    let series = parallel::map_until_asked(&numbered, "curves", |(number, curve), watch| {
+        let asked = amplitudes(frame).take_while(|_| watch.go_on().is_ok());
+        let signed: Vec<_> = asked.map(|x| (x, (curve.error)(x))).collect();
+        Series::line(&curve.label, style::curve(*number), sizes(&signed))
     });
     let x = Axis::linear("amplitude θ₀ / degrees", frame.from, frame.to);
     let panel = Panel {

@@ -19,12 +19,12 @@ const PAUSE: Duration = Duration::from_millis(200);
 
 /// A line of the error stream that is written over and over, and cleared in the end.
 #[derive(Debug)]
-pub(crate) struct Progress {
+pub(crate) struct ProgressLine {
     due: Option<Instant>,
     shown: bool,
 }
 
-impl Progress {
+impl ProgressLine {
     pub(crate) fn new() -> Self {
         SHOWING.fetch_add(1, Ordering::Relaxed);
         Self { due: stderr().is_terminal().then(|| Instant::now() + SILENCE), shown: false }
@@ -46,7 +46,7 @@ pub(crate) fn watched<T>(
     all: usize,
     what: &'static str,
 ) -> impl Iterator<Item = T> {
-    let mut progress = (!stdout().is_terminal()).then(Progress::new);
+    let mut progress = (!stdout().is_terminal()).then(ProgressLine::new);
     let counted = items.enumerate().map(move |(place, item)| {
         if let Some(progress) = &mut progress {
             progress.show(|| format!("{place} of {all} {what}"));
@@ -56,7 +56,7 @@ pub(crate) fn watched<T>(
     counted.take_while(|_| !interrupt::asked())
 }
 
-impl Drop for Progress {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         SHOWING.fetch_sub(1, Ordering::Relaxed);
         if self.shown {

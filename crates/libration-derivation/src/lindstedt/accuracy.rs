@@ -14,6 +14,7 @@ use libration::perturbation::{
     Certainty, Gauge, Remainder, SeriesEvaluation, expand, pendulum_period_remainder,
 };
 use libration::quantity::{Displacement, is_angle_name};
+use libration::watch::Watch;
 
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
@@ -23,6 +24,7 @@ pub(super) const EXAMPLE: f64 = 1.0;
 pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
+    watch: &Watch<'_>,
 ) -> Result<DerivationStep, DerivationError> {
     let exactly =
         released.map(|released| released.amplitude.clone()).or_else(|| Displacement::from_f64(EXAMPLE));
@@ -32,7 +34,8 @@ pub(super) fn step(
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
     let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
-    let exact = exactly_at(question, &exactly);
+    let exact = exactly_at(question, &exactly, watch);
+    watch.go_on()?;
     let step = DerivationStep::new("How good it is")
         .say(
             "At an amplitude of {} the terms of the period are",
@@ -178,8 +181,8 @@ pub(super) fn motion(
 /// The motion without the series: in closed form for the pendulum, for all else by integration in time.
 type Exactly = Result<ExactMotion, NoExactValue>;
 
-pub(super) fn exactly_at(question: &Question, amplitude: &Displacement) -> Exactly {
-    ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude)
+pub(super) fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
+    ExactMotion::new_watched(&question.oscillator, &question.solution.expansion, amplitude, watch)
 }
 
 fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {

@@ -10,6 +10,7 @@ use super::ansatz::harmonic_name;
 use super::question::Question;
 use libration::algebra::Complex;
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};
+use libration::watch::Watch;
 
 /// cos Ωt and cos 3Ωt, with the cube of the displacement.
 const HARMONICS: u32 = 2;
@@ -20,10 +21,12 @@ const DEGREE: usize = 3;
 pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
+    watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {
     let amplitude = released.map_or(EXAMPLE, |released| released.amplitude.to_f64());
     let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
-    let Some(solutions) = system.ok().and_then(|system| system.solutions(amplitude).ok()) else {
+    let Some(solutions) = system.ok().and_then(|system| system.solutions_watched(amplitude, watch).ok())
+    else {
         return Ok(None);
     };
     let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };

@@ -20,6 +20,7 @@ use super::prose::Prose;
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
+use libration::watch::{Interrupted, Stage, Watch};
 use question::Question;
 
 /// The oscillation whose numbers a derivation shows.
@@ -48,37 +49,57 @@ pub fn perturbation(
     gauge: &Gauge,
     released: Option<&Released>,
 ) -> Result<Derivation, DerivationError> {
-    perturbation_watched(oscillator, order, gauge, released, &mut |_| {})
+    perturbation_watched(oscillator, order, gauge, released, &Watch::none())
 }
 
-/// [`perturbation`], telling `watch` after each step what there is of the derivation.
+/// As [`perturbation`]; `watch` is asked at each order and before each part. Where it stops the steps until then are given.
 ///
 /// # Errors
-/// As [`perturbation`].
+/// As [`perturbation`], and [`DerivationError::Interrupted`] where there is no step yet.
 pub fn perturbation_watched(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
     released: Option<&Released>,
-    watch: &mut dyn FnMut(&Derivation),
+    watch: &Watch<'_>,
 ) -> Result<Derivation, DerivationError> {
-    let question = Question::new(oscillator, order, gauge)?;
+    watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![] };
-    let mut with = |steps: Vec<DerivationStep>| {
-        derivation.steps.extend(steps);
-        watch(&derivation);
+    let question = match Question::new(oscillator, order, gauge, &watch.part()) {
+        Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
+        question => question?,
     };
-    with(vec![small_swings::equation_of_motion(&question)?, small_swings::taylor(&question)?]);
-    with(vec![ansatz::fundamental_and_harmonics(&question), ansatz::projection()?, orders::secular_terms()?]);
-    with(orders::conditions(&question)?);
-    with(vec![motion::gauge(&question)?, motion::solution(&question)?]);
-    with(vec![amplitude::iteration(&question)?, amplitude::physical_relations(&question)?]);
-    with(vec![second_gauge::comparison(&question)?]);
-    with(few_harmonics::step(&question, released)?.into_iter().collect());
-    with(vec![accuracy::step(&question, released)?]);
+    for (done, part) in PARTS.iter().enumerate() {
+        match watch.reached(done) {
+            Err(interrupted) if done == 0 => return Err(interrupted.into()),
+            Err(_) => break,
+            Ok(()) => {}
+        }
+        match part(&question, released, &watch.part()) {
+            Err(_) if watch.is_stopped() && done > 0 => break,
+            steps => derivation.steps.extend(steps?),
+        }
+    }
     Ok(derivation)
 }
+
+/// Some steps of a derivation.
+type Part = fn(&Question, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
+
+/// All of them, in their order.
+const PARTS: [Part; 8] = [
+    |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
+    |question, _, _| {
+        Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?, orders::secular_terms()?])
+    },
+    |question, _, _| orders::conditions(question),
+    |question, _, _| Ok(vec![motion::gauge(question)?, motion::solution(question)?]),
+    |question, _, _| Ok(vec![amplitude::iteration(question)?, amplitude::physical_relations(question)?]),
+    |question, _, _| Ok(vec![second_gauge::comparison(question)?]),
+    |question, released, watch| Ok(few_harmonics::step(question, released, watch)?.into_iter().collect()),
+    |question, released, watch| Ok(vec![accuracy::step(question, released, watch)?]),
+];
 
 fn introduction() -> Vec<Block> {
     let what = Prose::text(

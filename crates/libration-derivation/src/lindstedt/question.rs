@@ -6,7 +6,8 @@ use super::HIGHEST_ORDER;
 use libration::algebra::{Rational, Rationals};
 use libration::expression::Symbol;
 use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand};
+use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand_watched};
+use libration::watch::Watch;
 
 /// An oscillator about its equilibrium, prepared.
 pub(super) struct Question {
@@ -31,7 +32,12 @@ pub(super) struct Solution {
 }
 
 impl Question {
-    pub(super) fn new(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Self, DerivationError> {
+    pub(super) fn new(
+        oscillator: &Oscillator,
+        order: usize,
+        gauge: &Gauge,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
         if !(2..=HIGHEST_ORDER).contains(&order) {
             return Err(DerivationError::Order { order });
         }
@@ -46,13 +52,13 @@ impl Question {
         let force = force.ok_or(DerivationError::NoFractions)?;
         let variable = Name::from(&Symbol { name: oscillator.variable().to_owned(), primes: 0 });
         let displacement = if equilibrium.is_zero() { variable.clone() } else { Name::new("u") };
-        let solution = Solution::new(oscillator, order, gauge)?;
+        let solution = Solution::new(oscillator, order, gauge, watch)?;
         let powers = if oscillator.is_odd() && !solution.has_even_powers() {
             EpsilonPowers::OneParity
         } else {
             EpsilonPowers::All
         };
-        let open = OpenGauge::new(&force, u32::try_from(order).unwrap_or(u32::MAX), powers)?;
+        let open = OpenGauge::new_watched(&force, u32::try_from(order).unwrap_or(u32::MAX), powers, watch)?;
         Ok(Self {
             oscillator: oscillator.clone(),
             variable,
@@ -109,8 +115,13 @@ impl Question {
 }
 
 impl Solution {
-    pub(super) fn new(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Self, DerivationError> {
-        Ok(Self { gauge: gauge.clone(), expansion: expand(oscillator, order, gauge)? })
+    pub(super) fn new(
+        oscillator: &Oscillator,
+        order: usize,
+        gauge: &Gauge,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
+        Ok(Self { gauge: gauge.clone(), expansion: expand_watched(oscillator, order, gauge, watch)? })
     }
 
     /// The coefficients of cos kτ, by powers of ε.

@@ -10,6 +10,7 @@ use super::question::{Question, Solution};
 use super::substitution::solves;
 use libration::algebra::Rational;
 use libration::perturbation::Gauge;
+use libration::watch::Watch;
 
 /// A₁ = 1, and −1 for the next coefficient there is; the first harmonic itself if that was the gauge.
 fn other(question: &Question) -> Gauge {
@@ -19,7 +20,7 @@ fn other(question: &Question) -> Gauge {
 }
 
 pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let other = Solution::new(&question.oscillator, question.order, &other(question))?;
+    let other = Solution::new(&question.oscillator, question.order, &other(question), &Watch::none())?;
     let mut step = DerivationStep::new("A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {

@@ -11,10 +11,11 @@ use libration::algebra::Rational;
 use libration::oscillator::NamedOscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
+use libration::watch::Watch;
 
 fn question(key: &str, order: usize) -> Question {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-    Question::new(&oscillator, order, &Gauge::Fundamental).unwrap()
+    Question::new(&oscillator, order, &Gauge::Fundamental, &Watch::none()).unwrap()
 }
 
 #[test]
@@ -53,7 +54,7 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
         let question = question(key, 4);
         let amplitude = Displacement::from_f64(0.01).unwrap();
         let released = Released { amplitude, angular_frequency: Some(1.0) };
-        let exactly = exactly_at(&question, &released.amplitude);
+        let exactly = exactly_at(&question, &released.amplitude, &Watch::none());
         let table = motion_in_numbers(&question, &released, &exactly).unwrap();
         let number = |prose: &Prose| match prose.0.as_slice() {
             [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
@@ -74,7 +75,7 @@ fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     let verdicts = |key: &str, order: usize, amplitude: f64| {
         let amplitude = Displacement::from_f64(amplitude).unwrap();
         let released = Released { amplitude, angular_frequency: None };
-        let step = few_harmonics::step(&question(key, order), Some(&released)).unwrap()?;
+        let step = few_harmonics::step(&question(key, order), Some(&released), &Watch::none()).unwrap()?;
         let tables = step.blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => Some(table),
             _ => None,

@@ -1,11 +1,12 @@
 //! Bifurcation diagrams: the section of a motion for each value of a parameter.
 
-use std::ops::ControlFlow;
-
-use super::section::{PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section};
+use super::section::{
+    PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section_watched,
+};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, EquationError, Expression};
 use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_watched};
+use crate::watch::{Stage, Watch};
 
 /// Equations with one parameter that is varied, and what is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,24 +55,22 @@ pub enum DiagramError {
     Value(f64),
 }
 
-/// The section for each value of the parameter, in the order in which they are given. `watch` is told after how many values
-/// the work stands, again and again, and may stop it; the columns until then are kept.
+/// The section for each value of the parameter, in the order in which they are given.
 ///
 /// # Errors
-/// A parameter or a value that cannot be, or a section that cannot, as [`section`] says.
+/// A parameter or a value that cannot be, or a section that cannot, as [`section`](super::section()) says.
 ///
 /// # Examples
 /// ```
 /// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
 /// use libration::taylor::{Effort, Moment};
-/// use std::ops::ControlFlow;
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
 /// let section = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 100, recorded: 4 };
 /// let family = Family { equation: &equation, parameter: "A", section: &section, points };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
-/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, |_| ControlFlow::Continue(()))?;
+/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort)?;
 /// assert_eq!(columns[1].section.points.len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -81,14 +80,30 @@ pub fn bifurcation_diagram(
     start: &Moment,
     continuation: Continuation,
     effort: &Effort,
-    mut watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Vec<DiagramColumn>, DiagramError> {
+    bifurcation_diagram_watched(family, values, start, continuation, effort, &Watch::none())
+}
+
+/// The columns as [`bifurcation_diagram`] gives them; `watch` is asked at each step of each motion, and told how many columns are
+/// done. Where it stops the columns that are complete are given.
+///
+/// # Errors
+/// As [`bifurcation_diagram`].
+pub fn bifurcation_diagram_watched(
+    family: &Family<'_>,
+    values: &[f64],
+    start: &Moment,
+    continuation: Continuation,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<Vec<DiagramColumn>, DiagramError> {
+    watch.begin(Stage::Whole, Some(values.len()));
     let cut = family.section.with_period_of(family.equation);
     match (continuation, &cut) {
         (Continuation::SameStart, Section::Stroboscope { .. }) => {
-            family.side_by_side(&cut, values, start, effort, &mut watch)
+            family.side_by_side(&cut, values, start, effort, watch)
         }
-        _ => family.one_by_one(&cut, values, start, continuation, effort, &mut watch),
+        _ => family.one_by_one(&cut, values, start, continuation, effort, watch),
     }
 }
 
@@ -105,7 +120,7 @@ impl Family<'_> {
         start: &Moment,
         continuation: Continuation,
         effort: &Effort,
-        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Vec<DiagramColumn>, DiagramError> {
         let mut columns: Vec<DiagramColumn> = Vec::with_capacity(values.len());
         for &value in values {
@@ -115,12 +130,14 @@ impl Family<'_> {
                 (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
                 _ => start.clone(),
             };
-            let done = columns.len();
-            let section = section(&equation, &from, cut, self.points, effort, |_| watch(done))?;
+            let section = section_watched(&equation, &from, cut, self.points, effort, &watch.part())?;
             if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
                 break;
             }
             columns.push(DiagramColumn { value, section });
+            if watch.reached(columns.len()).is_err() {
+                break;
+            }
         }
         Ok(columns)
     }
@@ -132,7 +149,7 @@ impl Family<'_> {
         values: &[f64],
         start: &Moment,
         effort: &Effort,
-        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Vec<DiagramColumn>, DiagramError> {
         let system = System::with_parameters(self.equation, &[self.parameter]).map_err(SectionError::from)?;
         let times: Vec<Vec<f64>> =
@@ -144,7 +161,7 @@ impl Family<'_> {
         let mut done = 0;
         let outcomes = integrate_many_watched(&system, &trajectories, effort, |number, step| {
             done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
-            watch(done)
+            watch.flow_at(done)
         });
         let columns = values.iter().zip(outcomes).map(|(&value, outcome)| {
             Ok(DiagramColumn { value, section: PoincareSection::of_samples(outcome)? })

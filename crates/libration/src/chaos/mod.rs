@@ -15,11 +15,15 @@ mod extent;
 
 mod lyapunov;
 
-pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram};
+pub use bifurcation::{
+    Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram, bifurcation_diagram_watched,
+};
 pub use drive::drive_period;
 pub use lyapunov::{
-    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Regularity, Schedule,
-    lyapunov_exponent,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
+    lyapunov_exponent_watched,
 };
-pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, Taken, folded, section};
+pub use section::{
+    PoincareSection, Points, Section, SectionEnding, SectionError, folded, section, section_watched,
+};
 pub use structure::{Theorem, angles};

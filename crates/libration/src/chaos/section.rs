@@ -1,7 +1,6 @@
 //! Poincaré sections: the states of a motion at each period of its drive, or whenever it crosses a surface.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use super::drive::drive_period;
 use crate::expression::{Equation, Expression, WithoutValue};
@@ -9,6 +8,7 @@ use crate::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
     integrate_from, integrate_watched,
 };
+use crate::watch::{Stage, Watch};
 
 /// When the state of a motion is taken.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,15 +59,6 @@ pub struct Points {
     pub recorded: usize,
 }
 
-/// How far the work on a section is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Taken {
-    /// How many points are recorded.
-    pub points: usize,
-    /// When the motion is.
-    pub time: f64,
-}
-
 /// The points of a section, as far as the motion came.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -116,8 +107,7 @@ pub enum SectionError {
     },
 }
 
-/// The points of the section of a motion. `watch` is told after each step how far it is and may stop; the points until then are
-/// kept.
+/// The points of the section of a motion.
 ///
 /// # Accuracy
 /// As that of [`integrate`](crate::taylor::integrate()); points of a chaotic motion are those of a motion near by after some ten of its periods.
@@ -129,12 +119,11 @@ pub enum SectionError {
 /// ```
 /// use libration::chaos::{Points, Section, section};
 /// use libration::taylor::{Effort, Moment};
-/// use std::ops::ControlFlow;
 /// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 200, recorded: 2 };
-/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), |_| ControlFlow::Continue(()))?;
+/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12))?;
 /// // The motion has the period of its drive.
 /// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -145,18 +134,34 @@ pub fn section(
     section: &Section,
     points: Points,
     effort: &Effort,
-    mut watch: impl FnMut(Taken) -> ControlFlow<()>,
 ) -> Result<PoincareSection, SectionError> {
+    section_watched(equation, start, section, points, effort, &Watch::none())
+}
+
+/// The points as [`section`] gives them; `watch` is asked at each step. Where it stops the points until then are given, with
+/// [`Cause::Interrupted`].
+///
+/// # Errors
+/// As [`section`].
+pub fn section_watched(
+    equation: &Equation,
+    start: &Moment,
+    section: &Section,
+    points: Points,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<PoincareSection, SectionError> {
+    watch.begin(Stage::Whole, Some(points.recorded));
     match section {
         Section::Stroboscope { period, phase } => {
             let period = period.or_else(|| drive_period(equation)).ok_or(SectionError::NoPeriod)?;
             let times = flashes(start.time, period, *phase, points)?;
-            stroboscopic(&System::new(equation)?, start, &times, effort, &mut watch)
+            stroboscopic(&System::new(equation)?, start, &times, effort, watch)
         }
         Section::Crossing { formula, direction } => {
             let surface = Event { formula: formula.clone(), direction: *direction, terminal: false };
             let system = System::new(equation)?.with_events(&[surface])?;
-            crossings(&system, start, points, effort, &mut watch)
+            crossings(&system, start, points, effort, watch)
         }
     }
 }
@@ -176,12 +181,12 @@ fn stroboscopic(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    watch: &mut dyn FnMut(Taken) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<PoincareSection, SectionError> {
     let mut taken = 0;
     let outcome = integrate_watched(system, start, times, effort, |step| {
         taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
-        watch(Taken { points: taken, time: step.end() })
+        watch.flow_at(taken)
     });
     PoincareSection::of_samples(outcome)
 }
@@ -210,7 +215,7 @@ fn crossings(
     start: &Moment,
     points: Points,
     effort: &Effort,
-    watch: &mut dyn FnMut(Taken) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<PoincareSection, SectionError> {
     const STEPS: usize = 2000;
     const QUIET: usize = 200;
@@ -220,12 +225,9 @@ fn crossings(
         let taken = found.len();
         let mut met = taken;
         let outcome =
-            integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |leg| {
-                met += leg.events().iter().filter(|event| goes_through(event)).count();
-                watch(Taken {
-                    points: met.saturating_sub(points.skipped).min(points.recorded),
-                    time: leg.step().end(),
-                })
+            integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |step| {
+                met += step.events().iter().filter(|event| goes_through(event)).count();
+                watch.flow_at(met.saturating_sub(points.skipped).min(points.recorded))
             });
         let (solution, cause) = as_far_as_it_came(outcome)?;
         found.extend(solution.events.into_iter().filter_map(crossing));

@@ -7,8 +7,9 @@ use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::orbit::{NoOrbit, Orbit, ReleasePlace};
 use crate::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
-use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
+use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand_watched};
 use crate::quantity::Displacement;
+use crate::watch::Watch;
 
 /// The amplitude–frequency curve of one coordinate.
 ///
@@ -120,6 +121,20 @@ impl Backbone {
     /// # Errors
     /// Several coordinates, the time in the acceleration, open parameters, or no stable equilibrium at the place.
     pub fn new(equation: &Equation, about: Option<&Expression>, order: usize) -> Result<Self, NoBackbone> {
+        Self::new_watched(equation, about, order, &Watch::none())
+    }
+
+    /// As [`new`](Self::new); `watch` is asked at each order of the series. Where it stops there is no series, as
+    /// [`ExpansionError::Interrupted`] says, but orbits there are.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn new_watched(
+        equation: &Equation,
+        about: Option<&Expression>,
+        order: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoBackbone> {
         if equation.variables().len() != 1 {
             return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
         }
@@ -143,7 +158,7 @@ impl Backbone {
             oscillator => oscillator,
         };
         let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
-            let expansion = expand(&oscillator, order, &Gauge::Fundamental)?;
+            let expansion = expand_watched(&oscillator, order, &Gauge::Fundamental, watch)?;
             Ok(Series { oscillator, expansion })
         });
         Ok(Self { equation: equation.clone(), centre, series })
@@ -183,8 +198,15 @@ impl Backbone {
     /// All frequencies at an amplitude, exactly this `f64`.
     #[must_use]
     pub fn at(&self, amplitude: f64) -> BackbonePoint {
+        self.at_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`at`](Self::at); `watch` is asked at each step of the orbit. Where it stops there is no orbit, as
+    /// [`NoOrbit::Interrupted`] says.
+    #[must_use]
+    pub fn at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> BackbonePoint {
         match Displacement::from_f64(amplitude) {
-            Some(displacement) => self.at_displacement(&displacement),
+            Some(displacement) => self.at_displacement_watched(&displacement, watch),
             None => BackbonePoint {
                 amplitude,
                 orbit: Err(NoOrbit::Start { state: vec![amplitude], wanted: 1 }),
@@ -197,8 +219,14 @@ impl Backbone {
     /// All frequencies at an amplitude that is known to more digits than an `f64` has.
     #[must_use]
     pub fn at_displacement(&self, displacement: &Displacement) -> BackbonePoint {
+        self.at_displacement_watched(displacement, &Watch::none())
+    }
+
+    /// As [`at_displacement`](Self::at_displacement), and watched as [`at_watched`](Self::at_watched).
+    #[must_use]
+    pub fn at_displacement_watched(&self, displacement: &Displacement, watch: &Watch<'_>) -> BackbonePoint {
         let amplitude = displacement.to_f64();
-        let orbit = self.orbit_at(displacement);
+        let orbit = self.orbit_at(displacement, watch);
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);
@@ -207,11 +235,12 @@ impl Backbone {
         BackbonePoint { amplitude, orbit, series, exact }
     }
 
-    fn orbit_at(&self, displacement: &Displacement) -> Result<OrbitFrequency, NoOrbit> {
+    fn orbit_at(&self, displacement: &Displacement, watch: &Watch<'_>) -> Result<OrbitFrequency, NoOrbit> {
         let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
         let centre = self.centre();
         let start = centre + displacement.to_f64();
-        let orbit = Orbit::released_from(&self.equation, &ReleasePlace::new(origin, displacement.clone()))?;
+        let place = ReleasePlace::new(origin, displacement.clone());
+        let orbit = Orbit::released_from(&self.equation, &place, watch)?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_equilibrium() && other_side >= centre {
             return Err(NoOrbit::Elsewhere { start, other_side, centre });

@@ -10,6 +10,7 @@ use crate::oscillator::{Kind, Oscillator};
 use crate::pendulum::{Amplitude, Pendulum};
 use crate::perturbation::{Expansion, is_pendulum};
 use crate::quantity::{Angle, Displacement};
+use crate::watch::Watch;
 use std::f64::consts::TAU;
 
 /// A value found without the series.
@@ -133,11 +134,24 @@ impl ExactMotion {
         expansion: &Expansion,
         amplitude: &Displacement,
     ) -> Result<Self, NoExactValue> {
+        Self::new_watched(oscillator, expansion, amplitude, &Watch::none())
+    }
+
+    /// As [`new`](Self::new); `watch` is asked at each step of the orbit.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`NoOrbit::Interrupted`].
+    pub fn new_watched(
+        oscillator: &Oscillator,
+        expansion: &Expansion,
+        amplitude: &Displacement,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoExactValue> {
         let unit = libm::sqrt(expansion.unit_squared.to_f64());
         let near = expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
         let method = match is_pendulum(oscillator) {
             true => Known::Pendulum(amplitude.clone()),
-            false => Known::Orbit(OrbitMotion::by_kind(oscillator, amplitude, near)?),
+            false => Known::Orbit(OrbitMotion::by_kind(oscillator, amplitude, near, watch)?),
         };
         Ok(Self { method, small_period: TAU / libm::sqrt(oscillator.omega0_squared().to_f64()), unit })
     }
@@ -169,13 +183,14 @@ pub(super) struct OrbitMotion {
 pub(super) fn released(
     oscillator: &Oscillator,
     displacement: &Displacement,
+    watch: &Watch<'_>,
 ) -> Result<OrbitMotion, NoExactValue> {
     let amplitude = displacement.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(NoExactValue::Amplitude(amplitude));
     }
     let place = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
-    let orbit = Orbit::released_from(oscillator.equation(), &place).map_err(|error| match error {
+    let orbit = Orbit::released_from(oscillator.equation(), &place, watch).map_err(|error| match error {
         NoOrbit::Separatrix(_) | NoOrbit::AtRest(_) => NoExactValue::Infinite(amplitude),
         NoOrbit::NoReturn { .. } => NoExactValue::NoReturn(amplitude),
         other => other.into(),
@@ -195,6 +210,7 @@ pub(super) fn limit_cycle(
     parameter: &str,
     strength: &Displacement,
     near: f64,
+    watch: &Watch<'_>,
 ) -> Result<OrbitMotion, NoExactValue> {
     let value = strength.to_f64();
     let refusal = NoExactValue::Strength(value);
@@ -203,7 +219,8 @@ pub(super) fn limit_cycle(
     // Backwards in time the strength has the other sign, and the cycle attracts.
     let equation = oscillator.equation().with(&[(parameter, Expression::Number(fraction))]);
     let equilibrium = oscillator.equilibrium().to_f64();
-    let orbit = Orbit::limit_cycle(&equation.map_err(|_| refusal)?, &[equilibrium + near, 0.0])?;
+    let start = [equilibrium + near, 0.0];
+    let orbit = Orbit::limit_cycle_watched(&equation.map_err(|_| refusal)?, &start, watch)?;
     Ok(OrbitMotion { orbit, equilibrium, encloses: None })
 }
 
@@ -213,10 +230,11 @@ impl OrbitMotion {
         oscillator: &Oscillator,
         amplitude: &Displacement,
         near: f64,
+        watch: &Watch<'_>,
     ) -> Result<Self, NoExactValue> {
         match oscillator.kind() {
-            Kind::LimitCycle { parameter } => limit_cycle(oscillator, parameter, amplitude, near),
-            _ => released(oscillator, amplitude),
+            Kind::LimitCycle { parameter } => limit_cycle(oscillator, parameter, amplitude, near, watch),
+            _ => released(oscillator, amplitude, watch),
         }
     }
 

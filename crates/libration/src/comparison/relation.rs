@@ -13,6 +13,7 @@ use crate::perturbation::{
 };
 use crate::quantity::Displacement;
 use crate::series::truncated::reciprocal;
+use crate::watch::Watch;
 
 /// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
 ///
@@ -129,8 +130,16 @@ impl<'a> SeriesComparison<'a> {
     /// # Errors
     /// There is no such motion, it is not found, or its period is infinite.
     pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoExactValue> {
+        self.exact_at_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`exact_at`](Self::exact_at); `watch` is asked at each step of the orbit.
+    ///
+    /// # Errors
+    /// As [`exact_at`](Self::exact_at), and [`NoOrbit::Interrupted`](crate::orbit::NoOrbit::Interrupted).
+    pub fn exact_at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> Result<ExactValue, NoExactValue> {
         let displacement = Displacement::from_f64(amplitude).ok_or(NoExactValue::Amplitude(amplitude))?;
-        self.exact_from(&displacement)
+        self.exact_from_watched(&displacement, watch)
     }
 
     /// The same at an amplitude, or a strength, that is known to more digits than an `f64` has.
@@ -141,7 +150,19 @@ impl<'a> SeriesComparison<'a> {
     /// # Errors
     /// As [`exact_at`](Self::exact_at).
     pub fn exact_from(&self, amplitude: &Displacement) -> Result<ExactValue, NoExactValue> {
-        ExactMotion::new(self.oscillator, self.expansion, amplitude)?.value(self.quantity)
+        self.exact_from_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`exact_from`](Self::exact_from), and watched as [`exact_at_watched`](Self::exact_at_watched).
+    ///
+    /// # Errors
+    /// As [`exact_at_watched`](Self::exact_at_watched).
+    pub fn exact_from_watched(
+        &self,
+        amplitude: &Displacement,
+        watch: &Watch<'_>,
+    ) -> Result<ExactValue, NoExactValue> {
+        ExactMotion::new_watched(self.oscillator, self.expansion, amplitude, watch)?.value(self.quantity)
     }
 
     /// The value by elliptic functions; `None` for all but the pendulum.

@@ -1,6 +1,7 @@
 //! Why there are no normal modes.
 
 use crate::expression::WithoutValue;
+use crate::watch::Interrupted;
 
 /// Why a system has no normal modes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -44,6 +45,9 @@ pub enum NoModes {
     /// Eigenvalues that are not found.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
     NoEigenvalues,
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// Why the search for an equilibrium ended.

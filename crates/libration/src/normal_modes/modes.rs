@@ -11,6 +11,7 @@ use super::shift::shift;
 use super::spectrum::{Exponent, spectrum};
 use crate::algebra::Rational;
 use crate::expression::{Equation, Symbol};
+use crate::watch::{Interrupted, Stage, Watch};
 
 /// The normal modes of a system, by ascending frequency.
 ///
@@ -57,6 +58,14 @@ impl NormalModes {
     /// # Errors
     /// As [`new`](Self::new), and a guess that does not fit.
     pub fn about(equation: &Equation, guess: &[f64]) -> Result<Self, NoModes> {
+        Self::about_watched(equation, guess, &Watch::none())
+    }
+
+    /// As [`about`](Self::about); `watch` is asked for each mode, whose change with the amplitude is what takes long.
+    ///
+    /// # Errors
+    /// As [`about`](Self::about), and [`NoModes::Interrupted`].
+    pub fn about_watched(equation: &Equation, guess: &[f64], watch: &Watch<'_>) -> Result<Self, NoModes> {
         let wanted = equation.variables().len();
         if guess.len() != wanted || !guess.iter().all(|x| x.is_finite()) {
             return Err(NoModes::Guess { guess: guess.to_vec(), wanted });
@@ -85,7 +94,12 @@ impl NormalModes {
         for (mode, found) in modes.iter_mut().zip(found) {
             mode.resonances = found;
         }
-        let shifts: Vec<_> = (0..modes.len()).map(|number| shift(equation, &rest, &modes, number)).collect();
+        watch.begin(Stage::Whole, Some(modes.len()));
+        let shift = |number| {
+            watch.reached(number)?;
+            Ok(shift(equation, &rest, &modes, number))
+        };
+        let shifts = (0..modes.len()).map(shift).collect::<Result<Vec<_>, Interrupted>>()?;
         for (mode, shift) in modes.iter_mut().zip(shifts) {
             mode.shift = shift;
         }

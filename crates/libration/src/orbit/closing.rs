@@ -6,16 +6,18 @@ use super::path::Path;
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
 use crate::taylor::{Effort, IntegrationError, Moment, System, with_tangents};
+use crate::watch::Watch;
 use std::f64::consts::TAU;
 
 /// A system together with its small deviations.
 #[derive(Debug)]
-pub(super) struct Rounds {
+pub(super) struct Rounds<'w> {
     plain: System,
     /// One deviation for each number of the state.
     with_deviations: System,
     accelerations: Tape,
     pub(super) coordinates: usize,
+    watch: &'w Watch<'w>,
 }
 
 /// One round with its derivatives.
@@ -35,8 +37,8 @@ const LEAST_SIZE: f64 = 1e-5;
 /// Steps of one round.
 const MOST_STEPS: usize = 200_000;
 
-impl Rounds {
-    pub(super) fn new(equation: &Equation) -> Result<Self, NoOrbit> {
+impl<'w> Rounds<'w> {
+    pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, NoOrbit> {
         let coordinates = equation.variables().len();
         let plain = System::new(equation)?;
         let with_deviations = System::new(&with_tangents(equation, 2 * coordinates))?;
@@ -47,7 +49,7 @@ impl Rounds {
             .collect();
         inputs.push(Symbol::plain("t"));
         let accelerations = Tape::new(&equation.accelerations().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { plain, with_deviations, accelerations, coordinates })
+        Ok(Self { plain, with_deviations, accelerations, coordinates, watch })
     }
 
     /// The motion alone.
@@ -58,7 +60,7 @@ impl Rounds {
         tolerance: f64,
     ) -> Result<Path, IntegrationError> {
         let start = Moment { time: 0.0, state: state.to_vec() };
-        Path::to_time(&self.plain, &start, duration, &effort(tolerance))
+        Path::to_time(&self.plain, &start, duration, &effort(tolerance), self.watch)
     }
 
     /// The motion with its deviations.
@@ -85,7 +87,8 @@ impl Rounds {
         start[..n].copy_from_slice(&state[..n]);
         start[n * (1 + numbers)..][..n].copy_from_slice(&state[n..]);
         let start = Moment { time: 0.0, state: start };
-        let end = Path::to_time(&self.with_deviations, &start, duration, &effort(1e-15))?.state_at(duration);
+        let end = Path::to_time(&self.with_deviations, &start, duration, &effort(1e-15), self.watch)?
+            .state_at(duration);
         Ok((0..numbers).map(|row| (0..numbers).map(|column| end[place(column, row)]).collect()).collect())
     }
 

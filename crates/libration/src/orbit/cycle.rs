@@ -1,7 +1,7 @@
 //! Limit cycles: what a motion settles to.
 
 use super::closing::Rounds;
-use super::error::{Lost, NoOrbit};
+use super::error::{Lost, NoOrbit, finished};
 use super::near::OrbitGuess;
 use super::path::sign_change;
 use super::periodic::Orbit;
@@ -9,6 +9,7 @@ use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_watched};
+use crate::watch::Watch;
 use std::ops::ControlFlow;
 
 /// Maxima of the first coordinate that are waited for.
@@ -40,19 +41,31 @@ impl Orbit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn limit_cycle(equation: &Equation, start: &[f64]) -> Result<Self, NoOrbit> {
+        Self::limit_cycle_watched(equation, start, &Watch::none())
+    }
+
+    /// As [`limit_cycle`](Self::limit_cycle); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`limit_cycle`](Self::limit_cycle), and [`NoOrbit::Interrupted`].
+    pub fn limit_cycle_watched(
+        equation: &Equation,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }
-        let rounds = Rounds::new(equation)?;
-        let guess = settled(&System::new(equation)?, start)?;
+        let rounds = Rounds::new(equation, watch)?;
+        let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
         let coordinates = rounds.coordinates;
         let free = (0..2 * coordinates).filter(|number| *number != coordinates).collect();
-        closed(equation, &rounds, &guess, &Unknowns { free, period: true })
+        finished(closed(equation, &rounds, &guess, &Unknowns { free, period: true }), watch)
     }
 }
 
 /// The motion followed from maximum to maximum until it repeats itself.
-fn settled(system: &System, start: &[f64]) -> Result<OrbitGuess, NoOrbit> {
+fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, NoOrbit> {
     const FAR: f64 = 1e300;
     let mut maxima = Maxima::new(system.coordinates());
     let mut guess = None;
@@ -63,7 +76,7 @@ fn settled(system: &System, start: &[f64]) -> Result<OrbitGuess, NoOrbit> {
         if guess.is_some() || maxima.found.len() >= MOST_MAXIMA || maxima.vanish() {
             ControlFlow::Break(())
         } else {
-            ControlFlow::Continue(())
+            watch.flow()
         }
     });
     match (guess, outcome) {

@@ -1,12 +1,13 @@
 //! Answers to a periodic force.
 
 use super::closing::Rounds;
-use super::error::NoOrbit;
+use super::error::{NoOrbit, finished};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
+use crate::watch::Watch;
 
 impl Orbit {
     /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
@@ -28,11 +29,24 @@ impl Orbit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn driven(equation: &Equation, period: f64, start: &[f64]) -> Result<Self, NoOrbit> {
+        Self::driven_watched(equation, period, start, &Watch::none())
+    }
+
+    /// As [`driven`](Self::driven); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`driven`](Self::driven), and [`NoOrbit::Interrupted`].
+    pub fn driven_watched(
+        equation: &Equation,
+        period: f64,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
             return Err(NoOrbit::NotDriven);
         }
-        let rounds = Rounds::new(equation)?;
+        let rounds = Rounds::new(equation, watch)?;
         let unknowns = Unknowns { free: (0..2 * rounds.coordinates).collect(), period: false };
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
@@ -43,12 +57,12 @@ impl Orbit {
             guess.state = later(&rounds, &guess)?;
             outcome = closed(equation, &rounds, &guess, &unknowns);
         }
-        outcome
+        finished(outcome, watch)
     }
 }
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.
-fn later(rounds: &Rounds, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
+fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
     const PERIODS: u32 = 10;
     (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
         Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))

@@ -1,7 +1,8 @@
 //! Why there is no periodic orbit, or why it is not found.
 
 use crate::expression::WithoutValue;
-use crate::taylor::IntegrationError;
+use crate::taylor::{Cause, IntegrationError};
+use crate::watch::{Interrupted, Watch};
 
 /// Why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -112,7 +113,19 @@ pub enum NoOrbit {
     },
     /// An orbit that cannot be followed to its end.
     #[error(transparent)]
-    Integration(#[from] IntegrationError),
+    Integration(IntegrationError),
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+impl From<IntegrationError> for NoOrbit {
+    fn from(error: IntegrationError) -> Self {
+        match error {
+            IntegrationError::Stopped { cause: Cause::Interrupted, .. } => Self::Interrupted(Interrupted),
+            other => Self::Integration(other),
+        }
+    }
 }
 
 /// What a motion does instead of coming back.
@@ -131,4 +144,9 @@ pub enum Lost {
     /// Neither.
     #[error("it does not repeat itself up to t = {0:?}")]
     Irregular(f64),
+}
+
+/// What a search has come to; what it came to after it was told to stop is no answer.
+pub(super) fn finished<T>(outcome: Result<T, NoOrbit>, watch: &Watch<'_>) -> Result<T, NoOrbit> {
+    if watch.is_stopped() { Err(Interrupted.into()) } else { outcome }
 }

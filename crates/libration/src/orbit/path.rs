@@ -2,9 +2,9 @@
 
 use crate::roots::{Tolerance, bisect};
 use crate::taylor::{
-    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_dense,
-    integrate_watched,
+    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_watched,
 };
+use crate::watch::Watch;
 use std::ops::ControlFlow;
 
 /// Steps one behind the other, from a state to a state.
@@ -33,8 +33,13 @@ impl Path {
         start: &Moment,
         end: f64,
         effort: &Effort,
+        watch: &Watch<'_>,
     ) -> Result<Self, IntegrationError> {
-        let steps = integrate_dense(system, start, end, effort)?;
+        let mut steps = DenseSolution::default();
+        integrate_watched(system, start, &[end], effort, |step| {
+            steps.push(step);
+            watch.flow()
+        })?;
         Ok(Self { steps, end, there_and_back: false })
     }
 
@@ -79,6 +84,7 @@ pub(super) fn until(
     start: &Moment,
     horizons: [f64; 2],
     effort: &Effort,
+    watch: &Watch<'_>,
     mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
 ) -> Result<Option<Path>, IntegrationError> {
     let [first, last] = horizons;
@@ -89,7 +95,7 @@ pub(super) fn until(
         let outcome = integrate_watched(system, &at, &[start.time + duration], &effort, |step| {
             steps.push(step.to_owned_step());
             found = happens(step);
-            if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if found.is_some() { ControlFlow::Break(()) } else { watch.flow() }
         });
         match (found, outcome) {
             (Some(end), _) => return Ok(Some(Path::of_steps(steps, end))),

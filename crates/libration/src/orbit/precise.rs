@@ -12,7 +12,8 @@ use crate::algebra::{BigFloat, Doubles, Floats, Ring};
 use crate::elementary::count;
 use crate::expression::{Jet, Tape};
 use crate::roots::{Tolerance, bisect};
-use crate::taylor::{Effort, Moment, OwnedStep, System, integrate};
+use crate::taylor::{Effort, Moment, OwnedStep, System, integrate_watched};
+use crate::watch::Watch;
 
 /// Position and velocity.
 #[derive(Clone, Debug)]
@@ -42,7 +43,7 @@ pub(super) enum NoLeg {
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
     Lost(f64),
-    /// The series end, and say nothing about how far they hold, or there are too many steps.
+    /// The series end, and say nothing about how far they hold, there are too many steps, or the watch ends it.
     Unable,
 }
 
@@ -52,6 +53,7 @@ pub(super) struct Motion<'a> {
     tape: &'a Tape,
     ring: Floats,
     order: u32,
+    watch: &'a Watch<'a>,
 }
 
 /// Steps of a leg; more are taken only by motions without end.
@@ -65,10 +67,10 @@ const UNSEEN: f64 = 1e-12;
 const MOST_HALVINGS: u32 = 60;
 
 impl<'a> Motion<'a> {
-    pub(super) fn new(system: &'a System, tape: &'a Tape, precision: usize) -> Self {
+    pub(super) fn new(system: &'a System, tape: &'a Tape, precision: usize, watch: &'a Watch<'a>) -> Self {
         // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
         let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
-        Self { system, tape, ring: Floats { precision }, order }
+        Self { system, tape, ring: Floats { precision }, order, watch }
     }
 
     /// The motion that is released from rest at a place, at a time that its steps begin to count from.
@@ -78,6 +80,7 @@ impl<'a> Motion<'a> {
         let (mut steps, mut duration) = (vec![], self.ring.zero());
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
+            self.watch.go_on().map_err(|_| NoLeg::Unable)?;
             let lost = NoLeg::Lost(duration.to_f64());
             if is_far(&state.x, size) {
                 return Err(lost);
@@ -150,7 +153,7 @@ impl<'a> Motion<'a> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };
-        let solution = integrate(self.system, &start, &[length], &effort);
+        let solution = integrate_watched(self.system, &start, &[length], &effort, |_| self.watch.flow());
         let solution = solution.ok()?;
         let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
         let ends = [&series.x, &series.velocity].map(|series| sum_at(series, &elapsed).to_f64());
@@ -276,7 +279,7 @@ mod tests {
     fn leg(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
         let equation = equation.parse().unwrap();
         let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
-        let leg = Motion::new(&system, &acceleration.tape, 128).leg(place, 0.0).unwrap();
+        let leg = Motion::new(&system, &acceleration.tape, 128, &Watch::none()).leg(place, 0.0).unwrap();
         [leg.duration, leg.end]
     }
 

@@ -4,7 +4,7 @@
 //! is followed again with as many bits as it takes for two precisions to agree.
 
 use super::acceleration::Acceleration;
-use super::error::{Lost, NoOrbit};
+use super::error::{Lost, NoOrbit, finished};
 use super::path::{Path, sign_change, until};
 use super::periodic::Orbit;
 use super::place::ReleasePlace;
@@ -12,6 +12,7 @@ use super::precise::{Leg, Motion, NoLeg};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
+use crate::watch::Watch;
 
 /// Steps of one half of an oscillation; more are taken only by motions without end.
 const MOST_STEPS: usize = 20_000;
@@ -50,16 +51,27 @@ impl Orbit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn released(equation: &Equation, place: f64) -> Result<Self, NoOrbit> {
+        Self::released_watched(equation, place, &Watch::none())
+    }
+
+    /// As [`released`](Self::released); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`released`](Self::released), and [`NoOrbit::Interrupted`].
+    pub fn released_watched(equation: &Equation, place: f64, watch: &Watch<'_>) -> Result<Self, NoOrbit> {
         let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
-        let exactly = ReleasePlace::from_f64(place);
         Release::check(equation)?;
-        Release::new(equation, &exactly.ok_or_else(refusal)?)?.orbit()
+        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, watch)
     }
 
     /// The same from a place that is known to more digits than an `f64` has.
-    pub(crate) fn released_from(equation: &Equation, place: &ReleasePlace) -> Result<Self, NoOrbit> {
+    pub(crate) fn released_from(
+        equation: &Equation,
+        place: &ReleasePlace,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
         Release::check(equation)?;
-        Release::new(equation, place)?.orbit()
+        finished(Release::new(equation, place, watch)?.orbit(), watch)
     }
 }
 
@@ -70,6 +82,7 @@ struct Release<'a> {
     acceleration: Acceleration,
     place: &'a ReleasePlace,
     start: f64,
+    watch: &'a Watch<'a>,
 }
 
 /// An oscillation and the time of the first half of it.
@@ -86,9 +99,9 @@ impl<'a> Release<'a> {
         if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
     }
 
-    fn new(equation: &'a Equation, place: &'a ReleasePlace) -> Result<Self, NoOrbit> {
+    fn new(equation: &'a Equation, place: &'a ReleasePlace, watch: &'a Watch<'a>) -> Result<Self, NoOrbit> {
         let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
-        Ok(Self { equation, system, acceleration, place, start: place.to_f64() })
+        Ok(Self { equation, system, acceleration, place, start: place.to_f64(), watch })
     }
 
     fn orbit(&self) -> Result<Orbit, NoOrbit> {
@@ -176,7 +189,7 @@ impl<'a> Release<'a> {
     }
 
     fn precise_legs(&self, precision: usize) -> Result<Legs, NoLeg> {
-        let motion = Motion::new(&self.system, &self.acceleration.tape, precision);
+        let motion = Motion::new(&self.system, &self.acceleration.tape, precision, self.watch);
         let there = motion.leg(&self.place.to_bits(precision), 0.0)?;
         let back = match self.acceleration.is_free_of_velocity {
             true => None,
@@ -223,7 +236,7 @@ impl<'a> Release<'a> {
         // Roots before the quotient, which may be less than any number.
         let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
         let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
-        let found = until(&self.system, start, [horizon, FAR], effort, happens);
+        let found = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
         let lost = |why| NoOrbit::NoReturn { start: place, why };
         match found {
             Ok(Some(path)) => Ok(path),

@@ -1,13 +1,14 @@
 //! Newton's method for the state that comes back to itself.
 
 use super::closing::{Round, Rounds};
-use super::error::{Lost, NoOrbit};
+use super::error::{Lost, NoOrbit, finished};
 use super::floquet::Floquet;
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
 use crate::expression::Equation;
 use crate::linear::least_squares;
+use crate::watch::Watch;
 
 impl Orbit {
     /// The periodic orbit near a guess, on which some numbers of the state at the start keep the values of the guess: one of
@@ -36,13 +37,26 @@ impl Orbit {
     /// # References
     /// R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.
     pub fn near(equation: &Equation, guess: &OrbitGuess, fixed: &[usize]) -> Result<Self, NoOrbit> {
+        Self::near_watched(equation, guess, fixed, &Watch::none())
+    }
+
+    /// As [`near`](Self::near); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`near`](Self::near), and [`NoOrbit::Interrupted`].
+    pub fn near_watched(
+        equation: &Equation,
+        guess: &OrbitGuess,
+        fixed: &[usize],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }
-        let rounds = Rounds::new(equation)?;
+        let rounds = Rounds::new(equation, watch)?;
         let free = (0..2 * rounds.coordinates).filter(|number| !fixed.contains(number)).collect();
         let unknowns = Unknowns { free, period: true };
-        closed(equation, &rounds, guess, &unknowns)
+        finished(closed(equation, &rounds, guess, &unknowns), watch)
     }
 }
 
@@ -67,7 +81,7 @@ const VANISHED: f64 = 1e-6;
 /// The orbit near a guess.
 pub(super) fn closed(
     equation: &Equation,
-    rounds: &Rounds,
+    rounds: &Rounds<'_>,
     guess: &OrbitGuess,
     unknowns: &Unknowns,
 ) -> Result<Orbit, NoOrbit> {
@@ -86,7 +100,7 @@ pub(super) fn closed(
     Ok(Orbit::new(equation, newton.round.path, uncertainty, floquet))
 }
 
-fn check(rounds: &Rounds, guess: &OrbitGuess) -> Result<(), NoOrbit> {
+fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
     let wanted = 2 * rounds.coordinates;
     if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
         return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
@@ -99,7 +113,7 @@ fn check(rounds: &Rounds, guess: &OrbitGuess) -> Result<(), NoOrbit> {
 
 /// Where Newton's method is.
 struct Newton<'a> {
-    rounds: &'a Rounds,
+    rounds: &'a Rounds<'a>,
     unknowns: &'a Unknowns,
     at: OrbitGuess,
     round: Round,
@@ -109,7 +123,7 @@ struct Newton<'a> {
 }
 
 impl<'a> Newton<'a> {
-    fn new(rounds: &'a Rounds, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
+    fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
         let round = rounds.round(&guess.state, guess.period)?;
         let sizes = round.sizes(guess);
         let miss = miss(&round.defect, &sizes);

@@ -1,7 +1,5 @@
 //! Where a formula keeps a tolerance, and where one overtakes another: zeros of exact errors.
 
-use std::ops::ControlFlow;
-
 use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
@@ -9,6 +7,7 @@ use super::maximum::maximum_between;
 use super::swing::SwingAmplitude;
 use crate::quantity::Angle;
 use crate::roots::{Tolerance, zero_between};
+use crate::watch::{Stage, Watch};
 
 /// To this distance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
 const COORDINATE_TOLERANCE: Tolerance = Tolerance::absolute(4e-15);
@@ -124,15 +123,22 @@ impl ErrorTable {
         }
     }
 
-    /// The crossovers of all pairs. `proceed` is told after each pair how many of how many are done; when it
-    /// breaks, what has been found is returned.
-    pub fn all_crossovers(&self, proceed: &mut dyn FnMut(usize, usize) -> ControlFlow<()>) -> Vec<Crossover> {
+    /// The crossovers of all pairs.
+    #[must_use]
+    pub fn all_crossovers(&self) -> Vec<Crossover> {
+        self.all_crossovers_watched(&Watch::none())
+    }
+
+    /// The crossovers of all pairs; `watch` is asked after each pair. Where it stops those until then are given.
+    #[must_use]
+    pub fn all_crossovers_watched(&self, watch: &Watch<'_>) -> Vec<Crossover> {
         let count = self.curves.len();
+        watch.begin(Stage::Whole, Some(count * count.saturating_sub(1) / 2));
         let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
         let mut found = Vec::new();
         for (done, (a, b)) in pairs.enumerate() {
             found.extend(self.changes_of_lead(&self.curves[a], &self.curves[b]));
-            if proceed(done + 1, count * (count - 1) / 2).is_break() {
+            if watch.reached(done + 1).is_err() {
                 break;
             }
         }

@@ -4,9 +4,10 @@ use super::limit_cycle::first_sine;
 use super::model::{Model, Motion, Selected, values_at};
 use super::selection::interpolated;
 use super::series_set::SeriesSet;
-use super::watch::{Stage, Watch};
+
 use crate::algebra::{BigFloat, Floats, HarmonicSums, Rational, Ring};
 use crate::expression::{Jet, Tape};
+use crate::watch::{Stage, Watch};
 
 /// Decimal digits of an answer in floats.
 pub(crate) const DIGITS: usize = 40;
@@ -22,16 +23,16 @@ pub(crate) type Prepared = (Model<BigFloat>, BigFloat);
 /// The series with ω0² and the equilibrium.
 pub(crate) type Approximated = (SeriesSet<Rational>, Rational, Rational);
 
-/// The series once two precisions agree to [`DIGITS`]; when it is broken off while they are compared, to the order that both
+/// The series once two precisions agree to [`DIGITS`]; when it is interrupted while they are compared, to the order that both
 /// have. `None` when none do, or there are no series.
 pub(crate) fn approximate_series(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<Approximated> {
     let mut precision = bits(DIGITS) + 64;
     let mut coarse = series_at(prepare, precision, watch)?.0;
     for _ in 0..6 {
-        if watch.is_broken_off() {
+        if watch.is_stopped() {
             return None;
         }
         let before = precision;
@@ -55,12 +56,12 @@ pub(crate) fn approximate_series(
 fn series_at(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
     precision: usize,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<(SeriesSet<BigFloat>, BigFloat, BigFloat)> {
     let floats = Floats { precision };
     let (model, equilibrium) = prepare(floats)?;
     let ring = HarmonicSums { numbers: floats };
-    watch.stage = Stage::Floats { bits: precision };
+    watch.begin(Stage::Floats { bits: precision }, Some(model.order));
     let set = model.series(&ring, |x| Some(x.clone()), |x| Some(x.sqrt()), watch)?;
     Some((set, model.omega0_squared, equilibrium))
 }

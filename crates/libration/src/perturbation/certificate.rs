@@ -4,18 +4,18 @@ use super::conservative::{displacement, period_ratio};
 use super::first_integral;
 use super::model::Model;
 use super::series_set::SeriesSet;
-use super::watch::Watch;
 use crate::algebra::{HarmonicSums, Rational, Rationals, Ring};
 use crate::expression::Jet;
 use crate::series::truncated::product;
+use crate::watch::Watch;
 
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
-/// whatever the gauge. `None` when a number is not rational, or the check is broken off.
+/// whatever the gauge. `None` when a number is not rational, or the check is interrupted.
 pub(crate) fn agrees_with_the_potential(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<bool> {
     let square = squared_energy_amplitude(model, &set.x_max, watch)?;
     if square != squared_energy_amplitude(model, &set.x_min, watch)? {
@@ -26,7 +26,7 @@ pub(crate) fn agrees_with_the_potential(
     let length = set.frequency.len();
     let mut period = vec![Rationals.zero(); length];
     for (n, coefficient) in by_square.iter().enumerate().rev() {
-        if !watch.goes_on(2 * n) {
+        if watch.reached(2 * n).is_err() {
             return None;
         }
         period = product(&Rationals, &period, &square, length);
@@ -41,13 +41,13 @@ pub(crate) fn agrees_with_the_potential(
 fn squared_energy_amplitude(
     model: &Model<Rational>,
     x: &[Rational],
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<Vec<Rational>> {
     let mut jet = Jet::with_values(&Rationals, &model.tape, model.values.clone());
     let mut square = vec![Rationals.zero(), Rationals.zero()];
     let mut slope = vec![];
     for (n, coefficient) in x.iter().enumerate().skip(1) {
-        if !watch.goes_on(n) {
+        if watch.reached(n).is_err() {
             return None;
         }
         let mut inputs = vec![Rationals.zero(); model.tape.inputs()];
@@ -82,9 +82,9 @@ pub(crate) fn agrees_with_the_first_integral(
 pub(crate) fn agrees_with_plain_rationals(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<bool> {
     let ring = HarmonicSums { numbers: Rationals };
     let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
-    (!watch.is_broken_off()).then(|| plain.numbers() == set.numbers())
+    (!watch.is_stopped()).then(|| plain.numbers() == set.numbers())
 }

@@ -1,7 +1,5 @@
 //! From an oscillator to its expansion: exact where its numbers are, in digits where they are not.
 
-use std::ops::ControlFlow;
-
 use super::approximate::{Approximated, approximate_series, centre, limit_cycle};
 use super::certificate::{
     agrees_with_plain_rationals, agrees_with_the_first_integral, agrees_with_the_potential,
@@ -12,10 +10,10 @@ use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
 use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
-use super::watch::{Progress, Stage, Watch};
 use crate::algebra::{Rational, Rationals};
 use crate::expression::{Expression, Symbol, Tape, WithoutValue};
 use crate::oscillator::{Kind, Oscillator};
+use crate::watch::{Stage, Watch};
 
 /// The highest order of an expansion.
 pub const MAX_ORDER: usize = 1000;
@@ -54,28 +52,26 @@ const FIRST_INTEGRAL_ORDER: usize = 61;
 /// A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, section 2.3.1; B. Black, V. Vel, Am. J. Phys. 91,
 /// 776 (2023), doi:10.1119/5.0130943, for the gauge.
 pub fn expand(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
-    expand_watched(oscillator, order, gauge, &mut |_| ControlFlow::Continue(()))
+    expand_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// [`expand`], telling `watch` again and again how far it is; it may break off, which gives
-/// [`ExpansionError::BrokenOff`] with the orders that are certain.
+/// Expands as [`expand`] does, and asks `watch` at each order.
 ///
 /// # Errors
-/// As [`expand`].
+/// As [`expand`], or [`ExpansionError::Interrupted`] with the orders that are certain.
 pub fn expand_watched(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
-    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Expansion, ExpansionError> {
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order));
     }
     let question = Question::new(oscillator, order, gauge)?;
-    let mut watch = Watch::new(watch);
     match question.exact_model()? {
-        Some(model) => question.solve_exactly(&model, &mut watch),
-        None => question.solve_in_digits(&mut watch),
+        Some(model) => question.solve_exactly(&model, watch),
+        None => question.solve_in_digits(watch),
     }
 }
 
@@ -168,11 +164,7 @@ impl<'a> Question<'a> {
         }
     }
 
-    fn solve_exactly(
-        &self,
-        model: &Model<Rational>,
-        watch: &mut Watch<'_>,
-    ) -> Result<Expansion, ExpansionError> {
+    fn solve_exactly(&self, model: &Model<Rational>, watch: &Watch<'_>) -> Result<Expansion, ExpansionError> {
         let unit_squared = match &model.motion {
             Motion::LimitCycle(selected) => selected.unit_squared.clone(),
             Motion::Centre { .. } => Rational::from(1),
@@ -183,22 +175,22 @@ impl<'a> Question<'a> {
             Expansion::new(heading, set, certificate)
         };
         let set = exact_series(model, watch).map_err(|unsolved| match unsolved {
-            Unsolved::BrokenOff(known) => {
-                broken_off(known.map(|known| answer(*known, Certificate::FreshPrimes)))
+            Unsolved::Interrupted(known) => {
+                interrupted(known.map(|known| answer(*known, Certificate::FreshPrimes)))
             }
             Unsolved::NoPrimes => ExpansionError::NoPrimes,
         })?;
-        watch.stage = Stage::Check;
+        watch.begin(Stage::Check, None);
         let certificate = self.certificate(model, &set, watch)?;
         let answer = answer(set, certificate);
-        if watch.is_broken_off() { Err(broken_off(Some(answer))) } else { Ok(answer) }
+        if watch.is_stopped() { Err(interrupted(Some(answer))) } else { Ok(answer) }
     }
 
     fn certificate(
         &self,
         model: &Model<Rational>,
         set: &SeriesSet<Rational>,
-        watch: &mut Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Certificate, ExpansionError> {
         let independent = match self.oscillator.kind() {
             _ if self.order <= PLAIN_ORDER => agrees_with_plain_rationals(model, set, watch)
@@ -218,13 +210,13 @@ impl<'a> Question<'a> {
         }
     }
 
-    fn solve_in_digits(&self, watch: &mut Watch<'_>) -> Result<Expansion, ExpansionError> {
+    fn solve_in_digits(&self, watch: &Watch<'_>) -> Result<Expansion, ExpansionError> {
         let solved = match self.oscillator.kind() {
             Kind::LimitCycle { .. } => self.limit_cycle_in_digits(watch),
             kind => self.centre_in_digits(*kind != Kind::Conservative, watch).ok_or(ExpansionError::NoDigits),
         };
         let (set, omega0_squared, equilibrium) = match solved {
-            Err(_) if watch.is_broken_off() => return Err(broken_off(None)),
+            Err(_) if watch.is_stopped() => return Err(interrupted(None)),
             solved => solved?,
         };
         let heading = self.heading(Precision::Digits(super::approximate::DIGITS), Rational::from(1));
@@ -236,16 +228,16 @@ impl<'a> Question<'a> {
             ..heading
         };
         let answer = Expansion::new(heading, set, Certificate::TwoPrecisions);
-        if watch.is_broken_off() { Err(broken_off(Some(answer))) } else { Ok(answer) }
+        if watch.is_stopped() { Err(interrupted(Some(answer))) } else { Ok(answer) }
     }
 
-    fn centre_in_digits(&self, uses_velocity: bool, watch: &mut Watch<'_>) -> Option<Approximated> {
+    fn centre_in_digits(&self, uses_velocity: bool, watch: &Watch<'_>) -> Option<Approximated> {
         let near = self.oscillator.equilibrium().to_f64();
         let prepare = |floats| centre(floats, &self.tape, near, self.centre(), uses_velocity, self.order);
         approximate_series(&prepare, watch)
     }
 
-    fn limit_cycle_in_digits(&self, watch: &mut Watch<'_>) -> Result<Approximated, ExpansionError> {
+    fn limit_cycle_in_digits(&self, watch: &Watch<'_>) -> Result<Approximated, ExpansionError> {
         let (degree, symmetric) = (self.degree()?, self.oscillator.is_odd());
         let omega0_squared = self.oscillator.omega0_squared().exact().ok_or(ExpansionError::NoDigits)?;
         let prepare = |floats| limit_cycle(floats, &self.tape, omega0_squared, degree, symmetric, self.order);
@@ -340,9 +332,9 @@ pub enum ExpansionError {
         /// How many limit cycles repel.
         repelling: usize,
     },
-    /// The computation was broken off.
-    #[error("broken off when {}", certain(known.as_deref()))]
-    BrokenOff {
+    /// The computation was interrupted.
+    #[error("interrupted when {}", certain(known.as_deref()))]
+    Interrupted {
         /// What was certain by then: an expansion to a lower order, or one that was not checked by another road yet.
         known: Option<Box<Expansion>>,
     },
@@ -364,8 +356,8 @@ pub enum ExpansionError {
     Contradiction,
 }
 
-fn broken_off(known: Option<Expansion>) -> ExpansionError {
-    ExpansionError::BrokenOff { known: known.map(Box::new) }
+fn interrupted(known: Option<Expansion>) -> ExpansionError {
+    ExpansionError::Interrupted { known: known.map(Box::new) }
 }
 
 fn certain(known: Option<&Expansion>) -> String {

@@ -6,10 +6,10 @@
 //! appears, fixes the amplitude of cos τ one order below. The lowest of these conditions gives the amplitude x₀.
 
 use super::lindstedt::Family;
-use super::watch::Watch;
 use crate::algebra::{HarmonicPair, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::next_square_root;
+use crate::watch::Watch;
 
 /// A weakly self-excited oscillator, in the numbers of a ring.
 #[derive(Debug)]
@@ -66,16 +66,16 @@ fn next_inputs<R: PhaseRing>(ring: &R, n: usize) -> Option<[R::Element; 3]> {
     Some([ring.zero(), ring.zero(), mu])
 }
 
-/// The limit cycle up to μᴺ, or up to the last order that was solved when it was broken off. `None` when a number is not in the ring.
+/// The limit cycle up to μᴺ, or up to the last order that was solved when it was interrupted. `None` when a number is not in the ring.
 pub(crate) fn limit_cycle<R: PhaseRing>(
     ring: &R,
     excitation: &Excitation<'_, R>,
     order: usize,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<Family<Number<R>>> {
     let mut expansion = Expansion::new(ring, excitation)?;
     for n in 1..=order {
-        if !watch.goes_on(n) && n > 1 {
+        if watch.reached(n).is_err() && n > 1 {
             break;
         }
         expansion.extend()?;

@@ -10,10 +10,10 @@
 //! where Rₙ is the coefficient of F with xₙ left out. For k = 1 the left side vanishes: xₙ₁ = Aₙ is free, the
 //! gauge, and the right side must vanish too, which fixes Wₙ₋₁ (solvability: no secular term).
 
-use super::watch::Watch;
 use crate::algebra::{HarmonicPair, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::next_square_root;
+use crate::watch::Watch;
 
 /// An oscillator about its centre, in the numbers of a ring.
 #[derive(Debug)]
@@ -38,19 +38,19 @@ pub(crate) struct Family<E> {
 }
 
 /// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, up to N.
-/// Broken off, the family ends with the last order that was solved. `None` when a number is not in the ring.
+/// Interrupted, the family ends with the last order that was solved. `None` when a number is not in the ring.
 pub(crate) fn family<R: PhaseRing>(
     ring: &R,
     centre: Centre<'_, R>,
     fundamental: &[Number<R>],
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Option<Family<Number<R>>> {
     let numbers = ring.numbers();
     let half_wave = fundamental.iter().step_by(2).all(|a| numbers.is_zero(a));
     let mut expansion = Expansion::new(ring, centre)?;
     for (n, gauge) in fundamental.iter().enumerate().skip(1) {
         let harmonics: Vec<usize> = (0..=n).filter(|k| !half_wave || (n - k) % 2 == 0).collect();
-        if !watch.goes_on(n) && n > 1 {
+        if watch.reached(n).is_err() && n > 1 {
             break;
         }
         expansion.extend(gauge, &harmonics)?;

@@ -38,7 +38,6 @@ mod restoring_force;
 mod selection;
 mod series_set;
 mod truncated_system;
-mod watch;
 
 pub use evaluation::{
     Certainty, Convergence, Pade, PartialSum, Pole, Remainder, SeriesEvaluation, Singularity,
@@ -51,4 +50,3 @@ pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use restoring_force::restoring_force;
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};
-pub use watch::{Progress, Stage};

@@ -6,10 +6,10 @@ use super::half_turns::half_turns;
 use super::limit_cycle::{Excitation, highest_harmonic, limit_cycle};
 use super::lindstedt::{Centre, Family, family};
 use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, substituted};
-use super::watch::Watch;
 use crate::algebra::{Number, PhaseRing, Rational, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::{powers, powers_of_inverse};
+use crate::watch::Watch;
 
 /// What kind of periodic motion is expanded, and what it takes.
 #[derive(Clone, Debug)]
@@ -57,13 +57,13 @@ impl<N> Model<N> {
     }
 
     /// All series, over a ring into which the model's numbers are taken by `number`, and their roots by `root`; when it is
-    /// broken off, to the order that was solved. `None` when one of them is not in the ring.
+    /// interrupted, to the order that was solved. `None` when one of them is not in the ring.
     pub(crate) fn series<R: PhaseRing>(
         &self,
         ring: &R,
         number: impl Fn(&N) -> Option<Number<R>>,
         root: impl Fn(&N) -> Option<Number<R>>,
-        watch: &mut Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Option<SeriesSet<Number<R>>> {
         let values = self.values.iter().map(&number).collect::<Option<Vec<_>>>()?;
         let omega0_squared = number(&self.omega0_squared)?;
@@ -95,7 +95,7 @@ impl<N> Model<N> {
         ring: &R,
         given: &Numbers<Number<R>>,
         gauge: &Gauge,
-        watch: &mut Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Option<Family<Number<R>>> {
         let numbers = ring.numbers();
         let omega0 = if self.uses_velocity { Some(given.omega0.clone()?) } else { None };

@@ -3,10 +3,11 @@
 use super::gauge::Gauge;
 use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
-use super::watch::{Stage, Watch};
+
 use crate::algebra::{
     Images, PrimeField, Rational, Ring, SampledHarmonics, Stopped, Symmetry, primes_with_roots, reconstruct,
 };
+use crate::watch::{Stage, Watch};
 
 /// Roots of unity of order 2²⁰ are in every field used, enough for half a million harmonics.
 const LOG_ROOTS: u32 = 20;
@@ -17,19 +18,19 @@ const MOST_PRIMES: usize = 4000;
 /// The series modulo as many primes as it takes.
 pub(crate) fn exact_series(
     model: &Model<Rational>,
-    watch: &mut Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
     let numbers = match reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES)) {
         Ok(numbers) => numbers.ok_or(Unsolved::NoPrimes)?,
         Err(Stopped { error: NoImage::NoPrimes, .. }) => return Err(Unsolved::NoPrimes),
-        Err(Stopped { error: NoImage::BrokenOff, residues }) => {
+        Err(Stopped { error: NoImage::Interrupted, residues }) => {
             let known = images.shape.and_then(|shape| {
                 let (numbers, complete) = residues.of_low_orders(&shape.orders(model.order))?;
                 let set = shape.with_numbers(numbers.into_iter())?.without_last(model.order - complete);
                 (complete > 0).then_some(set)
             });
-            return Err(Unsolved::BrokenOff(known.map(Box::new)));
+            return Err(Unsolved::Interrupted(known.map(Box::new)));
         }
     };
     let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));
@@ -39,8 +40,8 @@ pub(crate) fn exact_series(
 /// Why there are no exact series.
 #[derive(Clone, Debug)]
 pub(crate) enum Unsolved {
-    /// It was broken off, when these were certain.
-    BrokenOff(Option<Box<SeriesSet<Rational>>>),
+    /// It was interrupted, when these were certain.
+    Interrupted(Option<Box<SeriesSet<Rational>>>),
     /// The computation failed modulo every prime that was tried.
     NoPrimes,
 }
@@ -62,25 +63,25 @@ const MOST_BAD_PRIMES: usize = 64;
 
 /// Why there is no image.
 enum NoImage {
-    BrokenOff,
+    Interrupted,
     NoPrimes,
 }
 
-struct ModelImages<'a, 'w> {
+struct ModelImages<'a> {
     model: &'a Model<Rational>,
     symmetry: Symmetry,
-    watch: &'a mut Watch<'w>,
+    watch: &'a Watch<'a>,
     done: usize,
     bad: usize,
     /// The set of the first prime, for the lengths of its lists.
     shape: Option<SeriesSet<u64>>,
 }
 
-impl Images for ModelImages<'_, '_> {
+impl Images for ModelImages<'_> {
     type Error = NoImage;
 
     fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, NoImage> {
-        self.watch.stage = Stage::Prime { done: self.done };
+        self.watch.begin(Stage::Prime { done: self.done }, Some(self.model.order));
         let degree = self.model.highest_harmonic();
         let set = SampledHarmonics::new(field.clone(), degree, self.symmetry).and_then(|ring| {
             self.model.series(
@@ -90,8 +91,8 @@ impl Images for ModelImages<'_, '_> {
                 self.watch,
             )
         });
-        if self.watch.is_broken_off() {
-            return Err(NoImage::BrokenOff);
+        if self.watch.is_stopped() {
+            return Err(NoImage::Interrupted);
         }
         let Some(set) = set else {
             self.bad += 1;
@@ -104,8 +105,8 @@ impl Images for ModelImages<'_, '_> {
     }
 
     fn go_on(&mut self, primes: usize) -> Result<(), NoImage> {
-        self.watch.stage = Stage::Fractions { primes };
-        if self.watch.goes_on(self.model.order) { Ok(()) } else { Err(NoImage::BrokenOff) }
+        self.watch.begin(Stage::Fractions { primes }, None);
+        self.watch.go_on().map_err(|_| NoImage::Interrupted)
     }
 }
 

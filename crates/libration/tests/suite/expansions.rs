@@ -6,8 +6,10 @@ use libration::algebra::Rational;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::period_formulas::period_in_amplitude;
 use libration::perturbation::{
-    Certificate, Expansion, ExpansionError, Gauge, Precision, Progress, Stage, expand, expand_watched,
+    Certificate, Expansion, ExpansionError, Gauge, Precision, expand, expand_watched,
 };
+use libration::watch::{Progress, Stage, Watch};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
@@ -389,22 +391,22 @@ fn digits_hold_for_small_coefficients_too() {
     assert_eq!(exact.harmonics.len(), digits.harmonics.len());
 }
 
-/// The expansion that is certain when the watch breaks off at the first progress of this kind.
+/// The expansion that is certain when the watch stops it at the first progress of this kind.
 fn certain_at(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
     end: impl Fn(Progress) -> bool,
 ) -> Option<Expansion> {
-    let mut watch = |progress| if end(progress) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    match expand_watched(oscillator, order, gauge, &mut watch) {
-        Err(ExpansionError::BrokenOff { known }) => known.map(|known| *known),
-        other => panic!("not broken off: {other:?}"),
+    let ask = |progress| if end(progress) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    match expand_watched(oscillator, order, gauge, &Watch::new(&ask)) {
+        Err(ExpansionError::Interrupted { known }) => known.map(|known| *known),
+        other => panic!("not interrupted: {other:?}"),
     }
 }
 
 #[test]
-fn an_expansion_broken_off_gives_the_orders_that_are_certain() {
+fn an_interrupted_expansion_gives_the_orders_that_are_certain() {
     let cases = [
         ("x'' = -sin(x)", Gauge::Fundamental, 101),
         ("x'' = -sin(x)", Gauge::Nome, 101),
@@ -417,8 +419,7 @@ fn an_expansion_broken_off_gives_the_orders_that_are_certain() {
         let mut before = 0;
         for primes in [4, 7] {
             let at = |progress: Progress| {
-                matches!(progress.stage, Stage::Prime { done } if done >= primes)
-                    && progress.order > order / 2
+                matches!(progress.stage, Stage::Prime { done } if done >= primes) && progress.done > order / 2
             };
             let known = certain_at(&oscillator, order, &gauge, at).unwrap();
             let direct = expand(&oscillator, known.order, &gauge).unwrap();
@@ -436,7 +437,7 @@ fn an_expansion_broken_off_gives_the_orders_that_are_certain() {
 }
 
 #[test]
-fn a_check_broken_off_leaves_the_answer_unchecked() {
+fn an_interrupted_check_leaves_the_answer_unchecked() {
     for order in [9, 31] {
         let pendulum = oscillator("x'' = -sin(x)");
         let checked = expand(&pendulum, order, &Gauge::Fundamental).unwrap();
@@ -450,17 +451,18 @@ fn a_check_broken_off_leaves_the_answer_unchecked() {
 fn digits_are_certain_to_the_order_that_two_precisions_have() {
     for (equation, order) in [("x'' = -x - sqrt(2)*x^2", 12), ("x'' = mu*(1 - sqrt(2)*x^2)*x' - x", 7)] {
         let oscillator = oscillator(equation);
-        let mut precisions = vec![];
-        let mut watch = |Progress { stage, .. }| {
-            if !precisions.contains(&stage) {
-                precisions.push(stage);
+        let precisions = RefCell::new(vec![]);
+        let ask = |Progress { stage, .. }| {
+            if !precisions.borrow().contains(&stage) {
+                precisions.borrow_mut().push(stage);
             }
             ControlFlow::Continue(())
         };
-        expand_watched(&oscillator, order, &Gauge::Fundamental, &mut watch).unwrap();
+        expand_watched(&oscillator, order, &Gauge::Fundamental, &Watch::new(&ask)).unwrap();
+        let precisions = precisions.into_inner();
         assert_eq!(precisions.len(), 2, "{precisions:?}");
         let during = |stage: Stage| {
-            let at = |progress: Progress| progress.stage == stage && progress.order == order - 2;
+            let at = |progress: Progress| progress.stage == stage && progress.done == order - 2;
             certain_at(&oscillator, order, &Gauge::Fundamental, at)
         };
         assert_eq!(during(precisions[0]), None);

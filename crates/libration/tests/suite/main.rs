@@ -35,3 +35,4 @@ mod series_evaluation;
 mod systems;
 mod taylor;
 mod truncated_system;
+mod watch;

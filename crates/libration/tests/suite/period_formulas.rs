@@ -1,6 +1,8 @@
 //! The published formulas: their errors against mpmath, their crossovers, and identities of theta functions.
 #![expect(clippy::disallowed_methods, clippy::float_cmp, reason = "expectations, some of them exact")]
 
+use libration::watch::{Progress, Watch};
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
@@ -249,7 +251,7 @@ fn simplest_formulas_come_first_and_keep_their_tolerance() {
 
 #[test]
 fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
-    for crossover in TABLE.all_crossovers(&mut |_, _| ControlFlow::Continue(())) {
+    for crossover in TABLE.all_crossovers() {
         let (below, above) = (formula(&crossover.better_below), formula(&crossover.better_above));
         let gap = |amplitude: &Angle| {
             below.fractional_error(amplitude).abs() - above.fractional_error(amplitude).abs()
@@ -263,14 +265,14 @@ fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
 
 #[test]
 fn a_search_can_be_stopped_and_keeps_what_it_has() {
-    let mut pairs = 0;
-    let mut stop = |done: usize, _| {
-        pairs = done;
-        if done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    let pairs = Cell::new(0);
+    let ask = |progress: Progress| {
+        pairs.set(progress.done);
+        if progress.done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let some = TABLE.all_crossovers(&mut stop);
-    assert_eq!(pairs, 40);
-    assert!(!some.is_empty());
+    let some = TABLE.all_crossovers_watched(&Watch::new(&ask));
+    assert_eq!(pairs.get(), 40);
+    assert!(!some.is_empty() && TABLE.all_crossovers().starts_with(&some));
 }
 
 #[test]

@@ -12,7 +12,6 @@ use libration::perturbation::MAX_ORDER;
 use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 pub(crate) use fields::answers;
 
@@ -51,7 +50,7 @@ const MOST_AMPLITUDES: usize = 100_000;
 /// What is written.
 struct Answer {
     asked: Asked,
-    curve: Arc<Curve>,
+    curve: Curve,
     order: usize,
     /// At how many amplitudes it was asked for.
     asked_for: usize,
@@ -118,10 +117,9 @@ impl Backbone {
             return Err(Failure::usage("--amplitudes", reason));
         }
         interrupt::listen()?;
-        let curve = Arc::new(self.curve(&asked)?);
-        let (own, asked_for) = (Arc::clone(&curve), amplitudes.len());
-        let points = parallel::map_until_asked(amplitudes, "amplitudes", move |amplitude| {
-            own.at_displacement(amplitude)
+        let (curve, asked_for) = (self.curve(&asked)?, amplitudes.len());
+        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude, watch| {
+            curve.at_displacement_watched(amplitude, watch)
         });
         if points.is_empty() {
             return Err(early());
@@ -131,9 +129,9 @@ impl Backbone {
 
     /// The series has to be complete before the first amplitude.
     fn curve(&self, asked: &Asked) -> Result<Curve, Failure> {
-        let (equation, about, order) = (asked.equation.clone(), asked.about.clone(), self.order);
-        let curve = parallel::until_asked(&format!("the series to order {order}"), move || {
-            Curve::new(&equation, about.as_ref(), order)
+        let order = self.order;
+        let curve = parallel::until_asked(&format!("the series to order {order}"), |watch| {
+            Curve::new_watched(&asked.equation, asked.about.as_ref(), order, watch)
         });
         curve.ok_or_else(early)?.map_err(|error| Failure::no_answer("oscillator", error))
     }

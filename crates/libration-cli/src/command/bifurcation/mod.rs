@@ -11,10 +11,12 @@ use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
+    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram_watched,
 };
 use libration::systems::Model;
 use libration::taylor::Moment;
+use libration::watch::{Progress, Watch};
+use std::cell::Cell;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -138,12 +140,13 @@ impl Bifurcation {
         let pieces = self.pieces();
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));
         let work = |piece: &Piece| {
-            let mut before = 0;
-            bifurcation_diagram(&family, &piece.values, start, piece.continuation, &effort, |now| {
-                done.fetch_add(now - before, Ordering::Relaxed);
-                before = now;
+            let before = Cell::new(0);
+            let ask = |now: Progress| {
+                done.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
                 interrupt::go_on()
-            })
+            };
+            let (values, continuation) = (&piece.values, piece.continuation);
+            bifurcation_diagram_watched(&family, values, start, continuation, &effort, &Watch::new(&ask))
         };
         interrupt::listen()?;
         let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();

@@ -4,7 +4,7 @@ use super::options::Extent;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::number::short;
-use crate::output::progress::Progress;
+use crate::output::progress::ProgressLine;
 use libration::decay::{Decay, DecayEnding, EnvelopeLaw, TurningPoint};
 
 /// The turning points, the first of which is the release, and why there are no more.
@@ -49,7 +49,7 @@ impl Report {
             (decay.envelope(EnvelopeLaw::Averaged), decay.envelope(EnvelopeLaw::SmallAmplitude));
         let mut swings = decay.swings();
         let mut turns: Vec<Turn> = vec![];
-        let mut progress = Progress::new();
+        let mut progress = ProgressLine::new();
         let mut interrupted = false;
         while turns.len() <= extent.turns() && !interrupted {
             let Some(point) =

@@ -12,10 +12,11 @@ use crate::output::{Form, FormOptions};
 use crate::{interrupt, parallel};
 use libration::comparison::SeriesQuantity;
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, Progress, Stage, expand_watched};
+use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, expand_watched};
 use libration::quantity::Displacement;
+use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
@@ -94,13 +95,15 @@ impl Expand {
         interrupt::listen()?;
         let answer = match expanded(&chosen.oscillator, order, &self.gauge) {
             Ok(expansion) => Answer::new(chosen, expansion, None),
-            Err(ExpansionError::BrokenOff { known: Some(known) }) => Answer::new(chosen, *known, Some(order)),
-            Err(ExpansionError::BrokenOff { known: None }) => {
+            Err(ExpansionError::Interrupted { known: Some(known) }) => {
+                Answer::new(chosen, *known, Some(order))
+            }
+            Err(ExpansionError::Interrupted { known: None }) => {
                 return Err(Failure::Interrupted("interrupted before any order was certain".to_owned()));
             }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
-        let missing = self.write(out, Arc::new(answer), amplitude.as_ref())?;
+        let missing = self.write(out, &answer, amplitude.as_ref())?;
         out.flush()?;
         missing.map_or(Ok(()), |missing| Err(Failure::Interrupted(format!("interrupted: {missing}"))))
     }
@@ -109,17 +112,17 @@ impl Expand {
     fn write(
         &self,
         out: &mut dyn Write,
-        answer: Arc<Answer>,
+        answer: &Answer,
         amplitude: Option<&Displacement>,
     ) -> Result<Option<String>, Failure> {
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
         }
         match self.form.form() {
-            Form::Json => write::write_json(out, &answer)?,
-            Form::Csv => write::write_csv(out, &answer)?,
-            Form::Table if self.latex => listing::write_latex(out, &answer)?,
-            Form::Table => listing::write(out, &answer)?,
+            Form::Json => write::write_json(out, answer)?,
+            Form::Csv => write::write_csv(out, answer)?,
+            Form::Table if self.latex => listing::write_latex(out, answer)?,
+            Form::Table => listing::write(out, answer)?,
         }
         Ok(answer.missing_orders())
     }
@@ -128,7 +131,7 @@ impl Expand {
 /// The expansion, with a line of progress while it takes long, until Ctrl-C is pressed.
 fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
     let latest = Mutex::new(None);
-    let mut watch = |progress| {
+    let ask = |progress| {
         if let Ok(mut latest) = latest.lock() {
             *latest = Some(progress);
         }
@@ -136,10 +139,10 @@ fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expa
     };
     let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
     let how_far = || format!("order {order}: {}", how_far());
-    parallel::with_progress(how_far, || expand_watched(oscillator, order, gauge, &mut watch))
+    parallel::with_progress(how_far, || expand_watched(oscillator, order, gauge, &Watch::new(&ask)))
 }
 
-fn in_words(Progress { stage, order }: Progress) -> String {
+fn in_words(Progress { stage, done: order, .. }: Progress) -> String {
     match stage {
         Stage::Prime { done } => format!("{done} primes done, order {order} modulo the next"),
         Stage::Fractions { primes } => format!("fractions from {primes} primes"),

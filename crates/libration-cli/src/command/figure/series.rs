@@ -10,9 +10,10 @@ use crate::output::series::{subscript, superscript};
 use crate::{interrupt, parallel};
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand};
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand_watched};
 use libration::quantity::Displacement;
-use std::sync::Arc;
+use libration::watch::Watch;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
@@ -64,8 +65,8 @@ impl Series {
         let chosen = self.oscillator.chosen()?;
         interrupt::listen()?;
         let subject = Subject {
-            oscillator: Arc::new(chosen.oscillator.clone()),
-            expansion: Arc::new(self.expansion(&chosen)?),
+            oscillator: chosen.oscillator.clone(),
+            expansion: self.expansion(&chosen)?,
             quantity: self.quantity,
         };
         let (relation, expansion) = (subject.relation(), &subject.expansion);
@@ -83,9 +84,9 @@ impl Series {
     }
 
     fn expansion(&self, chosen: &Chosen) -> Result<Expansion, Failure> {
-        let (oscillator, order) = (chosen.oscillator.clone(), self.order);
-        let expansion = parallel::until_asked(&format!("the series to order {order}"), move || {
-            expand(&oscillator, order, &Gauge::Fundamental)
+        let order = self.order;
+        let expansion = parallel::until_asked(&format!("the series to order {order}"), |watch| {
+            expand_watched(&chosen.oscillator, order, &Gauge::Fundamental, watch)
         });
         expansion.ok_or_else(early)?.map_err(|error| Failure::no_answer("expansion", error))
     }
@@ -128,7 +129,7 @@ impl Series {
         for text in &self.amplitudes {
             let displacement = positive(chosen, "--amplitudes", text)?;
             let amplitude = displacement.to_f64();
-            let Some(exact) = subject.exact_at(displacement) else { break };
+            let Some(exact) = subject.exact_at(&displacement) else { break };
             let exact = exact.map_err(|error| no_exact(text, &error))?;
             let evaluation = relation.evaluation_at(amplitude);
             let errors = evaluation
@@ -149,11 +150,10 @@ fn early() -> Failure {
     Failure::Interrupted("interrupted before the first error was known: nothing is drawn".to_owned())
 }
 
-/// What the picture is about, as work that nobody waits for after Ctrl-C needs it.
-#[derive(Clone)]
+/// What the picture is about.
 struct Subject {
-    oscillator: Arc<Oscillator>,
-    expansion: Arc<Expansion>,
+    oscillator: Oscillator,
+    expansion: Expansion,
     quantity: SeriesQuantity,
 }
 
@@ -162,22 +162,25 @@ impl Subject {
         SeriesComparison::new(&self.oscillator, &self.expansion, self.quantity)
     }
 
-    fn exact_at(&self, amplitude: Displacement) -> Option<Result<ExactValue, NoExactValue>> {
-        let own = self.clone();
-        parallel::until_asked("the exact values", move || own.relation().exact_from(&amplitude))
+    fn exact_at(&self, amplitude: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+        let relation = self.relation();
+        parallel::until_asked("the exact values", |watch| relation.exact_from_watched(amplitude, watch))
     }
 
     /// Even steps from zero up to where motions end, or go around another equilibrium too.
     fn sampled(&self, to: f64) -> Vec<Sample> {
-        let own = self.clone();
-        let how_far = |done| format!("{done} of at most {SAMPLES} amplitudes");
-        parallel::sent_until_asked(how_far, move |sender| {
-            let relation = own.relation();
+        let (relation, done) = (self.relation(), AtomicUsize::new(0));
+        let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
+        let watch = || {
+            let ask = |_| interrupt::go_on();
+            let watch = Watch::new(&ask);
             let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
-            for sample in amplitudes.map_while(|amplitude| Sample::at(&relation, amplitude)) {
-                parallel::send(sender, sample);
-            }
-        })
+            let counted = amplitudes.inspect(|_| {
+                done.fetch_add(1, Ordering::Relaxed);
+            });
+            counted.map_while(|amplitude| Sample::at(&relation, amplitude, &watch)).collect()
+        };
+        parallel::with_progress(how_far, watch)
     }
 }
 
@@ -270,8 +273,9 @@ struct Sample {
 }
 
 impl Sample {
-    fn at(relation: &SeriesComparison<'_>, amplitude: f64) -> Option<Self> {
-        let exact = relation.exact_at(amplitude).ok().filter(|exact| exact.encloses.is_none())?;
+    fn at(relation: &SeriesComparison<'_>, amplitude: f64, watch: &Watch<'_>) -> Option<Self> {
+        let exact =
+            relation.exact_at_watched(amplitude, watch).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
     }
 }

@@ -6,7 +6,7 @@ use super::options;
 use crate::arguments::ApparatusOptions;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::progress::Progress;
+use crate::output::progress::ProgressLine;
 use libration_lab::fit::swings::{SwingsError, SwingsFit, SwingsOptions, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use std::ops::ControlFlow;
@@ -26,7 +26,7 @@ impl<'a> Answer<'a> {
         apparatus: &ApparatusOptions,
     ) -> Result<Self, Failure> {
         interrupt::listen()?;
-        let mut progress = Progress::new();
+        let mut progress = ProgressLine::new();
         let mut motions: u64 = 0;
         let mut watch = || -> ControlFlow<()> {
             motions += 1;

@@ -5,10 +5,12 @@ use crate::interrupt;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use crate::output::progress::Progress;
+use crate::output::progress::ProgressLine;
 use crate::output::table::Table;
 use crate::output::{Form, csv, number};
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
+use libration::watch::{Progress, Watch};
+use std::cell::RefCell;
 use std::io::Write;
 
 pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), Failure> {
@@ -16,13 +18,13 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
         return Err(Failure::usage("--formulas", "one formula overtakes none: name at least two"));
     }
     interrupt::listen()?;
-    let mut progress = Progress::new();
-    let mut watch = |done, all| {
-        progress.show(|| format!("{done} of {all} pairs of formulas"));
+    let line = RefCell::new(ProgressLine::new());
+    let ask = |Progress { done, of, .. }: Progress| {
+        line.borrow_mut().show(|| format!("{done} of {} pairs of formulas", of.unwrap_or(done)));
         interrupt::go_on()
     };
-    let mut crossovers = ErrorTable::new(formulas).all_crossovers(&mut watch);
-    drop(progress);
+    let mut crossovers = ErrorTable::new(formulas).all_crossovers_watched(&Watch::new(&ask));
+    drop(line);
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
     let fields = of_crossover();
     match form {

@@ -7,10 +7,11 @@ use crate::failure::Failure;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Schedule, lyapunov_exponent,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Schedule, lyapunov_exponent_watched,
 };
 use libration::systems::Model;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment};
+use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -121,20 +122,22 @@ fn measured(
     schedule: &Schedule,
     effort: &Effort,
 ) -> Result<LyapunovExponent, LyapunovError> {
-    let latest = Mutex::new(Progress { motion: 0, intervals: 0 });
-    let watch = |progress| {
+    let latest = Mutex::new(None);
+    let ask = |progress| {
         if let Ok(mut latest) = latest.lock() {
-            *latest = progress;
+            *latest = Some(progress);
         }
         interrupt::go_on()
     };
     let how_far = || {
-        let Progress { motion, intervals } =
-            latest.lock().map_or(Progress { motion: 0, intervals: 0 }, |it| *it);
-        let which = if motion == 0 { "" } else { " of a motion beside it" };
-        format!("{intervals} of {} intervals{which}", schedule.intervals)
+        let latest: Option<Progress> = latest.lock().ok().and_then(|latest| *latest);
+        let beside = latest.is_some_and(|it| it.stage != Stage::Motion { number: 0 });
+        let which = if beside { " of a motion beside it" } else { "" };
+        format!("{} of {} intervals{which}", latest.map_or(0, |it| it.done), schedule.intervals)
     };
-    parallel::with_progress(how_far, || lyapunov_exponent(model.equation(), start, schedule, effort, watch))
+    parallel::with_progress(how_far, || {
+        lyapunov_exponent_watched(model.equation(), start, schedule, effort, &Watch::new(&ask))
+    })
 }
 
 fn failure(error: LyapunovError) -> Failure {

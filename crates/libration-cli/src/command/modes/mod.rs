@@ -7,7 +7,9 @@ mod write;
 use crate::arguments::SystemOptions;
 use crate::failure::Failure;
 use crate::figure;
+use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
+use crate::parallel;
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
 use std::io::Write;
@@ -51,7 +53,13 @@ impl Modes {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let model = self.system.model()?;
         let guess = equilibrium::guess(&model, self.about.as_deref())?;
-        let modes = NormalModes::about(model.equation(), &guess);
+        interrupt::listen()?;
+        let modes = parallel::until_asked("the modes", |watch| {
+            NormalModes::about_watched(model.equation(), &guess, watch)
+        });
+        let early =
+            || Failure::Interrupted("interrupted before the modes were known: nothing is written".to_owned());
+        let modes = modes.ok_or_else(early)?;
         let modes = modes.map_err(|error| Failure::no_answer("SYSTEM|EQUATION", error))?;
         let answer = Answer { model, modes };
         let drawn = match &self.figure {

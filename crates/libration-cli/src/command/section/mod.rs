@@ -9,12 +9,13 @@ use crate::failure::Failure;
 use crate::figure::section::Shown;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::chaos::{PoincareSection, Points, SectionEnding, angles, section};
+use libration::chaos::{PoincareSection, Points, SectionEnding, angles, section_watched};
 use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
+use libration::watch::{Progress, Watch};
+use std::cell::Cell;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use write::answers;
@@ -109,25 +110,18 @@ impl PoincareQuestion {
     fn sections(&self, model: &Model, starts: &[Vec<f64>]) -> Result<Vec<PoincareSection>, Failure> {
         let (place, points) = (self.section.section(model), self.section.points(POINTS));
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
-        let latest = Mutex::new(0.0);
         let of_start = |state: &Vec<f64>| {
             let start = Moment { time: 0.0, state: state.clone() };
-            let mut before = 0;
-            section(model.equation(), &start, &place, points, &effort, |now| {
-                taken.fetch_add(now.points - before, Ordering::Relaxed);
-                before = now.points;
-                if let Ok(mut latest) = latest.lock() {
-                    *latest = now.time;
-                }
+            let before = Cell::new(0);
+            let ask = |now: Progress| {
+                taken.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
                 interrupt::go_on()
-            })
+            };
+            section_watched(model.equation(), &start, &place, points, &effort, &Watch::new(&ask))
         };
         interrupt::listen()?;
         let all = points.recorded * starts.len();
-        let how_far = || {
-            let time = latest.lock().map_or(0.0, |time| *time);
-            format!("{} of {all} points, t = {time:.6}", taken.load(Ordering::Relaxed))
-        };
+        let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
         sections.into_iter().collect::<Result<_, _>>().map_err(section_failure)
     }

@@ -8,7 +8,7 @@ use super::tally::Tally;
 use crate::failure::Failure;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
-use crate::output::progress::Progress;
+use crate::output::progress::ProgressLine;
 use libration::systems::EnergyBalance;
 use libration::taylor::{AcceptedStep, Moment, Step};
 use std::io::{self, Write};
@@ -32,7 +32,7 @@ pub(super) struct Watch<'a> {
     rows: [usize; 2],
     state: State,
     keeper: Option<Keeper>,
-    progress: Progress,
+    progress: ProgressLine,
 }
 
 impl<'a> Watch<'a> {
@@ -57,7 +57,7 @@ impl<'a> Watch<'a> {
             rows: [0; 2],
             state: State { question: motion.question.clone(), mark },
             keeper,
-            progress: Progress::new(),
+            progress: ProgressLine::new(),
         }
     }
 

@@ -1,14 +1,13 @@
 //! Measuring one motion, and its neighbours.
 
-use std::ops::ControlFlow;
-
 use super::super::extent::Extent;
 use super::super::structure::{angles, cyclic, theorem};
 use super::deviation::{Deviation, unequal_part};
 use super::verdict::Evidence;
-use super::{Doubt, LyapunovError, LyapunovVerdict, Progress, Regularity, Schedule};
+use super::{Doubt, LyapunovError, LyapunovVerdict, Regularity, Schedule};
 use crate::expression::Equation;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched, with_tangents};
+use crate::watch::{Stage, Watch};
 
 /// What all motions of one question have in common.
 pub(super) struct Laboratory<'a> {
@@ -32,7 +31,7 @@ impl<'a> Laboratory<'a> {
         start: &Moment,
         schedule: &'a Schedule,
         effort: &'a Effort,
-        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Self, LyapunovError> {
         let angles = angles(equation);
         let plain = System::new(equation)?;
@@ -48,19 +47,13 @@ impl<'a> Laboratory<'a> {
     }
 
     /// Measures the motion asked for.
-    pub(super) fn measure(
-        &self,
-        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Evidence, LyapunovError> {
-        self.follow(self.settled.clone(), &mut |intervals| watch(Progress { motion: 0, intervals }))
+    pub(super) fn measure(&self, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
+        watch.begin(Stage::Motion { number: 0 }, Some(self.schedule.intervals));
+        self.follow(self.settled.clone(), watch)
     }
 
     /// Follows a motion through the schedule, or until `watch` stops it.
-    fn follow(
-        &self,
-        settled: Moment,
-        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Evidence, LyapunovError> {
+    fn follow(&self, settled: Moment, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         let mut evidence = Evidence::new(self.schedule.interval, settled.state.len());
         let mut deviation = Deviation::new(&self.extended, settled, &self.units, *self.effort);
         let going = |evidence: &Evidence| evidence.record.intervals() < self.schedule.intervals;
@@ -69,7 +62,7 @@ impl<'a> Laboratory<'a> {
                 Ok(growth) => evidence.add(growth, &deviation.moment().state, self.schedule.intervals),
                 Err(cause) => evidence.stopped = Some(cause),
             }
-            if watch(evidence.record.intervals()).is_break() && going(&evidence) {
+            if watch.reached(evidence.record.intervals()).is_err() && going(&evidence) {
                 evidence.stopped = evidence.stopped.or(Some(Cause::Interrupted));
             }
         }
@@ -80,12 +73,7 @@ impl<'a> Laboratory<'a> {
     }
 
     /// What is known, or what a motion and, if it looks chaotic, its neighbours show.
-    pub(super) fn verdict(
-        &self,
-        evidence: &Evidence,
-        start: &Moment,
-        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> LyapunovVerdict {
+    pub(super) fn verdict(&self, evidence: &Evidence, start: &Moment, watch: &Watch<'_>) -> LyapunovVerdict {
         if let Some(regularity) = self.known {
             return LyapunovVerdict::Regular(regularity);
         }
@@ -103,15 +91,15 @@ impl<'a> Laboratory<'a> {
         neighbour: usize,
         evidence: &Evidence,
         start: &Moment,
-        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Option<Doubt> {
-        let mut watch = |intervals| watch(Progress { motion: neighbour, intervals });
+        watch.begin(Stage::Motion { number: neighbour }, Some(self.schedule.intervals));
         let times = [start.time + self.schedule.transient];
         let settled =
             integrate_watched(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
-                watch(0)
+                watch.flow()
             });
-        match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, &mut watch)) {
+        match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, watch)) {
             Err(error) => Some(Doubt::Stopped(cause_of(error))),
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
             Ok(other) => {
@@ -156,15 +144,16 @@ fn survey(
     start: &Moment,
     schedule: &Schedule,
     effort: &Effort,
-    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<(Extent, Moment), LyapunovError> {
+    watch.begin(Stage::Motion { number: 0 }, Some(schedule.intervals));
     let mut extent = Extent::new(start.state.len());
     extent.include(&start.state);
     let settled = start.time + schedule.transient;
     let end = settled.max(start.time + 10.0 * schedule.interval);
     let mut solution = integrate_watched(system, start, &[settled, end], effort, |step| {
         extent.include(&step.state_at(step.end()));
-        watch(Progress { motion: 0, intervals: 0 })
+        watch.flow()
     })?;
     Ok((extent, solution.samples.swap_remove(0)))
 }

@@ -11,11 +11,10 @@ mod laboratory;
 #[cfg(test)]
 mod tests;
 
-use std::ops::ControlFlow;
-
 use super::structure::has_jumps;
 use crate::expression::{Equation, WithoutValue};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment};
+use crate::watch::Watch;
 use laboratory::Laboratory;
 
 pub use schedule::Schedule;
@@ -59,17 +58,7 @@ pub enum LyapunovError {
     Nothing(Cause),
 }
 
-/// Which of the motions is under way, and how many of its intervals are measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// 0 for the motion asked for; 1 and 2 for its neighbours, which are only asked when it looks chaotic.
-    pub motion: usize,
-    /// How many intervals are measured.
-    pub intervals: usize,
-}
-
-/// Measures the largest Lyapunov exponent along the motion from a start. `watch` is asked after each interval and may stop;
-/// the estimates until then are kept.
+/// Measures the largest Lyapunov exponent along the motion from a start.
 ///
 /// A deviation is carried along by the linearised equations. Its size is measured in units of how far the motion goes in each
 /// number of the state, so that units do not matter.
@@ -91,12 +80,11 @@ pub struct Progress {
 /// ```
 /// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
 /// use libration::taylor::{Effort, Moment};
-/// use std::ops::ControlFlow;
 /// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-12);
 /// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
-/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort, |_| ControlFlow::Continue(()))?;
+/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort)?;
 /// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -108,7 +96,22 @@ pub fn lyapunov_exponent(
     start: &Moment,
     schedule: &Schedule,
     effort: &Effort,
-    mut watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Result<LyapunovExponent, LyapunovError> {
+    lyapunov_exponent_watched(equation, start, schedule, effort, &Watch::none())
+}
+
+/// The exponent as [`lyapunov_exponent`] gives it; `watch` is asked at each step of the transient and after each interval, and told
+/// how many intervals are measured of [`Stage::Motion`](crate::watch::Stage::Motion) 0, the motion asked for, and of 1 and 2, its neighbours. Where it stops
+/// the estimates until then are given, with the verdict [`Doubt::Stopped`].
+///
+/// # Errors
+/// As [`lyapunov_exponent`]; [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] where it stops before an interval is measured.
+pub fn lyapunov_exponent_watched(
+    equation: &Equation,
+    start: &Moment,
+    schedule: &Schedule,
+    effort: &Effort,
+    watch: &Watch<'_>,
 ) -> Result<LyapunovExponent, LyapunovError> {
     if !schedule.is_possible() {
         return Err(LyapunovError::Schedule(*schedule));
@@ -116,9 +119,9 @@ pub fn lyapunov_exponent(
     if has_jumps(equation) {
         return Err(LyapunovError::Jumps);
     }
-    let laboratory = Laboratory::new(equation, start, schedule, effort, &mut watch)?;
-    let evidence = laboratory.measure(&mut watch)?;
-    let verdict = laboratory.verdict(&evidence, start, &mut watch);
+    let laboratory = Laboratory::new(equation, start, schedule, effort, watch)?;
+    let evidence = laboratory.measure(watch)?;
+    let verdict = laboratory.verdict(&evidence, start, watch);
     let record = &evidence.record;
     Ok(LyapunovExponent {
         exponent: record.exponent(),

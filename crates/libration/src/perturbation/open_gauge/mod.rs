@@ -6,6 +6,7 @@ mod expansion;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Polynomial, Rational, Variable};
+use crate::watch::{Interrupted, Stage, Watch};
 use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
 
 /// Which powers of ε the ansatz has.
@@ -70,6 +71,19 @@ impl OpenGauge {
         order: u32,
         powers: EpsilonPowers,
     ) -> Result<Self, OpenGaugeError> {
+        Self::new_watched(restoring_force, order, powers, &Watch::none())
+    }
+
+    /// As [`new`](Self::new); `watch` is asked at each order.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`OpenGaugeError::Interrupted`].
+    pub fn new_watched(
+        restoring_force: &[Rational],
+        order: u32,
+        powers: EpsilonPowers,
+        watch: &Watch<'_>,
+    ) -> Result<Self, OpenGaugeError> {
         if !(1..=Self::MAX_ORDER).contains(&order) {
             return Err(OpenGaugeError::Order { order });
         }
@@ -80,7 +94,7 @@ impl OpenGauge {
         }
         let ansatz = Ansatz::new(order, powers, even.is_some());
         let force = force.into_iter().take(order as usize).collect::<Vec<_>>();
-        let (conditions, solution) = solve(&ansatz, &force);
+        let (conditions, solution) = solve(&ansatz, &force, watch)?;
         Ok(Self { ansatz, force, conditions, solution })
     }
 
@@ -160,6 +174,9 @@ pub enum OpenGaugeError {
         /// Its exponent.
         power: u32,
     },
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// g(x)/g₁ term by term; `None` unless g₁ > 0.
@@ -170,16 +187,22 @@ pub(super) fn over_linear_term(restoring_force: &[Rational]) -> Option<Vec<Ratio
 
 /// Solves the conditions order by order: each fixes one coefficient of its harmonic, and that of the
 /// fundamental the frequency.
-fn solve(ansatz: &Ansatz, force: &[Rational]) -> (Vec<Condition>, BTreeMap<Variable, Polynomial>) {
+fn solve(
+    ansatz: &Ansatz,
+    force: &[Rational],
+    watch: &Watch<'_>,
+) -> Result<(Vec<Condition>, BTreeMap<Variable, Polynomial>), Interrupted> {
     let (mut conditions, mut solution) = (Vec::new(), BTreeMap::new());
     let mut expansion = Expansion::new(ansatz, force);
-    for order in &ansatz.orders {
+    watch.begin(Stage::Whole, Some(ansatz.orders.len()));
+    for (done, order) in ansatz.orders.iter().enumerate() {
+        watch.reached(done)?;
         let new = expansion.conditions(*order);
         solution.extend(new.iter().filter_map(Condition::solved));
         expansion.insert(*order, &solution);
         conditions.extend(new);
     }
-    (conditions, solution)
+    Ok((conditions, solution))
 }
 
 impl Condition {

@@ -1,6 +1,7 @@
 //! Why a truncated system cannot be set up or solved.
 
 use super::TruncatedSystem;
+use crate::watch::Interrupted;
 
 /// Why a truncated system cannot be set up or solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -48,4 +49,7 @@ pub enum TruncatedSystemError {
         /// How many there are.
         expected: usize,
     },
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }

@@ -10,6 +10,7 @@ mod verdict;
 use super::cosines::{COSINES, Cosines, cosines};
 use super::open_gauge::over_linear_term;
 use crate::algebra::{Complex, PhaseRing, Polynomial, Rational, Ring, Variable};
+use crate::watch::Watch;
 use collocation::Collocation;
 pub use error::TruncatedSystemError;
 pub use verdict::SolutionVerdict;
@@ -122,12 +123,24 @@ impl TruncatedSystem {
     /// When the amplitude is not positive and finite, or solutions are missing after all attempts, as happens
     /// where some coincide.
     pub fn solutions(&self, amplitude: f64) -> Result<Vec<TruncatedSolution>, TruncatedSystemError> {
+        self.solutions_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`solutions`](Self::solutions); `watch` is asked for each of them.
+    ///
+    /// # Errors
+    /// As [`solutions`](Self::solutions), and [`TruncatedSystemError::Interrupted`].
+    pub fn solutions_watched(
+        &self,
+        amplitude: f64,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<TruncatedSolution>, TruncatedSystemError> {
         if !(amplitude > 0.0 && amplitude < f64::INFINITY) {
             return Err(TruncatedSystemError::Amplitude { amplitude });
         }
         let equations = Collocation::new(self.harmonics, &self.force[..self.degree]);
         let expected = usize::try_from(self.number_of_solutions()).unwrap_or(usize::MAX);
-        let roots = tracking::all_roots(&equations, amplitude, expected);
+        let roots = tracking::all_roots(&equations, amplitude, expected, watch)?;
         if roots.len() < expected {
             return Err(TruncatedSystemError::Missing { found: roots.len(), expected });
         }

@@ -14,6 +14,7 @@ use super::collocation::{Collocation, harmonic_squared};
 use super::newton::{Linearization, newton, refine, solve, target};
 use crate::algebra::Complex;
 use crate::elementary::count;
+use crate::watch::{Interrupted, Stage, Watch};
 
 /// a₁, a₃, … and Δ².
 #[derive(Clone, Debug, PartialEq)]
@@ -23,21 +24,27 @@ pub(super) struct Root {
 }
 
 /// The different solutions that are found; all if they are as many as expected.
-pub(super) fn all_roots(equations: &Collocation, amplitude: f64, expected: usize) -> Vec<Root> {
-    let mut found = Vec::new();
+pub(super) fn all_roots(
+    equations: &Collocation,
+    amplitude: f64,
+    expected: usize,
+    watch: &Watch<'_>,
+) -> Result<Vec<Root>, Interrupted> {
+    let mut found: Vec<Root> = Vec::new();
+    watch.begin(Stage::Whole, Some(expected));
     // Another way through the complex plane for each attempt, and smaller steps.
     for attempt in 1..=3 {
         let homotopy = Homotopy::new(equations, amplitude, f64::from(attempt));
-        for root in homotopy.starts().into_iter().filter_map(|start| homotopy.follow(start)) {
-            if !found.iter().any(|other| coincide(&root, other)) {
-                found.push(root);
-            }
+        for start in homotopy.starts() {
+            watch.reached(found.len())?;
+            let root = homotopy.follow(start);
+            found.extend(root.filter(|root| !found.iter().any(|other| coincide(root, other))));
         }
         if found.len() >= expected {
             break;
         }
     }
-    found
+    Ok(found)
 }
 
 impl Root {

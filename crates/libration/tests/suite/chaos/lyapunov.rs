@@ -4,17 +4,18 @@
 use super::integrable::{Case, cases};
 use crate::golden::Table;
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Progress, Regularity, Schedule, Theorem,
-    lyapunov_exponent,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, Theorem,
+    lyapunov_exponent_watched,
 };
 use libration::taylor::{Cause, Effort, Moment};
+use libration::watch::{Progress, Watch};
 use std::ops::ControlFlow;
 
 fn attempt(
     equation: &str,
     start: &[f64],
     intervals: usize,
-    watch: impl FnMut(Progress) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<LyapunovExponent, LyapunovError> {
     attempt_to(1e-13, equation, start, intervals, watch)
 }
@@ -24,24 +25,24 @@ fn attempt_to(
     equation: &str,
     start: &[f64],
     intervals: usize,
-    watch: impl FnMut(Progress) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<LyapunovExponent, LyapunovError> {
     let equation = equation.parse().unwrap();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(tolerance);
     let schedule = Schedule::natural(&equation, &start, intervals, &effort)?;
-    lyapunov_exponent(&equation, &start, &schedule, &effort, watch)
+    lyapunov_exponent_watched(&equation, &start, &schedule, &effort, watch)
 }
 
 fn measure(equation: &str, start: &[f64], intervals: usize) -> LyapunovExponent {
-    attempt(equation, start, intervals, |_| ControlFlow::Continue(())).unwrap()
+    attempt(equation, start, intervals, &Watch::none()).unwrap()
 }
 
 /// How many motions are regular, and how many undecided or escape over a barrier; none may be chaotic.
 fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for Case { equation, start } in cases {
-        let found = attempt_to(tolerance, equation, start, intervals, |_| ControlFlow::Continue(()));
+        let found = attempt_to(tolerance, equation, start, intervals, &Watch::none());
         match found.map(|found| found.verdict) {
             Ok(LyapunovVerdict::Regular(_)) => counts[0] += 1,
             Ok(LyapunovVerdict::Undecided(_)) | Err(LyapunovError::Integration(_)) => counts[1] += 1,
@@ -158,9 +159,11 @@ fn units_do_not_matter() {
 #[test]
 fn an_interruption_keeps_the_estimate() {
     let stop = |progress: Progress| {
-        if progress.intervals >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if progress.done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, stop).unwrap();
+    let found =
+        attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, &Watch::new(&stop))
+            .unwrap();
     assert_eq!(found.verdict, LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
     let (time, last) = *found.convergence.last().unwrap();
     assert!((time / (1.5 * std::f64::consts::PI) - 50.0).abs() < 1e-9 && last == found.exponent);

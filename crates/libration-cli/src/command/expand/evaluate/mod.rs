@@ -9,12 +9,12 @@ use super::Answer;
 use crate::failure::Failure;
 use crate::output::number::short;
 use crate::output::{Form, json};
-use crate::parallel;
+use crate::parallel::until_asked;
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::perturbation::SeriesEvaluation;
 use libration::quantity::Displacement;
+use libration::watch::Watch;
 use std::io::Write;
-use std::sync::Arc;
 
 /// The relative errors for which the terms are counted.
 const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
@@ -49,15 +49,15 @@ struct Quotient {
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
-    answer: Arc<Answer>,
+    answer: &Answer,
     quantity: SeriesQuantity,
     amplitude: &Displacement,
 ) -> Result<Option<String>, Failure> {
     let relation = SeriesComparison::new(&answer.oscillator, &answer.expansion, quantity);
     if relation.series().iter().all(libration::algebra::Rational::is_zero) {
-        return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(&answer))));
+        return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(answer))));
     }
-    let numbers = Numbers::new(&answer, &relation, amplitude)?;
+    let numbers = Numbers::new(answer, &relation, amplitude)?;
     match form {
         Form::Json => json::document(out, fields::of_numbers().record(&numbers))?,
         Form::Csv => fields::of_term().write_csv(out, &numbers.terms())?,
@@ -75,21 +75,20 @@ fn absent(answer: &Answer) -> String {
 
 impl<'a> Numbers<'a> {
     fn new(
-        answer: &'a Arc<Answer>,
+        answer: &'a Answer,
         relation: &'a SeriesComparison<'a>,
         exactly: &Displacement,
     ) -> Result<Self, Failure> {
         let amplitude = exactly.to_f64();
-        let work = Work { answer: Arc::clone(answer), quantity: relation.quantity() };
-        let exact = work.exact(exactly.clone());
+        let exact = until_asked("the exact value", |watch| relation.exact_from_watched(exactly, watch));
         if let Some(Err(refusal @ NoExactValue::Amplitude(_))) = &exact {
             return Err(Failure::no_answer("--evaluate", refusal));
         }
         let evaluation = relation.evaluation_at(amplitude);
         // A constant is its own approximant.
         let highest = if evaluation.steps().len() > 1 { HIGHEST_DEGREE } else { 0 };
-        let radius = work.radius();
-        let pade = work.quotients(highest, amplitude);
+        let radius = until_asked("the radius of convergence", |_| relation.radius());
+        let pade = until_asked("Padé approximants", |watch| quotients(relation, highest, amplitude, watch));
         Ok(Self { answer, relation, amplitude, evaluation, exact, radius, pade })
     }
 
@@ -133,38 +132,14 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// What may take long and nobody waits for after Ctrl-C, for which it has an answer of its own.
-struct Work {
-    answer: Arc<Answer>,
-    quantity: SeriesQuantity,
-}
-
-impl Work {
-    fn exact(&self, amplitude: Displacement) -> Option<Result<ExactValue, NoExactValue>> {
-        self.done("the exact value", move |relation| relation.exact_from(&amplitude))
-    }
-
-    fn radius(&self) -> Option<Option<Radius>> {
-        self.done("the radius of convergence", |relation| relation.radius())
-    }
-
-    fn quotients(&self, highest: usize, amplitude: f64) -> Option<Vec<Quotient>> {
-        self.done("Padé approximants", move |relation| {
-            (1..=highest).filter_map(|degree| quotient(relation, degree, amplitude)).collect()
-        })
-    }
-
-    fn done<R: Send + 'static>(
-        &self,
-        what: &str,
-        work: impl FnOnce(&SeriesComparison<'_>) -> R + Send + 'static,
-    ) -> Option<R> {
-        let Self { answer, quantity } = self;
-        let (answer, quantity) = (Arc::clone(answer), *quantity);
-        parallel::until_asked(what, move || {
-            work(&SeriesComparison::new(&answer.oscillator, &answer.expansion, quantity))
-        })
-    }
+fn quotients(
+    relation: &SeriesComparison<'_>,
+    highest: usize,
+    amplitude: f64,
+    watch: &Watch<'_>,
+) -> Vec<Quotient> {
+    let degrees = (1..=highest).take_while(|_| watch.go_on().is_ok());
+    degrees.filter_map(|degree| quotient(relation, degree, amplitude)).collect()
 }
 
 fn quotient(relation: &SeriesComparison<'_>, degree: usize, amplitude: f64) -> Option<Quotient> {

@@ -1,0 +1,203 @@
+//! Whether a long call may go on, and how far it is.
+//!
+//! Every call that may take long has a variant that ends in `_watched` and takes a [`Watch`], which it asks again and again,
+//! at least once in each step of an integration, order of an expansion or piece of a catalogue. Once it has been answered
+//! with `Break` it asks no more, and gives what is done or an error that says [`Interrupted`].
+//!
+//! ```
+//! use libration::chaos::{Points, Section, section_watched};
+//! use libration::taylor::{Effort, Moment};
+//! use libration::watch::Watch;
+//! use std::ops::ControlFlow;
+//! let duffing = "x'' + x'/4 - x + x^3 = 0.3*cos(t)".parse()?;
+//! let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
+//! let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
+//! let points = Points { skipped: 0, recorded: 1000 };
+//! let ask = |progress: libration::watch::Progress| match progress.done {
+//!     10.. => ControlFlow::Break(()),
+//!     _ => ControlFlow::Continue(()),
+//! };
+//! let found = section_watched(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &Watch::new(&ask))?;
+//! assert_eq!(found.points.len(), 10);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use std::cell::Cell;
+use std::fmt;
+use std::ops::ControlFlow;
+
+/// How far a long call is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// What is being done.
+    pub stage: Stage,
+    /// How many points, values, orders … of this stage are done.
+    pub done: usize,
+    /// Of how many, where that is known.
+    pub of: Option<usize>,
+}
+
+/// What is being done, in calls that do several things.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// The whole of the work.
+    Whole,
+    /// An expansion, order after order, modulo another prime.
+    Prime {
+        /// The primes that are done.
+        done: usize,
+    },
+    /// The fractions of an expansion are put together from their residues.
+    Fractions {
+        /// The primes that are done.
+        primes: usize,
+    },
+    /// An expansion, order after order, in floats.
+    Floats {
+        /// Their precision in bits.
+        bits: usize,
+    },
+    /// An expansion is checked by another method.
+    Check,
+    /// The motion asked for, 0, or another one beside it.
+    Motion {
+        /// Which one.
+        number: usize,
+    },
+}
+
+/// A long call was told to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the computation was interrupted")]
+pub struct Interrupted;
+
+/// Whom a long call asks whether it may go on.
+pub struct Watch<'w> {
+    asked: Asked<'w>,
+    progress: Cell<Progress>,
+    stopped: Cell<bool>,
+}
+
+enum Asked<'w> {
+    Nobody,
+    Caller(&'w dyn Fn(Progress) -> ControlFlow<()>),
+    Whole(&'w Watch<'w>),
+}
+
+impl Watch<'static> {
+    /// Nobody is asked, and nothing stops the call.
+    #[must_use]
+    pub const fn none() -> Self {
+        Self::asking(Asked::Nobody)
+    }
+}
+
+impl<'w> Watch<'w> {
+    /// Asks a function, which is told how far the call is.
+    #[must_use]
+    pub const fn new(ask: &'w dyn Fn(Progress) -> ControlFlow<()>) -> Self {
+        Self::asking(Asked::Caller(ask))
+    }
+
+    const fn asking(asked: Asked<'w>) -> Self {
+        let progress = Progress { stage: Stage::Whole, done: 0, of: None };
+        Self { asked, progress: Cell::new(progress), stopped: Cell::new(false) }
+    }
+
+    /// For a part of the work, whose own progress is nobody's concern.
+    #[must_use]
+    pub fn part(&self) -> Watch<'_> {
+        Watch::asking(Asked::Whole(self))
+    }
+
+    /// Begins a stage of so many pieces.
+    pub fn begin(&self, stage: Stage, of: Option<usize>) {
+        self.progress.set(Progress { stage, done: 0, of });
+    }
+
+    /// So many pieces of the stage are done: may the call go on?
+    ///
+    /// # Errors
+    /// It may not.
+    pub fn reached(&self, done: usize) -> Result<(), Interrupted> {
+        self.progress.set(Progress { done, ..self.progress.get() });
+        self.go_on()
+    }
+
+    /// May the call go on? Where it was told to stop nobody is asked again.
+    ///
+    /// # Errors
+    /// It may not.
+    pub fn go_on(&self) -> Result<(), Interrupted> {
+        if !self.stopped.get() {
+            self.stopped.set(match self.asked {
+                Asked::Nobody => false,
+                Asked::Caller(ask) => ask(self.progress.get()).is_break(),
+                Asked::Whole(whole) => whole.go_on().is_err(),
+            });
+        }
+        if self.stopped.get() { Err(Interrupted) } else { Ok(()) }
+    }
+
+    /// [`go_on`](Self::go_on) for closures that answer with a [`ControlFlow`].
+    pub fn flow(&self) -> ControlFlow<()> {
+        if self.go_on().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    /// [`reached`](Self::reached) for closures that answer with a [`ControlFlow`].
+    pub fn flow_at(&self, done: usize) -> ControlFlow<()> {
+        if self.reached(done).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    /// Whether the call was told to stop; nobody is asked.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.get()
+    }
+}
+
+impl fmt::Debug for Watch<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (progress, stopped) = (self.progress.get(), self.stopped.get());
+        formatter.debug_struct("Watch").field("progress", &progress).field("stopped", &stopped).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whoever_has_said_stop_is_asked_no_more() {
+        let asked = Cell::new(0);
+        let ask = |_| {
+            asked.set(asked.get() + 1);
+            if asked.get() == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let watch = Watch::new(&ask);
+        let answers: Vec<_> = (0..5).map(|done| watch.reached(done)).collect();
+        assert_eq!(answers, [Ok(()), Ok(()), Err(Interrupted), Err(Interrupted), Err(Interrupted)]);
+        assert_eq!(asked.get(), 3);
+    }
+
+    #[test]
+    fn a_part_asks_with_the_progress_of_the_whole() {
+        let last = Cell::new(None);
+        let ask = |progress: Progress| {
+            last.set(Some(progress));
+            ControlFlow::Break(())
+        };
+        let watch = Watch::new(&ask);
+        watch.begin(Stage::Whole, Some(7));
+        let part = watch.part();
+        assert!(part.reached(1000).is_err() && part.is_stopped() && watch.is_stopped());
+        assert_eq!(last.get(), Some(Progress { stage: Stage::Whole, done: 0, of: Some(7) }));
+    }
+
+    #[test]
+    fn nobody_stops_what_is_not_watched() {
+        let watch = Watch::none();
+        assert!(watch.reached(1).is_ok() && watch.flow().is_continue() && !watch.is_stopped());
+    }
+}

@@ -1,0 +1,200 @@
+//! Long calls that are told to stop at one of their questions.
+
+use libration::chaos::{
+    Continuation, Family, LyapunovError, Points, Schedule, Section, bifurcation_diagram_watched,
+    lyapunov_exponent_watched, section_watched,
+};
+use libration::comparison::{Backbone, ExactMotion, NoExactValue, SeriesComparison, SeriesQuantity};
+use libration::expression::Equation;
+use libration::normal_modes::{NoModes, NormalModes};
+use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
+use libration::oscillator::Oscillator;
+use libration::perturbation::{
+    EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, TruncatedSystem, TruncatedSystemError,
+    expand, expand_watched, restoring_force,
+};
+use libration::quantity::Displacement;
+use libration::taylor::{Effort, Moment};
+use libration::watch::{Interrupted, Progress, Watch};
+use std::cell::Cell;
+use std::fmt::Debug;
+use std::ops::ControlFlow;
+
+/// What a call gives when it is stopped at the n-th question, and how many questions there were.
+fn stopped_at<T>(n: usize, call: &impl Fn(&Watch<'_>) -> T) -> (T, usize) {
+    let questions = Cell::new(0);
+    let ask = |_: Progress| {
+        questions.set(questions.get() + 1);
+        if questions.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let found = call(&Watch::new(&ask));
+    (found, questions.get())
+}
+
+/// Stops a call at the first, the last and some other questions; it must ask no more, and what it gives then must be right.
+/// Watched to its end it gives what it gives unwatched.
+fn stops<T: Debug + PartialEq>(call: impl Fn(&Watch<'_>) -> T, is_right: impl Fn(&T, &T) -> bool) {
+    let whole = call(&Watch::none());
+    let (watched, questions) = stopped_at(usize::MAX, &call);
+    assert!(questions > 1, "{questions} questions");
+    assert_eq!(watched, whole);
+    for n in [1, 2, questions / 3 + 1, questions / 2 + 1, questions] {
+        let (found, asked) = stopped_at(n, &call);
+        assert_eq!(
+            asked,
+            n.min(questions),
+            "asked again after it was stopped at question {n} of {questions}"
+        );
+        assert!(is_right(&found, &whole), "stopped at question {n} of {questions}: {found:?}");
+    }
+}
+
+fn equation(text: &str) -> Equation {
+    text.parse().unwrap()
+}
+
+fn at(state: &[f64]) -> Moment {
+    Moment { time: 0.0, state: state.to_vec() }
+}
+
+/// Orbits have no equality: their period and their start decide.
+fn in_numbers(orbit: Result<Orbit, NoOrbit>) -> Result<(f64, Vec<f64>), NoOrbit> {
+    orbit.map(|orbit| (orbit.period(), orbit.start()))
+}
+
+fn no_orbit<T>(found: &Result<T, NoOrbit>, _: &Result<T, NoOrbit>) -> bool {
+    matches!(found, Err(NoOrbit::Interrupted(Interrupted)))
+}
+
+#[test]
+fn searches_of_orbits_stop_at_any_question() {
+    let pendulum = equation("theta'' = -sin(theta)");
+    // In double precision, and next to the separatrix with more bits.
+    for place in [1.0, 3.141_592_653] {
+        stops(|watch| in_numbers(Orbit::released_watched(&pendulum, place, watch)), no_orbit);
+    }
+    let van_der_pol = equation("x'' = (1 - x^2)*x' - x");
+    stops(|watch| in_numbers(Orbit::limit_cycle_watched(&van_der_pol, &[0.1, 0.0], watch)), no_orbit);
+    let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
+    let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
+    stops(|watch| in_numbers(Orbit::near_watched(&pair, &guess, &[0, 2], watch)), no_orbit);
+    let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
+    let period = std::f64::consts::TAU;
+    stops(|watch| in_numbers(Orbit::driven_watched(&driven, period, &[1.0, 0.2], watch)), no_orbit);
+}
+
+#[test]
+fn expansions_stop_with_the_orders_that_are_certain() {
+    for text in ["x'' = -sin(x)", "x'' = mu*(1 - x^2)*x' - x", "x'' = -x - sqrt(2)*x^2"] {
+        let oscillator = Oscillator::new(&equation(text)).unwrap();
+        stops(
+            |watch| expand_watched(&oscillator, 17, &Gauge::Fundamental, watch),
+            |found, whole| match (found, whole) {
+                (Err(ExpansionError::Interrupted { known: None }), _) => true,
+                (Err(ExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
+                    whole.frequency_ratio.starts_with(&known.frequency_ratio)
+                }
+                _ => false,
+            },
+        );
+    }
+}
+
+#[test]
+fn equations_of_harmonics_stop_at_any_question() {
+    let pendulum = Oscillator::new(&equation("x'' = -sin(x)")).unwrap();
+    let force = restoring_force(&pendulum, 9).unwrap();
+    stops(
+        |watch| {
+            let open = OpenGauge::new_watched(&force, 7, EpsilonPowers::OneParity, watch);
+            open.map(|open| open.conditions().to_vec())
+        },
+        |found, _| matches!(found, Err(OpenGaugeError::Interrupted(_))),
+    );
+    let system = TruncatedSystem::new(&force, 2, 3).unwrap();
+    stops(
+        |watch| system.solutions_watched(1.0, watch).map(|all| all[0].frequency_ratio_squared),
+        |found, _| matches!(found, Err(TruncatedSystemError::Interrupted(_))),
+    );
+}
+
+#[test]
+fn backbones_and_exact_values_stop_at_any_question() {
+    let duffing = equation("x'' = -x - x^3");
+    let curve = Backbone::new(&duffing, None, 9).unwrap();
+    stops(
+        |watch| curve.at_watched(0.5, watch),
+        |found, whole| no_orbit(&found.orbit, &whole.orbit) && found.series == whole.series,
+    );
+    stops(
+        |watch| {
+            let curve = Backbone::new_watched(&duffing, None, 21, watch).unwrap();
+            (curve.no_series().cloned(), curve.at(0.5).orbit)
+        },
+        |(no_series, orbit), (_, whole)| no_series.is_some() && orbit == whole,
+    );
+    let oscillator = Oscillator::new(&duffing).unwrap();
+    let expansion = expand(&oscillator, 5, &Gauge::Fundamental).unwrap();
+    let interrupted = |error: &NoExactValue| *error == NoExactValue::from(NoOrbit::Interrupted(Interrupted));
+    let relation = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
+    stops(|watch| relation.exact_at_watched(0.5, watch), |found, _| found.as_ref().is_err_and(interrupted));
+    let amplitude = Displacement::from_f64(0.5).unwrap();
+    stops(
+        |watch| {
+            let motion = ExactMotion::new_watched(&oscillator, &expansion, &amplitude, watch)?;
+            motion.value(SeriesQuantity::Cosine(1))
+        },
+        |found, _| found.as_ref().is_err_and(interrupted),
+    );
+}
+
+#[test]
+fn normal_modes_stop_at_any_question() {
+    let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
+    stops(
+        |watch| NormalModes::about_watched(&pair, &[0.0, 0.0], watch).map(|modes| modes.modes),
+        |found, _| matches!(found, Err(NoModes::Interrupted(_))),
+    );
+}
+
+#[test]
+fn sections_and_diagrams_stop_with_the_points_until_then() {
+    let driven = equation("x'' = -x - x'/2 + A*cos(t)");
+    let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
+    let surface =
+        Section::Crossing { formula: "x".parse().unwrap(), direction: libration::taylor::Direction::Rising };
+    let (effort, points) = (Effort::to_tolerance(1e-9), Points { skipped: 1, recorded: 6 });
+    for cut in [stroboscope, surface] {
+        let one = driven.with(&[("A", "1".parse().unwrap())]).unwrap();
+        stops(
+            |watch| section_watched(&one, &at(&[1.0, 0.0]), &cut, points, &effort, watch).unwrap(),
+            |found, whole| whole.points.starts_with(&found.points),
+        );
+        let family = Family { equation: &driven, parameter: "A", section: &cut, points };
+        for how in [Continuation::SameStart, Continuation::LastState] {
+            let values = [1.0, 1.2, 1.4];
+            stops(
+                |watch| {
+                    bifurcation_diagram_watched(&family, &values, &at(&[1.0, 0.0]), how, &effort, watch)
+                        .unwrap()
+                },
+                |found, whole| found.iter().all(|column| whole.contains(column)),
+            );
+        }
+    }
+}
+
+#[test]
+fn lyapunov_exponents_stop_with_the_intervals_until_then() {
+    let pendulum = equation("theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)");
+    let (start, effort) = (at(&[0.2, 0.0]), Effort::to_tolerance(1e-12));
+    let schedule = Schedule { transient: 5.0, interval: 4.0, intervals: 40 };
+    stops(
+        |watch| lyapunov_exponent_watched(&pendulum, &start, &schedule, &effort, watch),
+        |found, whole| match (found, whole) {
+            (Ok(found), Ok(whole)) => whole.convergence.starts_with(&found.convergence),
+            (Err(LyapunovError::Nothing(_) | LyapunovError::Integration(_)), _) => true,
+            _ => false,
+        },
+    );
+}
