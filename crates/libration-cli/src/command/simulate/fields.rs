@@ -1,53 +1,106 @@
-//! What the fields of a simulated motion mean.
+//! What is said of a simulated motion, of its samples and events, and at its end.
 
+use super::ending::Ending;
+use super::events::Happening;
+use super::motion::Motion;
+use super::report::Summary;
+use super::resume::State;
 use crate::output::description::{Answers, Row, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use libration::taylor::Moment;
 
-const JSON: &[Row] = &[
-    ("system", "", "key of the system, or its equations as they were understood"),
-    ("equations", "", "equations of motion with the values of all parameters"),
-    ("parameters.NAME", "", "value of the parameter with this name, in its unit"),
-    ("state[]", "", "names of the numbers of the state"),
-    ("samples[].time", "s", "time of the sample"),
-    ("samples[].state[]", "", "state then, in the order of the names"),
-    ("events[].time", "s", "time of the event"),
-    ("events[].kind", "", "event that was asked for, and how it touched zero if not by passing it"),
-    ("events[].state[]", "", "state then, in the order of the names"),
-    ("energy_drift", "1", "largest change of a conserved energy over the largest kinetic energy, or null"),
-    ("energy_drift_uncertainty", "1", "how well the drift is known, by the work of the forces, or null"),
-    ("steps", "1", "steps of the integration"),
-    ("interrupted", "", "true where Ctrl-C ended the run early, else left out"),
-    ("stopped", "", "why the integration ended before the last time, else left out"),
-    ("resume.question.system", "", "what --resume compares: key of the system, or null"),
-    ("resume.question.equations", "", "equations of motion with the values of all parameters"),
-    ("resume.question.state[]", "", "names of the numbers of the state"),
-    ("resume.question.initial[]", "", "state at t = 0"),
-    ("resume.question.tolerance", "1", "relative error allowed in each step"),
-    ("resume.question.events[]", "", "events that are looked for"),
-    ("resume.known.time", "s", "time of the checkpoint that --resume goes on from"),
-    ("resume.known.state[][]", "", "state there, each number as the sum of two"),
-    ("resume.known.unit", "s", "unit of time of the series of the next step"),
-    ("resume.known.absolute_values[][]", "", "sign, sticking and leading zeros of each absolute value"),
-    ("resume.known.event_formulas[][]", "", "side of zero, last zero and nearness to zero of each event"),
-    ("resume.known.steps", "1", "steps until there"),
-    ("resume.known.samples", "1", "samples until there"),
-    ("resume.known.events", "1", "events until there"),
-    ("resume.known.bytes", "1", "bytes of the CSV file until there"),
-    ("resume.known.checksum", "", "checksum of those bytes, in hexadecimal digits"),
-    ("resume.known.energy.start[]", "", "state where the account of the energy begins"),
-    ("resume.known.energy.last[]", "", "state where it stands"),
-    ("resume.known.energy.potential[]", "", "potential energy gained until there, as the sum of two numbers"),
-    ("resume.known.energy.missed", "", "bound on the error of that potential energy beyond roundings"),
-    ("resume.known.energy.largest_change", "", "largest change of the energy since the start"),
-    ("resume.known.energy.largest_kinetic", "", "largest kinetic energy"),
-];
+pub(super) fn of_motion<'a>() -> Fields<Motion<'a>> {
+    type Of<'a> = Field<Motion<'a>>;
+    Fields::from([
+        Of::value("system", "", "key of the system, or its equations as they were understood", |it| {
+            it.name().into()
+        }),
+        Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
+            it.model.equation().to_string().into()
+        }),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |it| {
+            let add = |record: Record, (name, value): (&str, f64)| record.number(name, value);
+            let values = it.model.values().iter();
+            let values = values.map(|(name, value)| (name.as_str(), value.to_f64().unwrap_or(f64::NAN)));
+            values.fold(Record::new(), add).into()
+        }),
+        Of::value("state[]", "", "names of the numbers of the state", |it| {
+            json::list(it.model.state_names())
+        }),
+    ])
+}
 
-const CSV: &[Row] = &[
-    ("time", "s", "time of the sample or event"),
-    ("NAME", "", "number of the state with this name"),
-    ("event", "", "kind of the event, empty in samples; only with --events"),
-];
+pub(super) fn of_sample() -> Fields<Moment> {
+    type Of = Field<Moment>;
+    Fields::from([
+        Of::number("time", "s", "time of the sample", |it| it.time),
+        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+    ])
+}
+
+pub(super) fn of_event() -> Fields<Happening> {
+    type Of = Field<Happening>;
+    Fields::from([
+        Of::number("time", "s", "time of the event", |it| it.time),
+        Of::value(
+            "kind",
+            "",
+            "event that was asked for, and how it touched zero if not by passing it",
+            |it| it.kind.as_str().into(),
+        ),
+        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+    ])
+}
+
+/// What stands before the state in CSV.
+pub(super) fn of_time() -> Fields<f64> {
+    Fields::from([Field::number("time", "s", "time of the sample or event", |time| *time)])
+}
+
+/// What stands behind it.
+pub(super) const EVENT: Row = ("event", "", "kind of the event, empty in samples; only with --events");
+
+pub(super) fn of_summary() -> Fields<Summary> {
+    type Of = Field<Summary>;
+    Fields::from([
+        Of::known(
+            "energy_drift",
+            "1",
+            "largest change of a conserved energy over the largest kinetic energy, or null",
+            |it| it.drift.clone().map(|[drift, _]| drift),
+        ),
+        Of::nullable(
+            "energy_drift_uncertainty",
+            "1",
+            "how well the drift is known, by the work of the forces, or null",
+            |it| it.drift.as_ref().ok().map(|[_, uncertainty]| *uncertainty),
+        ),
+        Of::value("steps", "1", "steps of the integration", |it| it.steps.into()),
+        Of::nested("resume.", &State::fields(), |it| State::fields().record(&it.state).into()),
+        Of::present_value("interrupted", "", "true where Ctrl-C ended the run early, else left out", |it| {
+            matches!(it.ending, Ending::Interrupted(_)).then(|| true.into())
+        }),
+        Of::present_value(
+            "stopped",
+            "",
+            "why the integration ended before the last time, else left out",
+            |it| match &it.ending {
+                Ending::Stopped(reason) => Some(reason.as_str().into()),
+                _ => None,
+            },
+        ),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (descriptions("", JSON), descriptions("", CSV));
-    vec![Answers { command: "simulate", option: "", json, csv }]
+    const NUMBER: Row = ("NAME", "", "number of the state with this name");
+    let json = [
+        of_motion().described(""),
+        of_sample().described("samples[]."),
+        of_event().described("events[]."),
+        of_summary().described(""),
+    ];
+    let csv = [of_time().described_in_csv(), descriptions("", &[NUMBER, EVENT])];
+    vec![Answers { command: "simulate", option: "", json: json.concat(), csv: csv.concat() }]
 }

@@ -1,7 +1,11 @@
 //! `libration simulate`: the motion of any system in time.
 
+mod csv;
+mod ending;
 mod events;
 mod fields;
+mod json;
+mod motion;
 mod report;
 mod resume;
 mod run;
@@ -15,11 +19,13 @@ use crate::figure;
 use crate::output::file::NewFile;
 use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
+use ending::Ending;
 use events::Watched;
 use libration::systems::Model;
 use libration::taylor::Effort;
+use motion::Motion;
 use resume::{Earlier, Keeper, Question};
-use run::{Ending, Motion, Outcome};
+use run::Outcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

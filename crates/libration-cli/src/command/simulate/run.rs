@@ -1,31 +1,24 @@
 //! The integration, whose samples are written as they come.
 
-use super::events::Watched;
-use super::report::{Summary, of_form};
-use super::resume::{Earlier, Keeper, Mark, Question, State};
+use super::csv::Csv;
+use super::ending::Ending;
+use super::json::Json;
+use super::motion::Motion;
+use super::report::{Report, Summary};
+use super::resume::{Keeper, State};
+use super::sheet::Sheet;
 use super::watch::Watch;
-use crate::arguments::{Initial, Times};
+use crate::arguments::Times;
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::Shown;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
-use libration::systems::{Energy, EnergyBalance, Model};
-use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, Start, System, integrate_from};
+use libration::systems::{Energy, EnergyBalance};
+use libration::taylor::{Cause, IntegrationError, Moment, Solution, Start, System, integrate_from};
 use std::io::Write;
 use std::path::Path;
-
-/// A motion to be integrated, with what is asked about it.
-pub(super) struct Motion<'a> {
-    pub(super) model: &'a Model,
-    pub(super) question: Question,
-    pub(super) initial: Initial,
-    pub(super) times: &'a Times,
-    pub(super) effort: Effort,
-    pub(super) watched: Watched,
-    pub(super) earlier: Option<Earlier>,
-}
 
 /// A picture of the motion.
 #[derive(Debug)]
@@ -36,16 +29,6 @@ pub(super) struct Figure<'a> {
     pub(super) axes: Option<[Shown; 2]>,
     /// Whether the bodies move beside the curves.
     pub(super) animate: bool,
-}
-
-/// How an integration ended.
-#[derive(Clone, Debug)]
-pub(super) enum Ending {
-    Complete,
-    /// Ctrl-C was pressed.
-    Interrupted(f64),
-    /// The motion ends or cannot be followed: why.
-    Stopped(String),
 }
 
 /// What has become of the question.
@@ -68,7 +51,7 @@ impl Motion<'_> {
     ) -> Result<Outcome, Failure> {
         interrupt::listen()?;
         let system = self.system()?;
-        let mut report = of_form(form, figure.is_none());
+        let mut report = report(form, figure.is_none());
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
         let trace = figure.as_ref().map(|_| Trace::new(self.model, self.times.last()));
@@ -126,15 +109,14 @@ impl Motion<'_> {
         let (ending, solution) = ended(outcome, self)?;
         Ok((ending, solution.steps))
     }
+}
 
-    /// The state at t = 0.
-    fn beginning(&self) -> Moment {
-        Moment { time: 0.0, state: self.initial.state.clone() }
-    }
-
-    /// Where it is gone on from.
-    fn mark(&self) -> Option<&Mark> {
-        self.earlier.as_ref().and_then(Earlier::mark)
+/// The report in this form; a table lists the samples only if that is wanted.
+fn report(form: Form, listed: bool) -> Box<dyn Report> {
+    match form {
+        Form::Json => Box::new(Json::new()),
+        Form::Csv => Box::new(Csv::new()),
+        Form::Table => Box::new(Sheet::new(listed)),
     }
 }
 
@@ -176,24 +158,5 @@ fn ended(
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(Failure::usage("--initial", error)),
-    }
-}
-
-impl Ending {
-    /// What is left to be said when the answer is written.
-    pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), Failure> {
-        match self {
-            Self::Complete => Ok(()),
-            Self::Interrupted(time) => {
-                let how = output.map_or_else(
-                    || "only what --output writes as JSON or CSV can be gone on from".to_owned(),
-                    |file| format!("go on with --resume {}", file.display()),
-                );
-                Err(Failure::Interrupted(format!(
-                    "interrupted at t = {time:?} s: what was computed is written; {how}"
-                )))
-            }
-            Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),
-        }
     }
 }

@@ -1,8 +1,8 @@
 //! The answer to read.
 
 use super::events::Happening;
-use super::report::{Report, Summary, name};
-use super::run::Motion;
+use super::motion::Motion;
+use super::report::{Report, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use libration::taylor::Moment;
@@ -21,7 +21,7 @@ pub(super) struct Sheet {
 impl Report for Sheet {
     fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
         let model = motion.model;
-        write_text(out, "", &format!("{} ({})", model.title(), name(motion)))?;
+        write_text(out, "", &format!("{} ({})", model.title(), motion.name()))?;
         writeln!(out, "{}", paragraph("  equations  ", &model.equation().to_string(), 120))?;
         if let Some(parameters) = parameters(motion) {
             writeln!(out, "{}", paragraph("  parameters ", &parameters, 120))?;

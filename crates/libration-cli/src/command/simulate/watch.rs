@@ -1,9 +1,9 @@
 //! What is done with each step of the integration as soon as it is made.
 
 use super::events::Happening;
+use super::motion::Motion;
 use super::report::{Report, Summary};
 use super::resume::{Keeper, Mark, State};
-use super::run::Motion;
 use super::tally::Tally;
 use crate::failure::Failure;
 use crate::figure::simulation::Trace;

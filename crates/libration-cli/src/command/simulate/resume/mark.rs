@@ -1,5 +1,7 @@
 //! How far an answer is certain whatever comes behind it, and what is needed to go on from there.
 
+use crate::output::field::{Field, Fields};
+use crate::output::json;
 use libration::systems::EnergyAccount;
 use libration::taylor::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 use serde_json::{Value, json};
@@ -18,23 +20,47 @@ pub(crate) struct Mark {
 }
 
 impl Mark {
-    pub(super) fn to_json(&self) -> Value {
-        let Checkpoint { time, state, unit, moduli, events, steps } = &self.checkpoint;
-        let modulus = |it: &ModulusCheckpoint| json!([it.sign, it.sticks, it.zeros]);
-        let event = |it: &EventCheckpoint| json!([it.side, it.last, it.near]);
-        json!({
-            "time": time,
-            "state": state,
-            "unit": unit,
-            "absolute_values": moduli.iter().map(modulus).collect::<Vec<_>>(),
-            "event_formulas": events.iter().map(event).collect::<Vec<_>>(),
-            "steps": steps,
-            "samples": self.samples,
-            "events": self.events,
-            "bytes": self.bytes,
-            "checksum": format!("{:016x}", self.checksum),
-            "energy": self.energy.as_ref().map(energy_to_json),
-        })
+    pub(super) fn fields() -> Fields<Self> {
+        type Of = Field<Mark>;
+        Fields::from([
+            Of::value("time", "s", "time of the checkpoint that --resume goes on from", |it| {
+                json::number(it.checkpoint.time)
+            }),
+            Of::value("state[][]", "", "state there, each number as the sum of two", |it| {
+                json::list(it.checkpoint.state.iter().map(|pair| json::numbers(pair)))
+            }),
+            Of::value("unit", "s", "unit of time of the series of the next step", |it| {
+                json::number(it.checkpoint.unit)
+            }),
+            Of::value(
+                "absolute_values[][]",
+                "",
+                "sign, sticking and leading zeros of each absolute value",
+                |it| {
+                    let moduli = it.checkpoint.moduli.iter();
+                    json::list(moduli.map(|one| json!([one.sign, one.sticks, one.zeros])))
+                },
+            ),
+            Of::value(
+                "event_formulas[][]",
+                "",
+                "side of zero, last zero and nearness to zero of each event",
+                |it| {
+                    let events = it.checkpoint.events.iter();
+                    json::list(events.map(|one| json!([one.side, one.last, one.near])))
+                },
+            ),
+            Of::value("steps", "1", "steps until there", |it| it.checkpoint.steps.into()),
+            Of::value("samples", "1", "samples until there", |it| it.samples.into()),
+            Of::value("events", "1", "events until there", |it| it.events.into()),
+            Of::value("bytes", "1", "bytes of the CSV file until there", |it| it.bytes.into()),
+            Of::value("checksum", "", "checksum of those bytes, in hexadecimal digits", |it| {
+                format!("{:016x}", it.checksum).into()
+            }),
+            Of::nested("energy.", &of_energy(), |it| {
+                it.energy.as_ref().map(|account| of_energy().record(account)).into()
+            }),
+        ])
     }
 
     pub(super) fn from_json(value: &Value) -> Option<Self> {
@@ -70,16 +96,27 @@ fn event(value: &Value) -> Option<EventCheckpoint> {
 }
 
 /// Numbers that are not finite, as of an energy without a value, are null.
-fn energy_to_json(account: &EnergyAccount) -> Value {
-    let EnergyAccount { start, last, potential, quadrature_error, largest_change, largest_kinetic } = account;
-    json!({
-        "start": start,
-        "last": last,
-        "potential": potential,
-        "missed": quadrature_error,
-        "largest_change": largest_change,
-        "largest_kinetic": largest_kinetic,
-    })
+fn of_energy() -> Fields<EnergyAccount> {
+    type Of = Field<EnergyAccount>;
+    Fields::from([
+        Of::value("start[]", "", "state where the account of the energy begins", |it| {
+            json::numbers(&it.start)
+        }),
+        Of::value("last[]", "", "state where it stands", |it| json::numbers(&it.last)),
+        Of::value(
+            "potential[]",
+            "",
+            "potential energy gained until there, as the sum of two numbers",
+            |it| json::numbers(&it.potential),
+        ),
+        Of::value("missed", "", "bound on the error of that potential energy beyond roundings", |it| {
+            json::number(it.quadrature_error)
+        }),
+        Of::value("largest_change", "", "largest change of the energy since the start", |it| {
+            json::number(it.largest_change)
+        }),
+        Of::value("largest_kinetic", "", "largest kinetic energy", |it| json::number(it.largest_kinetic)),
+    ])
 }
 
 fn energy_from_json(value: &Value) -> Option<EnergyAccount> {

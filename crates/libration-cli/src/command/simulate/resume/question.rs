@@ -1,7 +1,8 @@
 //! What was asked, by which an earlier answer is known to be about the same motion.
 
+use crate::output::field::{Field, Fields};
 use crate::output::json;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// What decides the numbers of a motion, the times apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,15 +56,22 @@ impl Question {
         Ok(())
     }
 
-    pub(super) fn to_json(&self) -> Value {
-        json!({
-            "system": self.system,
-            "equations": self.equations,
-            "state": self.state,
-            "initial": self.initial.iter().map(|&value| json::number(value)).collect::<Vec<_>>(),
-            "tolerance": self.tolerance,
-            "events": self.events,
-        })
+    pub(super) fn fields() -> Fields<Self> {
+        type Of = Field<Question>;
+        Fields::from([
+            Of::value("system", "", "what --resume compares: key of the system, or null", |it| {
+                it.system.clone().into()
+            }),
+            Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
+                it.equations.as_str().into()
+            }),
+            Of::value("state[]", "", "names of the numbers of the state", |it| json::list(it.state.clone())),
+            Of::value("initial[]", "", "state at t = 0", |it| json::numbers(&it.initial)),
+            Of::value("tolerance", "1", "relative error allowed in each step", |it| {
+                json::number(it.tolerance)
+            }),
+            Of::value("events[]", "", "events that are looked for", |it| json::list(it.events.clone())),
+        ])
     }
 
     pub(super) fn from_json(value: &Value) -> Option<Self> {

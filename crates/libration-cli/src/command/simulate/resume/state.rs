@@ -3,8 +3,9 @@
 use super::{Mark, Question, ResumeError};
 use crate::arguments;
 use crate::failure::Failure;
+use crate::output::field::{Field, Fields};
 use crate::output::{file, json};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -17,8 +18,13 @@ pub(crate) struct State {
 }
 
 impl State {
-    pub(crate) fn to_json(&self) -> Value {
-        json!({ "question": self.question.to_json(), "known": self.mark.as_ref().map(Mark::to_json) })
+    pub(crate) fn fields() -> Fields<Self> {
+        type Of = Field<State>;
+        let (question, mark) = (Question::fields(), Mark::fields());
+        Fields::from([
+            Of::nested("question.", &question, |it| Question::fields().record(&it.question).into()),
+            Of::nested("known.", &mark, |it| it.mark.as_ref().map(|mark| Mark::fields().record(mark)).into()),
+        ])
     }
 
     pub(crate) fn from_json(value: &Value) -> Option<Self> {
@@ -43,12 +49,8 @@ impl State {
     }
 
     pub(crate) fn write(&self, path: &Path) -> Result<(), Failure> {
-        let mut record = json::Record::new();
-        if let Value::Object(fields) = self.to_json() {
-            record = fields.into_iter().fold(record, |record, (name, value)| record.with(&name, value));
-        }
         let mut text = vec![];
-        json::document(&mut text, record)?;
+        json::document(&mut text, Self::fields().record(self))?;
         file::write(path, &text)
     }
 }

@@ -1,0 +1,51 @@
+//! The answer as lines of numbers below their names.
+
+use super::events::Happening;
+use super::fields;
+use super::motion::Motion;
+use super::report::{Report, Summary};
+use crate::output::field::Fields;
+use crate::output::{csv, number};
+use libration::taylor::Moment;
+use std::io::{self, Write};
+
+/// If events are looked for they stand among the samples in the order of time, with their kind in a last column, which is empty in
+/// samples.
+pub(super) struct Csv {
+    of_time: Fields<f64>,
+    with_events: bool,
+}
+
+impl Csv {
+    pub(super) fn new() -> Self {
+        Self { of_time: fields::of_time(), with_events: false }
+    }
+
+    fn line(&self, time: f64, state: &[f64], kind: &str, out: &mut dyn Write) -> io::Result<()> {
+        let mut cells = self.of_time.csv_cells(&time);
+        cells.extend(state.iter().map(|&value| number::exact(value)));
+        cells.extend(self.with_events.then(|| kind.to_owned()));
+        csv::line(out, &cells)
+    }
+}
+
+impl Report for Csv {
+    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+        self.with_events = !motion.watched.is_empty();
+        let mut names = [self.of_time.csv_names(), motion.model.state_names()].concat();
+        names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
+        csv::line(out, &names)
+    }
+
+    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
+        self.line(moment.time, &moment.state, "", out)
+    }
+
+    fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()> {
+        self.line(happening.time, &happening.state, &happening.kind, out)
+    }
+
+    fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
+        Ok(())
+    }
+}

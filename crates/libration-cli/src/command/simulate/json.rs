@@ -1,0 +1,48 @@
+//! The answer as one JSON document.
+
+use super::events::Happening;
+use super::fields;
+use super::motion::Motion;
+use super::report::{Report, Summary};
+use crate::output::field::Fields;
+use crate::output::json;
+use libration::taylor::Moment;
+use std::io::{self, Write};
+
+pub(super) struct Json {
+    of_sample: Fields<Moment>,
+    samples: json::List,
+    /// They follow the samples.
+    happenings: Vec<Happening>,
+}
+
+impl Json {
+    pub(super) fn new() -> Self {
+        Self { of_sample: fields::of_sample(), samples: json::List::default(), happenings: vec![] }
+    }
+}
+
+impl Report for Json {
+    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+        json::begin_document(out, fields::of_motion().record(motion))?;
+        self.samples.begin(out, "samples")
+    }
+
+    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
+        self.samples.item(out, self.of_sample.record(moment))
+    }
+
+    fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {
+        self.happenings.push(happening.clone());
+        Ok(())
+    }
+
+    fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
+        self.samples.end(out)?;
+        let (mut events, of_event) = (json::List::default(), fields::of_event());
+        events.begin(out, "events")?;
+        self.happenings.iter().try_for_each(|event| events.item(out, of_event.record(event)))?;
+        events.end(out)?;
+        json::end_document(out, fields::of_summary().record(summary))
+    }
+}

@@ -1,0 +1,35 @@
+//! A motion with what is asked about it.
+
+use super::events::Watched;
+use super::resume::{Earlier, Mark, Question};
+use crate::arguments::{Initial, Times};
+use libration::systems::Model;
+use libration::taylor::{Effort, Moment};
+
+/// A motion to be integrated, with what is asked about it.
+pub(super) struct Motion<'a> {
+    pub(super) model: &'a Model,
+    pub(super) question: Question,
+    pub(super) initial: Initial,
+    pub(super) times: &'a Times,
+    pub(super) effort: Effort,
+    pub(super) watched: Watched,
+    pub(super) earlier: Option<Earlier>,
+}
+
+impl Motion<'_> {
+    /// What the system is called: its key, or the equations as they were understood.
+    pub(super) fn name(&self) -> String {
+        self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)
+    }
+
+    /// The state at t = 0.
+    pub(super) fn beginning(&self) -> Moment {
+        Moment { time: 0.0, state: self.initial.state.clone() }
+    }
+
+    /// Where it is gone on from.
+    pub(super) fn mark(&self) -> Option<&Mark> {
+        self.earlier.as_ref().and_then(Earlier::mark)
+    }
+}
