@@ -1,59 +1,191 @@
-//! What the fields of an inspected file mean.
+//! What is said of a file, of its tables and columns, and of the traces that would be fitted.
 
-use crate::output::description::{Answers, Row, descriptions};
+use super::answer::{Answer, clock, range};
+use crate::arguments::what_would_decide;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration_lab::measurement::{Channel, Finding, Format, MeasurementError, Quantity, Seen, Sheet, Trace};
+use serde_json::Value;
 
-const JSON: &[Row] = &[
-    ("file", "", "name of the file"),
-    ("bytes", "1", "size of the file"),
-    ("format", "", "kind of file, with the encoding of text"),
-    ("sheets[].name", "", "name of the sheet, empty in text"),
-    ("sheets[].delimiter", "", "what stands between columns"),
-    ("sheets[].decimal", "", "decimal mark"),
-    ("sheets[].header_line", "1", "number of the line with the names of the columns, or null"),
-    ("sheets[].rows", "1", "rows of the table"),
-    ("sheets[].columns[].number", "1", "number of the column, from 1"),
-    ("sheets[].columns[].name", "", "header of the column"),
-    ("sheets[].columns[].quantity", "", "quantity that the header names, or –"),
-    ("sheets[].columns[].unit", "", "unit that the header names, or null"),
-    ("sheets[].columns[].run", "", "run that the header names, or null"),
-    ("sheets[].columns[].numbers", "1", "cells that are numbers"),
-    ("sheets[].columns[].blanks", "1", "cells that are blank"),
-    ("sheets[].columns[].words", "1", "cells that are neither"),
-    ("sheets[].columns[].smallest", "", "smallest number, in the unit of the file, or null"),
-    ("sheets[].columns[].largest", "", "largest number, in the unit of the file, or null"),
-    ("traces[].name", "", "name of the run"),
-    ("traces[].seen", "", "what was measured: angle or angular velocity"),
-    ("traces[].unit", "", "unit of what was measured, after conversion"),
-    ("traces[].rows", "1", "rows that would be fitted"),
-    ("traces[].first_time_s", "s", "time of the first row"),
-    ("traces[].last_time_s", "s", "time of the last row"),
-    ("traces[].interval_s", "s", "time from row to row, or null where it varies"),
-    ("traces[].jitter_s", "s", "scatter of that time, or null"),
-    ("traces[].smallest", "", "smallest value, in the unit above"),
-    ("traces[].largest", "", "largest value, in the unit above"),
-    ("traces[].has_uncertainties", "", "whether the rows have uncertainties"),
-    ("gate_times", "1", "number of times of a photogate, or null"),
-    ("findings[].text", "", "what was concluded from the file"),
-    ("findings[].option", "", "option that overrides it, or null"),
-    ("undecided.why", "", "why there is no trace"),
-    ("undecided.options[]", "", "options that would decide it"),
-];
+/// A column of a table, with its number from 1.
+pub(super) struct SheetColumn<'a> {
+    sheet: &'a Sheet,
+    number: usize,
+    channel: &'a Channel,
+}
 
-const CSV: &[Row] = &[
-    ("sheet", "", "name of the sheet, empty in text"),
-    ("column", "1", "number of the column, from 1"),
-    ("name", "", "header of the column"),
-    ("quantity", "", "quantity that the header names, or –"),
-    ("unit", "", "unit that the header names"),
-    ("run", "", "run that the header names"),
-    ("numbers", "1", "cells that are numbers"),
-    ("blanks", "1", "cells that are blank"),
-    ("words", "1", "cells that are neither"),
-    ("smallest", "", "smallest number, in the unit of the file"),
-    ("largest", "", "largest number, in the unit of the file"),
-];
+pub(super) fn columns(sheet: &Sheet) -> Vec<SheetColumn<'_>> {
+    let channels = sheet.channels.iter().zip(1..);
+    channels.map(|(channel, number)| SheetColumn { sheet, number, channel }).collect()
+}
+
+pub(super) fn of_file() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("file", "", "name of the file", |it| it.file.as_str().into())
+            .line_of("file", |it| it.file.clone()),
+        Of::value("bytes", "1", "size of the file", |it| it.bytes.into()),
+        Of::value("format", "", "kind of file, with the encoding of text", |it| format(it).into())
+            .line_of("format", |it| format!("{}, {} bytes", format(it), it.bytes)),
+        Of::nested("sheets[].", &of_sheet(), |it| of_sheet().records(it.recording.sheets())),
+        Of::nested("traces[].", &of_trace(), |it| {
+            of_trace().records(it.traces.iter().flat_map(|found| &found.traces))
+        }),
+        Of::value("gate_times", "1", "number of times of a photogate, or null", |it| {
+            it.gates.as_ref().map(|gates| gates.times.len()).into()
+        }),
+        Of::nested("findings[].", &of_finding(), |it| of_finding().records(&it.findings())),
+        Of::nested("undecided.", &of_error(), |it| {
+            it.traces.as_ref().err().map(|error| of_error().record(error)).into()
+        }),
+    ])
+}
+
+fn of_sheet() -> Fields<Sheet> {
+    type Of = Field<Sheet>;
+    Fields::from([
+        Of::value("name", "", "name of the sheet, empty in text", |it| it.name.as_str().into()),
+        Of::value("delimiter", "", "what stands between columns", |it| {
+            it.dialect.delimiter.to_string().into()
+        }),
+        Of::value("decimal", "", "decimal mark", |it| it.dialect.mark.to_string().into()),
+        Of::value("header_line", "1", "number of the line with the names of the columns, or null", |it| {
+            it.header_line.into()
+        }),
+        Of::value("rows", "1", "rows of the table", |it| it.rows().into()),
+        Of::nested("columns[].", &of_column(), |it| of_column().records(&columns(it))),
+    ])
+}
+
+pub(super) fn of_column<'a>() -> Fields<SheetColumn<'a>> {
+    type Of<'a> = Field<SheetColumn<'a>>;
+    Fields::from([
+        Of::value("sheet", "", "name of the sheet, empty in text", |it| it.sheet.name.as_str().into())
+            .only_csv(),
+        Of::value("number", "1", "number of the column, from 1", |it| it.number.into())
+            .in_csv_as("column")
+            .numeral("column", |it| it.number.to_string()),
+        Of::value("name", "", "header of the column", |it| it.channel.heading.text.as_str().into())
+            .words("name", |it| it.channel.heading.text.clone()),
+        Of::value("quantity", "", "quantity that the header names, or –", |it| quantity(it.channel).into())
+            .words("quantity", |it| quantity(it.channel)),
+        Of::value("unit", "", "unit that the header names, or null", |it| it.unit().into())
+            .words("unit", |it| it.unit().unwrap_or_default()),
+        Of::value("run", "", "run that the header names, or null", |it| {
+            it.channel.heading.run.as_deref().into()
+        })
+        .words("run", |it| it.channel.heading.run.clone().unwrap_or_default()),
+        Of::value("numbers", "1", "cells that are numbers", |it| it.channel.count().into())
+            .numeral("numbers", |it| it.channel.count().to_string()),
+        Of::value("blanks", "1", "cells that are blank", |it| it.channel.blanks().into())
+            .numeral("blank", |it| it.channel.blanks().to_string()),
+        Of::value("words", "1", "cells that are neither", |it| it.channel.words().len().into())
+            .numeral("words", |it| it.channel.words().len().to_string()),
+        Of::nullable("smallest", "", "smallest number, in the unit of the file, or null", |it| {
+            it.channel.range().map(|(smallest, _)| smallest)
+        })
+        .short("smallest", 7)
+        .or("–"),
+        Of::nullable("largest", "", "largest number, in the unit of the file, or null", |it| {
+            it.channel.range().map(|(_, largest)| largest)
+        })
+        .short("largest", 7)
+        .or("–"),
+    ])
+}
+
+impl SheetColumn<'_> {
+    fn unit(&self) -> Option<String> {
+        let heading = &self.channel.heading;
+        heading.unit.map(|unit| unit.to_string()).or_else(|| heading.unit_text.clone())
+    }
+}
+
+fn of_trace() -> Fields<Trace> {
+    type Of = Field<Trace>;
+    Fields::from([
+        Of::value("name", "", "name of the run", |it| it.name().into()),
+        Of::value("seen", "", "what was measured: angle or angular velocity", |it| seen(it).into()),
+        Of::value("unit", "", "unit of what was measured, after conversion", |it| unit(it).into()),
+        Of::value("rows", "1", "rows that would be fitted", |it| it.len().into()),
+        Of::number("first_time_s", "s", "time of the first row", |it| it.times()[0]),
+        Of::number("last_time_s", "s", "time of the last row", |it| it.times()[it.len() - 1]),
+        Of::nullable("interval_s", "s", "time from row to row, or null where it varies", |it| {
+            clock(it).map(|clock| clock.interval)
+        }),
+        Of::nullable("jitter_s", "s", "scatter of that time, or null", |it| {
+            clock(it).map(|clock| clock.jitter)
+        }),
+        Of::number("smallest", "", "smallest value, in the unit above", |it| range(it).0),
+        Of::number("largest", "", "largest value, in the unit above", |it| range(it).1),
+        Of::value("has_uncertainties", "", "whether the rows have uncertainties", |it| {
+            it.uncertainties().is_some().into()
+        }),
+    ])
+}
+
+fn of_finding() -> Fields<Finding> {
+    type Of = Field<Finding>;
+    Fields::from([
+        Of::value("text", "", "what was concluded from the file", |it| it.text.as_str().into()),
+        Of::value("option", "", "option that overrides it, or null", |it| {
+            it.choice.map(|choice| format!("--{choice}")).into()
+        }),
+    ])
+}
+
+fn of_error() -> Fields<MeasurementError> {
+    type Of = Field<MeasurementError>;
+    Fields::from([
+        Of::value("why", "", "why there is no trace", |it| what_would_decide(it).into()),
+        Of::value("options[]", "", "options that would decide it", |it| match it {
+            MeasurementError::Undecided { choices, .. } => {
+                json::list(choices.iter().map(|it| format!("--{} {}", it.choice, it.value)))
+            }
+            _ => Value::Array(vec![]),
+        }),
+    ])
+}
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (descriptions("", JSON), descriptions("", CSV));
+    let (json, csv) = (of_file().described(""), of_column().described_in_csv());
     vec![Answers { command: "inspect", option: "", json, csv }]
+}
+
+fn format(answer: &Answer) -> String {
+    match answer.recording.format() {
+        Format::Text(encoding) => format!("text, {encoding}"),
+        Format::Xls => "Excel workbook (xls)".to_owned(),
+        Format::Xlsx => "Excel workbook (xlsx)".to_owned(),
+        _ => "ZIP archive of text files".to_owned(),
+    }
+}
+
+pub(super) fn seen(trace: &Trace) -> &'static str {
+    match trace.seen() {
+        Seen::Angle => "angle",
+        Seen::AngularVelocity => "angular velocity",
+    }
+}
+
+fn unit(trace: &Trace) -> &'static str {
+    match trace.seen() {
+        Seen::Angle => "rad",
+        Seen::AngularVelocity => "rad/s",
+    }
+}
+
+fn quantity(channel: &Channel) -> String {
+    let name = match channel.heading.quantity {
+        Quantity::Time => "time",
+        Quantity::Angle => "angle",
+        Quantity::AngularVelocity => "angular velocity",
+        Quantity::X => "x",
+        Quantity::Y => "y",
+        Quantity::Gate => "gate",
+        Quantity::Run => "run",
+        _ => return "–".to_owned(),
+    };
+    if channel.heading.is_uncertainty { format!("{name}, uncertainty") } else { name.to_owned() }
 }
