@@ -1,6 +1,6 @@
 //! Fitted swings that go on after their last row, beside the true motion.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use libration::decay::{DecayEnding, DecayError};
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
@@ -15,7 +15,7 @@ const SWING: Synthetic = Synthetic { step: 0.04, rows: 500, noise: 0.003, ..Synt
 
 fn fitted(swing: &Synthetic, model: &str, seed: u64) -> TraceFit {
     let trace = swing.trace(&mut Random::seeded(seed));
-    let go_on = &mut || ControlFlow::Continue(());
+    let go_on = &Watch::none();
     fit_traces(&[trace], model.parse().unwrap(), &TraceOptions::default(), go_on).unwrap()
 }
 

@@ -1,8 +1,8 @@
 //! Positions of a bob with noise, whose pivot is fitted: what the angles about it owe to its place enters every answer.
 
+use libration::watch::Watch;
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use std::ops::ControlFlow;
 
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
@@ -32,7 +32,7 @@ fn positions(amplitude: f64, noise: f64, seed: u64) -> Trace {
 fn fitted(trace: &Trace) -> TraceFit {
     let linear = DampingTerms::only(DampingTerm::Linear);
     let options = TraceOptions::default();
-    fit_traces(std::slice::from_ref(trace), linear, &options, &mut || ControlFlow::Continue(())).unwrap()
+    fit_traces(std::slice::from_ref(trace), linear, &options, &Watch::none()).unwrap()
 }
 
 fn cycles_of(trace: &Trace) -> Cycles {
@@ -94,7 +94,7 @@ fn parts_about_one_pivot_share_its_error() {
     let whole = positions(10.0 * DEGREE, 5e-4, 2);
     let parts = [0, 1].map(|part| whole.only(|row| row / 180 == part).unwrap());
     let linear = DampingTerms::only(DampingTerm::Linear);
-    let go_on = &mut || ControlFlow::Continue(());
+    let go_on = &Watch::none();
     let together = fit_traces(&parts, linear, &TraceOptions::default(), go_on).unwrap();
     let offsets: Vec<usize> =
         (0..together.parameters.len()).filter(|&place| together.parameters[place].name == "offset").collect();

@@ -2,11 +2,11 @@
 
 use crate::random::Random;
 use libration::pendulum::Pendulum;
+use libration::watch::Watch;
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{DampingTerms, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, Options, Recording, Trace};
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 const OMEGA0: f64 = 4.2;
 
@@ -28,7 +28,7 @@ fn trace(rate: f64, begin: f64) -> Trace {
 
 fn fitted(trace: Trace) -> TraceFit {
     let options = TraceOptions::default();
-    fit_traces(&[trace], DampingTerms::UNDAMPED, &options, &mut || ControlFlow::Continue(())).unwrap()
+    fit_traces(&[trace], DampingTerms::UNDAMPED, &options, &Watch::none()).unwrap()
 }
 
 #[test]

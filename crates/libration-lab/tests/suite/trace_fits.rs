@@ -1,5 +1,7 @@
 //! Fits of traces against traces of known truth: motions of `systems`, made imperfect as instruments do.
 
+use libration::watch::Watch;
+use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -125,12 +127,8 @@ impl Truth {
     }
 }
 
-fn go_on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
 fn fit(traces: &[Trace], terms: DampingTerms, options: TraceOptions) -> TraceFit {
-    fit_traces(traces, terms, &options, &mut go_on).unwrap()
+    fit_traces(traces, terms, &options, &Watch::none()).unwrap()
 }
 
 /// The difference of a parameter from the truth in its standard uncertainties.
@@ -173,7 +171,7 @@ fn coverage(traces: usize, seed: u64, profile: bool) -> Coverage {
             &[trace],
             truth.terms(),
             &TraceOptions { profile, ..TraceOptions::default() },
-            &mut go_on,
+            &Watch::none(),
         );
         let fit = fit.unwrap_or_else(|error| panic!("{error}: {truth:?}"));
         assert!(fit.converged, "{truth:?}");
@@ -308,7 +306,8 @@ fn the_damping_is_told_where_the_data_tell_it() {
         [([0.05, 0.0, 0.0], "dry"), ([0.0, 0.06, 0.0], "linear"), ([0.0, 0.0, 0.06], "quadratic")]
     {
         let truth = Truth { damping, noise: 0.003, cycles: 12.0, ..Truth::plain() };
-        let comparison = compare(&[truth.trace(&mut random)], &TraceOptions::default(), &mut go_on).unwrap();
+        let comparison =
+            compare(&[truth.trace(&mut random)], &TraceOptions::default(), &Watch::none()).unwrap();
         assert!(
             comparison.best().damping.has(truth.terms().iter().next().unwrap()),
             "{name}: {comparison:?}"
@@ -329,7 +328,7 @@ fn the_damping_is_told_where_the_data_tell_it() {
 fn little_data_do_not_tell_one_damping_from_another() {
     let truth = Truth { damping: [0.0, 0.01, 0.0], noise: 0.02, cycles: 4.0, ..Truth::plain() };
     let comparison =
-        compare(&[truth.trace(&mut Random::seeded(10))], &TraceOptions::default(), &mut go_on).unwrap();
+        compare(&[truth.trace(&mut Random::seeded(10))], &TraceOptions::default(), &Watch::none()).unwrap();
     assert!(comparison.rivals().len() >= 2, "{:?}", comparison.rivals());
 }
 
@@ -453,20 +452,21 @@ fn swings_of_more_than_a_turn_are_refused_before_any_fit() {
         let values = trace.values().iter().map(|value| factor * value).collect();
         Trace::new("swing", Seen::Angle, trace.times().to_vec(), values, None).unwrap()
     };
-    let mut evaluations = 0;
-    let mut watch = || {
-        evaluations += 1;
+    let evaluations = Cell::new(0);
+    let ask = |_| {
+        evaluations.set(evaluations.get() + 1);
         ControlFlow::Continue(())
     };
     // ±45°, called radians.
     let degrees = by(180.0 / std::f64::consts::PI);
-    let error = compare(&[degrees], &TraceOptions::default(), &mut watch).unwrap_err();
-    assert_eq!(evaluations, 0);
+    let error = compare(&[degrees], &TraceOptions::default(), &Watch::new(&ask)).unwrap_err();
+    assert_eq!(evaluations.get(), 0);
     let TraceFitError::BeyondATurn(beyond) = &error else { panic!("{error}") };
     assert!(beyond.in_degrees && (beyond.half.to_degrees() / 2580.0 - 1.0).abs() < 0.05, "{beyond:?}");
     assert!(error.to_string().contains("these angles are degrees, not radians"), "{error}");
     // Counts of an encoder, say.
-    let counts = fit_traces(&[by(600.0)], truth.terms(), &TraceOptions::default(), &mut go_on).unwrap_err();
+    let counts =
+        fit_traces(&[by(600.0)], truth.terms(), &TraceOptions::default(), &Watch::none()).unwrap_err();
     assert!(counts.to_string().contains("check the unit"), "{counts}");
 }
 
@@ -492,13 +492,13 @@ fn stated_uncertainties_are_not_made_smaller() {
 fn what_cannot_be_fitted_is_refused() {
     let linear = DampingTerms::only(DampingTerm::Linear);
     let options = TraceOptions::default();
-    assert_eq!(fit_traces(&[], linear, &options, &mut go_on), Err(TraceFitError::NoTrace));
+    assert_eq!(fit_traces(&[], linear, &options, &Watch::none()), Err(TraceFitError::NoTrace));
     let trace = |rows: u32, value: fn(f64) -> f64| {
         let times: Vec<f64> = (0..rows).map(f64::from).collect();
         let values = times.iter().map(|&time| value(time)).collect();
         Trace::new("none", Seen::Angle, times, values, None).unwrap()
     };
-    let refused = |trace: Trace| fit_traces(&[trace], linear, &options, &mut go_on).unwrap_err();
+    let refused = |trace: Trace| fit_traces(&[trace], linear, &options, &Watch::none()).unwrap_err();
     assert!(matches!(refused(trace(5, |t| t)), TraceFitError::TooFewRows { rows: 5, .. }));
     for still in [|_| 0.0, |_| 1.0] {
         let error = refused(trace(100, still));
@@ -508,8 +508,17 @@ fn what_cannot_be_fitted_is_refused() {
         );
     }
     let swing = Truth::plain().trace(&mut Random::seeded(13));
-    let interrupted = fit_traces(&[swing], linear, &options, &mut || ControlFlow::Break(()));
-    assert_eq!(interrupted, Err(TraceFitError::Interrupted));
+    // At the first motion, and at a later one.
+    for last in [1, 5] {
+        let evaluations = Cell::new(0);
+        let ask = |_| {
+            evaluations.set(evaluations.get() + 1);
+            if evaluations.get() < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let interrupted = fit_traces(std::slice::from_ref(&swing), linear, &options, &Watch::new(&ask));
+        assert_eq!(interrupted, Err(TraceFitError::Interrupted));
+        assert_eq!(evaluations.get(), last);
+    }
 }
 
 #[expect(clippy::print_stdout, reason = "the figures themselves are of interest")]

@@ -7,9 +7,10 @@ use crate::arguments::ApparatusOptions;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
+use libration::watch::Watch;
 use libration_lab::fit::swings::{SwingsError, SwingsFit, SwingsOptions, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
-use std::ops::ControlFlow;
+use std::cell::{Cell, RefCell};
 
 /// Everything that is said about measured swings.
 #[derive(Debug)]
@@ -26,11 +27,10 @@ impl<'a> Answer<'a> {
         apparatus: &ApparatusOptions,
     ) -> Result<Self, Failure> {
         interrupt::listen()?;
-        let mut progress = ProgressLine::new();
-        let mut motions: u64 = 0;
-        let mut watch = || -> ControlFlow<()> {
-            motions += 1;
-            progress.show(|| format!("fitting: {motions} motions integrated"));
+        let (line, motions) = (RefCell::new(ProgressLine::new()), Cell::new(0_u64));
+        let ask = |_| {
+            motions.set(motions.get() + 1);
+            line.borrow_mut().show(|| format!("fitting: {} motions integrated", motions.get()));
             interrupt::go_on()
         };
         let options = SwingsOptions {
@@ -44,7 +44,7 @@ impl<'a> Answer<'a> {
             clock: apparatus.clock(),
             correlations: apparatus.correlations(),
         };
-        let swings = swings(&measured.traces, &options, &mut watch);
+        let swings = swings(&measured.traces, &options, &Watch::new(&ask));
         Ok(Self { measured, swings: swings.map_err(|error| failure(measured, error))? })
     }
 

@@ -1,6 +1,6 @@
 //! From recordings of swings to everything that they say.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use super::fitted::{SwingsFit, small_angle_period};
 use super::options::SwingsOptions;
@@ -23,14 +23,14 @@ pub enum SwingsError {
     Gravity(#[from] BudgetError),
 }
 
-/// What traces of the same pendulum say. `watch` is called before each evaluation of the motion and may stop the fit.
+/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion and may stop the fit.
 ///
 /// # Errors
 /// No motion could be fitted, or there is no gravity with this apparatus.
 pub fn swings(
     traces: &[Trace],
     options: &SwingsOptions<'_>,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<SwingsFit, SwingsError> {
     let (fit, comparison) = match options.damping {
         Some(damping) => (fit_traces(traces, damping, &options.trace, watch)?, None),

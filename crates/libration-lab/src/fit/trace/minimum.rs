@@ -1,6 +1,6 @@
 //! The best parameters of a model.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use super::TraceFitError;
 use super::data::Data;
@@ -52,19 +52,19 @@ impl Minimum {
     }
 }
 
-/// The minimum next to where the search starts, with these weights. `watch` is called before each evaluation of the motion.
+/// The minimum next to where the search starts, with these weights. `watch` is asked before each evaluation of the motion.
 pub(super) fn minimum(
     data: Data<'_>,
     model: &Model,
     weights: Weights,
     start: Start,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Minimum, TraceFitError> {
     let Start { mut parameters, free, rows, patience } = start;
     let omega0 = parameters[Layout::OMEGA0];
     let varied = DVector::from_iterator(free.len(), free.iter().map(|&place| parameters[place]));
     let found = levenberg_marquardt::minimum(varied, Effort { tolerance: TOLERANCE, patience }, |values| {
-        if watch().is_break() {
+        if watch.go_on().is_err() {
             return Err(NoResiduals::Stopped);
         }
         for (&place, &value) in free.iter().zip(values) {

@@ -54,12 +54,12 @@ pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;
 
 use crate::measurement::Trace;
+use libration::watch::Watch;
 use problem::Problem;
-use std::ops::ControlFlow;
 
 /// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
 ///
-/// `watch` is called before each evaluation of the motion and may stop the fit.
+/// `watch` is asked before each evaluation of the motion and may stop the fit.
 ///
 /// # Errors
 /// Too few rows, a trace that no pendulum makes, parameters that the data do not determine, an interruption.
@@ -69,14 +69,14 @@ use std::ops::ControlFlow;
 /// use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceOptions, fit_traces};
 /// use libration_lab::measurement::{Seen, Trace};
 /// use libration::pendulum::Pendulum;
-/// use std::ops::ControlFlow;
+/// use libration::watch::Watch;
 ///
 /// let motion = Pendulum::from_angular_frequency(3.0)?.released_from("100deg".parse()?)?;
 /// let times: Vec<f64> = (0..300).map(|row| 0.02 * f64::from(row)).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
 /// let linear = DampingTerms::only(DampingTerm::Linear);
-/// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &mut || ControlFlow::Continue(()))?;
+/// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Watch::none())?;
 /// assert!((fit.parameters[0].value - 3.0).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -84,7 +84,7 @@ pub fn fit_traces(
     traces: &[Trace],
     damping: DampingTerms,
     options: &TraceOptions,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<TraceFit, TraceFitError> {
     let problem = Problem::new(traces, damping, *options)?;
     let minimum = search::from_scratch(&problem, watch)?;

@@ -1,6 +1,6 @@
 //! Traces, the model that is to explain them, and what is asked for.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use super::data::Data;
 use super::minimum::{Minimum, Start, minimum};
@@ -49,7 +49,7 @@ impl<'a> Problem<'a> {
         &self,
         parameters: Vec<f64>,
         patience: usize,
-        watch: &mut dyn FnMut() -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Minimum, TraceFitError> {
         let start = |parameters: Vec<f64>, patience: usize| Start {
             parameters,
@@ -85,7 +85,7 @@ impl<'a> Problem<'a> {
         weights: &Weights,
         parameters: Vec<f64>,
         free: Vec<usize>,
-        watch: &mut dyn FnMut() -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Minimum, TraceFitError> {
         let start = Start { parameters, free, rows: self.data.rows(), patience: PATIENCE_NEAR };
         minimum(self.data, &self.model, weights.clone(), start, watch)

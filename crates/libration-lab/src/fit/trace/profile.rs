@@ -2,7 +2,7 @@
 //! has grown by as much as the level says (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
 //! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use super::minimum::Minimum;
 use super::problem::Problem;
@@ -33,7 +33,7 @@ pub(super) fn intervals(
     covariance: &DMatrix<f64>,
     variance: f64,
     parameters: &mut [Parameter],
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<(), TraceFitError> {
     let free = problem.model.free();
     for (place, parameter) in
@@ -66,12 +66,7 @@ struct Profile<'a> {
 
 impl Profile<'_> {
     /// The value at so many standard deviations; as if the model were linear where the profile does not reach so far.
-    fn end(
-        &self,
-        deviations: f64,
-        uncertainty: f64,
-        watch: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<f64, TraceFitError> {
+    fn end(&self, deviations: f64, uncertainty: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let centre = self.minimum.parameters[self.free[self.place]];
         let mut distance = deviations * uncertainty;
         for _ in 0..TRIES {
@@ -91,11 +86,7 @@ impl Profile<'_> {
 
     /// By how many standard deviations the data contradict a value at this distance. The other parameters follow it from
     /// where they would be if the model were linear.
-    fn deviations(
-        &self,
-        distance: f64,
-        watch: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<f64, TraceFitError> {
+    fn deviations(&self, distance: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
         let variance = self.covariance[(self.place, self.place)];
         for (column, &place) in self.free.iter().enumerate() {

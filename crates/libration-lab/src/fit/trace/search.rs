@@ -1,7 +1,7 @@
 //! The way to the minimum from no guess: from the first swings on, taking more and more of the traces.
 
+use libration::watch::Watch;
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use super::layout::Layout;
 use super::minimum::{Minimum, Start, deeper, minimum};
@@ -39,10 +39,7 @@ struct Followed {
 }
 
 /// The minimum, from the first swings on.
-pub(super) fn from_scratch(
-    problem: &Problem<'_>,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Minimum, TraceFitError> {
+pub(super) fn from_scratch(problem: &Problem<'_>, watch: &Watch<'_>) -> Result<Minimum, TraceFitError> {
     let beginning = beginning(problem)?;
     let quick = grown(problem, beginning.clone(), &QUICK, watch);
     match quick {
@@ -65,7 +62,7 @@ fn grown(
     problem: &Problem<'_>,
     mut parameters: Vec<f64>,
     growth: &Growth,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Followed, TraceFitError> {
     let (data, model) = (problem.data, &problem.model);
     let period = TAU / parameters[Layout::OMEGA0];

@@ -1,6 +1,6 @@
 //! From the minimum to parameters with uncertainties.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use nalgebra::DMatrix;
 
@@ -16,7 +16,7 @@ use crate::statistics::{count, mean};
 pub(super) fn fit(
     problem: &Problem<'_>,
     minimum: &Minimum,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<TraceFit, TraceFitError> {
     let traces = problem.data.traces;
     let residuals = minimum.standard_residuals(traces);

@@ -4,7 +4,7 @@
 mod advice;
 mod warnings;
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use libration::quantity::Quantity;
 use libration_lab::fit::Apparatus;
@@ -45,7 +45,7 @@ fn of_length(length: f64, uncertainty: Option<f64>) -> SwingsOptions<'static> {
 
 /// Whatever is said names no option of a command.
 fn found(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
-    let found = swings(traces, options, &mut || ControlFlow::Continue(())).unwrap();
+    let found = swings(traces, options, &Watch::none()).unwrap();
     let words = found.warnings.iter().map(ToString::to_string);
     for text in words.chain(found.advice.iter().map(ToString::to_string)) {
         assert!(!text.contains("--"), "{text}");

@@ -1,6 +1,6 @@
 //! Every combination of dry friction, linear and quadratic drag, fitted one after the other.
 
-use std::ops::ControlFlow;
+use libration::watch::Watch;
 
 use super::Comparison;
 use crate::fit::trace::minimum::{Minimum, deeper};
@@ -17,7 +17,7 @@ use crate::measurement::Trace;
 pub fn compare(
     traces: &[Trace],
     options: &TraceOptions,
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Comparison, TraceFitError> {
     // The profile is of interest for the preferred model alone.
     let plain = TraceOptions { profile: false, ..*options };
@@ -52,11 +52,7 @@ impl<'a> Candidate<'a> {
     ///
     /// # Errors
     /// An interruption.
-    fn new(
-        problem: Problem<'a>,
-        simpler: &[Self],
-        watch: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<Self, TraceFitError> {
+    fn new(problem: Problem<'a>, simpler: &[Self], watch: &Watch<'_>) -> Result<Self, TraceFitError> {
         let (minimum, fit) = match minimum(&problem, simpler, watch) {
             Ok(minimum) => {
                 let fit = uncertainty::fit(&problem, &minimum, watch);
@@ -90,7 +86,7 @@ fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
 fn minimum(
     problem: &Problem<'_>,
     simpler: &[Candidate<'_>],
-    watch: &mut dyn FnMut() -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Minimum, TraceFitError> {
     let layout = problem.model.layout;
     let terms = layout.terms();
