@@ -42,7 +42,7 @@ pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told, what_would_decide};
-pub(crate) use section::{SectionOptions, named, pair_of_state, section_failure, shown};
+pub(crate) use section::{SectionOptions, place_in_state, places_in_state, section_failure};
 pub(crate) use system::SystemOptions;
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
 pub(crate) use table_columns::ColumnsOption;

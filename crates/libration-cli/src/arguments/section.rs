@@ -3,10 +3,8 @@
 use super::values::plain_name;
 use super::{count, positive};
 use crate::failure::Failure;
-use crate::figure::names::axis_label;
-use crate::figure::section::Shown;
 use crate::output::number;
-use libration::chaos::{Points, Section, SectionError, angles, drive_period, folded};
+use libration::chaos::{Points, Section, SectionError, drive_period, folded};
 use libration::expression::{Equation, Expression};
 use libration::systems::Model;
 use libration::taylor::{Direction, Effort};
@@ -127,31 +125,22 @@ fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
     state.iter().zip(is_angle).map(|(value, angle)| if angle { folded(*value) } else { *value }).collect()
 }
 
-/// The number of the state at this place, as a picture shows it.
-pub(crate) fn shown(model: &Model, place: usize) -> Shown {
-    let (name, unit) = (&model.state_names()[place], &model.state_units()[place]);
-    let label = axis_label(name, unit);
-    let is_angle = angles(model.equation()).get(place) == Some(&true);
-    Shown { place, label, is_angle }
-}
-
-/// The number of the state with this name.
-pub(crate) fn named(model: &Model, argument: &str, name: &str) -> Result<Shown, Failure> {
+/// Where the number with this name stands in the state.
+pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Result<usize, Failure> {
     let names = model.state_names();
     let place = names.iter().position(|known| *known == plain_name(name));
-    let place = place.ok_or_else(|| {
+    place.ok_or_else(|| {
         Failure::usage(
             argument,
             format!("the system has no `{}`: its numbers are {}", name.trim(), names.join(", ")),
         )
-    })?;
-    Ok(shown(model, place))
+    })
 }
 
-/// Two numbers of the state by their names.
-pub(crate) fn pair_of_state(model: &Model, argument: &str, names: &str) -> Result<[Shown; 2], Failure> {
+/// Where two numbers stand in the state, by their names.
+pub(crate) fn places_in_state(model: &Model, argument: &str, names: &str) -> Result<[usize; 2], Failure> {
     match names.split(',').collect::<Vec<_>>()[..] {
-        [across, up] => Ok([named(model, argument, across)?, named(model, argument, up)?]),
+        [across, up] => Ok([place_in_state(model, argument, across)?, place_in_state(model, argument, up)?]),
         _ => Err(Failure::usage(argument, "give two names, as theta,theta'")),
     }
 }

@@ -1,27 +1,27 @@
 //! The questions that can be asked, one file each.
 
 mod backbone;
-pub(crate) mod bifurcation;
+mod bifurcation;
 mod completions;
-pub(crate) mod decay;
+mod decay;
 mod derive;
 mod expand;
 mod fields;
 mod figure;
 mod fit_gates;
-pub(crate) mod fit_lengths;
-pub(crate) mod fit_periods;
+mod fit_lengths;
+mod fit_periods;
 mod fit_trace;
 mod formulas;
 mod fourier;
 mod inspect;
-pub(crate) mod lyapunov;
+mod lyapunov;
 mod modes;
-pub(crate) mod motion;
+mod motion;
 mod oscillators;
 mod paper;
 mod period;
-pub(crate) mod section;
+mod section;
 mod simulate;
 mod systems;
 

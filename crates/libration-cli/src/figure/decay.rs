@@ -3,20 +3,25 @@
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::range::around;
 use super::style;
-use crate::command::decay::{Report, Turn};
-use libration::decay::{Decay, DecayEnvelope, EnvelopeLaw};
+use libration::decay::{Decay, DecayEnvelope, EnvelopeLaw, TurningPoint};
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 
 const SAMPLES: u32 = 400;
 
+/// A cycle that was measured, in seconds.
+pub(crate) struct MeasuredCycle {
+    pub(crate) middle: f64,
+    pub(crate) duration: f64,
+}
+
 /// The turning points between both laws; below, the times of the cycles beside the exact period of the averaged amplitude.
-pub(crate) fn of(decay: &Decay, report: &Report) -> Picture {
-    let (_, to) = around(report.turns.iter().map(|turn| turn.point.time));
+pub(crate) fn dying_swings(decay: &Decay, turns: &[&TurningPoint], cycles: &[MeasuredCycle]) -> Picture {
+    let (_, to) = around(turns.iter().map(|turn| turn.time));
     let times: Vec<f64> = (0..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES)).collect();
     let x = Axis::linear("time t / s", 0.0, to);
     let unlabelled = x.unlabelled();
-    let (amplitudes, periods) = (amplitudes(decay, report, &times), periods(decay, report, &times));
+    let (amplitudes, periods) = (amplitudes(decay, turns, &times), periods(decay, cycles, &times));
     let panel = |x: Axis, label: &str, series: Vec<Series>, share: f64| {
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         Panel { x, y: Axis::linear(label, low, high), series, share }
@@ -27,20 +32,20 @@ pub(crate) fn of(decay: &Decay, report: &Report) -> Picture {
     Picture::new("Decay of a damped pendulum", vec![above, panel(x, "period / s", periods, 0.42)])
 }
 
-fn amplitudes(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
+fn amplitudes(decay: &Decay, turns: &[&TurningPoint], times: &[f64]) -> Vec<Series> {
     let curve = |label: &str, look, envelope: DecayEnvelope<'_>| {
         Series::line(label, look, times.iter().map(|&time| (time, envelope.amplitude_at(time).to_degrees())))
     };
-    let turn = |turn: &Turn| Point::new(turn.point.time, turn.point.amplitude.radians().to_degrees());
+    let point = |turn: &&TurningPoint| Point::new(turn.time, turn.amplitude.radians().to_degrees());
     vec![
         curve("averaged", style::curve(0), decay.envelope(EnvelopeLaw::Averaged)),
         curve("law of small amplitudes", style::curve(1), decay.envelope(EnvelopeLaw::SmallAmplitude)),
-        markers("turning points", report.turns.iter().map(turn).collect()),
+        markers("turning points", turns.iter().map(point).collect()),
     ]
 }
 
 /// The time of a cycle stands at its middle.
-fn periods(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
+fn periods(decay: &Decay, cycles: &[MeasuredCycle], times: &[f64]) -> Vec<Series> {
     let (pendulum, envelope) = (decay.pendulum(), decay.envelope(EnvelopeLaw::Averaged));
     let exact = times.iter().filter_map(|&time| {
         let amplitude = Amplitude::new(Angle::from_radians(envelope.amplitude_at(time)).ok()?).ok()?;
@@ -48,8 +53,7 @@ fn periods(decay: &Decay, report: &Report, times: &[f64]) -> Vec<Series> {
     });
     let ends = [times.first(), times.last()]
         .map(|time| (time.copied().unwrap_or(0.0), pendulum.small_angle_period()));
-    let cycles =
-        report.rows(decay).filter_map(|row| row.whole).map(|cycle| Point::new(cycle.middle, cycle.duration));
+    let cycles = cycles.iter().map(|cycle| Point::new(cycle.middle, cycle.duration));
     vec![
         Series::line("exact T of the averaged amplitude", style::curve(2), exact),
         Series::line("T₀", style::reference(), ends),

@@ -4,10 +4,19 @@ use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::parameters::found;
 use super::range::around;
 use super::style;
-use crate::command::fit_lengths::Measured;
-use libration_lab::fit::LengthFit;
+use libration_lab::fit::{LengthFit, LengthTable};
 
 const SAMPLES: u32 = 400;
+
+/// What was measured, in m and s.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    pub(crate) lengths: Vec<f64>,
+    pub(crate) periods: Vec<f64>,
+    pub(crate) length_uncertainties: Option<Vec<f64>>,
+    pub(crate) period_uncertainties: Option<Vec<f64>>,
+    pub(crate) table: LengthTable,
+}
 
 /// The measurements with a law through them; the radius of the bob where it is known.
 pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {

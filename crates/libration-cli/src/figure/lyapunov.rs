@@ -5,27 +5,26 @@ use super::names::name;
 use super::parameters::{self, Angles, of_model, of_start};
 use super::range::around;
 use super::style;
-use crate::command::lyapunov::Answer;
+use libration::chaos::LyapunovExponent;
 use libration::quantity::Quantity;
+use libration::systems::Model;
 
 /// What is left free before the first time and after the last, as a ratio.
 const ROOM: f64 = 1.1;
 
 /// The estimate against the time, on a logarithmic axis.
-pub(crate) fn convergence(answer: &Answer<'_>) -> Picture {
-    let points = &answer.found.convergence;
+pub(crate) fn convergence(model: &Model, start: &[f64], exponent: &LyapunovExponent) -> Picture {
+    let points = &exponent.convergence;
     let times = || points.iter().map(|(time, _)| *time);
     let (first, last) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
     let x = Axis::logarithmic("time measured / s", first / ROOM, last * ROOM);
-    let (low, high) = around(points.iter().map(|(_, exponent)| *exponent).chain([0.0]));
+    let (low, high) = around(points.iter().map(|(_, estimate)| *estimate).chain([0.0]));
     let y = Axis::linear("largest Lyapunov exponent / (1/s)", low, high);
     let zero = Series::line("", style::reference(), [(x.from, 0.0), (x.to, 0.0)]);
     let line = Series::line("", style::curve(0), points.iter().copied());
-    let title = format!("Largest Lyapunov exponent: {}, {}", name(answer.model), answer.found.verdict);
-    let found = &answer.found;
-    let exponent = Quantity { value: found.exponent, uncertainty: Some(found.uncertainty) };
-    let made_with =
-        [of_model(answer.model), of_start(answer.model, &answer.initial, Angles::Degrees)].concat();
+    let title = format!("Largest Lyapunov exponent: {}, {}", name(model), exponent.verdict);
+    let value = Quantity { value: exponent.exponent, uncertainty: Some(exponent.uncertainty) };
+    let made_with = [of_model(model), of_start(model, start, Angles::Degrees)].concat();
     let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
-    picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", exponent, "1/s")]))
+    picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", value, "1/s")]))
 }

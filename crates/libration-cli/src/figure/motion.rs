@@ -5,7 +5,6 @@ use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::range::{around, decades};
 use super::style;
-use crate::command::motion::Comparison;
 use libration::pendulum::{ApproximateMotion, Motion};
 
 const SAMPLES: u32 = 800;
@@ -15,6 +14,12 @@ pub(crate) struct Release {
     pub(crate) label: String,
     pub(crate) amplitude: f64,
     pub(crate) motion: Motion,
+}
+
+/// An approximate motion: its name, and its angle (rad) at a time (s).
+pub(crate) struct Approximation<'a> {
+    pub(crate) name: &'static str,
+    pub(crate) angle_at: Box<dyn Fn(f64) -> f64 + 'a>,
 }
 
 /// θ/θ0 at several amplitudes against the small-angle cosine; the motions belong to a pendulum with T0 = 1.
@@ -37,7 +42,11 @@ pub(crate) fn releases(releases: &[Release], periods: f64) -> Picture {
 }
 
 /// One motion with its approximations, and the size of their errors below.
-pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f64, f64)) -> Picture {
+pub(crate) fn compared(
+    motion: &Motion,
+    approximations: &[Approximation<'_>],
+    (from, to): (f64, f64),
+) -> Picture {
     let to = if to > from { to } else { from + 1.0 };
     let times: Vec<f64> = evenly(from, to, SAMPLES).collect();
     let exact: Vec<f64> = times.iter().map(|&time| motion.state_at(time).angle).collect();
@@ -46,13 +55,12 @@ pub(crate) fn compared(motion: &Motion, comparison: &Comparison, (from, to): (f6
     let exact_curve = Series::line("exact", style::curve(0), angles.iter().copied());
     // Beneath and above the approximations, so that none of them hides it.
     let beneath = Series::line("", style::curve(0).beneath(), angles);
-    let mut angles = if comparison.approximations.is_empty() { vec![] } else { vec![beneath] };
+    let mut angles = if approximations.is_empty() { vec![] } else { vec![beneath] };
     let mut errors = vec![];
-    for (number, approximation) in (1..).zip(&comparison.approximations) {
-        let approximate: Vec<f64> =
-            times.iter().map(|&time| comparison.angle_at(approximation, time)).collect();
+    for (number, approximation) in (1..).zip(approximations) {
+        let approximate: Vec<f64> = times.iter().map(|&time| (approximation.angle_at)(time)).collect();
         let degrees = times.iter().zip(&approximate).map(|(&time, angle)| (time, angle.to_degrees()));
-        angles.push(Series::line(approximation.name(), style::curve(number), degrees));
+        angles.push(Series::line(approximation.name, style::curve(number), degrees));
         let difference = approximate.iter().zip(&exact).map(|(angle, exact)| (angle - exact).to_degrees());
         let signed: Vec<(f64, f64)> = times.iter().copied().zip(difference).collect();
         errors.push(Series::line("", style::curve(number), sizes(&signed)));

@@ -1,7 +1,6 @@
 //! What a picture was made with, as a line under its title: `l = 1 m`, `g = 9.80665 m/s²`, `θ₀ = 60°`.
 
 use super::names::symbol;
-use crate::arguments::PendulumOptions;
 use crate::output::number::{self, short};
 use crate::output::series::subscript;
 use libration::decay::{Damping, DampingTerm};
@@ -13,9 +12,9 @@ const DIGITS: usize = 6;
 /// More numbers of a start than this are not listed.
 const MOST_OF_START: usize = 6;
 
-/// Length and gravity.
-pub(crate) fn of_pendulum(pendulum: PendulumOptions) -> [String; 2] {
-    [said("l", pendulum.length(), "m"), said("g", pendulum.gravity(), "m/s²")]
+/// Length (m) and gravity (m/s²) of a pendulum.
+pub(crate) fn of_pendulum(length: f64, gravity: f64) -> [String; 2] {
+    [said("l", length, "m"), said("g", gravity, "m/s²")]
 }
 
 /// An angle of release.

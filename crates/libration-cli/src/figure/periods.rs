@@ -4,11 +4,19 @@ use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::parameters::found;
 use super::range::around;
 use super::style;
-use crate::command::fit_periods::Measurement;
 use libration::quantity::Quantity;
 use libration_lab::fit::{Law, PeriodFit};
 
 const SAMPLES: u32 = 400;
+
+/// One row: rad and s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measurement {
+    pub(crate) amplitude: f64,
+    pub(crate) period: f64,
+    pub(crate) amplitude_uncertainty: Option<f64>,
+    pub(crate) period_uncertainty: Option<f64>,
+}
 
 /// The measurements that were fitted, in the order of the fit's residuals.
 pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {

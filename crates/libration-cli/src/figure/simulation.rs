@@ -5,7 +5,7 @@ use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{subject, symbol};
 use super::parameters::{Angles, of_model, of_start};
 use super::range::around;
-use super::section::Shown;
+use super::section::StateAxis;
 use super::style;
 use libration::systems::Model;
 use libration::taylor::{Moment, Step};
@@ -93,8 +93,8 @@ impl Trace {
     }
 
     /// One number of the state against another.
-    pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[Shown; 2]) -> Picture {
-        let values = |shown: &Shown| self.values[shown.place].iter().copied();
+    pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[StateAxis; 2]) -> Picture {
+        let values = |shown: &StateAxis| self.values[shown.place].iter().copied();
         let path = Series::line("", style::curve(0), values(across).zip(values(up)));
         let begin = start.get(across.place).copied().zip(start.get(up.place).copied());
         let begin = Series::line("start", style::turning_points(1), begin);

@@ -3,11 +3,11 @@
 mod write;
 
 use crate::arguments::{
-    InitialOptions, ParameterRange, SectionOptions, SystemOptions, named, parameter_range, section_failure,
-    shown,
+    InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range, place_in_state,
+    section_failure,
 };
 use crate::failure::Failure;
-use crate::figure::section::Shown;
+use crate::figure::section::{StateAxis, Sweep};
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
@@ -75,12 +75,6 @@ enum Order {
     Both,
 }
 
-/// The columns of one way through the values.
-pub(crate) struct Sweep {
-    pub(crate) name: &'static str,
-    pub(crate) columns: Vec<DiagramColumn>,
-}
-
 /// The diagram, with what is needed to write it.
 pub(crate) struct Diagram<'a> {
     pub(crate) model: &'a Model,
@@ -108,7 +102,12 @@ impl Bifurcation {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::section::bifurcation(&diagram, &self.axis(&model)?);
+                let picture = figure::section::bifurcation(
+                    &model,
+                    &self.over.name,
+                    &diagram.sweeps,
+                    &StateAxis::new(&model, self.axis(&model)?),
+                );
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
@@ -122,11 +121,12 @@ impl Bifurcation {
         Err(Failure::Interrupted("interrupted: the values that are done are written".to_owned()))
     }
 
-    fn axis(&self, model: &Model) -> Result<Shown, Failure> {
+    /// The place in the state of what the picture shows.
+    fn axis(&self, model: &Model) -> Result<usize, Failure> {
         match &self.axis {
-            Some(name) => named(model, "--axis", name),
-            None if angles(model.equation())[0] => Ok(shown(model, model.coordinates().len())),
-            None => Ok(shown(model, 0)),
+            Some(name) => place_in_state(model, "--axis", name),
+            None if angles(model.equation())[0] => Ok(model.coordinates().len()),
+            None => Ok(0),
         }
     }
 

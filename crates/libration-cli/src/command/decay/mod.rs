@@ -16,8 +16,10 @@ use options::{DampingOptions, Extent};
 use std::io::Write;
 use std::path::PathBuf;
 
+use crate::figure::decay::MeasuredCycle;
 pub(crate) use fields::answers;
-pub(crate) use report::{Report, Turn};
+use libration::decay::TurningPoint;
+use report::{Cycle, Report};
 
 /// How the swings of a damped pendulum die down, cycle by cycle
 ///
@@ -60,7 +62,7 @@ impl Decay {
     fn made_with(&self, decay: &libration::decay::Decay) -> Vec<String> {
         let pendulum = match self.omega0 {
             Some(omega0) => vec![parameters::said("ω₀", omega0, "rad/s")],
-            None => parameters::of_pendulum(self.pendulum).to_vec(),
+            None => parameters::of_pendulum(self.pendulum.length(), self.pendulum.gravity()).to_vec(),
         };
         let start = parameters::amplitude(self.amplitude.radians());
         [vec![start], pendulum, parameters::of_damping(decay.damping())].concat()
@@ -80,7 +82,12 @@ impl Decay {
         let report = Report::new(&decay, self.extent)?;
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::decay::of(&decay, &report).with_parameters(self.made_with(&decay));
+                let turns: Vec<&TurningPoint> = report.turns.iter().map(|turn| &turn.point).collect();
+                let cycles = report.rows(&decay).filter_map(|row| row.whole);
+                let cycles: Vec<MeasuredCycle> =
+                    cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
+                let picture = figure::decay::dying_swings(&decay, &turns, &cycles);
+                let picture = picture.with_parameters(self.made_with(&decay));
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],

@@ -1,6 +1,6 @@
 //! What is said of periods against lengths, and of each law.
 
-use super::input::Measured;
+use super::input::Table;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::warnings::{self, Named};
@@ -9,14 +9,14 @@ use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning};
 
 /// What is said about the measurements.
 pub(super) struct Answer<'a> {
-    pub(super) measured: &'a Measured,
+    pub(super) table: &'a Table,
     pub(super) fit: &'a LengthsFit,
 }
 
 impl Answer<'_> {
     /// The warnings with the options that help, and names that stay.
     pub(super) fn warnings(&self) -> Vec<Named> {
-        let half = self.measured.half_periods;
+        let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
             LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholeThoughHalf) } if !half => {
                 format!("{warning} (--half-periods)")
@@ -32,7 +32,10 @@ impl Answer<'_> {
     }
 
     pub(super) fn weighting(&self) -> &'static str {
-        match (self.measured.period_uncertainties.is_some(), self.measured.length_uncertainties.is_some()) {
+        match (
+            self.table.measured.period_uncertainties.is_some(),
+            self.table.measured.length_uncertainties.is_some(),
+        ) {
             (true, true) => "uncertainties of periods and lengths",
             (true, false) => "uncertainties of periods",
             (false, _) => "none: uncertainties from the scatter",
@@ -48,12 +51,12 @@ impl Answer<'_> {
 pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     let before = Fields::from([
-        Of::value("rows", "1", "rows that were fitted", |it| it.measured.table.len().into()),
+        Of::value("rows", "1", "rows that were fitted", |it| it.table.measured.table.len().into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
-            it.measured.dropped.into()
+            it.table.dropped.into()
         }),
         Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
-            json::list(it.measured.told.clone())
+            json::list(it.table.told.clone())
         }),
         Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
         Of::value("law", "", "law that the data prefer, which gravity is from", |it| {

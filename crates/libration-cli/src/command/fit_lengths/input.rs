@@ -4,6 +4,7 @@ use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
 };
 use crate::failure::Failure;
+use crate::figure::lengths::Measured;
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::{LengthColumns, LengthTable};
 use std::path::PathBuf;
@@ -30,14 +31,10 @@ pub(super) struct Input {
     dialect: DialectOptions,
 }
 
-/// What was measured, in m and s, and the table to fit.
+/// What was measured, and how it was read.
 #[derive(Clone, Debug)]
-pub(crate) struct Measured {
-    pub(crate) lengths: Vec<f64>,
-    pub(crate) periods: Vec<f64>,
-    pub(crate) length_uncertainties: Option<Vec<f64>>,
-    pub(crate) period_uncertainties: Option<Vec<f64>>,
-    pub(crate) table: LengthTable,
+pub(super) struct Table {
+    pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// The units that the header says.
     pub(super) told: Vec<String>,
@@ -49,7 +46,7 @@ impl Input {
         self.file.display().to_string()
     }
 
-    pub(super) fn read(&self) -> Result<Measured, Failure> {
+    pub(super) fn read(&self) -> Result<Table, Failure> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "length and period")?;
         let read =
@@ -65,12 +62,9 @@ impl Input {
             amplitudes: &self.amplitudes(amplitudes)?,
         };
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
-        Ok(Measured {
-            lengths,
-            periods,
-            length_uncertainties,
-            period_uncertainties: of_periods,
-            table,
+        let period_uncertainties = of_periods;
+        Ok(Table {
+            measured: Measured { lengths, periods, length_uncertainties, period_uncertainties, table },
             dropped: read.dropped,
             told: read.told,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),

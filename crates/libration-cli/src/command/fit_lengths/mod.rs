@@ -9,7 +9,6 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use fields::Answer;
 use input::Input;
-pub(crate) use input::Measured;
 use libration::quantity::Quantity;
 use libration_lab::fit::{self, LengthsOptions};
 use std::io::Write;
@@ -50,18 +49,19 @@ pub(crate) struct FitLengths {
 
 impl FitLengths {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let measured = self.input.read()?;
+        let table = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
         let options = LengthsOptions { bob_radius: self.bob_radius, clock: self.clock };
-        let fit = fit::lengths(&measured.table, &options).map_err(|error| self.input.no_answer(error))?;
+        let fit =
+            fit::lengths(&table.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::lengths::fitted(&measured, fit.best(), radius);
+                let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };
-        Answer { measured: &measured, fit: &fit }.write(out, self.form.form())?;
+        Answer { table: &table, fit: &fit }.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

@@ -37,11 +37,11 @@ impl Answer<'_> {
 
     fn lines(&self) -> Vec<(&'static str, String)> {
         let best = self.fit.best();
-        let dropped = self.measured.dropped;
+        let dropped = self.table.dropped;
         let incomplete =
             if dropped > 0 { format!(", {dropped} incomplete ones left out") } else { String::new() };
         let mut lines = vec![
-            ("rows", format!("{}{incomplete}", self.measured.table.len())),
+            ("rows", format!("{}{incomplete}", self.table.measured.table.len())),
             ("weights", self.weighting().to_owned()),
             (
                 "gravity",
@@ -50,8 +50,8 @@ impl Answer<'_> {
             ),
             ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
-        if !self.measured.told.is_empty() {
-            lines.insert(1, ("units", self.measured.told.join("; ")));
+        if !self.table.told.is_empty() {
+            lines.insert(1, ("units", self.table.told.join("; ")));
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("doubtful", doubt)));

@@ -2,6 +2,7 @@
 
 use crate::arguments::{AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, Wanted};
 use crate::failure::Failure;
+use crate::figure::periods::Measurement;
 use libration_lab::fit::{PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
@@ -23,22 +24,13 @@ pub(super) struct Input {
 
 /// What was measured, as columns (rad and s) and as the table to fit.
 #[derive(Clone, Debug)]
-pub(crate) struct Measured {
-    pub(crate) rows: Vec<Measurement>,
+pub(super) struct Measured {
+    pub(super) rows: Vec<Measurement>,
     pub(super) table: PeriodTable,
     pub(super) lines: Vec<u64>,
     pub(super) dropped: usize,
     /// The units that the header says.
     pub(super) told: Vec<String>,
-}
-
-/// One row: rad and s.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Measurement {
-    pub(crate) amplitude: f64,
-    pub(crate) period: f64,
-    pub(crate) amplitude_uncertainty: Option<f64>,
-    pub(crate) period_uncertainty: Option<f64>,
 }
 
 impl Measured {

@@ -10,7 +10,6 @@ use crate::figure;
 use crate::output::{FormOptions, announce};
 use fields::Answer;
 use input::Input;
-pub(crate) use input::Measurement;
 use libration_lab::fit::{self, Law};
 use std::io::Write;
 use std::path::PathBuf;

@@ -82,7 +82,8 @@ impl Lyapunov {
         let answer = Answer { model: &model, initial, schedule, found };
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::lyapunov::convergence(&answer), &self.sizes)?]
+                let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.found);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
         };

@@ -59,7 +59,10 @@ impl Motion {
         } else {
             vec![parameters::amplitude(self.angle.radians())]
         };
-        start.into_iter().chain(parameters::of_pendulum(self.pendulum)).collect()
+        start
+            .into_iter()
+            .chain(parameters::of_pendulum(self.pendulum.length(), self.pendulum.gravity()))
+            .collect()
     }
 
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
@@ -69,7 +72,7 @@ impl Motion {
         let times = self.times.read(&pendulum, &motion)?;
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::motion::compared(&motion, &comparison, times.ends());
+                let picture = figure::motion::compared(&motion, &comparison.curves(), times.ends());
                 let made_with = self.made_with();
                 let picture = picture.with_parameters(made_with);
                 let picture = match self.animate {
@@ -107,6 +110,15 @@ impl Comparison {
                 .map_err(|error| Failure::no_answer("--compare", error))?,
         };
         Ok(Self { approximations: question.compare.clone(), amplitude, angular_frequency })
+    }
+
+    /// As a picture needs them.
+    fn curves(&self) -> Vec<figure::motion::Approximation<'_>> {
+        let curve = |it| figure::motion::Approximation {
+            name: ApproximateMotion::name(it),
+            angle_at: Box::new(move |time| self.angle_at(it, time)),
+        };
+        self.approximations.iter().map(curve).collect()
     }
 
     /// The angle of one approximate motion at a time.

@@ -3,10 +3,10 @@
 mod write;
 
 use crate::arguments::{
-    SectionOptions, SeveralInitialOptions, SystemOptions, pair_of_state, section_failure, shown,
+    SectionOptions, SeveralInitialOptions, SystemOptions, places_in_state, section_failure,
 };
 use crate::failure::Failure;
-use crate::figure::section::Shown;
+use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{PoincareSection, Points, SectionEnding, angles, section_watched};
@@ -84,7 +84,8 @@ impl PoincareQuestion {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::section::section(&answer, &self.axes(&model)?);
+                let axes = self.axes(&model)?.map(|place| StateAxis::new(&model, place));
+                let picture = figure::section::section(&model, &answer.starts, &answer.sections, &axes);
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
             None => vec![],
@@ -96,14 +97,14 @@ impl PoincareQuestion {
     }
 
     /// What the picture shows: the first coordinate that is not the surface itself, and its velocity.
-    fn axes(&self, model: &Model) -> Result<[Shown; 2], Failure> {
+    fn axes(&self, model: &Model) -> Result<[usize; 2], Failure> {
         let coordinates = model.coordinates();
         let on_surface = |name: &str| self.section.is_at(name);
         let first = coordinates.iter().position(|coordinate| !on_surface(&coordinate.name)).unwrap_or(0);
         let Some(names) = &self.axes else {
-            return Ok([first, coordinates.len() + first].map(|place| shown(model, place)));
+            return Ok([first, coordinates.len() + first]);
         };
-        pair_of_state(model, "--axes", names)
+        places_in_state(model, "--axes", names)
     }
 
     /// One section for each start, side by side.

@@ -16,6 +16,7 @@ mod watch;
 use crate::arguments::{self, InitialOptions, SystemOptions, Times};
 use crate::failure::Failure;
 use crate::figure;
+use crate::figure::section::StateAxis;
 use crate::output::file::NewFile;
 use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
@@ -123,11 +124,8 @@ impl Simulate {
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
-        let axes = self
-            .axes
-            .as_deref()
-            .map(|names| arguments::pair_of_state(&model, "--axes", names))
-            .transpose()?;
+        let axes = self.axes.as_deref().map(|names| arguments::places_in_state(&model, "--axes", names));
+        let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
         let figure = self.figure.as_deref().map(|path| run::Figure {
             path,
             sizes: &self.sizes,

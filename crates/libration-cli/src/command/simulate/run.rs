@@ -11,7 +11,7 @@ use super::watch::Watch;
 use crate::arguments::Times;
 use crate::failure::Failure;
 use crate::figure;
-use crate::figure::section::Shown;
+use crate::figure::section::StateAxis;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
@@ -26,7 +26,7 @@ pub(super) struct Figure<'a> {
     pub(super) path: &'a Path,
     pub(super) sizes: &'a figure::Sizes,
     /// What it shows, if not the coordinates against time.
-    pub(super) axes: Option<[Shown; 2]>,
+    pub(super) axes: Option<[StateAxis; 2]>,
     /// Whether the bodies move beside the curves.
     pub(super) animate: bool,
 }

@@ -6,7 +6,6 @@ use super::source::Source;
 
 /// Those that are still there: each has one idea in several files, or an idea in the wrong one.
 pub(crate) const REMAINING: &[&str] = &[
-    "libration-cli: : arguments command document figure",
     "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
 ];
 
