@@ -28,7 +28,8 @@ pub(crate) fn said(name: &str, value: f64, unit: &str) -> String {
 }
 
 /// A result with its uncertainty, where it is known.
-pub(crate) fn found(name: &str, value: Quantity, unit: &str) -> String {
+pub(crate) fn found(name: &str, value: impl Into<Quantity>, unit: &str) -> String {
+    let value: Quantity = value.into();
     match value.uncertainty {
         Some(uncertainty) => {
             format!("{name} = ({})", number::with_uncertainty(value.value, uncertainty, ""))

@@ -4,7 +4,6 @@ use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::parameters::found;
 use super::range::around;
 use super::style;
-use libration::quantity::Quantity;
 use libration_lab::fit::{Law, PeriodFit};
 
 const SAMPLES: u32 = 400;
@@ -41,9 +40,8 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
         series: vec![zero, markers("", residuals)],
         share: 0.38,
     };
-    let t0 = Quantity { value: fit.exact.t0, uncertainty: Some(fit.exact.t0_uncertainty) };
     let picture = Picture::new("Period against amplitude", vec![above, below]);
-    picture.with_parameters([found("T₀", t0, "s")])
+    picture.with_parameters([found("T₀", fit.exact.t0, "s")])
 }
 
 /// The two laws, drawn behind the measurements.
@@ -53,8 +51,8 @@ fn laws(fit: &PeriodFit, from: f64, to: f64) -> Vec<Series> {
         (0..=SAMPLES).map(degrees).map(|x| (x, t0 * law.ratio_at(x.to_radians()))).collect::<Vec<_>>()
     };
     vec![
-        Series::line("exact law", style::exact_law(), curve(Law::exact(), fit.exact.t0)),
-        Series::line("constant period", style::curve(4), curve(Law::constant(), fit.constant.t0)),
+        Series::line("exact law", style::exact_law(), curve(Law::exact(), fit.exact.t0.value)),
+        Series::line("constant period", style::curve(4), curve(Law::constant(), fit.constant.t0.value)),
     ]
 }
 

@@ -8,7 +8,6 @@ use super::scatter::ScatterWarning;
 use super::small_angle_period::{LawFit, small_angle_period};
 use super::typical_amplitude::typical_amplitude;
 use super::{FitError, PeriodTable, Weighting};
-use libration::quantity::Quantity;
 
 /// How a table is fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,7 +55,7 @@ impl PeriodFit {
     ) -> MeasuredPeriod {
         let ratios = self.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
         MeasuredPeriod {
-            t0: Quantity { value: self.exact.t0, uncertainty: Some(self.exact.t0_uncertainty) },
+            t0: self.exact.t0.into(),
             amplitude: typical_amplitude(ratios),
             angle_scale,
             clock,

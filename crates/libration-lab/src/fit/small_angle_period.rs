@@ -3,7 +3,7 @@
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
-use super::{FitError, PeriodTable, Weighting};
+use super::{FitError, PeriodTable, Uncertain, Weighting};
 use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
 use nalgebra::{DMatrix, DVector};
 
@@ -12,11 +12,9 @@ use nalgebra::{DMatrix, DVector};
 pub struct LawFit {
     /// Of the law.
     pub key: String,
-    /// The period of small swings, in seconds.
-    pub t0: f64,
-    /// Its standard deviation, in seconds: from the uncertainties of the rows, [enlarged](Scatter) where they scatter more, or
-    /// without them from the scatter.
-    pub t0_uncertainty: f64,
+    /// The period of small swings, in seconds; uncertain by the uncertainties of the rows, [enlarged](Scatter) where they scatter
+    /// more, or without them by the scatter.
+    pub t0: Uncertain,
     /// The sum of the squared residuals over their effective variances; none without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom: rows less one.
@@ -72,8 +70,10 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     let variances = variances.unwrap_or_else(|| vec![unit; points.len()]);
     Ok(LawFit {
         key: law.key().into(),
-        t0,
-        t0_uncertainty: scatter::enlargement(chi2, dof) * (unit * fit.covariance[(0, 0)]).sqrt(),
+        t0: Uncertain {
+            value: t0,
+            uncertainty: scatter::enlargement(chi2, dof) * (unit * fit.covariance[(0, 0)]).sqrt(),
+        },
         chi2,
         dof,
         rms: root_mean_square(residuals.iter().copied()),

@@ -13,7 +13,7 @@ use libration::quantity::{Quantity, with_uncertainty};
 /// assert_eq!(t0.to_string(), "2.00641 ± 0.00023");
 /// assert!((t0.deviation_from(2.0) - 27.87).abs() < 0.01);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Uncertain {
     /// The estimate.
     pub value: f64,

@@ -57,7 +57,7 @@ fn with_width() -> GateOptions {
 
 fn agrees(fit: &GatesFit, most: f64) {
     let t0 = fit.t0.unwrap();
-    let uncertainty = t0.uncertainty.unwrap();
+    let uncertainty = t0.uncertainty;
     assert!((t0.value - T0).abs() < 4.0 * uncertainty + 1e-5, "{t0:?}");
     assert!(uncertainty < most, "{t0:?}");
 }

@@ -102,10 +102,7 @@ fn uncertainties_hold_the_truth_as_often_as_they_say() {
         let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
         let best = fit.best();
         let offset = best.offset.unwrap();
-        let errors = [
-            (best.g.value - G) / best.g.uncertainty.unwrap(),
-            (offset.value - 0.01) / offset.uncertainty.unwrap(),
-        ];
+        let errors = [(best.g.value - G) / best.g.uncertainty, (offset.value - 0.01) / offset.uncertainty];
         for (counts, error) in within.iter_mut().zip(errors) {
             counts[0] += u32::from(error.abs() < 1.0);
             counts[1] += u32::from(error.abs() < 2.0);
@@ -167,7 +164,7 @@ fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
     assert!((more.best().chi2_per_dof().unwrap() - 19.9).abs() < 1e-6, "{:?}", more.best());
     let spread = |fit: &LengthsFit| {
         let best = fit.best();
-        [best.g, best.offset.unwrap()].map(|found| found.uncertainty.unwrap())
+        [best.g, best.offset.unwrap()].map(|found| found.uncertainty)
     };
     // Stated uncertainties that are √19.9 times smaller leave the scatter, and so the answer, as it is.
     for (ours, wanted) in spread(&more).into_iter().zip(spread(&stated)) {
@@ -208,7 +205,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-12);
     let whole = (g(&of_radius(0.061)).best().g.value - g(&of_radius(0.059)).best().g.value) / 0.002;
     assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{found:?}");
-    let line = found.best().g.uncertainty.unwrap();
+    let line = found.best().g.uncertainty;
     assert!((of(BudgetInput::Slope).change() / -line - 1.0).abs() < 1e-12);
     let squares = [line, 0.004 * found.best().g.value, 0.01 * whole].map(|part| part * part);
     let together = squares.iter().sum::<f64>().sqrt();

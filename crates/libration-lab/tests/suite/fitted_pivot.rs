@@ -50,9 +50,9 @@ fn pulls(amplitude: f64, seeds: u64) -> [f64; 4] {
         let truth = Synthetic::USUAL.t0();
         let errors = [
             (t0.value - truth) / t0.uncertainty,
-            offset.value / offset.uncertainty,
-            (cycles.t0 - truth) / cycles.t0_uncertainty,
-            cycles.offset / cycles.offset_uncertainty,
+            offset.estimate.value / offset.estimate.uncertainty,
+            (cycles.t0.value - truth) / cycles.t0.uncertainty,
+            cycles.offset.value / cycles.offset.uncertainty,
         ];
         for (square, error) in squares.iter_mut().zip(errors) {
             *square += error * error;
@@ -80,7 +80,7 @@ fn a_fitted_pivot_makes_the_offset_uncertain() {
     let columns = [about_fitted.times(), about_fitted.values()].map(<[f64]>::to_vec);
     let [times, values] = columns;
     let about_known = Trace::new("known", Seen::Angle, times, values, None).unwrap();
-    let of = |trace: &Trace| fitted(trace).parameter("offset").unwrap().uncertainty;
+    let of = |trace: &Trace| fitted(trace).parameter("offset").unwrap().estimate.uncertainty;
     // A metre below it an error of the pivot is the angle's.
     let by_pivot = pivot.covariance[0][0].sqrt();
     let expected = libm::hypot(of(&about_known), by_pivot);
@@ -100,7 +100,7 @@ fn parts_about_one_pivot_share_its_error() {
         (0..together.parameters.len()).filter(|&place| together.parameters[place].name == "offset").collect();
     let by_pivot = whole.fitted_pivot().unwrap().covariance[0][0].sqrt();
     for &place in &offsets {
-        assert!(together.parameters[place].uncertainty > by_pivot);
+        assert!(together.parameters[place].estimate.uncertainty > by_pivot);
     }
     let correlation = together.correlations[offsets[0]][offsets[1]];
     assert!((0.5..1.0).contains(&correlation), "{correlation}");
@@ -214,10 +214,11 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
     };
     let found: Vec<Coefficient> =
         (0..30).map(|_| coefficient(&about_a_drawn_pivot(&swing, &mut random))).collect();
-    let pulls: Vec<f64> = found.iter().map(|found| (found.value - dry) / found.uncertainty).collect();
+    let pulls: Vec<f64> =
+        found.iter().map(|found| (found.estimate.value - dry) / found.estimate.uncertainty).collect();
     assert!(are_pulls(&pulls), "{pulls:?}");
     assert!(
-        found.iter().all(|found| (0.9..1.3).contains(&(found.uncertainty / (0.005 * dry)))),
+        found.iter().all(|found| (0.9..1.3).contains(&(found.estimate.uncertainty / (0.005 * dry)))),
         "{:?}",
         found[0]
     );

@@ -134,7 +134,7 @@ fn fit(traces: &[Trace], terms: DampingTerms, options: TraceOptions) -> TraceFit
 /// The difference of a parameter from the truth in its standard uncertainties.
 fn deviation(fit: &TraceFit, name: &str, truth: f64) -> f64 {
     let parameter = fit.parameter(name).unwrap();
-    (parameter.value - truth) / parameter.uncertainty
+    (parameter.estimate.value - truth) / parameter.estimate.uncertainty
 }
 
 /// How often the intervals held the truth: of each parameter by name, the number of intervals, and how many at 68 % and
@@ -191,7 +191,7 @@ fn exact_data_are_found_again_exactly() {
     let fit = fit(&[trace], truth.terms(), TraceOptions::default());
     for parameter in &fit.parameters {
         if let Some(value) = truth.value(parameter) {
-            assert!((parameter.value - value).abs() < 1e-8, "{parameter:?}");
+            assert!((parameter.estimate.value - value).abs() < 1e-8, "{parameter:?}");
         }
     }
     assert!(fit.rms < 1e-9, "{}", fit.rms);
@@ -213,7 +213,7 @@ fn a_release_next_to_the_top_is_fitted() {
     let fit = fit(&[truth.trace(&mut Random::seeded(3))], truth.terms(), TraceOptions::default());
     assert!(fit.rms < 0.0022, "{}", fit.rms);
     let theta0 = fit.parameter("theta0").unwrap();
-    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.uncertainty < 2e-3, "{theta0:?}");
+    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.estimate.uncertainty < 2e-3, "{theta0:?}");
 }
 
 #[test]
@@ -233,7 +233,7 @@ fn angular_velocities_do_as_well() {
         }
     }
     assert!(
-        fit.parameters[0].uncertainty < 1e-3
+        fit.parameters[0].estimate.uncertainty < 1e-3
             && fit.parameters.iter().any(|p| p.unit == "rad/s" && p.name == "offset")
     );
 }
@@ -255,11 +255,11 @@ fn several_traces_share_the_pendulum() {
     assert!(deviation(&joint, "omega0", 3.0).abs() < 3.0);
     for (number, truth) in truths.iter().enumerate() {
         let alone = fit(&traces[number..=number], linear, TraceOptions::default());
-        assert!(joint.parameters[0].uncertainty < alone.parameters[0].uncertainty);
+        assert!(joint.parameters[0].estimate.uncertainty < alone.parameters[0].estimate.uncertainty);
         let own = joint.parameters.iter().filter(|parameter| parameter.trace == Some(number));
         let [offset, angle, _] = own.collect::<Vec<_>>()[..] else { panic!() };
-        assert!((offset.value - truth.offset).abs() < 3.0 * offset.uncertainty);
-        assert!((angle.value - truth.state[0]).abs() < 3.0 * angle.uncertainty);
+        assert!((offset.estimate.value - truth.offset).abs() < 3.0 * offset.estimate.uncertainty);
+        assert!((angle.estimate.value - truth.state[0]).abs() < 3.0 * angle.estimate.uncertainty);
     }
 }
 
@@ -281,10 +281,11 @@ fn outliers_draw_a_robust_fit_by_nothing() {
     let undisturbed = fit(&[clean], truth.terms(), TraceOptions::default());
     let [spoilt, held, best] = [&plain, &robust, &undisturbed].map(|fit| &fit.parameters[0]);
     assert!(
-        (held.value - 3.0).abs() < 3.0 * held.uncertainty && held.uncertainty < 1.5 * best.uncertainty,
+        (held.estimate.value - 3.0).abs() < 3.0 * held.estimate.uncertainty
+            && held.estimate.uncertainty < 1.5 * best.estimate.uncertainty,
         "{held:?}"
     );
-    assert!(spoilt.uncertainty > 5.0 * held.uncertainty, "{spoilt:?}");
+    assert!(spoilt.estimate.uncertainty > 5.0 * held.estimate.uncertainty, "{spoilt:?}");
     assert!(robust.traces[0].outliers.len() > 5, "{:?}", robust.traces[0].outliers);
 }
 
@@ -296,7 +297,11 @@ fn a_wrong_scale_of_the_angles_is_found() {
     let scaled = Trace::new("scaled", Seen::Angle, trace.times().to_vec(), values, None).unwrap();
     let fit = fit(&[scaled], truth.terms(), TraceOptions { free_scale: true, ..TraceOptions::default() });
     let scale = fit.parameter("scale").unwrap();
-    assert!((scale.value - 1.02).abs() < 3.0 * scale.uncertainty && scale.uncertainty < 2e-3, "{scale:?}");
+    assert!(
+        (scale.estimate.value - 1.02).abs() < 3.0 * scale.estimate.uncertainty
+            && scale.estimate.uncertainty < 2e-3,
+        "{scale:?}"
+    );
 }
 
 #[test]
@@ -422,8 +427,10 @@ fn alike_residuals_are_told_and_widen_the_uncertainties() {
         assert!((320.0 / 12.0..320.0 / 2.0).contains(&fit.independent_rows), "{}", fit.independent_rows);
         let omega0 = &fit.parameters[0];
         assert!(omega0.degrees_of_freedom < 200.0, "{}", omega0.degrees_of_freedom);
-        for (sum, uncertainty) in squares.iter_mut().zip([omega0.uncertainty, omega0.formal_uncertainty]) {
-            *sum += libm::pow((omega0.value - 3.0) / uncertainty, 2.0) / f64::from(TRACES);
+        for (sum, uncertainty) in
+            squares.iter_mut().zip([omega0.estimate.uncertainty, omega0.formal_uncertainty])
+        {
+            *sum += libm::pow((omega0.estimate.value - 3.0) / uncertainty, 2.0) / f64::from(TRACES);
         }
     }
     // The mean of 60 squares is 1 within 0.37 in two of its deviations.
@@ -481,7 +488,7 @@ fn stated_uncertainties_are_not_made_smaller() {
         fit(&[trace.unwrap()], truth.terms(), TraceOptions::default())
     };
     let [right, small, large] = [0.002, 0.001, 0.004].map(stated);
-    let [a, b, c] = [&right, &small, &large].map(|fit| fit.parameters[0].uncertainty);
+    let [a, b, c] = [&right, &small, &large].map(|fit| fit.parameters[0].estimate.uncertainty);
     assert!((b / a - 1.0).abs() < 0.1 && (c / a - 2.0).abs() < 0.2, "{a} {b} {c}");
     assert!(
         (right.chi2_per_dof.unwrap() - 1.0).abs() < 0.3 && (small.chi2_per_dof.unwrap() - 4.0).abs() < 1.2

@@ -58,13 +58,13 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         }),
         Of::number("mean_period_s", "s", "mean of all periods", |it| it.fit.mean_period.value),
         Of::number("mean_period_uncertainty_s", "s", "standard uncertainty of that mean", |it| {
-            it.fit.mean_period.uncertainty.unwrap_or(f64::NAN)
+            it.fit.mean_period.uncertainty
         }),
         Of::known("t0_s", "s", "period of small swings T₀, or null", |it| {
             it.fit.t0.map(|t0| t0.value).ok_or_else(no_t0)
         }),
         Of::known("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
-            it.fit.t0.and_then(|t0| t0.uncertainty).ok_or_else(no_t0)
+            it.fit.t0.map(|t0| t0.uncertainty).ok_or_else(no_t0)
         }),
         Of::value("t0_by", "", "what amplitude T₀ was found by", |it| it.source().into()),
         Of::known(

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
-use libration::quantity::Quantity;
+use libration_lab::fit::Uncertain;
 use libration_lab::fit::gates::T0Source;
 use std::io::{self, Write};
 
@@ -43,9 +43,7 @@ impl Answer<'_> {
 
     fn lines(&self) -> Vec<(&'static str, String)> {
         let fit = self.fit;
-        let said = |quantity: Quantity, unit: &str| {
-            number::with_uncertainty(quantity.value, quantity.uncertainty.unwrap_or(0.0), unit)
-        };
+        let said = |it: Uncertain, unit: &str| number::with_uncertainty(it.value, it.uncertainty, unit);
         let kind = if fit.edges { "from pairs of edges" } else { "one time each" };
         let mut lines = vec![
             ("passages", format!("{} ({kind}), {} full periods", fit.passages, fit.cycles.len())),

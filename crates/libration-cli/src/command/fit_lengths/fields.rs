@@ -5,7 +5,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::warnings::{self, Named};
 use crate::output::{combined, json, number, scatter};
-use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning};
+use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
 /// What is said about the measurements.
 pub(super) struct Answer<'a> {
@@ -43,7 +43,7 @@ impl Answer<'_> {
     }
 
     /// The offset of the law that is preferred, or what keeps it open.
-    fn offset(&self) -> Result<libration::quantity::Quantity, String> {
+    fn offset(&self) -> Result<Uncertain, String> {
         self.fit.best().offset.ok_or_else(|| "the rows do not determine an offset".to_owned())
     }
 }
@@ -68,8 +68,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         }),
         Of::known("offset_m", "m", OFFSET, |it| it.offset().map(|offset| offset.value)),
         Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
-            let none = || "the rows do not determine an offset".to_owned();
-            it.offset()?.uncertainty.ok_or_else(none)
+            it.offset().map(|offset| offset.uncertainty)
         }),
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.fits)),
     ]);
@@ -95,24 +94,22 @@ pub(super) fn of_law() -> Fields<LengthFit> {
             .words(COLUMNS[0], |it| it.model.name().to_owned()),
         Of::number("g_m_per_s2", "m/s²", "acceleration of free fall under this law", |it| it.g.value)
             .rounded(COLUMNS[1], 6),
-        Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |it| {
-            it.g.uncertainty.unwrap_or(f64::NAN)
-        })
-        .numeral(COLUMNS[2], |it| or_dash(it.g.uncertainty, 2)),
+        Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |it| it.g.uncertainty)
+            .numeral(COLUMNS[2], |it| or_dash(Some(it.g.uncertainty), 2)),
         Of::known("offset_m", "m", OFFSET, |it| it.offset.map(|offset| offset.value).ok_or_else(not_free))
             .numeral(COLUMNS[3], |it| or_dash(it.offset.map(|offset| 1e3 * offset.value), 4))
             .or_nan_in_csv(),
         Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
-            it.offset.and_then(|offset| offset.uncertainty).ok_or_else(not_free)
+            it.offset.map(|offset| offset.uncertainty).ok_or_else(not_free)
         })
-        .numeral(COLUMNS[4], |it| or_dash(it.offset.and_then(|offset| Some(1e3 * offset.uncertainty?)), 2))
+        .numeral(COLUMNS[4], |it| or_dash(it.offset.map(|offset| 1e3 * offset.uncertainty), 2))
         .or_nan_in_csv(),
         Of::known("gyration_m2", "m²", "square of the radius of gyration of the bob, or null", |it| {
             it.gyration.map(|gyration| gyration.value).ok_or_else(not_free)
         })
         .only_json(),
         Of::known("gyration_uncertainty_m2", "m²", "standard uncertainty of that, or null", |it| {
-            it.gyration.and_then(|gyration| gyration.uncertainty).ok_or_else(not_free)
+            it.gyration.map(|gyration| gyration.uncertainty).ok_or_else(not_free)
         })
         .only_json(),
         Of::known(

@@ -56,7 +56,7 @@ impl Answer<'_> {
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("doubtful", doubt)));
         if let Some(offset) = best.offset {
-            let millimetres = [offset.value, offset.uncertainty.unwrap_or(0.0)].map(|metres| 1e3 * metres);
+            let millimetres = [offset.value, offset.uncertainty].map(|metres| 1e3 * metres);
             let text = number::with_uncertainty(millimetres[0], millimetres[1], "mm");
             lines.push(("δ, offset", format!("{text}  (to be added to the lengths)")));
         }

@@ -113,13 +113,13 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
             it.fit.ok().map(|law| scatter::enlargement(law.scatter()))
         }),
         Of::nullable("t0_s", "s", "period of small swings T₀ under this law", |it| {
-            it.fit.ok().map(|law| law.t0)
+            it.fit.ok().map(|law| law.t0.value)
         })
         .rounded("T₀ / s", 8)
         .or("–")
         .or_nan_in_csv(),
         Of::nullable("t0_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
-            it.fit.ok().map(|law| law.t0_uncertainty)
+            it.fit.ok().map(|law| law.t0.uncertainty)
         })
         .rounded("± / s", 2)
         .or("–")

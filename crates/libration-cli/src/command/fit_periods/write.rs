@@ -41,7 +41,7 @@ impl Answer<'_> {
             ("weights", self.weighting().to_owned()),
             (
                 "T₀, exact law",
-                number::with_uncertainty(exact.t0, exact.t0_uncertainty, "s")
+                number::with_uncertainty(exact.t0.value, exact.t0.uncertainty, "s")
                     + &output::scatter::remark(exact.scatter()),
             ),
             ("β", self.beta_line()),

@@ -21,7 +21,7 @@ pub(crate) struct Swings<'a> {
 pub(crate) fn periods(swings: &[Swings<'_>], t0: f64, beta: Option<(f64, f64)>) -> Picture {
     let count = swings.iter().map(|swing| swing.cycles.len()).sum::<usize>();
     let amplitudes =
-        swings.iter().flat_map(|swing| swing.cycles.iter().map(|cycle| cycle.amplitude.to_degrees()));
+        swings.iter().flat_map(|swing| swing.cycles.iter().map(|cycle| cycle.amplitude.value.to_degrees()));
     let (_, to) = around(amplitudes.chain([0.0]));
     let to = to.min(180.0);
     let data: Vec<Series> =
@@ -49,10 +49,10 @@ pub(crate) fn periods(swings: &[Swings<'_>], t0: f64, beta: Option<(f64, f64)>) 
 fn measured(number: usize, swing: &Swings<'_>, count: usize) -> Series {
     let with_bars = |uncertainty: f64| (count <= MANY).then_some(uncertainty);
     let point = |cycle: &Cycle| Point {
-        x: cycle.amplitude.to_degrees(),
-        y: cycle.period,
-        x_uncertainty: with_bars(cycle.amplitude_uncertainty.to_degrees()),
-        y_uncertainty: with_bars(cycle.period_uncertainty),
+        x: cycle.amplitude.value.to_degrees(),
+        y: cycle.period.value,
+        x_uncertainty: with_bars(cycle.amplitude.uncertainty.to_degrees()),
+        y_uncertainty: with_bars(cycle.period.uncertainty),
     };
     let counted = swing.cycles.iter().filter(|cycle| !cycle.outlier);
     let label = if swing.name.is_empty() { "cycles" } else { swing.name };
@@ -79,7 +79,7 @@ pub(crate) fn amplitudes(
     let times: Vec<f64> = half_swings.iter().map(|half| half.time).collect();
     let (from, to) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(1.0));
     let x = Axis::linear("time t / s", from, to);
-    let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
+    let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude.value).collect();
     let law = |(model, look): (&Envelope, Look)| {
         let sizes = model.amplitudes.iter().map(|amplitude| amplitude.to_degrees());
         Series::line(&model.name, look, times.iter().copied().zip(sizes))
@@ -109,7 +109,7 @@ fn differences(x: Axis, half_swings: &[HalfSwing], chosen: &Envelope, others: &[
     let less = |sizes: &[f64]| -> Vec<f64> {
         sizes.iter().zip(&chosen.amplitudes).map(|(size, chosen)| size - chosen).collect()
     };
-    let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude).collect();
+    let sizes: Vec<f64> = half_swings.iter().map(|half| half.amplitude.value).collect();
     let measured = less(&sizes);
     let law = |(model, look): (&Envelope, Look)| {
         let points = less(&model.amplitudes).into_iter().map(f64::to_degrees);
@@ -128,7 +128,7 @@ fn of_half_swings(label: &str, half_swings: &[HalfSwing], sizes: &[f64]) -> Seri
         x: half.time,
         y: size.to_degrees(),
         x_uncertainty: None,
-        y_uncertainty: with_bars.then_some(half.uncertainty.to_degrees()),
+        y_uncertainty: with_bars.then_some(half.amplitude.uncertainty.to_degrees()),
     };
     Series { label: label.to_owned(), look, points: half_swings.iter().zip(sizes).map(point).collect() }
 }

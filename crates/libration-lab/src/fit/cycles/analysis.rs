@@ -14,6 +14,7 @@ use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
 use super::turning_point::Extreme;
 use super::{Cycle, Cycles, CyclesError, CyclesWarning, HalfSwing, Options};
+use crate::fit::Uncertain;
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;
 use libration::roots::{Tolerance, bisect};
@@ -62,14 +63,12 @@ fn about_a_known_pivot(trace: &Trace, options: &Options) -> Result<Cycles, Cycle
     let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
-        envelope: envelope(&half_swings, TAU / law.t0),
+        envelope: envelope(&half_swings, TAU / law.t0.value),
         half_swings,
         offset: longest.centre.value,
-        offset_uncertainty: longest.centre.uncertainty,
         offset_wander: longest.centre.wander,
         noise: longest.noise,
         t0: law.t0,
-        t0_uncertainty: law.t0_uncertainty,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept),
         warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.seen()),
@@ -124,11 +123,8 @@ impl Found {
                     (amplitude, slope_of_amplitude(amplitude, omega0))
                 }
             };
-            (amplitude < PI).then_some(HalfSwing {
-                time,
-                amplitude,
-                uncertainty: slope * extreme.uncertainty,
-            })
+            let amplitude = Uncertain { value: amplitude, uncertainty: slope * extreme.uncertainty };
+            (amplitude.value < PI).then_some(HalfSwing { time, amplitude })
         };
         self.extremes.iter().map(|extreme| half_swing(extreme.as_ref()?)).collect()
     }
@@ -143,7 +139,7 @@ impl Found {
             Some(Row::new(
                 [begin.1.time, end.1.time],
                 [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
-                [one, two].map(|(k, side)| Side::new(k, side.amplitude, side.uncertainty)),
+                [one, two].map(|(k, side)| Side::new(k, side.amplitude)),
             ))
         };
         self.cycles.iter().filter_map(row).collect()
@@ -182,10 +178,14 @@ impl Cycle {
         let [one, two] = row.sides;
         Self {
             time: row.time,
-            period: row.period,
-            period_uncertainty: (scatter.noise * (begin + end) + scatter.fluctuation).sqrt(),
-            amplitude: 0.5 * (one.amplitude + two.amplitude),
-            amplitude_uncertainty: 0.5 * (one.variance + two.variance).sqrt(),
+            period: Uncertain {
+                value: row.period,
+                uncertainty: (scatter.noise * (begin + end) + scatter.fluctuation).sqrt(),
+            },
+            amplitude: Uncertain {
+                value: 0.5 * (one.amplitude + two.amplitude),
+                uncertainty: 0.5 * (one.variance + two.variance).sqrt(),
+            },
             period_ratio: row.ratio,
             outlier,
         }

@@ -1,6 +1,7 @@
 //! About what the values swing: a fixed value, or one that is followed where it wanders.
 
 use super::turning_point::Extreme;
+use crate::fit::Uncertain;
 use crate::statistics::{count, median, robust_deviation};
 
 /// Fewer middles of swings than this do not tell a wandering centre from noise.
@@ -12,8 +13,7 @@ const WANDERING: f64 = 3.0;
 #[derive(Clone, Debug)]
 pub(super) struct Centre {
     /// The middle one of the centres of all swings.
-    pub(super) value: f64,
-    pub(super) uncertainty: f64,
+    pub(super) value: Uncertain,
     /// How far the centres of single swings are from it, as a standard deviation; zero where noise explains it.
     pub(super) wander: f64,
     /// Times and centres of single swings, where the centre is followed.
@@ -22,7 +22,7 @@ pub(super) struct Centre {
 
 impl Centre {
     pub(super) fn fixed(value: f64) -> Self {
-        Self { value, uncertainty: 0.0, wander: 0.0, followed: vec![] }
+        Self { value: Uncertain { value, uncertainty: 0.0 }, wander: 0.0, followed: vec![] }
     }
 
     /// The centre at a time.
@@ -33,7 +33,7 @@ impl Centre {
                 before.1 + (after.1 - before.1) * (time - before.0) / (after.0 - before.0)
             }
             (Some(end), None) | (None, Some(end)) => end.1,
-            (None, None) => self.value,
+            (None, None) => self.value.value,
         }
     }
 
@@ -48,7 +48,7 @@ impl Centre {
         if middles.is_empty() {
             let pairs = extremes.windows(2).filter_map(|pair| Some((pair[0]?, pair[1]?)));
             let values = pairs.map(|(first, second)| 0.5 * (absolute(first) + absolute(second)));
-            return Self::fixed(median(values.collect()).unwrap_or(self.value));
+            return Self::fixed(median(values.collect()).unwrap_or(self.value.value));
         }
         let noise = median(extremes.iter().flatten().map(|extreme| extreme.uncertainty).collect());
         Self::through(middles, noise.unwrap_or(0.0))
@@ -68,7 +68,7 @@ impl Centre {
         let uncertainty = scatter.max(expected) / independent.sqrt();
         let wanders = middles.len() >= FEWEST_TO_FOLLOW && scatter > WANDERING * expected;
         let (wander, followed) = if wanders { (scatter, middles) } else { (0.0, vec![]) };
-        Self { value, uncertainty, wander, followed }
+        Self { value: Uncertain { value, uncertainty }, wander, followed }
     }
 }
 
@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn the_decay_does_not_move_the_centre() {
         let centre = Centre::fixed(0.0).renewed(&extremes(|_| 0.3));
-        assert!((centre.value - 0.3).abs() < 1e-12 && centre.wander.to_bits() == 0, "{centre:?}");
+        assert!((centre.value.value - 0.3).abs() < 1e-12 && centre.wander.to_bits() == 0, "{centre:?}");
         assert!((centre.at(7.3) - 0.3).abs() < 1e-12);
     }
 

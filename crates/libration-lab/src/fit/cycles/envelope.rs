@@ -11,6 +11,7 @@ use std::fmt;
 
 use super::fall::{Curve, Fall};
 use super::{CyclesError, HalfSwing};
+use crate::fit::Uncertain;
 use crate::fit::trace::{DampingTerm, DampingTerms};
 use crate::statistics::{akaike, count};
 use libration::quantity::with_uncertainty;
@@ -25,10 +26,9 @@ const FEWEST: usize = 5;
 pub struct Coefficient {
     /// Of which kind; it says the unit.
     pub term: DampingTerm,
-    /// In the unit of the term.
-    pub value: f64,
-    /// From the scatter of the extremes, which may hang together, and from the pivot where it was fitted.
-    pub uncertainty: f64,
+    /// In the unit of the term; uncertain by the scatter of the extremes, which may be correlated, and by the pivot where it was
+    /// fitted.
+    pub estimate: Uncertain,
 }
 
 /// `0.0300 ± 0.0010 1/s`.
@@ -38,7 +38,7 @@ impl fmt::Display for Coefficient {
             "1" => String::new(),
             unit => unit.replace("^2", "²"),
         };
-        f.pad(&with_uncertainty(self.value, self.uncertainty, &unit))
+        f.pad(&with_uncertainty(self.estimate.value, self.estimate.uncertainty, &unit))
     }
 }
 
@@ -148,12 +148,14 @@ impl Fall<'_> {
         let scale = curve.chi2 / dof * counted / independent;
         let coefficients = curve.terms.iter().enumerate().map(|(k, term)| Coefficient {
             term,
-            value: curve.parameters[k + 1],
-            uncertainty: (scale * curve.covariance[(k + 1, k + 1)]).sqrt(),
+            estimate: Uncertain {
+                value: curve.parameters[k + 1],
+                uncertainty: (scale * curve.covariance[(k + 1, k + 1)]).sqrt(),
+            },
         });
         let counts = self.half_swings.iter().zip(&curve.fitted).zip(&self.weights).filter(|row| *row.1 > 0.0);
-        let square: f64 =
-            counts.map(|((half, fitted), _)| (half.amplitude - fitted) * (half.amplitude - fitted)).sum();
+        let deviations = counts.map(|((half, fitted), _)| half.amplitude.value - fitted);
+        let square: f64 = deviations.map(|deviation| deviation * deviation).sum();
         EnvelopeFit {
             damping: curve.terms,
             amplitude: curve.parameters[0],

@@ -42,11 +42,14 @@ pub(super) struct Curve {
 impl<'a> Fall<'a> {
     /// Of a pendulum of this ω0; no extreme is an outlier.
     pub(super) fn new(half_swings: &'a [HalfSwing], omega0: f64) -> Self {
-        let largest = half_swings.iter().map(|half| half.amplitude).fold(0.0, f64::max);
+        let largest = half_swings.iter().map(|half| half.amplitude.value).fold(0.0, f64::max);
         Self {
             half_swings,
             rates: DecayRates::new(omega0, largest),
-            weights: half_swings.iter().map(|half| 1.0 / half.uncertainty.max(1e-9 * largest)).collect(),
+            weights: half_swings
+                .iter()
+                .map(|half| 1.0 / half.amplitude.uncertainty.max(1e-9 * largest))
+                .collect(),
             substep: PI / omega0,
         }
     }
@@ -73,7 +76,7 @@ impl Fall<'_> {
         }
         let mut columns = vec![vec![1.0; self.half_swings.len()]];
         for term in terms.iter() {
-            let rate = |half: &HalfSwing| self.rates.at(term, half.amplitude);
+            let rate = |half: &HalfSwing| self.rates.at(term, half.amplitude.value);
             let mut integral = vec![0.0];
             for pair in self.half_swings.windows(2) {
                 let mean = 0.5 * (rate(&pair[0]) + rate(&pair[1]));
@@ -83,7 +86,7 @@ impl Fall<'_> {
         }
         let rows = self.half_swings.len();
         let matrix = DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-        let amplitudes = DVector::from_fn(rows, |i, _| self.half_swings[i].amplitude);
+        let amplitudes = DVector::from_fn(rows, |i, _| self.half_swings[i].amplitude.value);
         Some(weighted_least_squares(matrix, amplitudes, &self.weights).ok()?.coefficients)
     }
 
@@ -108,7 +111,7 @@ impl Fall<'_> {
     fn typical(&self, terms: DampingTerms, parameter: usize) -> f64 {
         let (first, last) = (self.half_swings[0], self.half_swings[self.half_swings.len() - 1]);
         let term = terms.iter().nth(parameter - 1).unwrap_or(DampingTerm::Linear);
-        0.5 * first.amplitude / (self.rates.at(term, first.amplitude) * (last.time - first.time))
+        0.5 * first.amplitude.value / (self.rates.at(term, first.amplitude.value) * (last.time - first.time))
     }
 
     /// The amplitudes at the half swings, by the rule of Runge and Kutta.
@@ -137,7 +140,7 @@ impl Fall<'_> {
 
     pub(super) fn residuals(&self, fitted: &[f64]) -> Vec<f64> {
         let rows = self.half_swings.iter().zip(fitted).zip(&self.weights);
-        rows.map(|((half, fitted), weight)| (half.amplitude - fitted) * weight).collect()
+        rows.map(|((half, fitted), weight)| (half.amplitude.value - fitted) * weight).collect()
     }
 
     /// Takes the weight from extremes far from the law with all kinds of damping, and says how many they are.

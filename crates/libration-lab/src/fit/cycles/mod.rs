@@ -52,7 +52,7 @@ pub use several::beta_of_traces;
 pub use unit::{BeyondATurn, are_radians, beyond_a_turn};
 pub use warning::CyclesWarning;
 
-use super::Beta;
+use super::{Beta, Uncertain};
 use row::Row;
 
 /// How cycles are analysed.
@@ -73,14 +73,11 @@ impl Default for Options {
 pub struct Cycle {
     /// Of its middle, in seconds.
     pub time: f64,
-    /// From one passage of the centre to the next in the same direction, in seconds.
-    pub period: f64,
-    /// From the noise of the values, and from what the cycles scatter more than that, in seconds.
-    pub period_uncertainty: f64,
-    /// The mean of the two extremes in it, in radians.
-    pub amplitude: f64,
-    /// From the noise of the values, in radians.
-    pub amplitude_uncertainty: f64,
+    /// From one passage of the centre to the next in the same direction, in seconds; uncertain by the noise of the values, and by
+    /// what the cycles scatter more than that.
+    pub period: Uncertain,
+    /// The mean of the two extremes in it, in radians; uncertain by the noise of the values.
+    pub amplitude: Uncertain,
     /// T/T0 that the exact law gives: the mean of what it gives for the two half swings.
     pub period_ratio: f64,
     /// Whether its period is so far from the law that it does not count.
@@ -92,10 +89,8 @@ pub struct Cycle {
 pub struct HalfSwing {
     /// In seconds; for a trace of angular velocities, when the pendulum is fastest.
     pub time: f64,
-    /// In radians.
-    pub amplitude: f64,
-    /// From the noise of the values, in radians.
-    pub uncertainty: f64,
+    /// In radians; uncertain by the noise of the values.
+    pub amplitude: Uncertain,
 }
 
 /// The cycles of a trace and what they say.
@@ -106,20 +101,16 @@ pub struct Cycles {
     /// The extremes on both sides, in the order of time.
     pub half_swings: Vec<HalfSwing>,
     /// About what the values swing: rad, or rad/s.
-    pub offset: f64,
-    /// Of the offset.
-    pub offset_uncertainty: f64,
+    pub offset: Uncertain,
     /// How far the centres of single swings are from the offset, as a standard deviation, where that is more than the noise
     /// explains (they are then followed); else zero.
     pub offset_wander: f64,
     /// The standard deviation of a value that the local fits leave: rad, or rad/s. Where the trace has uncertainties of its
     /// own, as a part of these.
     pub noise: f64,
-    /// The period of small swings under the exact law, in seconds.
-    pub t0: f64,
-    /// Of T0, in seconds; by the scatter of the cycles where that is larger than the noise explains, and by the pivot where it
-    /// was fitted.
-    pub t0_uncertainty: f64,
+    /// The period of small swings under the exact law, in seconds; uncertain by the scatter of the cycles where that is larger than
+    /// the noise explains, and by the pivot where it was fitted.
+    pub t0: Uncertain,
     /// How much larger the scatter about the exact law is than the noise explains: χ² per degree of freedom.
     pub chi2_per_dof: Option<f64>,
     /// The test of the exact law, or why there is none.
@@ -137,6 +128,6 @@ pub struct Cycles {
 impl Cycles {
     /// T/R(A) of each cycle: what the period of small swings is by this cycle alone, in seconds.
     pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
-        self.cycles.iter().map(|cycle| cycle.period / cycle.period_ratio)
+        self.cycles.iter().map(|cycle| cycle.period.value / cycle.period_ratio)
     }
 }

@@ -4,7 +4,7 @@
 use super::CyclesError;
 use super::generalised::{Generalised, Scatter, fit};
 use super::row::{Row, Side};
-use crate::fit::{Beta, Law};
+use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::{mean, median, robust_deviation};
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
@@ -15,10 +15,8 @@ const MOST_NOISE: f64 = 0.05;
 /// T0 under the exact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fit) struct PeriodLaw {
-    /// The period of small swings, in seconds.
-    pub(in crate::fit) t0: f64,
-    /// In seconds, by the scatter of the cycles where that is larger than the noise explains.
-    pub(in crate::fit) t0_uncertainty: f64,
+    /// The period of small swings, in seconds; uncertain by the scatter of the cycles where that is larger than the noise explains.
+    pub(in crate::fit) t0: Uncertain,
     /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
     pub(in crate::fit) chi2_per_dof: Option<f64>,
     /// Of the periods.
@@ -26,7 +24,8 @@ pub(in crate::fit) struct PeriodLaw {
 }
 
 impl Side {
-    pub(in crate::fit) fn new(number: usize, amplitude: f64, uncertainty: f64) -> Self {
+    pub(in crate::fit) fn new(number: usize, amplitude: Uncertain) -> Self {
+        let Uncertain { value: amplitude, uncertainty } = amplitude;
         let slope = 0.5 * Law::exact().slope_at(amplitude);
         Self { number, amplitude, variance: uncertainty * uncertainty, slope }
     }
@@ -80,9 +79,8 @@ impl Row {
 pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0)?;
-    let [t0, variance] = [found.coefficients[0], found.covariance[(0, 0)]];
-    let (chi2_per_dof, scatter) = (found.chi2_per_dof, found.scatter);
-    Some(PeriodLaw { t0, t0_uncertainty: variance.sqrt(), chi2_per_dof, scatter })
+    let t0 = Uncertain { value: found.coefficients[0], uncertainty: found.covariance[(0, 0)].sqrt() };
+    Some(PeriodLaw { t0, chi2_per_dof: found.chi2_per_dof, scatter: found.scatter })
 }
 
 /// The test of the exact law.

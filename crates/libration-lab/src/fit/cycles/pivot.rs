@@ -7,13 +7,14 @@ use super::{Cycles, Envelope, HalfSwing};
 
 /// Adds the difference to what would be found with the pivot moved by one standard deviation.
 pub(super) fn add(found: &mut Cycles, moved: Cycles) {
-    found.t0_uncertainty = libm::hypot(found.t0_uncertainty, moved.t0 - found.t0);
-    found.offset_uncertainty = libm::hypot(found.offset_uncertainty, moved.offset - found.offset);
+    found.t0 = found.t0.with_error(moved.t0.value - found.t0.value);
+    found.offset = found.offset.with_error(moved.offset.value - found.offset.value);
     if let (Ok(beta), Ok(moved)) = (&mut found.beta, &moved.beta) {
         *beta = beta.with_error(moved);
     }
     if let Ok(envelope) = &mut found.envelope {
-        widen(envelope, &paired(&found.half_swings, &moved.half_swings, 0.25 * moved.t0), TAU / moved.t0);
+        let t0 = moved.t0.value;
+        widen(envelope, &paired(&found.half_swings, &moved.half_swings, 0.25 * t0), TAU / t0);
     }
     found.about_moved_pivot.push(moved.rows);
 }
@@ -25,7 +26,7 @@ fn widen(envelope: &mut Envelope, moved: &[HalfSwing], omega0: f64) {
     for fit in &mut envelope.fits {
         let Some(curve) = fall.fit(fit.damping) else { continue };
         for (coefficient, value) in fit.coefficients.iter_mut().zip(&curve.parameters[1..]) {
-            coefficient.uncertainty = libm::hypot(coefficient.uncertainty, value - coefficient.value);
+            coefficient.estimate = coefficient.estimate.with_error(value - coefficient.estimate.value);
         }
     }
 }

@@ -60,13 +60,13 @@ pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
 pub fn are_radians<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> bool {
     let counted: Vec<&Cycle> = cycles.filter(|cycle| !cycle.outlier).collect();
     let column = |of: &dyn Fn(&Cycle) -> f64| counted.iter().map(|cycle| of(cycle)).collect::<Vec<f64>>();
-    let amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude);
+    let amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude.value);
     if beta < BETA_OF_RADIANS || amplitudes.iter().any(|&amplitude| amplitude >= PI) {
         return false;
     }
-    let periods = column(&|cycle| cycle.period);
-    let of_amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude_uncertainty);
-    let of_periods = column(&|cycle| cycle.period_uncertainty);
+    let periods = column(&|cycle| cycle.period.value);
+    let of_amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude.uncertainty);
+    let of_periods = column(&|cycle| cycle.period.uncertainty);
     let uncertainties = Uncertainties { amplitudes: Some(&of_amplitudes), periods: Some(&of_periods) };
     let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
     let fit = table.ok().and_then(|table| excess_scale(&table, &Law::exact()).ok());

@@ -7,7 +7,7 @@ use super::swings::Swings;
 use crate::fit::cycles::period_law;
 use crate::fit::cycles::row::{Row, Side};
 use crate::fit::typical_amplitude::typical_amplitude;
-use crate::fit::{Beta, Law};
+use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::count;
 use crate::statistics::median;
 use libration::elliptic::Modulus;
@@ -16,7 +16,7 @@ use libration::roots::{Tolerance, bisect};
 
 /// What periods with their amplitudes tell.
 pub(super) struct BySpeeds {
-    pub(super) t0: Quantity,
+    pub(super) t0: Uncertain,
     /// ∂T0/∂(width), in s/rad.
     pub(super) t0_by_width: f64,
     /// Of the uncertainty of T0.
@@ -91,17 +91,17 @@ impl Swings {
         let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
             Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
         };
-        let t0_by_width = slope(&|rows| Some(period_law::exact(rows)?.t0))?;
+        let t0_by_width = slope(&|rows| Some(period_law::exact(rows)?.t0.value))?;
         let beta_by_width = slope(&|rows| Some(period_law::beta(rows).ok()?.factor.value));
         let spread = width.uncertainty.unwrap_or(0.0);
-        let whole = libm::hypot(law.t0_uncertainty, t0_by_width * spread);
-        let part_of_scatter = law.t0_uncertainty * law.t0_uncertainty / (whole * whole);
+        let t0 = law.t0.with_error(t0_by_width * spread);
+        let part_of_scatter = law.t0.uncertainty * law.t0.uncertainty / (t0.uncertainty * t0.uncertainty);
         let widen = |(beta, by_width): (Beta, f64)| Beta {
             factor: beta.factor.with_error(by_width * spread),
             ..beta
         };
         Some(BySpeeds {
-            t0: Quantity { value: law.t0, uncertainty: Some(whole) },
+            t0,
             t0_by_width,
             // After Welch and Satterthwaite: the width is taken as known, the scatter has its rows.
             degrees_of_freedom: count(rows.len() - 1) / (part_of_scatter * part_of_scatter),
@@ -116,7 +116,10 @@ impl Swings {
         let noise = amplitudes.noise(self);
         let gate = self.gate_height(amplitudes)?;
         let row = |&cycle: &usize| {
-            let side = |k: usize| Some(Side::new(k, amplitudes.of_half_swing(k)?, noise));
+            let side = |k: usize| {
+                let value = amplitudes.of_half_swing(k)?;
+                Some(Side::new(k, Uncertain { value, uncertainty: noise }))
+            };
             let ends = [cycle, cycle + 2];
             let [begin, end] = ends.map(|k| self.bottom_time(k, amplitudes, gate));
             // A clock without any scatter would leave nothing to weigh by.

@@ -7,7 +7,7 @@ use super::passages::{Passages, passages};
 use super::swings::Swings;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
-use crate::fit::Law;
+use crate::fit::{Law, Uncertain};
 use crate::statistics::count;
 use libration::quantity::Quantity;
 
@@ -93,7 +93,7 @@ impl Swings {
             cycles: self.cycles.iter().map(cycle).collect(),
             part_between: self.part_between(),
             timing: self.timing(),
-            mean_period: Quantity { value: mean, uncertainty: Some(spread) },
+            mean_period: Uncertain { value: mean, uncertainty: spread },
             first_period,
             t0,
             t0_source,
@@ -114,13 +114,10 @@ impl Swings {
 }
 
 /// T0 from the first period and the amplitude it had.
-fn by_first_amplitude(period: Quantity, amplitude: Quantity) -> Quantity {
+fn by_first_amplitude(period: Uncertain, amplitude: Quantity) -> Uncertain {
     let ratio = Law::exact().ratio_at(amplitude.value);
     let slope = Law::exact().slope_at(amplitude.value);
-    let relative = libm::hypot(
-        period.uncertainty.unwrap_or(0.0) / period.value,
-        slope * amplitude.uncertainty.unwrap_or(0.0) / ratio,
-    );
+    let relative = libm::hypot(period.relative(), slope * amplitude.uncertainty.unwrap_or(0.0) / ratio);
     let value = period.value / ratio;
-    Quantity { value, uncertainty: Some(value * relative) }
+    Uncertain { value, uncertainty: value * relative }
 }

@@ -50,7 +50,7 @@ impl GatesFit {
     /// where T0 does not come from the width.
     #[must_use]
     pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
-        let spread = self.t0?.uncertainty.filter(|spread| *spread > 0.0)?;
+        let spread = Some(self.t0?.uncertainty).filter(|spread| *spread > 0.0)?;
         Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
     }
 
@@ -85,7 +85,7 @@ impl GatesFit {
             _ => angle_scale,
         };
         let period = MeasuredPeriod {
-            t0,
+            t0: t0.into(),
             amplitude: self.amplitude,
             angle_scale,
             clock,

@@ -27,7 +27,7 @@ pub use error::GatesError;
 pub use gravity::GateGeometry;
 pub use warning::GatesWarning;
 
-use crate::fit::Beta;
+use crate::fit::{Beta, Uncertain};
 use libration::quantity::Quantity;
 
 /// What the times of a gate without states are.
@@ -94,11 +94,11 @@ pub struct GatesFit {
     /// The standard deviation of a time, by the scatter of the periods, in seconds.
     pub timing: f64,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
-    pub mean_period: Quantity,
+    pub mean_period: Uncertain,
     /// The period at the turning point before the first passage, in seconds.
-    pub first_period: Option<Quantity>,
+    pub first_period: Option<Uncertain>,
     /// The period of small swings, in seconds.
-    pub t0: Option<Quantity>,
+    pub t0: Option<Uncertain>,
     /// Where it comes from.
     pub t0_source: Option<T0Source>,
     /// By how much T0 changes with the angular width of the bob, in s/rad; none where it does not come from the width.

@@ -2,24 +2,24 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::fit::Uncertain;
 use crate::statistics::{count, least_squares};
-use libration::quantity::Quantity;
 
 /// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.
 const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
 /// The period at a time, by a curve through all periods. Its uncertainty contains how much less curved ones would differ,
 /// since how the amplitude falls is not known.
-pub(super) fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Quantity> {
+pub(super) fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Uncertain> {
     let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
     let best = polynomial(times, periods, time, degree)?;
     let simpler = (degree > 0).then(|| polynomial(times, periods, time, degree - 1)).flatten();
-    let difference = simpler.map_or(0.0, |simpler| best.0 - simpler.0);
-    Some(Quantity { value: best.0, uncertainty: Some(libm::hypot(best.1, difference)) })
+    let difference = simpler.map_or(0.0, |simpler| best.value - simpler.value);
+    Some(best.with_error(difference))
 }
 
 /// The value of the polynomial at a time, and its uncertainty by the scatter.
-fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<(f64, f64)> {
+fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<Uncertain> {
     let (first, last) = (times.first()?, times.last()?);
     // The basis is in powers of the time since the wanted one, so that the constant is the answer.
     let scale = (last - first).max(f64::MIN_POSITIVE);
@@ -27,7 +27,8 @@ fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Optio
     let matrix = DMatrix::from_fn(times.len(), degree + 1, |i, k| power(times[i], k));
     let fit = least_squares(&matrix, &DVector::from_row_slice(periods)).ok()?;
     let dof = count(times.len().saturating_sub(degree + 1).max(1));
-    Some((fit.coefficients[0], (fit.chi2() / dof * fit.covariance[(0, 0)]).sqrt()))
+    let uncertainty = (fit.chi2() / dof * fit.covariance[(0, 0)]).sqrt();
+    Some(Uncertain { value: fit.coefficients[0], uncertainty })
 }
 
 #[cfg(test)]
@@ -39,8 +40,7 @@ mod tests {
         let times: Vec<f64> = (1..=20).map(f64::from).collect();
         let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.03 * libm::exp(-0.03 * t)).collect();
         let found = at_the_beginning(&times, &periods, 0.0).unwrap();
-        let uncertainty = found.uncertainty.unwrap();
-        assert!((found.value - 2.03).abs() < uncertainty && uncertainty < 2e-3, "{found:?}");
+        assert!((found.value - 2.03).abs() < found.uncertainty && found.uncertainty < 2e-3, "{found:?}");
     }
 
     /// The standard error of the intercept of a line, s²(1/n + t̄²/Σ(t − t̄)²) with n − 2 degrees of freedom, as in any text on
@@ -61,6 +61,6 @@ mod tests {
         let found = at_the_beginning(&times, &periods, 0.0).unwrap();
         assert!((found.value - intercept).abs() < 1e-12, "{found:?}");
         let expected = libm::hypot(standard_error, intercept - mean);
-        assert!((found.uncertainty.unwrap() / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
+        assert!((found.uncertainty / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::{GatesFit, T0Source};
-use crate::fit::SIGNIFICANT;
-use libration::quantity::{Quantity, rounded};
+use crate::fit::{SIGNIFICANT, Uncertain};
+use libration::quantity::rounded;
 
 /// A last period below T0 is believed where it is so by as many standard deviations of a time: a period is the difference of
 /// two, which scatters by √2 of them, so that this is beyond four standard deviations of a period.
@@ -109,7 +109,7 @@ pub(super) fn warnings(fit: &GatesFit, has_width: bool) -> Vec<GatesWarning> {
 }
 
 fn period_below_t0(fit: &GatesFit) -> Option<GatesWarning> {
-    let (Quantity { value: t0, uncertainty }, last) = (fit.t0?, fit.cycles.last()?.period);
-    let least = t0 - SIGNIFICANT * uncertainty.unwrap_or(0.0);
+    let (Uncertain { value: t0, uncertainty }, last) = (fit.t0?, fit.cycles.last()?.period);
+    let least = t0 - SIGNIFICANT * uncertainty;
     (least > last + SHORT_BY_TIMINGS * fit.timing).then_some(GatesWarning::PeriodBelowT0 { last, t0 })
 }

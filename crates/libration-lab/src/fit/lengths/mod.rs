@@ -112,12 +112,7 @@ impl LengthsOptions {
         let slope = Contribution {
             evaluation: Evaluation::Statistics,
             degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
-            ..Contribution::judged(
-                BudgetInput::Slope,
-                1.0 / g,
-                best.g.uncertainty.map(|uncertainty| uncertainty / (g * g)),
-                -g * g,
-            )
+            ..Contribution::judged(BudgetInput::Slope, 1.0 / g, Some(best.g.uncertainty / (g * g)), -g * g)
         };
         let radius = self.bob_radius.map(|radius| {
             let refitted = |radius: f64| {

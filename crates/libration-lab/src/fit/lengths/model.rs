@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
+use crate::fit::Uncertain;
 use crate::fit::scatter::{self, Scatter};
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count, weighted_least_squares};
-use libration::quantity::Quantity;
 
 /// Rounds in which the weights, and the term of the bob, are renewed.
 const ROUNDS: usize = 20;
@@ -54,11 +54,11 @@ pub struct LengthFit {
     /// The law.
     pub model: LengthModel,
     /// In m/s². All uncertainties are [enlarged](Scatter) where the rows scatter more than theirs.
-    pub g: Quantity,
+    pub g: Uncertain,
     /// δ, in metres, to be added to the lengths given.
-    pub offset: Option<Quantity>,
+    pub offset: Option<Uncertain>,
     /// κ, in m²; 2r²/5 for a ball.
-    pub gyration: Option<Quantity>,
+    pub gyration: Option<Uncertain>,
     /// Of g and δ.
     pub correlation: Option<f64>,
     /// The sum of the squared residuals over their effective variances; none without uncertainties.
@@ -182,13 +182,13 @@ impl Solution {
     }
 
     /// 1/a, or c/a with the coefficient c of this number, and its uncertainty.
-    fn quotient(&self, of: Option<usize>, unit: f64) -> Quantity {
+    fn quotient(&self, of: Option<usize>, unit: f64) -> Uncertain {
         let slope = self.coefficients[0];
         let value = of.map_or(1.0, |k| self.coefficients[k]) / slope;
         let own = of.map_or(0.0, |k| self.covariance[(k, k)]);
         let both = of.map_or(0.0, |k| self.covariance[(0, k)]);
         let variance = (own - 2.0 * value * both + value * value * self.covariance[(0, 0)]) / (slope * slope);
-        Quantity { value, uncertainty: Some((unit * variance).sqrt()) }
+        Uncertain { value, uncertainty: (unit * variance).sqrt() }
     }
 
     /// Of g = 1/a and δ = c/a.

@@ -4,7 +4,7 @@ use super::{FittedPendulum, SwingsFit, Warning};
 use crate::fit::SIGNIFICANT;
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
-use crate::fit::trace::{Comparison, DampingTerm, Parameter, TraceFit};
+use crate::fit::trace::{Comparison, DampingTerm, TraceFit};
 use crate::measurement::Trace;
 
 /// The warnings, the gravest first.
@@ -40,10 +40,8 @@ fn radians(found: &SwingsFit) -> Option<Warning> {
 }
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {
-    let coefficient = |term: DampingTerm| {
-        let Parameter { value, uncertainty, .. } = *fit.parameter(term.name())?;
-        Some(Coefficient { term, value, uncertainty })
-    };
+    let coefficient =
+        |term: DampingTerm| Some(Coefficient { term, estimate: fit.parameter(term.name())?.estimate });
     let coefficients: Vec<Coefficient> = fit.negative_terms().into_iter().filter_map(coefficient).collect();
     (!coefficients.is_empty()).then_some(Warning::NegativeDamping { coefficients })
 }
@@ -67,7 +65,7 @@ fn residuals(fit: &TraceFit) -> Option<Warning> {
     let omega0 = &fit.parameters[0];
     (!fit.autocorrelation.is_noise()).then(|| Warning::ResidualsNotNoise {
         rows: fit.autocorrelation.time,
-        inflation: omega0.uncertainty / omega0.formal_uncertainty,
+        inflation: omega0.estimate.uncertainty / omega0.formal_uncertainty,
     })
 }
 
@@ -105,13 +103,13 @@ fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
         .zip(&found.cycles)
         .filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)))
         .collect();
-    let (one, short) = known.iter().min_by(|a, b| a.1.t0.total_cmp(&b.1.t0))?;
-    let (other, long) = known.iter().max_by(|a, b| a.1.t0.total_cmp(&b.1.t0))?;
-    let difference = long.t0 - short.t0;
-    let by_chance = SIGNIFICANT * libm::hypot(short.t0_uncertainty, long.t0_uncertainty);
-    (difference > by_chance && difference > APART * short.t0).then(|| Warning::DifferentPendulums {
-        shortest: (one.name().to_owned(), short.t0),
-        longest: (other.name().to_owned(), long.t0),
+    let (one, short) = known.iter().min_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
+    let (other, long) = known.iter().max_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
+    let difference = long.t0.value - short.t0.value;
+    let by_chance = SIGNIFICANT * libm::hypot(short.t0.uncertainty, long.t0.uncertainty);
+    (difference > by_chance && difference > APART * short.t0.value).then(|| Warning::DifferentPendulums {
+        shortest: (one.name().to_owned(), short.t0.value),
+        longest: (other.name().to_owned(), long.t0.value),
     })
 }
 

@@ -47,7 +47,7 @@ impl SwingsFit {
     /// The largest and the smallest amplitude of a cycle, in radians.
     #[must_use]
     pub fn amplitudes(&self) -> Option<[f64; 2]> {
-        let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude);
+        let sizes = || self.all_cycles().map(|(_, cycle)| cycle.amplitude.value);
         Some([sizes().reduce(f64::max)?, sizes().reduce(f64::min)?])
     }
 
@@ -65,8 +65,9 @@ impl SwingsFit {
         let pairs = all.flat_map(|cycles| cycles.windows(3).map(|three| (three[0], three[2])));
         let (weights, sum) = pairs.fold((0.0, 0.0), |(weights, sum), (earlier, later)| {
             let weight = earlier.period_ratio - 1.0;
-            let cycles = (later.time - earlier.time) / earlier.period;
-            (weights + weight, sum + weight * (1.0 - later.amplitude / earlier.amplitude) / cycles)
+            let cycles = (later.time - earlier.time) / earlier.period.value;
+            let fall = 1.0 - later.amplitude.value / earlier.amplitude.value;
+            (weights + weight, sum + weight * fall / cycles)
         });
         (weights > 0.0).then(|| sum / weights)
     }
@@ -78,14 +79,14 @@ impl SwingsFit {
         const WORTH_A_WORD: f64 = 1e-4;
         let [Ok(cycles)] = &self.cycles[..] else { return None };
         let period = self.fit.small_angle_period();
-        let difference = (cycles.t0 - period.value).abs();
-        let deviation = period.with_error(cycles.t0_uncertainty).deviation_from(cycles.t0);
+        let difference = (cycles.t0.value - period.value).abs();
+        let deviation = period.with_error(cycles.t0.uncertainty).deviation_from(cycles.t0.value);
         (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period.value)
-            .then_some((cycles.t0, deviation))
+            .then_some((cycles.t0.value, deviation))
     }
 }
 
 /// Of a fit, or averaged over those that the data leave.
 pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Uncertain {
-    comparison.map_or_else(|| fit.small_angle_period(), |comparison| comparison.small_angle_period().into())
+    comparison.map_or_else(|| fit.small_angle_period(), |comparison| comparison.small_angle_period().mean)
 }

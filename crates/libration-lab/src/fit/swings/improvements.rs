@@ -82,7 +82,8 @@ fn zero(found: &SwingsFit, seen: Seen) -> Option<Advice> {
     /// In radians: half a degree.
     const WORTH_A_WORD: f64 = 0.01;
     let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
-    let offset = offsets.map(|offset| offset.value).max_by(|a: &f64, b: &f64| a.abs().total_cmp(&b.abs()))?;
+    let offset =
+        offsets.map(|offset| offset.estimate.value).max_by(|a: &f64, b: &f64| a.abs().total_cmp(&b.abs()))?;
     let is_told = seen == Seen::Angle && !found.is_poor();
     (is_told && offset.abs() > WORTH_A_WORD).then_some(Advice::SetZero { offset })
 }

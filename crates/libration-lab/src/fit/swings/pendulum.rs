@@ -57,6 +57,6 @@ fn length(t0: Uncertain) -> Uncertain {
 fn damping(fit: &TraceFit) -> PeriodDamping {
     match fit.damping.count() {
         0 => PeriodDamping::Unknown,
-        _ => PeriodDamping::Fitted(fit.parameter("linear").map_or(0.0, |linear| linear.value)),
+        _ => PeriodDamping::Fitted(fit.parameter("linear").map_or(0.0, |linear| linear.estimate.value)),
     }
 }

@@ -111,7 +111,7 @@ impl TraceFit {
         let parameters = self.motion_parameters(trace);
         let found = parameters.turns(until - begins)?;
         let moved = (0..parameters.places.len()).map(|place| {
-            let step = STEP * self.parameters[parameters.places[place]].uncertainty;
+            let step = STEP * self.parameters[parameters.places[place]].estimate.uncertainty;
             parameters.moved(place, step).turns(until - begins + TAU / parameters.values[0])
         });
         let moved = moved.collect::<Result<Vec<_>, _>>()?;
@@ -150,7 +150,7 @@ impl TraceFit {
         };
         let named = self.parameters.iter().enumerate();
         let of_motion = named.filter(|(_, parameter)| is_of_motion(parameter.name, parameter.trace));
-        let (places, values) = of_motion.map(|(place, parameter)| (place, parameter.value)).unzip();
+        let (places, values) = of_motion.map(|(place, parameter)| (place, parameter.estimate.value)).unzip();
         MotionParameters { terms: self.damping.iter().collect(), places, values }
     }
 }

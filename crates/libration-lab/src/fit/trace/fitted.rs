@@ -15,11 +15,9 @@ pub struct Parameter {
     pub unit: &'static str,
     /// The trace that alone has it, counted from zero; none if all share it.
     pub trace: Option<usize>,
-    /// The value.
-    pub value: f64,
-    /// Its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it, with what
-    /// the clock and a fitted pivot leave open.
-    pub uncertainty: f64,
+    /// The value with its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it,
+    /// with what the clock and a fitted pivot leave open.
+    pub estimate: Uncertain,
     /// The standard uncertainty if the residuals were independent.
     pub formal_uncertainty: f64,
     /// Of Student's t, by which the intervals are found; fewer than rows less parameters where the noise remembers.
@@ -93,8 +91,8 @@ impl TraceFit {
     #[must_use]
     pub fn small_angle_period(&self) -> Uncertain {
         let omega0 = &self.parameters[0];
-        let period = 2.0 * PI / omega0.value;
-        Uncertain { value: period, uncertainty: period * omega0.uncertainty / omega0.value }
+        let period = 2.0 * PI / omega0.estimate.value;
+        Uncertain { value: period, uncertainty: period * omega0.estimate.uncertainty / omega0.estimate.value }
     }
 
     /// Whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
@@ -119,7 +117,7 @@ impl TraceFit {
     #[must_use]
     pub fn negative_terms(&self) -> Vec<DampingTerm> {
         let negative = |term: &DampingTerm| {
-            self.parameter(term.name()).is_some_and(|it| it.value < -2.0 * it.uncertainty)
+            self.parameter(term.name()).is_some_and(|it| it.estimate.value < -2.0 * it.estimate.uncertainty)
         };
         self.damping.iter().filter(negative).collect()
     }
@@ -133,10 +131,17 @@ impl TraceFit {
             _ => 0.0,
         };
         let powers: Vec<f64> = self.parameters.iter().map(power).collect();
-        let force =
-            self.parameters.iter().zip(&powers).map(|(parameter, power)| parameter.value * power).sum();
-        let parts =
-            self.parameters.iter().zip(&powers).map(|(parameter, power)| parameter.uncertainty * power);
+        let force = self
+            .parameters
+            .iter()
+            .zip(&powers)
+            .map(|(parameter, power)| parameter.estimate.value * power)
+            .sum();
+        let parts = self
+            .parameters
+            .iter()
+            .zip(&powers)
+            .map(|(parameter, power)| parameter.estimate.uncertainty * power);
         let parts: Vec<f64> = parts.collect();
         let rows = self.correlations.iter().zip(&parts);
         let variance =
@@ -148,9 +153,9 @@ impl TraceFit {
     /// The speed at the bottom by the energy at the beginning of a trace.
     fn greatest_speed(&self, trace: usize) -> f64 {
         let own = |name| self.parameters.iter().find(|it| it.trace == Some(trace) && it.name == name);
-        let value = |name| own(name).map_or(0.0, |parameter| parameter.value);
+        let value = |name| own(name).map_or(0.0, |parameter| parameter.estimate.value);
         let height = 2.0 * libm::sin(0.5 * value("theta0"));
-        libm::hypot(value("velocity0"), self.parameters[0].value * height)
+        libm::hypot(value("velocity0"), self.parameters[0].estimate.value * height)
     }
 
     /// How many rows there are.

@@ -16,8 +16,8 @@ const TRIES: usize = 6;
 /// The intervals if the model were linear.
 pub(super) fn linear_intervals(parameter: &Parameter) -> [[f64; 2]; 2] {
     quantiles(parameter.degrees_of_freedom).map(|quantile| {
-        let half = quantile * parameter.uncertainty;
-        [parameter.value - half, parameter.value + half]
+        let half = quantile * parameter.estimate.uncertainty;
+        [parameter.estimate.value - half, parameter.estimate.value + half]
     })
 }
 
@@ -39,7 +39,7 @@ pub(super) fn intervals(
     for (place, parameter) in
         parameters.iter_mut().enumerate().filter(|(_, parameter)| parameter.trace.is_none())
     {
-        let inflation = parameter.uncertainty / parameter.formal_uncertainty;
+        let inflation = parameter.estimate.uncertainty / parameter.formal_uncertainty;
         let mut found = [[0.0; 2]; 2];
         for (interval, level) in found.iter_mut().zip(LEVELS) {
             for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {

@@ -6,14 +6,14 @@ use super::{Parameter, profile};
 
 /// Adds a covariance of the parameters to their uncertainties, intervals and correlations.
 pub(super) fn add(parameters: &mut [Parameter], correlations: &mut [Vec<f64>], covariance: &DMatrix<f64>) {
-    let by_scatter: Vec<f64> = parameters.iter().map(|parameter| parameter.uncertainty).collect();
+    let by_scatter: Vec<f64> = parameters.iter().map(|parameter| parameter.estimate.uncertainty).collect();
     for (place, parameter) in parameters.iter_mut().enumerate() {
         widen(parameter, covariance[(place, place)].sqrt());
     }
     for (i, row) in correlations.iter_mut().enumerate() {
         for (j, correlation) in row.iter_mut().enumerate().filter(|(j, _)| *j != i) {
             let both = *correlation * by_scatter[i] * by_scatter[j] + covariance[(i, j)];
-            let size = parameters[i].uncertainty * parameters[j].uncertainty;
+            let size = parameters[i].estimate.uncertainty * parameters[j].estimate.uncertainty;
             *correlation = if size > 0.0 { both / size } else { *correlation };
         }
     }
@@ -26,15 +26,15 @@ fn widen(parameter: &mut Parameter, deviation: f64) {
         return;
     }
     let before = profile::quantiles(parameter.degrees_of_freedom);
-    let together = libm::hypot(parameter.uncertainty, deviation);
-    let part = parameter.uncertainty / together;
+    let together = libm::hypot(parameter.estimate.uncertainty, deviation);
+    let part = parameter.estimate.uncertainty / together;
     parameter.degrees_of_freedom /= part * part * part * part;
-    parameter.uncertainty = together;
+    parameter.estimate.uncertainty = together;
     let after = profile::quantiles(parameter.degrees_of_freedom);
     for (interval, (before, after)) in parameter.intervals.iter_mut().zip(before.into_iter().zip(after)) {
         for (end, side) in interval.iter_mut().zip([-1.0_f64, 1.0]) {
-            let half = libm::hypot((*end - parameter.value) * after / before, after * deviation);
-            *end = side.mul_add(half, parameter.value);
+            let half = libm::hypot((*end - parameter.estimate.value) * after / before, after * deviation);
+            *end = side.mul_add(half, parameter.estimate.value);
         }
     }
 }
@@ -42,11 +42,15 @@ fn widen(parameter: &mut Parameter, deviation: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::Uncertain;
 
     /// 3e-3 by the scatter.
     fn fitted(degrees_of_freedom: f64) -> Parameter {
-        let mut fitted =
-            Parameter { value: 4.0, uncertainty: 3e-3, degrees_of_freedom, ..Parameter::default() };
+        let mut fitted = Parameter {
+            estimate: Uncertain { value: 4.0, uncertainty: 3e-3 },
+            degrees_of_freedom,
+            ..Parameter::default()
+        };
         fitted.intervals = profile::linear_intervals(&fitted);
         fitted
     }
@@ -65,7 +69,7 @@ mod tests {
         let same = with_another(fitted(1000.0), 0.0);
         assert_eq!(same, fitted(1000.0));
         let more = with_another(fitted(1e9), 4e-3);
-        assert!((more.uncertainty - 5e-3).abs() < 1e-15, "3, 4, 5: {more:?}");
+        assert!((more.estimate.uncertainty - 5e-3).abs() < 1e-15, "3, 4, 5: {more:?}");
         let [[low, high], [_, highest]] = more.intervals;
         assert!((low - 3.995).abs() < 1e-9 && (high - 4.005).abs() < 1e-9);
         assert!((highest - 4.0 - 1.959_964 * 5e-3).abs() < 1e-8);

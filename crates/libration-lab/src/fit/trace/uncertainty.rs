@@ -9,6 +9,7 @@ use super::problem::Problem;
 use super::response::Response;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
 use super::{bootstrap, clock, huber, noise, pivot, profile, systematic};
+use crate::fit::Uncertain;
 use crate::measurement::Trace;
 use crate::statistics::{count, mean};
 
@@ -39,7 +40,7 @@ pub(super) fn fit(
     if problem.options.profile {
         profile::intervals(problem, minimum, &covariance, scatter.variance, &mut parameters, watch)?;
     }
-    let by_clock = clock::deviation(traces, parameters[0].value);
+    let by_clock = clock::deviation(traces, parameters[0].estimate.value);
     shared[(0, 0)] += by_clock * by_clock;
     let mut correlations = correlations(&covariance);
     systematic::add(&mut parameters, &mut correlations, &shared);
@@ -88,7 +89,7 @@ impl Scatter {
 fn described(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Parameter> {
     let layout = problem.model.layout;
     let one = |place: usize| Parameter {
-        value: minimum.parameters[place],
+        estimate: Uncertain { value: minimum.parameters[place], ..Uncertain::default() },
         ..layout.described(place, problem.data.traces)
     };
     problem.model.free().into_iter().map(one).collect()
@@ -106,7 +107,7 @@ fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Respons
     let effects = noise::effects(traces, response);
     for ((parameter, effect), by_blocks) in parameters.iter_mut().zip(effects).zip(by_blocks) {
         let by_noise = parameter.formal_uncertainty * effect.inflation.sqrt();
-        parameter.uncertainty = by_noise.max(by_blocks * correction);
+        parameter.estimate.uncertainty = by_noise.max(by_blocks * correction);
         parameter.degrees_of_freedom = effect.degrees_of_freedom;
         parameter.intervals = profile::linear_intervals(parameter);
     }
@@ -116,7 +117,7 @@ fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Respons
 fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
     let shared = parameters.iter().filter(|parameter| parameter.trace.is_none());
     let logarithms: Vec<f64> = shared
-        .map(|it| 2.0 * libm::log(it.uncertainty / it.formal_uncertainty))
+        .map(|it| 2.0 * libm::log(it.estimate.uncertainty / it.formal_uncertainty))
         .filter(|x| x.is_finite())
         .collect();
     // Without any, NaN, of which the larger of two is the other.

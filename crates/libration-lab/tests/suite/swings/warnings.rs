@@ -64,7 +64,7 @@ fn drag_that_pushes_is_told() {
         panic!("{said:?}")
     };
     assert_eq!(coefficients[0].term, DampingTerm::Linear);
-    assert!((coefficients[0].value + 0.02).abs() < 4.0 * coefficients[0].uncertainty);
+    assert!((coefficients[0].estimate.value + 0.02).abs() < 4.0 * coefficients[0].estimate.uncertainty);
     let steady = warnings(&Synthetic { linear: 0.0, ..growing }, &linear());
     assert!(named(&steady, "feeds_energy").is_none() && named(&steady, "negative_damping").is_none());
 }

@@ -31,18 +31,18 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
             format!("{}{mark}", it.number)
         }),
         Of::number("time_s", "s", "time of the middle of the cycle", |it| it.cycle.time)
-            .numeral(COLUMNS[1], |it| short(it.cycle.time - 0.5 * it.cycle.period, 6)),
-        Of::number("period_s", "s", "period of the cycle", |it| it.cycle.period)
+            .numeral(COLUMNS[1], |it| short(it.cycle.time - 0.5 * it.cycle.period.value, 6)),
+        Of::number("period_s", "s", "period of the cycle", |it| it.cycle.period.value)
             .numeral(COLUMNS[2], |it| it.period()[0].clone()),
         Of::unnamed().numeral(COLUMNS[3], |it| it.period()[1].clone()),
-        Of::number("amplitude_rad", "rad", "amplitude in its middle", |it| it.cycle.amplitude)
+        Of::number("amplitude_rad", "rad", "amplitude in its middle", |it| it.cycle.amplitude.value)
             .numeral(COLUMNS[4], |it| it.amplitude()[0].clone()),
         Of::unnamed().numeral(COLUMNS[5], |it| it.amplitude()[1].clone()),
         Of::number("period_uncertainty_s", "s", "standard uncertainty of the period", |it| {
-            it.cycle.period_uncertainty
+            it.cycle.period.uncertainty
         }),
         Of::number("amplitude_uncertainty_rad", "rad", "standard uncertainty of the amplitude", |it| {
-            it.cycle.amplitude_uncertainty
+            it.cycle.amplitude.uncertainty
         }),
         Of::value("outlier", "", "whether the period is far from the law", |it| it.cycle.outlier.into()),
         Of::present_value("trace", "1", "number of the trace, from 0, where there are several", |it| {
@@ -54,11 +54,11 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
 
 impl Numbered<'_> {
     fn period(&self) -> [String; 2] {
-        parts(self.cycle.period, self.cycle.period_uncertainty)
+        parts(self.cycle.period.value, self.cycle.period.uncertainty)
     }
 
     fn amplitude(&self) -> [String; 2] {
-        parts(self.cycle.amplitude.to_degrees(), self.cycle.amplitude_uncertainty.to_degrees())
+        parts(self.cycle.amplitude.value.to_degrees(), self.cycle.amplitude.uncertainty.to_degrees())
     }
 }
 

@@ -55,7 +55,8 @@ impl Model<'_> {
 
     fn coefficient(&self, term: DampingTerm) -> String {
         let parameter = self.fit().parameter(term.name());
-        parameter.map_or("–".to_owned(), |it| with_uncertainty(it.value, it.uncertainty, ""))
+        parameter
+            .map_or("–".to_owned(), |it| with_uncertainty(it.estimate.value, it.estimate.uncertainty, ""))
     }
 }
 
@@ -149,9 +150,9 @@ fn of_values(names: [&'static str; 3], unit: &'static str, meaning: &'static str
     type Of = Field<Averaged>;
     let [value, uncertainty, spread] = names;
     Fields::from([
-        Of::number(value, unit, meaning, |it| it.value),
+        Of::number(value, unit, meaning, |it| it.mean.value),
         Of::number(uncertainty, unit, "its standard uncertainty, the spread of the models included", |it| {
-            it.uncertainty
+            it.mean.uncertainty
         }),
         Of::number(spread, unit, "spread of the models alone, as a standard deviation", |it| it.spread),
     ])

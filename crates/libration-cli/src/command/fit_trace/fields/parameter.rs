@@ -34,10 +34,12 @@ pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
                 )
             },
         ),
-        Of::number("value", "", "its value, in its unit", |it| it.parameter.value)
-            .numeral(COLUMNS[1], |it| it.to_the_digit(it.parameter.value)),
-        Of::number("uncertainty", "", "its standard uncertainty, in its unit", |it| it.parameter.uncertainty)
-            .rounded(COLUMNS[2], 2),
+        Of::number("value", "", "its value, in its unit", |it| it.parameter.estimate.value)
+            .numeral(COLUMNS[1], |it| it.to_the_digit(it.parameter.estimate.value)),
+        Of::number("uncertainty", "", "its standard uncertainty, in its unit", |it| {
+            it.parameter.estimate.uncertainty
+        })
+        .rounded(COLUMNS[2], 2),
         Of::value("unit", "", "its unit", |it| it.parameter.unit.into())
             .words(COLUMNS[5], |it| unit(it.parameter.unit)),
         Of::number(
@@ -79,7 +81,7 @@ impl Row<'_> {
 
     /// A value to the last digit of the uncertainty.
     fn to_the_digit(&self, value: f64) -> String {
-        let text = with_uncertainty(value, self.parameter.uncertainty, "");
+        let text = with_uncertainty(value, self.parameter.estimate.uncertainty, "");
         text.split_once(' ').map_or_else(|| short(value, 8), |(value, _)| value.to_owned())
     }
 }

@@ -69,14 +69,14 @@ pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
         Of::unnamed().numeral("largest", |it| it.amplitude(f64::max)),
         Of::unnamed().numeral("smallest", |it| it.amplitude(f64::min)),
         Of::known("t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null", |it| {
-            it.cycles().map(|found| found.t0)
+            it.cycles().map(|found| found.t0.value)
         })
         .numeral("T₀ by cycles / s", |it| {
-            let t0 = it.cycles().map(|found| with_uncertainty(found.t0, found.t0_uncertainty, ""));
+            let t0 = it.cycles().map(|found| with_uncertainty(found.t0.value, found.t0.uncertainty, ""));
             t0.unwrap_or("–".to_owned())
         }),
         Of::known("t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null", |it| {
-            it.cycles().map(|found| found.t0_uncertainty)
+            it.cycles().map(|found| found.t0.uncertainty)
         }),
         Of::known("beta", "1", "β of this trace, or null", |it| it.beta().map(|beta| beta.factor.value))
             .numeral("β", |it| it.beta().map_or("–".to_owned(), |beta| beta.factor.to_string())),
@@ -111,7 +111,7 @@ impl TraceOf<'_> {
     /// The largest or the smallest of its cycles.
     fn amplitude(&self, extreme: fn(f64, f64) -> f64) -> String {
         let amplitudes = self.cycles().into_iter().flat_map(|found| &found.cycles);
-        let amplitude = amplitudes.map(|cycle| cycle.amplitude.to_degrees()).reduce(extreme);
+        let amplitude = amplitudes.map(|cycle| cycle.amplitude.value.to_degrees()).reduce(extreme);
         amplitude.map_or("–".to_owned(), |amplitude| format!("{}°", rounded(amplitude, 3)))
     }
 }

@@ -29,7 +29,7 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let aspect =
         pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    let t0 = found("T₀", answer.swings.fit.small_angle_period().into(), "s");
+    let t0 = found("T₀", answer.swings.fit.small_angle_period(), "s");
     let picture = Picture::new("Swing and fitted motion", panels);
     let damping = format!("damping: {}", answer.swings.fit.damping);
     Picture { aspect, ..picture.with_parameters([t0, damping]) }
@@ -115,7 +115,7 @@ fn of_model(
 ) -> Option<Envelope> {
     let measured = &answer.measured.traces[trace];
     let own = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == "offset");
-    let offset = own?.value;
+    let offset = own?.estimate.value;
     let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
     let window = fit.small_angle_period().value / 6.0;
     let amplitude = |half: &HalfSwing| {
@@ -123,7 +123,7 @@ fn of_model(
         match measured.seen() {
             Seen::Angle => extreme,
             // At the bottom θ′ = 2ω₀ sin(θ₀/2).
-            Seen::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].value).asin(),
+            Seen::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].estimate.value).asin(),
         }
     };
     Some(Envelope { name: fit.damping.to_string(), amplitudes: half_swings.iter().map(amplitude).collect() })

@@ -169,7 +169,7 @@ fn named(answer: &Answer<'_>) -> String {
         Some(format!(
             "{} = {}",
             letter(term),
-            with_uncertainty(parameter.value, parameter.uncertainty, &unit)
+            with_uncertainty(parameter.estimate.value, parameter.estimate.uncertainty, &unit)
         ))
     };
     let coefficients: Vec<String> = answer.swings.fit.damping.iter().filter_map(coefficient).collect();

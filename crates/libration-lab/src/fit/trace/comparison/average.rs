@@ -7,22 +7,14 @@ use crate::fit::trace::TraceFit;
 /// A number averaged over the models that the data leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averaged {
-    /// The mean, each model with its weight.
-    pub value: f64,
-    /// The standard uncertainty, the spread between the models included.
-    pub uncertainty: f64,
+    /// The mean, each model with its weight; its uncertainty includes the spread between the models.
+    pub mean: Uncertain,
     /// The spread between the models alone, as a standard deviation.
     pub spread: f64,
 }
 
-impl From<Averaged> for Uncertain {
-    fn from(Averaged { value, uncertainty, .. }: Averaged) -> Self {
-        Self { value, uncertainty }
-    }
-}
-
 impl Comparison {
-    /// How much the data speak for each model (Akaike's weights, ibidem, section 2.9): the sum is 1, and those that are
+    /// How much the data speak for each model (Akaike's weights, Burnham and Anderson 2002, section 2.9): the sum is 1, and those that are
     /// excluded have none.
     #[must_use]
     pub fn weights(&self) -> Vec<f64> {
@@ -41,31 +33,30 @@ impl Comparison {
     /// 2π/ω0, averaged over the models, in s.
     #[must_use]
     pub fn small_angle_period(&self) -> Averaged {
-        self.averaged(|fit| {
-            let period = fit.small_angle_period();
-            Some((period.value, period.uncertainty))
-        })
+        self.averaged(|fit| Some(fit.small_angle_period()))
     }
 
     /// A shared parameter, averaged over the models that have it; none if no model has.
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<Averaged> {
-        let value = |fit: &TraceFit| fit.parameter(name).map(|it| (it.value, it.uncertainty));
-        self.fits.iter().any(|fit| value(fit).is_some()).then(|| self.averaged(value))
+        let estimate = |fit: &TraceFit| fit.parameter(name).map(|parameter| parameter.estimate);
+        self.fits.iter().any(|fit| estimate(fit).is_some()).then(|| self.averaged(estimate))
     }
 
     /// With the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
-    fn averaged(&self, of: impl Fn(&TraceFit) -> Option<(f64, f64)>) -> Averaged {
+    fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> Averaged {
         let weights = self.weights();
-        let known = self.fits.iter().zip(&weights).filter_map(|(fit, weight)| Some((of(fit)?, *weight)));
-        let known: Vec<((f64, f64), f64)> = known.collect();
+        let known =
+            self.fits.iter().zip(&weights).filter_map(|(fit, weight)| Some((estimate(fit)?, *weight)));
+        let known: Vec<(Uncertain, f64)> = known.collect();
         let total: f64 = known.iter().map(|(_, weight)| weight).sum();
-        let mean = |value: &dyn Fn((f64, f64)) -> f64| {
-            known.iter().map(|(pair, weight)| weight * value(*pair)).sum::<f64>() / total
+        let mean = |number: &dyn Fn(&Uncertain) -> f64| {
+            known.iter().map(|(one, weight)| weight * number(one)).sum::<f64>() / total
         };
-        let value = mean(&|(value, _)| value);
-        let between = mean(&|(one, _)| (one - value) * (one - value));
-        let within = mean(&|(_, uncertainty)| uncertainty * uncertainty);
-        Averaged { value, uncertainty: (within + between).sqrt(), spread: between.sqrt() }
+        let value = mean(&|one| one.value);
+        let between = mean(&|one| (one.value - value) * (one.value - value));
+        let within = mean(&|one| one.uncertainty * one.uncertainty);
+        let uncertainty = (within + between).sqrt();
+        Averaged { mean: Uncertain { value, uncertainty }, spread: between.sqrt() }
     }
 }

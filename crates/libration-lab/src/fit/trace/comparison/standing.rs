@@ -67,7 +67,7 @@ impl Comparison {
             preferred.damping.iter().any(|term| {
                 let [own, other] = [preferred, rival].map(|fit| fit.parameter(term.name()));
                 own.zip(other).is_none_or(|(own, other)| {
-                    (other.value - own.value).abs() > Self::MOVED * own.uncertainty
+                    (other.estimate.value - own.estimate.value).abs() > Self::MOVED * own.estimate.uncertainty
                 })
             })
         };

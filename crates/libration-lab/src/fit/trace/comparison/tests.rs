@@ -1,10 +1,12 @@
 //! Models as they stand beside each other.
 
 use super::*;
+use crate::fit::Uncertain;
 use crate::fit::trace::{Autocorrelation, DampingTerm, DampingTerms, FittedTrace, Parameter};
 
 fn coefficient(name: &'static str, value: f64) -> Parameter {
-    Parameter { name, value, uncertainty: 0.001, ..Parameter::default() }
+    let estimate = Uncertain { value, uncertainty: 0.001 };
+    Parameter { name, estimate, ..Parameter::default() }
 }
 
 /// A model of a pendulum with ω0 and these coefficients that leaves residuals of this size in 100 rows.
@@ -108,13 +110,16 @@ fn numbers_are_averaged_over_the_models_that_are_left() {
     let part = libm::exp(-2.0) / (1.0 + libm::exp(-2.0));
     assert!((comparison.weights()[0] - part).abs() < 1e-9);
     let omega0 = comparison.parameter("omega0").unwrap();
-    assert!((omega0.value - (3.01 - 0.01 * part)).abs() < 1e-9);
+    assert!((omega0.mean.value - (3.01 - 0.01 * part)).abs() < 1e-9);
     let spread = 0.01 * (part * (1.0 - part)).sqrt();
     assert!((omega0.spread - spread).abs() < 1e-9);
-    assert!((omega0.uncertainty - libm::hypot(spread, 0.001)).abs() < 1e-9);
-    assert_eq!(comparison.parameter("quadratic").unwrap().value.to_bits(), 0.03_f64.to_bits());
+    assert!((omega0.mean.uncertainty - libm::hypot(spread, 0.001)).abs() < 1e-9);
+    assert_eq!(comparison.parameter("quadratic").unwrap().mean.value.to_bits(), 0.03_f64.to_bits());
     assert_eq!(comparison.parameter("dry"), None);
-    assert!((comparison.small_angle_period().value - 2.0 * std::f64::consts::PI / omega0.value).abs() < 1e-5);
+    assert!(
+        (comparison.small_angle_period().mean.value - 2.0 * std::f64::consts::PI / omega0.mean.value).abs()
+            < 1e-5
+    );
 }
 
 /// Five rows count as seven, the fewest that judge the larger model: 8 + 40/2 and 10 + 60/1 is what the parameters cost,
