@@ -32,6 +32,7 @@ mod reconstruction;
 mod ring;
 mod sampled_harmonics;
 mod surd;
+pub(crate) mod univariate;
 
 pub use big_float::BigFloat;
 pub use complex::Complex;

@@ -4,11 +4,8 @@
 //! The polynomials are in symbols, π, function values and powers that are no natural ones, all taken as independent;
 //! signs are taken out of even and odd functions. So sin(-x) + sin(x) is found to vanish, sin² + cos² − 1 is not.
 
-mod polynomial;
-
 use super::{Expression, Function, Symbol};
-use crate::algebra::{Parity, Rational};
-use polynomial::Polynomial;
+use crate::algebra::{Parity, Polynomial, Rational};
 
 /// Products of two terms, more for long coefficients, that one formula may cost.
 const MOST_WORK: usize = 1 << 16;
@@ -54,14 +51,14 @@ impl Expression {
         let is_symbol = |atom: &Atom| matches!(atom, Atom::Symbol(own) if symbols.contains(own));
         let hidden = |atom: &Atom| !is_symbol(atom) && atom.contains_any(symbols);
         let polynomial = !form.lower.has(|atom| atom.contains_any(symbols)) && !form.upper.has(hidden);
-        polynomial.then(|| form.upper.degree(is_symbol))
+        polynomial.then(|| form.upper.degree_in_kind(is_symbol))
     }
 
     /// The coefficients, constant term first, of a polynomial in one symbol with fractions for coefficients.
     pub(crate) fn polynomial_coefficients(&self, symbol: &Symbol) -> Option<Vec<Rational>> {
         let form = NormalForm::from_tree(self)?;
-        let only = |polynomial: &Polynomial<Atom>| polynomial.in_one(&Atom::Symbol(symbol.clone()));
-        if form.lower != Polynomial::number(Rational::from(1)) { None } else { only(&form.upper) }
+        let only = |polynomial: &Polynomial<Atom>| polynomial.coefficients_in(&Atom::Symbol(symbol.clone()));
+        if form.lower != Polynomial::from_number(Rational::from(1)) { None } else { only(&form.upper) }
     }
 }
 
@@ -71,7 +68,7 @@ impl NormalForm {
     }
 
     fn polynomial(upper: Polynomial<Atom>) -> Self {
-        Self { upper, lower: Polynomial::number(Rational::from(1)) }
+        Self { upper, lower: Polynomial::from_number(Rational::from(1)) }
     }
 
     fn contains_any(&self, symbols: &[Symbol]) -> bool {
@@ -79,12 +76,12 @@ impl NormalForm {
     }
 
     fn negated(&self) -> Self {
-        Self { upper: self.upper.negated(), lower: self.lower.clone() }
+        Self { upper: -self.upper.clone(), lower: self.lower.clone() }
     }
 
     /// The number, when the form is one.
     fn number(&self) -> Option<Rational> {
-        (self.lower == Polynomial::number(Rational::from(1))).then(|| self.upper.to_number()).flatten()
+        (self.lower == Polynomial::from_number(Rational::from(1))).then(|| self.upper.to_constant()).flatten()
     }
 }
 
@@ -96,10 +93,10 @@ struct Expansion {
 impl Expansion {
     fn form(&mut self, tree: &Expression) -> Option<NormalForm> {
         match tree {
-            Expression::Number(value) => Some(NormalForm::polynomial(Polynomial::number(value.clone()))),
-            Expression::Pi => Some(NormalForm::polynomial(Polynomial::atom(Atom::Pi))),
+            Expression::Number(value) => Some(NormalForm::polynomial(Polynomial::from_number(value.clone()))),
+            Expression::Pi => Some(NormalForm::polynomial(Polynomial::from_variable(Atom::Pi))),
             Expression::Symbol(symbol) => {
-                Some(NormalForm::polynomial(Polynomial::atom(Atom::Symbol(symbol.clone()))))
+                Some(NormalForm::polynomial(Polynomial::from_variable(Atom::Symbol(symbol.clone()))))
             }
             Expression::Negate(a) => Some(self.form(a)?.negated()),
             Expression::Add(a, b) => {
@@ -128,7 +125,7 @@ impl Expansion {
 
     fn times(&mut self, a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Option<Polynomial<Atom>> {
         self.work = self.work.checked_sub(a.cost().saturating_mul(b.cost()))?;
-        a.times(b)
+        a.checked_times(b)
     }
 
     fn sum(&mut self, a: &NormalForm, b: &NormalForm) -> Option<NormalForm> {
@@ -147,7 +144,7 @@ impl Expansion {
     fn power(&mut self, base: NormalForm, exponent: NormalForm) -> Option<NormalForm> {
         let Some(number) = exponent.number().filter(Rational::is_integer) else {
             let atom = Atom::Power(Box::new(base), Box::new(exponent));
-            return Some(NormalForm::polynomial(Polynomial::atom(atom)));
+            return Some(NormalForm::polynomial(Polynomial::from_variable(atom)));
         };
         let base = if number.is_negative() { reciprocal(&base)? } else { base };
         let times = u32::try_from(number.magnitude().to_natural()?).ok()?;
@@ -160,7 +157,7 @@ impl Expansion {
         if let Some(power) = base.power_of_one_term(times) {
             return power;
         }
-        let mut power = Polynomial::number(Rational::from(1));
+        let mut power = Polynomial::from_number(Rational::from(1));
         for _ in 0..times {
             power = self.times(&power, base)?;
         }
@@ -181,7 +178,7 @@ fn value_of(function: Function, argument: NormalForm) -> NormalForm {
         Some(parity) if negative => (argument.negated(), parity == Parity::Odd),
         _ => (argument, false),
     };
-    let value = NormalForm::polynomial(Polynomial::atom(Atom::Call(function, Box::new(argument))));
+    let value = NormalForm::polynomial(Polynomial::from_variable(Atom::Call(function, Box::new(argument))));
     if odd { value.negated() } else { value }
 }
 

@@ -22,7 +22,6 @@ mod mode;
 mod equilibrium;
 mod linearisation;
 
-mod polynomial;
 mod roots;
 mod spectrum;
 

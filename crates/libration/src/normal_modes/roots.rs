@@ -1,9 +1,9 @@
 //! The roots of polynomials with fractions for coefficients, with square roots where that is possible.
 
 use super::equilibrium::simplest;
-use super::polynomial::{divided_exactly, square_free_factors, trimmed};
+use crate::algebra::univariate::{divided_exactly, square_free_factors, trimmed};
 use crate::algebra::{Complex, Rational, Rationals, Ring, Surd};
-use crate::linear::eigenvalues;
+use crate::roots::polynomial_roots;
 
 /// A root.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,23 +80,17 @@ fn quadratic_roots(p: &Rational, q: &Rational) -> Option<[Surd; 2]> {
     Some([-1, 1].map(|sign| Surd::new(half.clone(), Rational::from(sign), square.clone())))
 }
 
-/// The eigenvalues of the matrix that has this polynomial.
+/// Coefficients beyond `f64` are measured in the leading one.
 fn numeric_roots(polynomial: &[Rational]) -> Option<Vec<Complex>> {
     let polynomial = trimmed(polynomial.to_vec());
-    let Some((leading, others)) = polynomial.split_last() else { return Some(vec![]) };
-    let scaled: Vec<f64> =
-        others.iter().map(|c| c.checked_div(leading).map_or(f64::NAN, |c| c.to_f64())).collect();
-    roots_in_digits(&scaled)
+    let Some(leading) = polynomial.last() else { return Some(vec![]) };
+    let ratio = |c: &Rational| c.checked_div(leading).map_or(f64::NAN, |c| c.to_f64());
+    roots_in_digits(&polynomial.iter().map(ratio).collect::<Vec<f64>>())
 }
 
-/// The roots of xⁿ + cₙ₋₁xⁿ⁻¹ + … + c₀.
+/// The roots of c₀ + c₁x + ….
 pub(super) fn roots_in_digits(coefficients: &[f64]) -> Option<Vec<Complex>> {
-    let n = coefficients.len();
-    // The last column has the coefficients, the subdiagonal ones.
-    let entry = |i: usize, j: usize| {
-        if j + 1 == n { -coefficients[i] } else { f64::from(u8::from(i == j + 1)) }
-    };
-    eigenvalues(&(0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect::<Vec<Vec<f64>>>())
+    Some(polynomial_roots(coefficients)?.into_iter().map(|root| root.value).collect())
 }
 
 #[cfg(test)]

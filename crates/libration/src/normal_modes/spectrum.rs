@@ -64,10 +64,7 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Complex>> {
     if polynomial.iter().skip(1).step_by(2).any(|c| c.abs() > 1e-12 * largest) {
         return None;
     }
-    let mut squares = in_squares(&Doubles, &polynomial);
-    let leading = squares.pop()?;
-    squares.iter_mut().for_each(|c| *c /= leading);
-    roots_in_digits(&squares)
+    roots_in_digits(&in_squares(&Doubles, &polynomial))
 }
 
 /// The matrix of x′ = v, v′ = −A·x + G·v.

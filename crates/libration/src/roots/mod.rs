@@ -1,12 +1,14 @@
-//! Root finding between two places that enclose what is looked for: where a condition ends, and where a function vanishes.
+//! Root finding between two places that enclose what is looked for, where a condition ends or a function vanishes; and all roots of
+//! a polynomial.
 //!
-//! Both methods keep the bracket: what they return lies between the places they were given, however wild the function is. They
+//! The first two methods keep the bracket: what they return lies between the places they were given, however wild the function is. They
 //! end when the bracket is as narrow as the [`Tolerance`] asks for, or when no `f64` is left inside it.
 //!
 //! | method | wants | evaluations |
 //! |---|---|---|
 //! | [`bisect`] | a condition that holds at one end | log2(width/tolerance), at most 2100 |
 //! | [`zero_between`] | the values at both ends, of opposite sign | few for smooth functions, at most ten more than bisection |
+//! | [`polynomial_roots`] | the coefficients | some ten of each root |
 //!
 //! ```
 //! use libration::roots::{Tolerance, bisect, zero_between};
@@ -23,9 +25,12 @@
 
 mod bisection;
 mod interpolation;
+mod polynomial;
 
 pub use bisection::bisect;
 pub use interpolation::zero_between;
+pub(crate) use polynomial::value_and_slope;
+pub use polynomial::{PolynomialRoot, polynomial_roots};
 
 /// How wide a bracket may be in the end: the sum of both parts.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
-//! Polynomials in several named variables with exact coefficients.
+//! Polynomials in several variables with exact coefficients.
 
+mod expansion;
 mod monomial;
 mod polynomials;
 mod text;
@@ -17,7 +18,10 @@ pub use variable::Variable;
 
 use super::Rational;
 
-/// A polynomial in named variables with rational coefficients, exact.
+/// A polynomial in named variables, or others that have an order, with rational coefficients, exact.
+///
+/// # Domain
+/// Exponents below 2³²; a product has no terms beyond.
 ///
 /// # Examples
 /// ```
@@ -27,10 +31,16 @@ use super::Rational;
 /// assert_eq!(square.to_string(), "x^2 - 2*x*y + y^2");
 /// assert_eq!(square.divide_exactly(&(x.clone() - y.clone())), Some(x - y));
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Polynomial {
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Polynomial<V: Ord = Variable> {
     /// No coefficient is zero.
-    terms: BTreeMap<Monomial, Rational>,
+    terms: BTreeMap<Monomial<V>, Rational>,
+}
+
+impl<V: Ord> Default for Polynomial<V> {
+    fn default() -> Self {
+        Self { terms: BTreeMap::new() }
+    }
 }
 
 impl Polynomial {
@@ -43,80 +53,13 @@ impl Polynomial {
     /// A number as a polynomial.
     #[must_use]
     pub fn constant(value: Rational) -> Self {
-        Self::term(Monomial::default(), value)
+        Self::from_number(value)
     }
 
     /// A variable as a polynomial.
     #[must_use]
     pub fn variable(variable: impl Into<Variable>) -> Self {
-        Self::term(Monomial::variable(variable.into()), Rational::from(1))
-    }
-
-    /// Whether it has no terms.
-    #[must_use]
-    pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
-    }
-
-    /// The number it is; `None` when a variable is left.
-    #[must_use]
-    pub fn to_constant(&self) -> Option<Rational> {
-        (self.degree() == 0).then(|| self.constant_term())
-    }
-
-    /// The terms, lower degrees first, none with the coefficient zero.
-    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &Rational)> {
-        self.terms.iter()
-    }
-
-    /// The variables that occur, in their order.
-    #[must_use]
-    pub fn variables(&self) -> BTreeSet<Variable> {
-        let factors = self.terms.keys().flat_map(Monomial::factors);
-        factors.map(|(variable, _)| variable.clone()).collect()
-    }
-
-    /// The largest sum of exponents; 0 for the zero polynomial.
-    #[must_use]
-    pub fn degree(&self) -> u32 {
-        self.terms.keys().next_back().map_or(0, Monomial::degree)
-    }
-
-    /// The largest exponent of a variable.
-    #[must_use]
-    pub fn degree_in(&self, variable: &Variable) -> u32 {
-        self.terms.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
-    }
-
-    /// The polynomial in the other variables that stands before a power of this one.
-    #[must_use]
-    pub fn coefficient(&self, variable: &Variable, power: u32) -> Self {
-        let chosen = self.terms.iter().filter(|(monomial, _)| monomial.exponent(variable) == power);
-        Self {
-            terms: chosen.map(|(monomial, factor)| (monomial.without(variable), factor.clone())).collect(),
-        }
-    }
-
-    /// The derivative with respect to a variable.
-    #[must_use]
-    pub fn derivative(&self, variable: &Variable) -> Self {
-        let x = Monomial::variable(variable.clone());
-        let terms = self.terms.iter().filter_map(|(monomial, factor)| {
-            let exponent = Rational::from(i64::from(monomial.exponent(variable)));
-            monomial.divided_by(&x).map(|rest| (rest, factor.clone() * exponent))
-        });
-        Self { terms: terms.collect() }
-    }
-
-    /// The polynomial times a number.
-    #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> Self {
-        if factor.is_zero() {
-            return Self::zero();
-        }
-        let scale =
-            |(monomial, other): (&Monomial, &Rational)| (monomial.clone(), other.clone() * factor.clone());
-        Self { terms: self.terms.iter().map(scale).collect() }
+        Self::from_variable(variable.into())
     }
 
     /// The multiple whose coefficients are whole numbers without a common divisor, signs kept.
@@ -135,27 +78,106 @@ impl Polynomial {
             self.scaled(&Rational::from_parts(multiple.into(), common))
         }
     }
+}
+
+impl<V: Ord + Clone> Polynomial<V> {
+    /// A number as a polynomial in variables of any kind.
+    pub(crate) fn from_number(value: Rational) -> Self {
+        Self::term(Monomial::default(), value)
+    }
+
+    /// A variable of any kind as a polynomial.
+    pub(crate) fn from_variable(variable: V) -> Self {
+        Self::term(Monomial::variable(variable), Rational::from(1))
+    }
+
+    /// Whether it has no terms.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The number it is; `None` when a variable is left.
+    #[must_use]
+    pub fn to_constant(&self) -> Option<Rational> {
+        (self.degree() == 0).then(|| self.constant_term())
+    }
+
+    /// The terms, lower degrees first, none with the coefficient zero.
+    pub fn terms(&self) -> impl Iterator<Item = (&Monomial<V>, &Rational)> {
+        self.terms.iter()
+    }
+
+    /// The variables that occur, in their order.
+    #[must_use]
+    pub fn variables(&self) -> BTreeSet<V> {
+        let factors = self.terms.keys().flat_map(Monomial::factors);
+        factors.map(|(variable, _)| variable.clone()).collect()
+    }
+
+    /// The largest sum of exponents; 0 for the zero polynomial.
+    #[must_use]
+    pub fn degree(&self) -> u32 {
+        self.terms.keys().next_back().map_or(0, Monomial::degree)
+    }
+
+    /// The largest exponent of a variable.
+    #[must_use]
+    pub fn degree_in(&self, variable: &V) -> u32 {
+        self.terms.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
+    }
+
+    /// The polynomial in the other variables that stands before a power of this one.
+    #[must_use]
+    pub fn coefficient(&self, variable: &V, power: u32) -> Self {
+        let chosen = self.terms.iter().filter(|(monomial, _)| monomial.exponent(variable) == power);
+        Self {
+            terms: chosen.map(|(monomial, factor)| (monomial.without(variable), factor.clone())).collect(),
+        }
+    }
+
+    /// The derivative with respect to a variable.
+    #[must_use]
+    pub fn derivative(&self, variable: &V) -> Self {
+        let x = Monomial::variable(variable.clone());
+        let terms = self.terms.iter().filter_map(|(monomial, factor)| {
+            let exponent = Rational::from(i64::from(monomial.exponent(variable)));
+            monomial.divided_by(&x).map(|rest| (rest, factor.clone() * exponent))
+        });
+        Self { terms: terms.collect() }
+    }
+
+    /// The polynomial times a number.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        if factor.is_zero() {
+            return Self::default();
+        }
+        let scale =
+            |(monomial, other): (&Monomial<V>, &Rational)| (monomial.clone(), other.clone() * factor.clone());
+        Self { terms: self.terms.iter().map(scale).collect() }
+    }
 
     /// The power with a natural exponent.
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Self {
-        let one = Self::constant(Rational::from(1));
+        let one = Self::from_number(Rational::from(1));
         (0..exponent).fold(one, |power, _| product(&power, self))
     }
 
     /// The polynomial with another one in place of a variable.
     #[must_use]
-    pub fn substitute(&self, variable: &Variable, by: &Self) -> Self {
+    pub fn substitute(&self, variable: &V, by: &Self) -> Self {
         // Horner's scheme in the variable.
         let powers = (0..=self.degree_in(variable)).rev();
-        powers.fold(Self::zero(), |value, power| product(&value, by) + self.coefficient(variable, power))
+        powers.fold(Self::default(), |value, power| product(&value, by) + self.coefficient(variable, power))
     }
 
     /// The value where the variables have these values; `None` when one has none.
     #[must_use]
-    pub fn value(&self, of: impl Fn(&Variable) -> Option<Rational>) -> Option<Rational> {
-        let replace = |polynomial: Self, variable: Variable| {
-            Some(polynomial.substitute(&variable, &Self::constant(of(&variable)?)))
+    pub fn value(&self, of: impl Fn(&V) -> Option<Rational>) -> Option<Rational> {
+        let replace = |polynomial: Self, variable: V| {
+            Some(polynomial.substitute(&variable, &Self::from_number(of(&variable)?)))
         };
         self.variables().into_iter().try_fold(self.clone(), replace)?.to_constant()
     }
@@ -164,7 +186,7 @@ impl Polynomial {
     #[must_use]
     pub fn divide_exactly(&self, divisor: &Self) -> Option<Self> {
         let (leading, leading_factor) = divisor.terms.last_key_value()?;
-        let (mut rest, mut quotient) = (self.clone(), Self::zero());
+        let (mut rest, mut quotient) = (self.clone(), Self::default());
         while let Some((monomial, factor)) = rest.terms.last_key_value() {
             let term = Self::term(monomial.divided_by(leading)?, factor.checked_div(leading_factor)?);
             rest = rest - product(&term, divisor);
@@ -173,8 +195,8 @@ impl Polynomial {
         Some(quotient)
     }
 
-    fn term(monomial: Monomial, factor: Rational) -> Self {
-        let mut polynomial = Self::zero();
+    fn term(monomial: Monomial<V>, factor: Rational) -> Self {
+        let mut polynomial = Self::default();
         polynomial.add_term(monomial, factor);
         polynomial
     }
@@ -183,7 +205,7 @@ impl Polynomial {
         self.terms.get(&Monomial::default()).cloned().unwrap_or_else(|| Rational::from(0))
     }
 
-    fn add_term(&mut self, monomial: Monomial, factor: Rational) {
+    fn add_term(&mut self, monomial: Monomial<V>, factor: Rational) {
         let sum = self.terms.remove(&monomial).map_or(factor.clone(), |present| present + factor);
         if !sum.is_zero() {
             self.terms.insert(monomial, sum);
@@ -191,17 +213,19 @@ impl Polynomial {
     }
 }
 
-fn product(a: &Polynomial, b: &Polynomial) -> Polynomial {
-    let mut sum = Polynomial::zero();
+fn product<V: Ord + Clone>(a: &Polynomial<V>, b: &Polynomial<V>) -> Polynomial<V> {
+    let mut sum = Polynomial::default();
     for (x, p) in &a.terms {
         for (y, q) in &b.terms {
-            sum.add_term(x.times(y), p.clone() * q.clone());
+            if let Some(monomial) = x.times(y) {
+                sum.add_term(monomial, p.clone() * q.clone());
+            }
         }
     }
     sum
 }
 
-impl Add for Polynomial {
+impl<V: Ord + Clone> Add for Polynomial<V> {
     type Output = Self;
     fn add(mut self, other: Self) -> Self {
         for (monomial, factor) in other.terms {
@@ -211,21 +235,21 @@ impl Add for Polynomial {
     }
 }
 
-impl Sub for Polynomial {
+impl<V: Ord + Clone> Sub for Polynomial<V> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Polynomial {
+impl<V: Ord + Clone> Mul for Polynomial<V> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         product(&self, &other)
     }
 }
 
-impl Neg for Polynomial {
+impl<V: Ord + Clone> Neg for Polynomial<V> {
     type Output = Self;
     fn neg(self) -> Self {
         Self { terms: self.terms.into_iter().map(|(monomial, factor)| (monomial, -factor)).collect() }

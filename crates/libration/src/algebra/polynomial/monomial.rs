@@ -1,54 +1,75 @@
 //! Products of powers of variables, and the order in which they are written.
 
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Ordering;
 
 use super::Variable;
 
 /// A product of positive powers of different variables; 1 without any.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Monomial {
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Monomial<V = Variable> {
     /// In the order of the variables.
-    factors: Vec<(Variable, u32)>,
+    factors: Vec<(V, u32)>,
 }
 
-impl Monomial {
+impl<V> Default for Monomial<V> {
+    fn default() -> Self {
+        Self { factors: vec![] }
+    }
+}
+
+impl<V: Ord + Clone> Monomial<V> {
     /// The variables with their exponents, in the order of the variables.
     #[must_use]
-    pub fn factors(&self) -> &[(Variable, u32)] {
+    pub fn factors(&self) -> &[(V, u32)] {
         &self.factors
     }
 
     /// The sum of the exponents.
     #[must_use]
     pub fn degree(&self) -> u32 {
-        self.factors.iter().map(|(_, exponent)| exponent).sum()
+        self.degree_in(|_| true)
+    }
+
+    /// The sum of the exponents of the variables of a kind, at most the largest `u32`.
+    pub(crate) fn degree_in(&self, kind: impl Fn(&V) -> bool) -> u32 {
+        let exponents = self.factors.iter().filter(|(variable, _)| kind(variable));
+        exponents.fold(0, |sum, (_, exponent)| sum.saturating_add(*exponent))
     }
 
     /// The exponent of a variable, 0 where it is missing.
     #[must_use]
-    pub fn exponent(&self, of: &Variable) -> u32 {
+    pub fn exponent(&self, of: &V) -> u32 {
         self.factors.iter().find(|(variable, _)| variable == of).map_or(0, |(_, exponent)| *exponent)
     }
 
-    pub(super) fn variable(variable: Variable) -> Self {
+    pub(super) fn variable(variable: V) -> Self {
         Self { factors: vec![(variable, 1)] }
     }
 
-    pub(super) fn times(&self, other: &Self) -> Self {
+    /// The product; `None` for exponents beyond `u32`.
+    pub(super) fn times(&self, other: &Self) -> Option<Self> {
         let mut factors = Vec::with_capacity(self.factors.len() + other.factors.len());
-        let (mut ours, mut theirs) = (self.factors.iter().peekable(), other.factors.iter().peekable());
-        while let (Some((x, i)), Some((y, j))) = (ours.peek(), theirs.peek()) {
+        let (mut ours, mut theirs) = (&self.factors[..], &other.factors[..]);
+        while let ([(x, i), our_rest @ ..], [(y, j), their_rest @ ..]) = (ours, theirs) {
             let order = x.cmp(y);
             factors.push(match order {
                 Ordering::Less => (x.clone(), *i),
                 Ordering::Greater => (y.clone(), *j),
-                Ordering::Equal => (x.clone(), i + j),
+                Ordering::Equal => (x.clone(), i.checked_add(*j)?),
             });
-            let _ = if order.is_le() { ours.next() } else { None };
-            let _ = if order.is_ge() { theirs.next() } else { None };
+            ours = if order.is_le() { our_rest } else { ours };
+            theirs = if order.is_ge() { their_rest } else { theirs };
         }
-        factors.extend(ours.chain(theirs).cloned());
-        Self { factors }
+        factors.extend(ours.iter().chain(theirs).cloned());
+        Some(Self { factors })
+    }
+
+    /// The power; `None` for exponents beyond `u32`.
+    pub(super) fn power(&self, times: u32) -> Option<Self> {
+        let factors = self.factors.iter().filter(|_| times > 0);
+        let factors =
+            factors.map(|(variable, exponent)| Some((variable.clone(), exponent.checked_mul(times)?)));
+        Some(Self { factors: factors.collect::<Option<_>>()? })
     }
 
     /// The quotient, when the divisor's exponents are nowhere larger.
@@ -62,22 +83,26 @@ impl Monomial {
     }
 
     /// The monomial without one of its variables.
-    pub(super) fn without(&self, variable: &Variable) -> Self {
+    pub(super) fn without(&self, variable: &V) -> Self {
         Self { factors: self.factors.iter().filter(|(other, _)| other != variable).cloned().collect() }
     }
 }
 
 /// Lower degrees first; among equal degrees the one with the larger power of the first variable. This is an
 /// admissible order: it is kept by multiplication, and 1 comes first.
-impl Ord for Monomial {
+impl<V: Ord> Ord for Monomial<V> {
     fn cmp(&self, other: &Self) -> Ordering {
-        let key = |(variable, exponent): &(Variable, u32)| (variable.clone(), Reverse(*exponent));
-        let by_degree = self.degree().cmp(&other.degree());
-        by_degree.then_with(|| self.factors.iter().map(key).cmp(other.factors.iter().map(key)))
+        let degree = |it: &Self| it.factors.iter().map(|(_, exponent)| u64::from(*exponent)).sum::<u64>();
+        let by_power = |((x, i), (y, j)): (&(V, u32), &(V, u32))| x.cmp(y).then_with(|| j.cmp(i));
+        let pairs = || self.factors.iter().zip(&other.factors).map(by_power);
+        let by_degree = degree(self).cmp(&degree(other));
+        by_degree
+            .then_with(|| pairs().find(|order| order.is_ne()).unwrap_or(Ordering::Equal))
+            .then_with(|| self.factors.len().cmp(&other.factors.len()))
     }
 }
 
-impl PartialOrd for Monomial {
+impl<V: Ord> PartialOrd for Monomial<V> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }

@@ -3,7 +3,6 @@
 mod bound;
 mod convergence;
 mod pade;
-mod roots;
 
 use crate::algebra::{BigFloat, Rational};
 use crate::double_double::DoubleDouble;

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::roots::{roots, value_and_slope};
 use super::{PRECISION, float};
+use crate::algebra::univariate::{divided, trimmed};
 use crate::algebra::{BigFloat, Complex, Rational};
+use crate::roots::{polynomial_roots, value_and_slope};
 
 /// The Padé approximant [m/n] of a power series, exact.
 ///
@@ -56,7 +57,7 @@ impl Pade {
         let (mut before, mut factor_before) = (power, vec![]);
         let (mut remainder, mut factor) = (trimmed(series.to_vec()), vec![Rational::from(1)]);
         while remainder.len() > m + 1 {
-            let (quotient, rest) = divide(before, &remainder)?;
+            let (quotient, rest) = divided(&before, &remainder)?;
             let next = subtract_product(factor_before, &quotient, &factor);
             (before, factor_before) = (remainder, factor);
             // Remainders that begin with one have numerators and denominators that grow linearly, others quadratically.
@@ -150,7 +151,8 @@ fn zeros(terms: &[Rational]) -> Vec<Complex> {
     let scaled =
         terms.iter().zip(powers).filter_map(|(term, power)| (term.clone() * power).checked_div(&terms[0]));
     let scaled: Vec<f64> = scaled.map(|term| term.to_f64()).collect();
-    roots(&scaled).into_iter().map(|root| root.scaled(scale.to_f64())).collect()
+    let roots = polynomial_roots(&scaled).unwrap_or_default().into_iter();
+    roots.map(|root| root.value.scaled(scale.to_f64())).collect()
 }
 
 /// A power of two near the geometric mean of the roots; `None` for a constant.
@@ -159,20 +161,6 @@ fn scale_of_roots(terms: &[Rational]) -> Option<Rational> {
     let product = terms.first()?.checked_div(terms.last()?)?;
     let exponent = BigFloat::from_rational(&product, 64).exponent()?;
     Rational::from(2).integer_power(exponent / degree)
-}
-
-/// Quotient and rest of two polynomials; `None` when the divisor is zero.
-fn divide(mut dividend: Vec<Rational>, divisor: &[Rational]) -> Option<(Vec<Rational>, Vec<Rational>)> {
-    let leading = divisor.last()?;
-    let mut quotient = vec![Rational::from(0); (dividend.len() + 1).saturating_sub(divisor.len())];
-    for place in (0..quotient.len()).rev() {
-        let factor = dividend[place + divisor.len() - 1].checked_div(leading)?;
-        for (target, term) in dividend[place..].iter_mut().zip(divisor) {
-            *target = target.clone() - factor.clone() * term.clone();
-        }
-        quotient[place] = factor;
-    }
-    Some((quotient, trimmed(dividend)))
 }
 
 /// a − b·c.
@@ -188,12 +176,4 @@ fn subtract_product(mut a: Vec<Rational>, b: &[Rational], c: &[Rational]) -> Vec
 
 fn scaled(terms: Vec<Rational>, by: &Rational) -> Vec<Rational> {
     terms.into_iter().map(|term| term * by.clone()).collect()
-}
-
-/// Without zeros at the end.
-fn trimmed(mut terms: Vec<Rational>) -> Vec<Rational> {
-    while terms.last().is_some_and(Rational::is_zero) {
-        terms.pop();
-    }
-    terms
 }

@@ -1,9 +1,9 @@
 //! Polynomials in one variable with fractions for coefficients, constant term first.
 
-use crate::algebra::{Rational, Rationals, Ring};
+use super::{Rational, Rationals, Ring};
 
 /// Without leading zeros.
-pub(super) fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
+pub(crate) fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     while polynomial.last().is_some_and(Rational::is_zero) {
         polynomial.pop();
     }
@@ -11,7 +11,7 @@ pub(super) fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
 }
 
 /// Quotient and remainder; `None` for a division by zero.
-pub(super) fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<Rational>, Vec<Rational>)> {
+pub(crate) fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<Rational>, Vec<Rational>)> {
     let leading = by.last()?;
     let mut rest = polynomial.to_vec();
     let mut quotient = vec![];
@@ -29,7 +29,7 @@ pub(super) fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<R
 }
 
 /// The quotient, when there is no remainder.
-pub(super) fn divided_exactly(polynomial: &[Rational], by: &[Rational]) -> Option<Vec<Rational>> {
+pub(crate) fn divided_exactly(polynomial: &[Rational], by: &[Rational]) -> Option<Vec<Rational>> {
     divided(polynomial, by).filter(|(_, rest)| rest.is_empty()).map(|(quotient, _)| quotient)
 }
 
@@ -48,7 +48,7 @@ fn common_divisor(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
 }
 
 /// The factors whose roots are simple, each with how many times it stands in the polynomial (Yun's algorithm).
-pub(super) fn square_free_factors(polynomial: &[Rational]) -> Vec<(Vec<Rational>, usize)> {
+pub(crate) fn square_free_factors(polynomial: &[Rational]) -> Vec<(Vec<Rational>, usize)> {
     let (mut factors, mut multiplicity) = (vec![], 1);
     if polynomial.len() < 2 {
         return factors;
