@@ -24,8 +24,23 @@ impl SystemOptions {
 
     /// The model of a pendulum of this length under this gravity, where they are given.
     pub(crate) fn model_of(&self, length: Option<f64>, gravity: Option<f64>) -> Result<Model, Failure> {
+        self.model_over(length, gravity, None)
+    }
+
+    /// The same with one more parameter that has a value.
+    pub(crate) fn model_over(
+        &self,
+        length: Option<f64>,
+        gravity: Option<f64>,
+        parameter: Option<(&str, f64)>,
+    ) -> Result<Model, Failure> {
+        let mut values = values(&self.set)?;
+        if let Some((name, value)) = parameter {
+            let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
+            values.push((name.to_owned(), value));
+        }
         if length.is_none() && gravity.is_none() {
-            return self.model();
+            return self.model_with(&values, &[]);
         }
         let argument = if length.is_some() { "--length" } else { "--gravity" };
         let named = NamedSystem::by_key(self.system.trim()).map_err(|_| {
@@ -35,7 +50,6 @@ impl SystemOptions {
         })?;
         let of_pendulum =
             named.values_of(length, gravity).map_err(|reason| Failure::usage(argument, reason))?;
-        let mut values = values(&self.set)?;
         if let Some((name, _)) = of_pendulum.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
             let reason = format!("it says what {name} is, as --set does: give one of them");
             return Err(Failure::usage(argument, reason));

@@ -16,6 +16,7 @@ pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
 pub(crate) mod trace;
+pub(crate) mod trajectories;
 
 pub(crate) mod file;
 pub(crate) mod names;

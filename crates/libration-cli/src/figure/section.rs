@@ -12,9 +12,9 @@ use std::f64::consts::PI;
 /// One number of the state: what the axis is called, and whether it is an angle, folded into a turn.
 #[derive(Clone, Debug)]
 pub(crate) struct StateAxis {
-    pub(super) place: usize,
+    pub(crate) place: usize,
     label: String,
-    is_angle: bool,
+    pub(crate) is_angle: bool,
 }
 
 /// The columns of one way through the values of a parameter.
@@ -83,8 +83,13 @@ impl StateAxis {
         if self.is_angle { folded(value) } else { value }
     }
 
+    /// What it is called, with its unit.
+    pub(super) fn label(&self) -> &str {
+        &self.label
+    }
+
     /// What it is called, without its unit.
-    pub(super) fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.label.split(" / ").next().unwrap_or_default()
     }
 

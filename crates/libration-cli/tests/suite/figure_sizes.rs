@@ -4,7 +4,7 @@ use crate::command::{directory, libration, message, text};
 use crate::drawing::Drawing;
 use std::fs;
 
-const PICTURES: [&str; 9] = [
+const PICTURES: [&str; 12] = [
     "errors",
     "errors --formulas small_angle,bernoulli,power_series_2,power_series_3,black_vel_1,black_vel_2,black_vel_3,molina,\
      kidd_fogg,butikov,carvalhaes_suppes,belendez,cubic_force,ganley_parwani,lima_arun,cromer,two_term_log,lima_2008,\
@@ -17,6 +17,9 @@ const PICTURES: [&str; 9] = [
     "series pendulum",
     "series duffing --amplitudes 0.5,0.9,1.1",
     "series van_der_pol --quantity frequency",
+    "trajectories damped_pendulum --over c=0.05,0.2,2 --initial theta=170deg --until 40s",
+    "trajectories double_pendulum --initial theta1=10deg --initial theta1=120deg,theta2=-30deg --until 20 --axes theta1,theta2",
+    "trajectories pendulum --initial theta=60deg --initial theta=170deg --until 100s --spectrum theta",
 ];
 
 /// The smallest side that is accepted, from the message that refuses a smaller one.

@@ -174,3 +174,14 @@ fn pictures_of_typed_equations_are_titled_by_them_and_have_one_unit() {
     let in_time = drawn(&["simulate", "pendulum", "--initial", "theta=60deg", "--times", "0:10:1"]);
     assert!(in_time.contains("θ(0) = 60°") && in_time.contains("θ / degrees"), "{in_time}");
 }
+
+/// The spectrum of an angle that turns over is refused, and that of its velocity drawn.
+#[test]
+fn what_grows_without_bound_has_no_spectrum() {
+    let file = directory("unbounded").join("figure.svg").display().to_string();
+    let question = "figure trajectories pendulum --initial theta'=3 --until 100 --spectrum";
+    let output = libration(&format!("{question} theta --output {file}"));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(message(&output).contains("θ turns over and grows without bound"), "{}", message(&output));
+    text(&format!("{question} theta' --output {file}"));
+}

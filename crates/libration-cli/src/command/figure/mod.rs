@@ -7,6 +7,7 @@ mod releases;
 mod report;
 mod series;
 mod spectrum;
+mod trajectories;
 
 use crate::failure::Failure;
 use crate::figure::{Sizes, file};
@@ -16,7 +17,7 @@ use crate::output::{FormOptions, announce};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Draw a picture: errors of the formulas, motions, the phase portrait, harmonics, perturbation series
+/// Draw a picture: errors of the formulas, motions, the phase portrait, harmonics, perturbation series, spectra
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure errors --output errors.svg
@@ -27,7 +28,9 @@ use std::path::PathBuf;
   libration figure spectrum --amplitudes 60deg,150deg --output spectrum.png
   libration figure series pendulum --output series.svg
   libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 \\
-    --output terms.png")]
+    --output terms.png
+  libration figure trajectories damped_pendulum --over c=0.05,0.2,2 \\
+    --initial theta=170deg --until 40s --output damping.svg")]
 pub(crate) struct Figure {
     #[command(subcommand)]
     picture: Subject,
@@ -40,6 +43,7 @@ enum Subject {
     Phase(phase::Phase),
     Spectrum(spectrum::Spectrum),
     Series(series::Series),
+    Trajectories(trajectories::Trajectories),
 }
 
 /// The options of every picture.
@@ -62,6 +66,7 @@ impl Figure {
             Subject::Phase(subject) => ("phase", &subject.options, subject.picture()?),
             Subject::Spectrum(subject) => ("spectrum", &subject.options, subject.picture()?),
             Subject::Series(subject) => ("series", &subject.options, subject.picture()?),
+            Subject::Trajectories(subject) => ("trajectories", &subject.options, subject.picture()?),
         };
         let drawn = file::write(&options.output, &picture, &options.sizes)?;
         report::write(out, options.form.form(), name, &options.output, &picture)?;
