@@ -45,6 +45,7 @@
 //! | module | answers |
 //! |---|---|
 //! | [`quantity`] | what `60deg`, `pi-1e-6`, `1.200(3) m` and `1deg:179deg:1deg` mean, exactly |
+//! | [`catalogue`] | what can be asked for by name |
 //! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; the complement beside the modulus |
 //! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
 //! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
@@ -76,6 +77,8 @@
 
 // In reading order.
 pub mod quantity;
+
+pub mod catalogue;
 
 pub mod elliptic;
 

@@ -1,6 +1,7 @@
 //! The formulas a question is about.
 
-use libration::period_formulas::{PeriodFormula, UnknownFormula, catalogue};
+use libration::catalogue::UnknownKey;
+use libration::period_formulas::{PeriodFormula, catalogue};
 
 /// The option that chooses formulas.
 #[derive(Clone, Debug, clap::Args)]
@@ -23,6 +24,6 @@ impl FormulaChoice {
 }
 
 /// The formula of a key, in which `-` may stand for `_`.
-pub(crate) fn formula(key: &str) -> Result<PeriodFormula, UnknownFormula> {
+pub(crate) fn formula(key: &str) -> Result<PeriodFormula, UnknownKey> {
     PeriodFormula::by_key(&key.trim().replace('-', "_"))
 }

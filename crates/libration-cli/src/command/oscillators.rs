@@ -7,7 +7,8 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, FormOptions};
-use libration::oscillator::{NamedOscillator, OscillatorParameter, catalogue};
+use libration::catalogue::NamedParameter;
+use libration::oscillator::{NamedOscillator, catalogue};
 use std::io::{self, Write};
 
 /// The oscillators known by name: equations, parameters, where they oscillate, and sources
@@ -65,8 +66,8 @@ fn of_oscillator() -> Fields<NamedOscillator> {
     ])
 }
 
-fn of_parameter() -> Fields<OscillatorParameter> {
-    type Of = Field<OscillatorParameter>;
+fn of_parameter() -> Fields<NamedParameter> {
+    type Of = Field<NamedParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
         Of::value("default", "", "value where none is given", |it| it.default.into()),

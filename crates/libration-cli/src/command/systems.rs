@@ -7,7 +7,8 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
 use crate::output::{Form, FormOptions};
-use libration::systems::{NamedCoordinate, NamedSystem, SystemParameter, catalogue};
+use libration::catalogue::NamedParameter;
+use libration::systems::{NamedCoordinate, NamedSystem, catalogue};
 use std::io::{self, Write};
 
 /// The systems known by name: equations of motion, parameters with units, energies, and sources
@@ -88,8 +89,8 @@ fn of_coordinate() -> Fields<NamedCoordinate> {
     ])
 }
 
-fn of_parameter() -> Fields<SystemParameter> {
-    type Of = Field<SystemParameter>;
+fn of_parameter() -> Fields<NamedParameter> {
+    type Of = Field<NamedParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
         Of::value("default", "", "value where none is given", |it| it.default.into()),

@@ -1,12 +1,13 @@
 //! The named oscillators: what each is, and where it comes from. Attributions from memory say so.
 
-use super::named::{NamedOscillator, OscillatorParameter, UnknownOscillator};
-use crate::quantity::{excerpt, nearest};
+use super::named::NamedOscillator;
+use crate::catalogue::{NamedParameter, UnknownKey, by_key};
 
-const NONE: &[OscillatorParameter] = &[];
-const MU: &[OscillatorParameter] = &[OscillatorParameter {
+const NONE: &[NamedParameter] = &[];
+const MU: &[NamedParameter] = &[NamedParameter {
     name: "mu",
     default: "1",
+    unit: "",
     meaning: "strength of the self-excitation, left open for expansions",
 }];
 
@@ -16,9 +17,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["simple_pendulum"],
         title: "simple pendulum",
         equation: "theta'' + omega0^2*sin(theta) = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "omega0",
             default: "1",
+            unit: "",
             meaning: "frequency of small swings, sqrt(g/l)",
         }],
         expansion_parameter: None,
@@ -31,9 +33,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["duffing_hard"],
         title: "Duffing oscillator",
         equation: "x'' + x + epsilon*x^3 = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "epsilon",
             default: "1",
+            unit: "",
             meaning: "strength of the cubic force, soft below zero",
         }],
         expansion_parameter: None,
@@ -46,9 +49,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &[],
         title: "soft Duffing oscillator",
         equation: "x'' + x + epsilon*x^3 = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "epsilon",
             default: "-1",
+            unit: "",
             meaning: "strength of the cubic force, below zero",
         }],
         expansion_parameter: None,
@@ -73,8 +77,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         title: "cubic-quintic Duffing oscillator",
         equation: "x'' + x + alpha*x^3 + beta*x^5 = 0",
         parameters: &[
-            OscillatorParameter { name: "alpha", default: "1", meaning: "strength of the cubic force" },
-            OscillatorParameter { name: "beta", default: "1", meaning: "strength of the quintic force" },
+            NamedParameter { name: "alpha", default: "1", unit: "", meaning: "strength of the cubic force" },
+            NamedParameter { name: "beta", default: "1", unit: "", meaning: "strength of the quintic force" },
         ],
         expansion_parameter: None,
         description: "a spring with cubic and quintic corrections",
@@ -97,9 +101,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["helmholtz"],
         title: "quadratic (Helmholtz) oscillator",
         equation: "x'' + x + alpha*x^2 = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "alpha",
             default: "1",
+            unit: "",
             meaning: "strength of the quadratic force",
         }],
         expansion_parameter: None,
@@ -113,8 +118,13 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         title: "Helmholtz-Duffing oscillator",
         equation: "x'' + x + alpha*x^2 + beta*x^3 = 0",
         parameters: &[
-            OscillatorParameter { name: "alpha", default: "1", meaning: "strength of the quadratic force" },
-            OscillatorParameter { name: "beta", default: "1", meaning: "strength of the cubic force" },
+            NamedParameter {
+                name: "alpha",
+                default: "1",
+                unit: "",
+                meaning: "strength of the quadratic force",
+            },
+            NamedParameter { name: "beta", default: "1", unit: "", meaning: "strength of the cubic force" },
         ],
         expansion_parameter: None,
         description: "an asymmetric spring with a quadratic and a cubic force",
@@ -126,9 +136,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["relativistic_oscillator"],
         title: "relativistic harmonic oscillator",
         equation: "x'' = -x*(1 - x'^2/c^2)^(3/2)",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "c",
             default: "1",
+            unit: "",
             meaning: "speed of light in units of length times omega0",
         }],
         expansion_parameter: None,
@@ -196,9 +207,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["bead_on_hoop"],
         title: "pendulum on a rotating hoop",
         equation: "theta'' + (1 - gamma*cos(theta))*sin(theta) = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "gamma",
             default: "1/2",
+            unit: "",
             meaning: "square of the hoop's rate over g/R",
         }],
         expansion_parameter: None,
@@ -211,9 +223,10 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &[],
         title: "Mathews-Lakshmanan oscillator",
         equation: "(1 + lambda*x^2)*x'' - lambda*x*x'^2 + x = 0",
-        parameters: &[OscillatorParameter {
+        parameters: &[NamedParameter {
             name: "lambda",
             default: "1",
+            unit: "",
             meaning: "dependence of the mass on the position",
         }],
         expansion_parameter: None,
@@ -226,7 +239,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         also: &["harmonic"],
         title: "harmonic oscillator",
         equation: "x'' + omega0^2*x = 0",
-        parameters: &[OscillatorParameter { name: "omega0", default: "1", meaning: "frequency" }],
+        parameters: &[NamedParameter { name: "omega0", default: "1", unit: "", meaning: "frequency" }],
         expansion_parameter: None,
         description: "a linear spring: every correction vanishes",
         domain: "all amplitudes",
@@ -278,12 +291,7 @@ impl NamedOscillator {
     ///
     /// # Errors
     /// No oscillator has this key; the error lists the nearest keys and all of them.
-    pub fn by_key(key: &str) -> Result<&'static Self, UnknownOscillator> {
-        let found = CATALOGUE.iter().find(|named| named.keys().any(|known| known == key));
-        found.ok_or_else(|| UnknownOscillator {
-            key: excerpt(key),
-            near: nearest(&excerpt(key), CATALOGUE.iter().flat_map(Self::keys)),
-            known: CATALOGUE.iter().map(|named| named.key).collect(),
-        })
+    pub fn by_key(key: &str) -> Result<&'static Self, UnknownKey> {
+        by_key(CATALOGUE.iter(), key)
     }
 }

@@ -30,7 +30,7 @@ pub use centre::centre_of;
 pub use constant::{Approximation, Constant};
 pub use error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
 pub use model::{Kind, Oscillator};
-pub use named::{NamedOscillator, OscillatorParameter, UnknownOscillator};
+pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The oscillators that can be asked for by name.
 
 use super::{Oscillator, OscillatorError};
+use crate::catalogue::{Named, NamedParameter};
 use crate::expression::{Equation, EquationError, Expression};
 
 /// An oscillator of the literature, as data.
@@ -25,7 +26,7 @@ pub struct NamedOscillator {
     /// Its equation of motion.
     pub equation: &'static str,
     /// The parameters in it.
-    pub parameters: &'static [OscillatorParameter],
+    pub parameters: &'static [NamedParameter],
     /// The parameter in which a limit cycle is expanded; it keeps no value.
     pub expansion_parameter: Option<&'static str>,
     /// What it describes.
@@ -36,39 +37,16 @@ pub struct NamedOscillator {
     pub source: &'static str,
 }
 
-/// A parameter of a named oscillator.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OscillatorParameter {
-    /// Its name in the equation.
-    pub name: &'static str,
-    /// The value it has unless another is given.
-    pub default: &'static str,
-    /// What it stands for.
-    pub meaning: &'static str,
-}
+impl Named for NamedOscillator {
+    const KIND: &'static str = "oscillator";
+    const OTHERWISE: &'static str = "; or write its equation, as x'' + sin(x) = 0";
 
-/// A key that no oscillator has.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "no oscillator has the key `{key}`; the nearest are {}; the keys are {}; or write its equation, as x'' + sin(x) = 0",
-    near.join(", "),
-    known.join(", ")
-)]
-pub struct UnknownOscillator {
-    /// What was asked for, shortened.
-    pub key: String,
-    /// The nearest keys there are.
-    pub near: Vec<String>,
-    /// All keys.
-    pub known: Vec<&'static str>,
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.key).chain(self.also.iter().copied())
+    }
 }
 
 impl NamedOscillator {
-    pub(super) fn keys(&self) -> impl Iterator<Item = &'static str> {
-        std::iter::once(self.key).chain(self.also.iter().copied())
-    }
-
     /// The equation with these values of parameters, the default values for the others; an expansion parameter that is
     /// not given stays.
     ///

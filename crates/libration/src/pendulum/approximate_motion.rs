@@ -8,6 +8,7 @@
 //! Each motion keeps the powers of θ0 its name says: `fourier-5` has every term up to θ0⁵ in the coefficients
 //! and up to θ0⁴ in the frequency. Equation numbers are those of Black and Vel's Fourier-perturbation method.
 
+use crate::catalogue::{self, Named, UnknownKey};
 use crate::quantity::Angle;
 use libm::cos;
 
@@ -34,6 +35,15 @@ pub struct ApproximateMotion {
     name: &'static str,
     source: &'static str,
     harmonics: usize,
+}
+
+impl Named for ApproximateMotion {
+    const KIND: &'static str = "approximate motion";
+    const OTHERWISE: &'static str = "";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.key)
+    }
 }
 
 impl ApproximateMotion {
@@ -68,10 +78,9 @@ impl ApproximateMotion {
     /// The motion with this key.
     ///
     /// # Errors
-    /// When no motion has it; the message lists the keys.
-    pub fn by_key(key: &str) -> Result<Self, ApproximateMotionError> {
-        let found = Self::CATALOGUE.into_iter().find(|motion| motion.key == key);
-        found.ok_or_else(|| ApproximateMotionError::UnknownKey(key.to_owned()))
+    /// No motion has this key; the error lists the nearest keys and all of them.
+    pub fn by_key(key: &str) -> Result<Self, UnknownKey> {
+        catalogue::by_key(Self::CATALOGUE.iter(), key).copied()
     }
 
     /// Its stable name in commands and files: `small-angle`, `fourier-3`, `fourier-5`, `fourier-7`.
@@ -105,7 +114,7 @@ impl ApproximateMotion {
     /// use libration::pendulum::ApproximateMotion;
     /// let small_angle = ApproximateMotion::by_key("small-angle")?;
     /// assert_eq!(small_angle.angle(0.1, 0.0), 0.1);
-    /// # Ok::<(), libration::pendulum::ApproximateMotionError>(())
+    /// # Ok::<(), libration::catalogue::UnknownKey>(())
     /// ```
     #[must_use]
     pub fn angle(&self, amplitude: f64, phase: f64) -> f64 {
@@ -150,11 +159,6 @@ fn series(coefficients: &[Ratio], x: f64) -> f64 {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ApproximateMotionError {
-    /// No motion has this key.
-    #[error(
-        "no approximate motion is called `{0}`: the keys are small-angle, fourier-3, fourier-5, fourier-7"
-    )]
-    UnknownKey(String),
     /// Not released from rest.
     #[error(
         "the approximate motions are for a pendulum released from rest, and this one starts with {0} rad/s: \

@@ -6,6 +6,7 @@ use super::error::Exact;
 use super::law::Law;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::Rational;
+use crate::catalogue::Named;
 use crate::quantity::Angle;
 
 /// An approximation to T/T0, the period over that of small swings, with what is known about it.
@@ -81,14 +82,14 @@ impl fmt::Display for LeadingError {
     }
 }
 
-/// A key that no formula has.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no formula has the key `{key}`; the nearest keys are {}", near.join(", "))]
-pub struct UnknownFormula {
-    /// What was asked for.
-    pub key: String,
-    /// The nearest keys there are.
-    pub near: Vec<String>,
+impl Named for PeriodFormula {
+    const KIND: &'static str = "formula";
+    const OTHERWISE: &'static str =
+        "; power_series_N, black_vel_N and sin2_series_N have up to 1000 corrections";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(&self.key).chain(&self.also).map(String::as_str)
+    }
 }
 
 impl PeriodFormula {
@@ -155,10 +156,6 @@ impl PeriodFormula {
     #[must_use]
     pub fn other_keys(&self) -> &[String] {
         &self.also
-    }
-
-    pub(super) fn keys(&self) -> impl Iterator<Item = &String> {
-        std::iter::once(&self.key).chain(&self.also)
     }
 
     /// The name to print.

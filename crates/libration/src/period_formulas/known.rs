@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use super::catalogue::{CLOSED, Entry};
 use super::family::Family;
-use super::formula::{Complexity, LeadingError, PeriodFormula, UnknownFormula};
-use crate::quantity::nearest;
+use super::formula::{Complexity, LeadingError, PeriodFormula};
+use crate::catalogue::{self, UnknownKey};
 
 static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
     let listed = [(Family::PowerSeries, 3), (Family::FourierPerturbation, 3), (Family::SineSquared, 4)];
@@ -31,11 +31,10 @@ impl PeriodFormula {
     /// number N of corrections up to [`MOST_TERMS`](super::MOST_TERMS).
     ///
     /// # Errors
-    /// No formula has this key; the error lists the nearest keys.
-    pub fn by_key(key: &str) -> Result<Self, UnknownFormula> {
-        let listed = catalogue().iter().find(|formula| formula.keys().any(|known| known == key));
-        let found = listed.cloned().or_else(|| Family::from_key(key));
-        found.ok_or_else(|| UnknownFormula { key: key.to_owned(), near: nearest_keys(key) })
+    /// No formula has this key; the error lists the nearest keys and all of them.
+    pub fn by_key(key: &str) -> Result<Self, UnknownKey> {
+        let listed = catalogue::by_key(catalogue().iter(), key).cloned();
+        listed.or_else(|unknown| Family::from_key(key).ok_or(unknown))
     }
 
     fn from_entry(entry: &Entry) -> Self {
@@ -55,8 +54,4 @@ impl PeriodFormula {
             law: entry.law.clone(),
         }
     }
-}
-
-fn nearest_keys(asked: &str) -> Vec<String> {
-    nearest(asked, catalogue().iter().flat_map(PeriodFormula::keys).map(String::as_str))
 }

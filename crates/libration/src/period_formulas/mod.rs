@@ -29,6 +29,6 @@ mod swing;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 pub use family::MOST_TERMS;
-pub use formula::{Attribution, Complexity, LeadingError, PeriodFormula, UnknownFormula, fractional_errors};
+pub use formula::{Attribution, Complexity, LeadingError, PeriodFormula, fractional_errors};
 pub use known::catalogue;
 pub use search::{Crossover, ErrorTable, WorstError};

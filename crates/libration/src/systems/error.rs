@@ -1,22 +1,7 @@
 //! Why there is no such model, or no energy of it.
 
+use crate::catalogue::UnknownKey;
 use crate::expression::{EquationError, Symbol, WithoutValue};
-
-/// A key that no system has.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "no system has the key `{key}`; the nearest are {}; the keys are {}; or write its equations, as x'' = y - x; y'' = x - y",
-    near.join(", "),
-    known.join(", ")
-)]
-pub struct UnknownSystem {
-    /// What was asked for, shortened.
-    pub key: String,
-    /// The nearest keys there are.
-    pub near: Vec<String>,
-    /// All keys.
-    pub known: Vec<&'static str>,
-}
 
 /// Why there is no such model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -26,9 +11,9 @@ pub enum ModelError {
     #[error("{system}; the oscillators {} can be given too", oscillators.join(", "))]
     Unknown {
         /// The systems there are.
-        system: Box<UnknownSystem>,
+        system: Box<UnknownKey>,
         /// The keys of the oscillators there are.
-        oscillators: Vec<&'static str>,
+        oscillators: Vec<String>,
     },
     /// A power that has no derivatives at rest.
     #[error(

@@ -29,9 +29,9 @@ pub use bodies::{Bodies, Body};
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;
 pub use energy::{Energy, EnergyAccount, EnergyBalance};
-pub use error::{ModelError, NoEnergy, UnknownSystem};
+pub use error::{ModelError, NoEnergy};
 pub use model::Model;
-pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, SystemParameter};
+pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum};
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! What is known of a system that has a name.
 
+use crate::catalogue::{Named, NamedParameter};
 use crate::expression::{Expression, Function};
 use crate::quantity::STANDARD_GRAVITY;
 
@@ -27,7 +28,7 @@ pub struct NamedSystem {
     /// Its coordinates, in the order of the equations.
     pub coordinates: &'static [NamedCoordinate],
     /// The parameters in the equations. Their default values leave out all damping and driving.
-    pub parameters: &'static [SystemParameter],
+    pub parameters: &'static [NamedParameter],
     /// Its energy as a formula of coordinates, velocities and parameters.
     pub energy: &'static str,
     /// The unit of the energy, which says what it is divided by.
@@ -71,18 +72,13 @@ pub struct NamedCoordinate {
     pub at_rest: &'static str,
 }
 
-/// A parameter of a named system.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct SystemParameter {
-    /// Its name in the equations.
-    pub name: &'static str,
-    /// The value it has unless another is given.
-    pub default: &'static str,
-    /// Its unit; `1` for pure numbers.
-    pub unit: &'static str,
-    /// What it stands for.
-    pub meaning: &'static str,
+impl Named for NamedSystem {
+    const KIND: &'static str = "system";
+    const OTHERWISE: &'static str = "; or write its equations, as x'' = y - x; y'' = x - y";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.key).chain(self.also.iter().copied())
+    }
 }
 
 impl NamedSystem {
@@ -133,11 +129,6 @@ impl NamedSystem {
                 Err(NoSuchPendulum::Without { key: self.key, what: "gravity", parameters: names() })
             }
         }
-    }
-
-    /// The key and the other names.
-    pub(super) fn keys(&self) -> impl Iterator<Item = &'static str> {
-        std::iter::once(self.key).chain(self.also.iter().copied())
     }
 }
 

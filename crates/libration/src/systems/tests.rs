@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::*;
 use crate::algebra::Doubles;
+use crate::catalogue::Named;
 use crate::expression::{Expression, Jet, Symbol, Tape};
 use crate::taylor::Moment;
 

@@ -1,10 +1,11 @@
 //! One pendulum that is driven: by a torque, or by its pivot.
 
 use super::{HANGING, OMEGA0, SWING_ENERGY, THETA, parameter};
-use crate::systems::{NamedBody, NamedSystem, SystemParameter};
+use crate::catalogue::NamedParameter;
+use crate::systems::{NamedBody, NamedSystem};
 
-const DAMPING: SystemParameter = parameter("c", "0", "1/s", "linear damping");
-const PIVOT: SystemParameter =
+const DAMPING: NamedParameter = parameter("c", "0", "1/s", "linear damping");
+const PIVOT: NamedParameter =
     parameter("a", "0", "1", "amplitude of the pivot's motion over the length of the pendulum");
 
 pub(super) const SYSTEMS: &[NamedSystem] = &[

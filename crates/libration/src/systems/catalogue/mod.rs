@@ -4,12 +4,11 @@ mod coupled;
 mod driven;
 mod free;
 
-use super::named::{NamedBody, NamedCoordinate, NamedSystem, SystemParameter};
-use crate::quantity::{excerpt, nearest};
-use crate::systems::UnknownSystem;
+use super::named::{NamedBody, NamedCoordinate, NamedSystem};
+use crate::catalogue::{NamedParameter, UnknownKey, by_key};
 
 /// Every named system.
-pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> {
+pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> + Clone {
     free::SYSTEMS.iter().chain(driven::SYSTEMS).chain(coupled::SYSTEMS)
 }
 
@@ -18,13 +17,13 @@ const fn parameter(
     default: &'static str,
     unit: &'static str,
     meaning: &'static str,
-) -> SystemParameter {
-    SystemParameter { name, default, unit, meaning }
+) -> NamedParameter {
+    NamedParameter { name, default, unit, meaning }
 }
 
-const OMEGA0: SystemParameter =
+const OMEGA0: NamedParameter =
     parameter("omega0", "1", "rad/s", "angular frequency of small swings, sqrt(g/l)");
-const GRAVITY: SystemParameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
+const GRAVITY: NamedParameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
 
 /// The angle of one pendulum.
 const THETA: &[NamedCoordinate] = &[angle("theta")];
@@ -45,12 +44,7 @@ impl NamedSystem {
     ///
     /// # Errors
     /// No system has this key; the error lists the nearest keys and all of them.
-    pub fn by_key(key: &str) -> Result<&'static Self, UnknownSystem> {
-        let found = catalogue().find(|named| named.keys().any(|known| known == key));
-        found.ok_or_else(|| UnknownSystem {
-            key: excerpt(key),
-            near: nearest(&excerpt(key), catalogue().flat_map(Self::keys)),
-            known: catalogue().map(|named| named.key).collect(),
-        })
+    pub fn by_key(key: &str) -> Result<&'static Self, UnknownKey> {
+        by_key(catalogue(), key)
     }
 }
