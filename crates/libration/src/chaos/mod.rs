@@ -3,6 +3,27 @@
 //! A section shows what a motion is: a point for a periodic one, a curve for one with two periods, a cloud or a fractal for a chaotic
 //! one. A bifurcation diagram shows how that changes with a parameter. The exponent tells how fast neighbouring motions
 //! part, and comes with a verdict that says `Chaotic` only on evidence.
+//!
+//! ```
+//! use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+//! use libration::taylor::{Effort, Moment};
+//!
+//! // A driven pendulum, once in each period of its drive: a stronger drive doubles the period of its answer.
+//! let family = Family {
+//!     equation: &"theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?,
+//!     parameter: "A",
+//!     section: &Section::Stroboscope { period: None, phase: 0.0 },
+//!     points: Points { skipped: 300, recorded: 3 },
+//! };
+//! let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
+//! let effort = Effort::to_tolerance(1e-9);
+//! let columns = bifurcation_diagram(&family, &[0.9, 1.07], &start, Continuation::SameStart, &effort)?;
+//! let velocities = |column: usize| columns[column].section.points.iter().map(|point| point.state[1]).collect::<Vec<_>>();
+//! let (weak, strong) = (velocities(0), velocities(1));
+//! assert!((weak[0] - weak[1]).abs() < 1e-6);
+//! assert!((strong[0] - strong[1]).abs() > 0.1 && (strong[0] - strong[2]).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod drive;
 mod structure;
