@@ -14,7 +14,7 @@ pub(crate) struct AmplitudeOptions {
     /// Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg
     #[arg(value_name = "AMPLITUDE", value_parser = angle_set)]
     amplitudes: Vec<AngleSet>,
-    /// Read the amplitudes from a file, one per line; - for the standard input
+    /// Read the amplitudes from a file, one per line; - for standard input
     #[arg(long, value_name = "FILE")]
     from_file: Option<PathBuf>,
 }

@@ -11,7 +11,7 @@ pub(crate) struct ApparatusOptions {
     /// From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty)]
     length: Option<Quantity>,
-    /// Radius of the bob, a ball, such as 20.0(1)mm
+    /// Radius of the bob, a sphere, such as 20.0(1)mm
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "length")]
     bob_radius: Option<Quantity>,
     /// Mass of the bob, such as 42.0g±0.5g
@@ -29,7 +29,7 @@ pub(crate) struct ApparatusOptions {
     /// Density of the air [default: 1.20(2)kg/m^3]
     #[arg(long, value_name = "DENSITY", value_parser = text::density_with_uncertainty, requires = "length")]
     air_density: Option<Quantity>,
-    /// By how much the bob at rest stretches the string
+    /// How much the string is stretched by the hanging bob
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "length")]
     stretch: Option<Quantity>,
     /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%
@@ -38,7 +38,7 @@ pub(crate) struct ApparatusOptions {
     /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     clock: Option<f64>,
-    /// Two inputs that are known by what they have in common, such as length,bob-radius=0.9
+    /// Correlation coefficient of two inputs, such as length,bob-radius=0.9
     #[arg(long, value_name = "NAME,NAME=R", value_parser = correlation::correlation, requires = "length", allow_hyphen_values = true)]
     correlation: Vec<Correlation>,
 }

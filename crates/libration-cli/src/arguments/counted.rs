@@ -5,10 +5,10 @@ use libration_lab::measurement::{Column, CountedPeriods, Table};
 /// How many periods each time of the table lasts.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct CountedOptions {
-    /// The times are half periods: from one side to the other
+    /// The times are half periods, from one side to the other
     #[arg(long, conflicts_with = "periods_per_row")]
     half_periods: bool,
-    /// The times are each of so many periods [default: as the header says, such as 10T or half period, else 1]
+    /// Each time spans this many periods [default: as the header says, such as 10T or half period, else 1]
     #[arg(long, value_name = "N", value_parser = super::positive)]
     periods_per_row: Option<f64>,
 }

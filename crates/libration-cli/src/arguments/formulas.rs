@@ -6,7 +6,7 @@ use libration::period_formulas::{PeriodFormula, catalogue};
 /// The option that chooses formulas.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct FormulaChoice {
-    /// Formulas by their keys (see `libration formulas`)
+    /// Keys of formulas (`libration formulas` lists them)
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = formula)]
     formulas: Vec<PeriodFormula>,
 }

@@ -9,7 +9,7 @@ use libration::systems::Model;
 /// The option that says where a motion begins.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct InitialOptions {
-    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those left out are at rest
+    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     initial: Option<String>,
 }
@@ -39,7 +39,7 @@ impl InitialOptions {
 /// The option that says where several motions begin.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SeveralInitialOptions {
-    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those left out are at rest; give it several
+    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several
     /// times for several motions
     #[arg(long, value_name = "NAME=VALUE,…")]
     initial: Vec<String>,

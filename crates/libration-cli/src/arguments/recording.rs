@@ -21,13 +21,13 @@ pub(crate) struct RecordingOptions {
     /// Column of angles, by number or name
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     angle: Option<Column>,
-    /// Column of angular velocities, as of a gyroscope
+    /// Column of angular velocities, such as those of a gyroscope
     #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with_all = ["angle", "x", "y"])]
     angular_velocity: Option<Column>,
     /// Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<Unit>,
-    /// Angles are counts of an encoder, so many to the turn
+    /// Angles are encoder counts, with this many per turn
     #[arg(long, value_name = "N", value_parser = super::positive, conflicts_with = "unit")]
     counts_per_turn: Option<f64>,
     /// Column of horizontal positions, instead of an angle
@@ -45,16 +45,16 @@ pub(crate) struct RecordingOptions {
     /// Column of the photogate's state, 1 or blocked, 0 or unblocked
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     gate: Option<Column>,
-    /// Leave out rows before this time, in the time of the file
+    /// Ignore rows before this time, on the clock of the file
     #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
     from: Option<f64>,
-    /// Leave out rows after this time
+    /// Ignore rows after this time
     #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
     to: Option<f64>,
-    /// Take the even times of which those in the file are roundings
+    /// Take the times in the file to be rounded, and use the equally spaced ones they come from
     #[arg(long, conflicts_with = "times_as_written")]
     even_times: bool,
-    /// Take the times as they are written, even where they are roundings of even ones
+    /// Use the times as written, even where they look like rounded, equally spaced ones
     #[arg(long)]
     times_as_written: bool,
     /// The run: its name, or its number as in `Run #3`; several as 1,2,6

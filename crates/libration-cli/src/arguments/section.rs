@@ -25,19 +25,19 @@ pub(crate) struct SectionOptions {
     /// Take a point whenever this formula of coordinates, velocities and t changes its sign
     #[arg(long, value_name = "FORMULA")]
     at: Option<Expression>,
-    /// The side from which the formula comes to zero
+    /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: Side,
-    /// How many points to leave out before the first one is kept [default: 100; 0 with --at]
+    /// Number of points to discard as transient [default: 100; 0 with --at]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
-    /// How many points to keep
+    /// Number of points to record
     #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
     points: Option<usize>,
     /// The relative error allowed in each step
     #[arg(long, default_value = "1e-12", value_parser = positive)]
     tolerance: f64,
-    /// Bring angles into the turn from −π to π, as the picture always does
+    /// Reduce angles to the range from −π to π, as pictures always do
     #[arg(long)]
     fold: bool,
 }
@@ -49,7 +49,7 @@ enum Side {
     Rising,
     /// From positive to negative
     Falling,
-    /// From either
+    /// Either way
     Any,
 }
 

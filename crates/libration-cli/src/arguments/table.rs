@@ -8,7 +8,7 @@ use std::path::Path;
 /// How a table is written, where it is not to be told from the file.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
-    /// What separates the columns [default: found in the file]
+    /// What separates the columns [default: detected]
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
     /// Whether the first row names the columns

@@ -7,7 +7,7 @@ use libration_lab::measurement::{Column, Table};
 /// The columns of two quantities, of the uncertainties of both, and of what else there may be.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ColumnsOption {
-    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: those that the header tells, else 1,2 or 1,2,3,4]
+    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2 or 1,2,3,4]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
 }

@@ -16,7 +16,7 @@ pub(crate) struct TimeOptions {
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24 steps]
     #[arg(long, value_parser = times)]
     times: Option<Times>,
-    /// Read the times from a file, one per line; - for the standard input
+    /// Read the times from a file, one per line; - for standard input
     #[arg(long, value_name = "FILE")]
     times_from: Option<PathBuf>,
 }

@@ -17,8 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A worked derivation, step by step, with each formula checked by computing it
 ///
-/// Below each formula it says how the formula was checked: exactly in fractions, or to 77 digits at several amplitudes.
-/// With --amplitude each step also shows its numbers for that pendulum.
+/// Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several amplitudes. With --amplitude each step also shows its numbers for that pendulum.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration derive --road elliptic > period.md
@@ -43,7 +42,7 @@ pub(crate) struct Derive {
     /// How the derivation is written
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
-    /// Write to this file instead of the screen
+    /// Write to this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
 }

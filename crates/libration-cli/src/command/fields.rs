@@ -14,9 +14,8 @@ use std::io::{self, Write};
 
 /// What the fields of JSON and CSV answers mean: names, units, meanings
 ///
-/// In names, [] stands for each entry of a list, and capitals for a name that the question decides: KEY is the key of a
-/// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields have
-/// the way to them before their name. A unit is left out where there is none, or where the question decides it.
+/// In names, [] stands for each entry of a list, and capitals for a name that depends on the question: KEY is the key of a
+/// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is none, or where it depends on the question.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fields period

@@ -58,8 +58,7 @@ Examples:
 Angles are 60deg, 60°, 1.2rad, 1.2 (radians), or distances from the top:
 pi-1e-6, 180deg-1e-9deg. Tables are as wide as the terminal, or as COLUMNS says;
 files and pipes get 80 columns.
-Exit status: 0 answered, 1 the question has no answer, 2 the question is not
-understood, 130 interrupted.";
+Exit status: 0 success, 1 no answer, 2 usage error, 130 interrupted.";
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {
@@ -86,7 +85,7 @@ enum Question {
     Completions(completions::Completions),
 }
 
-/// Explain measured data by the exact law: periods, lengths, gate times or whole swings
+/// Fit measured data by the exact law: periods, lengths, gate times or whole swings
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit periods examples/period_table_synthetic.csv

@@ -11,15 +11,15 @@ use libration::catalogue::NamedParameter;
 use libration::oscillator::{NamedOscillator, catalogue};
 use std::io::{self, Write};
 
-/// The oscillators known by name: equations, parameters, where they oscillate, and sources
+/// The built-in oscillators: equations, parameters, where they oscillate, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration oscillators
   libration oscillators duffing morse
   libration oscillators --json
 
-Each can be given to `libration expand` by its key, and its parameters by
---set NAME=VALUE. Any other oscillator can be given there by its equation.")]
+`libration expand` and `libration backbone` take these keys; --set NAME=VALUE
+sets a parameter. Any other oscillator is given by its equation.")]
 pub(crate) struct Oscillators {
     #[command(flatten)]
     keys: KeyOptions,

@@ -8,11 +8,10 @@ use crate::output::{Form, FormOptions, csv, json, json::Record, number};
 use libration_derivation::paper::{Document, Row, StatementVerdict, rows_where};
 use std::io::{self, Write};
 
-/// Every equation of two published derivations, verified or corrected by computing it
+/// Every equation of two published derivations, checked by computation and corrected where it is wrong
 ///
-/// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What
-/// they print is compared with what the program computes, exactly where that can be done. Where they have words and not a
-/// formula, `paraphrase` marks the formula that is ours.
+/// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What they print is compared with what the program computes, exactly where possible. Where they state something in words,
+/// `paraphrase` marks the formula as ours.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration paper                    # every equation, verdict and evidence
@@ -25,7 +24,7 @@ pub(crate) struct Paper {
     /// Show only one document: black-vel or cote
     #[arg(long, value_parser = document, value_name = "DOCUMENT")]
     document: Option<Document>,
-    /// Show only labels with this number or these words, such as 25, C2 or "Fig. 1"
+    /// Show only labels that contain this number or these words, such as 25, C2 or "Fig. 1"
     #[arg(long)]
     label: Option<String>,
     #[command(flatten)]

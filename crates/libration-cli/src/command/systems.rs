@@ -11,18 +11,17 @@ use libration::catalogue::NamedParameter;
 use libration::systems::{NamedCoordinate, NamedSystem, catalogue};
 use std::io::{self, Write};
 
-/// The systems known by name: equations of motion, parameters with units, energies, and sources
+/// The built-in systems: equations of motion, parameters with units, energies, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration systems
   libration systems damped_pendulum double_pendulum
   libration systems --json
 
-Each can be given to `libration simulate` by its key, and its parameters by
---set NAME=VALUE. The default values leave out all damping and driving, and the
-angular frequency of small swings is 1. The oscillators of
-`libration oscillators` can be given there too, and so can any equations of
-motion.")]
+`libration simulate`, `modes`, `section`, `bifurcation` and `lyapunov` take these
+keys; --set NAME=VALUE sets a parameter. By default there is no damping and no
+driving, and the angular frequency of small swings is 1. Those commands also
+take the keys of `libration oscillators` and any equations of motion.")]
 pub(crate) struct Systems {
     #[command(flatten)]
     keys: KeyOptions,

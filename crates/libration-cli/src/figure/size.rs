@@ -10,13 +10,13 @@ use std::fmt;
 /// The options for the size of a picture.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Sizes {
-    /// Size of the picture: as wide as a page's text (170 mm), as a column (80 mm), or a slide with larger letters
+    /// Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type
     #[arg(long, value_enum, default_value = "page", requires = "figure")]
     size: Preset,
-    /// Width of the picture, such as 120mm, 12cm or 600 (600px, of which 96 are an inch) [default: by --size]
+    /// Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by --size]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
     width: Option<Side>,
-    /// Height of the picture [default: what suits it]
+    /// Height of the picture [default: chosen to suit the picture]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
     height: Option<Side>,
 }

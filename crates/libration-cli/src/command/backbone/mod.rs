@@ -17,8 +17,8 @@ pub(crate) use fields::answers;
 
 /// The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum
 ///
-/// Each orbit is a motion released from rest and integrated until it returns; its uncertainty says how well its frequency
-/// is known. Amplitudes are measured from the equilibrium; frequencies are in radians per unit of time.
+/// Each orbit is a motion released from rest and integrated until it returns; its frequency comes with a bound on its
+/// error. Amplitudes are measured from the equilibrium; frequencies are in radians per unit of time.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration backbone pendulum --amplitudes 10deg:170deg:10deg

@@ -36,9 +36,9 @@ const PIECE: usize = 32;
   libration bifurcation \"x'' + 0.2 x' + x + x^3 = A cos(1.8 t)\" \\
     --over A=0.5:3:0.5 --initial x=0 --sweep both --points 5
 
-With --sweep each motion begins where the one for the value before ended, so
-that a motion is followed as long as it is stable; up and down then show the
-hysteresis. Ctrl-C ends the work early and keeps the values that are done.")]
+With --sweep each motion starts where the one for the previous value ended, so
+that a solution is followed as long as it is stable; sweeping up and down shows
+hysteresis. Ctrl-C stops early and keeps the values that are complete.")]
 pub(crate) struct Bifurcation {
     #[command(flatten)]
     system: SystemOptions,
@@ -47,12 +47,12 @@ pub(crate) struct Bifurcation {
     over: ParameterRange,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Begin each motion where the one before ended, with the values in this order
+    /// Start each motion where the previous one ended, taking the values in this order
     #[arg(long, value_name = "ORDER")]
     sweep: Option<Order>,
     #[command(flatten)]
     section: SectionOptions,
-    /// The number of the state that the picture shows [default: the first coordinate, or its velocity if it is an angle]
+    /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME")]
     axis: Option<String>,
     /// Draw the diagram to FILE.svg or FILE.png instead of listing the points
@@ -67,11 +67,11 @@ pub(crate) struct Bifurcation {
 /// The order in which the values are gone through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Order {
-    /// As they are given
+    /// As given
     Up,
-    /// From the last to the first
+    /// In reverse
     Down,
-    /// First up, then down
+    /// Up, then down
     Both,
 }
 

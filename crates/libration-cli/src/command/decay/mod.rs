@@ -23,9 +23,9 @@ use report::{Cycle, Report};
 
 /// How the swings of a damped pendulum die down, cycle by cycle
 ///
-/// The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. Beside them stand the averaged law, in which
-/// the energy falls at its mean rate over an undamped cycle (exact at any amplitude), and the law of small amplitudes.
-/// The time of each cycle stands beside the exact period at the amplitude in its middle.
+/// The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy falls at its mean rate over an undamped cycle (exact at any
+/// amplitude), and with the small-amplitude law. The duration of each cycle is compared with the exact period at the
+/// amplitude in its middle.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration decay 60deg --linear 0.1                # viscous damping, 20 cycles
@@ -37,7 +37,7 @@ use report::{Cycle, Report};
 Coefficients are divided by the moment of inertia, in SI units: a drag torque of
 b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")]
 pub(crate) struct Decay {
-    /// The angle of release from rest, such as 60deg, 1.2rad or pi-1e-6
+    /// The release angle, such as 60deg, 1.2rad or pi-1e-6
     #[arg(value_parser = arguments::angle)]
     amplitude: Angle,
     #[command(flatten)]

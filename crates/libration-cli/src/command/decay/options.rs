@@ -58,10 +58,10 @@ fn number(text: &str) -> Option<f64> {
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[group(multiple = false)]
 pub(super) struct Extent {
-    /// The number of cycles, if it swings that long [default: 20]
+    /// Number of cycles to follow, if the motion lasts that long [default: 20]
     #[arg(long, value_parser = arguments::count::<MOST_CYCLES>)]
     cycles: Option<usize>,
-    /// All cycles completed by this time, such as 60s; plain numbers are seconds
+    /// Follow the cycles completed by this time, such as 60s; plain numbers are seconds
     #[arg(long, value_name = "TIME", value_parser = time)]
     until: Option<f64>,
 }

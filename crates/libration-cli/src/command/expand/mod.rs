@@ -32,13 +32,13 @@ use std::sync::Mutex;
   libration expand van_der_pol --order 8 --json
   libration expand pendulum --evaluate 40deg    # T/T0 term by term
   libration expand duffing --set epsilon=0.1 --evaluate 2 --quantity a3
-  libration oscillators                         # the ones known by name
+  libration oscillators                         # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
 energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
 a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
 
-Ctrl-C ends long work early and writes the orders that are certain by then.")]
+Ctrl-C stops a long computation and writes the orders that are certain by then.")]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,

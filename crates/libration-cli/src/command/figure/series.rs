@@ -31,7 +31,7 @@ pub(super) struct Series {
     /// What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period")]
     quantity: SeriesQuantity,
-    /// Show instead the error against the last power kept, at these amplitudes, such as 30deg,90deg,150deg
+    /// Plot the error against the highest power of the partial sum instead, at these amplitudes, such as 30deg,90deg,150deg
     #[arg(long, value_name = "A,A", value_delimiter = ',', conflicts_with = "to")]
     amplitudes: Vec<String>,
     /// The largest amplitude shown [default: a fifth beyond the radius of convergence]

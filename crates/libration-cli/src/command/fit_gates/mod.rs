@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are found
+/// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are detected
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit gates examples/gate_synthetic.csv
@@ -26,14 +26,14 @@ pub(crate) use fields::answers;
     --diameter \"25.0(1) mm\" --figure gates.svg
   libration fit gates examples/gate_synthetic.csv --signals edges --csv
 
-Periods run from one passage to the next in the same direction, so that the gate
-need not stand at the centre. With the diameter of the bob and the length, the
-speed at the gate gives every amplitude; otherwise T0 needs the amplitude of the
-first swing.")]
+Each period runs from one passage to the next in the same direction, so the gate
+need not be at the centre. With the diameter of the bob and the length, the speed
+at the gate gives every amplitude; otherwise T0 needs the amplitude of the first
+swing.")]
 pub(crate) struct FitGates {
-    /// Times of one photogate, perhaps with its state (blocked or not); - for the standard input
+    /// Times of one photogate, optionally with its state (blocked or not); - for standard input
     file: PathBuf,
-    /// What the times are: edges (blocked, free, …) or whole passages [default: told from their pattern]
+    /// What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern]
     #[arg(long, value_enum)]
     signals: Option<Signals>,
     /// Diameter of what blocks the gate [default: twice the radius of the bob]

@@ -12,14 +12,14 @@ use std::path::PathBuf;
 /// Which file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
-    /// A table of lengths and periods, perhaps with their uncertainties; - for the standard input
+    /// A table of lengths and periods, optionally with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,
     /// Unit of the lengths and of their uncertainties [default: that of the header, else m]
     #[arg(long, value_enum)]
     length_unit: Option<LengthUnit>,
-    /// The amplitude of all swings, such as 10deg [default: small]
+    /// The amplitude of all swings, such as 10deg [default: negligible]
     #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
     amplitude: Option<Angle>,
     /// Unit of a column of amplitudes [default: that of the header, else rad]

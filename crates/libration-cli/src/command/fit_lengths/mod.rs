@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// Measured periods against length: gravity, and by how much all lengths are off
+/// Measured periods against length: gravity, and the offset common to all lengths
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit lengths examples/lengths_synthetic.csv
@@ -27,12 +27,12 @@ pub(crate) use fields::answers;
   libration fit lengths examples/lengths_synthetic.csv --bob-radius 25mm --json
 
 T² = 4π²R²(L + δ)/g is fitted by weighted least squares, where R = T/T0 at the
-amplitude. A string that was measured without its bob gives a δ, and leaves g as
-it is.")]
+amplitude. A string measured without its bob gives an offset δ and leaves g
+unbiased.")]
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: Input,
-    /// Radius of the bob, a ball, which then bends the line by a known amount; without it the bend is fitted
+    /// Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
     bob_radius: Option<Quantity>,
     /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Which file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
-    /// A table of amplitudes and periods, perhaps with their uncertainties; - for the standard input
+    /// A table of amplitudes and periods, optionally with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,

@@ -33,7 +33,7 @@ exact law.")]
 pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: Input,
-    /// Leave out the rows further than this many robust standard deviations from the exact law
+    /// Leave out rows more than this many robust standard deviations from the exact law
     #[arg(long, value_name = "N", value_parser = positive)]
     reject_outliers: Option<f64>,
     #[command(flatten)]

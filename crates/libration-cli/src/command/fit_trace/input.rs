@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// Which files.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
-    /// Recordings of the same pendulum: angle, angular velocity or position against time; - for the standard input
+    /// Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input
     #[arg(required = true)]
     files: Vec<PathBuf>,
 }

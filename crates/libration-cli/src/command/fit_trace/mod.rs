@@ -42,7 +42,7 @@ pub(crate) struct FitTrace {
     /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear
     #[arg(long, default_value = "auto")]
     model: Model,
-    /// Give rows that are far from the fitted motion less weight, so that they do not pull it
+    /// Give less weight to rows far from the fitted motion (robust fit)
     #[arg(long)]
     robust: bool,
     /// Fit the scale of the angles too, from how the period depends on the amplitude

@@ -19,10 +19,10 @@ use std::io::Write;
   libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
   libration formulas --crossovers --formulas black_vel_1,black_vel_3,butikov")]
 pub(crate) struct Formulas {
-    /// List only formulas that keep the tolerance at this amplitude and at all below it
+    /// List only formulas within the tolerance at this amplitude and all smaller ones
     #[arg(long, requires = "tolerance", value_parser = arguments::angle)]
     amplitude: Option<Angle>,
-    /// The largest fractional error of the period that is allowed, such as 1e-3
+    /// Largest acceptable fractional error of the period, such as 1e-3
     #[arg(long, value_parser = arguments::positive)]
     tolerance: Option<f64>,
     /// List the amplitudes at which one formula becomes better than another

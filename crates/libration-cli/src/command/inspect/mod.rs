@@ -15,8 +15,8 @@ pub(crate) use fields::answers;
 
 /// What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted
 ///
-/// Everything is told from the file; each finding names the option that overrides it, and the same options are those of
-/// the fits. A file that does not decide something is described all the same, with the options that would.
+/// Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options.
+/// Where a file leaves something open, it is described together with the options that would settle it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration inspect examples/swing_synthetic.csv
@@ -25,7 +25,7 @@ pub(crate) use fields::answers;
   printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
   printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
 pub(crate) struct Inspect {
-    /// What the instrument wrote: text, Excel, or an archive of text files; - for the standard input
+    /// What the instrument wrote: text, Excel, or an archive of text files; - for standard input
     file: PathBuf,
     #[command(flatten)]
     form: FormOptions,

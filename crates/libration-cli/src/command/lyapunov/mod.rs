@@ -21,7 +21,7 @@ pub(crate) use write::answers;
 /// More intervals than this are never asked for.
 const MOST_INTERVALS: usize = 100_000_000;
 
-/// The largest Lyapunov exponent: how fast neighbouring motions part, and whether the motion is chaotic
+/// The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion is chaotic
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
@@ -31,17 +31,17 @@ const MOST_INTERVALS: usize = 100_000_000;
   libration lyapunov \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" \\
     --initial \"y=-0.15,x'=0.5555\" --intervals 100 --figure convergence.svg
 
-`chaotic` needs evidence: growth of deviations by e^100, in every part of the
-time, beside the motion and beside two neighbours of it, and no passage so near
-a separatrix that the digits are lost. `regular` is known by a theorem, or seen
-for the time measured. Otherwise the answer is `undecided`, with what is
-missing. Ctrl-C ends the work early and keeps the estimate.")]
+`chaotic` requires evidence: deviations that grow by e^100, in every part of the
+run, from the motion and from two neighbouring ones, and no passage so close to a
+separatrix that all digits are lost. `regular` follows from a theorem, or was
+observed over the time measured. Otherwise the verdict is `undecided` and says
+what is missing. Ctrl-C stops early and keeps the estimate so far.")]
 pub(crate) struct Lyapunov {
     #[command(flatten)]
     system: SystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// How many intervals to measure, each about a period of the motion
+    /// Number of intervals to measure, each about one period of the motion
     #[arg(long, value_name = "N", default_value = "1000", value_parser = count::<MOST_INTERVALS>, conflicts_with = "time")]
     intervals: usize,
     /// How long to measure, in seconds, instead of a number of intervals

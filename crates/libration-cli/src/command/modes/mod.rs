@@ -31,7 +31,7 @@ pub(crate) use fields::answers;
 pub(crate) struct Modes {
     #[command(flatten)]
     system: SystemOptions,
-    /// Coordinates near the equilibrium that is meant, such as x=1,theta=180deg; those left out are at rest
+    /// Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     about: Option<String>,
     /// Draw the shapes to FILE.svg or FILE.png

@@ -26,7 +26,7 @@ pub(crate) use fields::answers;
   libration motion 90deg --compare small-angle,fourier-3 --figure motion.svg
   libration motion 150deg --times 0:10:1 --animate --figure swing.svg")]
 pub(crate) struct Motion {
-    /// The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, turns are counted
+    /// The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are counted
     #[arg(value_parser = arguments::angle)]
     angle: Angle,
     /// The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
@@ -40,7 +40,7 @@ pub(crate) struct Motion {
     /// Draw the motion to FILE.svg or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
-    /// Show the pendulum as it swings beside its curve: an SVG that moves by itself, in a browser
+    /// Animate the pendulum beside its curve (an SVG animation, for browsers)
     #[arg(long, requires = "figure")]
     animate: bool,
     #[command(flatten)]

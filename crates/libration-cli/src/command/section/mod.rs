@@ -23,7 +23,7 @@ pub(crate) use write::answers;
 /// Without another wish so many points are kept.
 const POINTS: usize = 1000;
 
-/// Poincaré section: the state once in each period of the drive, or whenever a formula is zero
+/// Poincaré section: the state once per drive period, or whenever a formula crosses zero
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
@@ -33,9 +33,9 @@ const POINTS: usize = 1000;
   libration section \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --at x \\
     --initial \"y=0.1,x'=0.4\" --initial \"y=-0.2,x'=0.4\" --points 50
 
-The first points belong to the transient and are left out; --skip says how many.
-Several --initial give several motions, computed on all cores. Ctrl-C ends the
-work early and keeps the points that are there.")]
+The first points belong to the transient and are discarded; --skip says how many.
+Repeat --initial for several motions, computed on all cores. Ctrl-C stops early
+and keeps the points computed so far.")]
 pub(crate) struct PoincareQuestion {
     #[command(flatten)]
     system: SystemOptions,
@@ -43,7 +43,7 @@ pub(crate) struct PoincareQuestion {
     initial: SeveralInitialOptions,
     #[command(flatten)]
     section: SectionOptions,
-    /// The two numbers of the state that the picture shows [default: a coordinate and its velocity]
+    /// The two state variables that the picture shows [default: a coordinate and its velocity]
     #[arg(long, value_name = "NAME,NAME")]
     axes: Option<String>,
     /// Draw the section to FILE.svg or FILE.png instead of listing the points

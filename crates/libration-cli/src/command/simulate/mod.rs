@@ -53,13 +53,12 @@ pub(crate) use fields::answers;
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
     --times 0:200:0.1 --resume long.csv --output long.csv
 
-Integration starts at t = 0. In the shell, put quotes round whatever has a prime
-in it: --initial \"theta=60deg,theta'=0.1\".
-Ctrl-C ends a run early: what was computed is written as a complete answer, from
-which --resume goes on. The answer is then that of one run, to the last byte.
-With long.csv comes long.csv.state, which says of what motion the numbers are
-and how it goes on; --resume needs it, and also finds what a run that was ended
-by force has left.")]
+Integration starts at t = 0. In the shell, quote whatever contains a prime:
+--initial \"theta=60deg,theta'=0.1\".
+Ctrl-C stops a run early: what was computed is written as a complete answer, and
+--resume continues from there. The result equals that of a single run, byte for
+byte. With long.csv comes long.csv.state, which records the system and where the
+integration stands; --resume needs it, and also finds what a killed run has left.")]
 pub(crate) struct Simulate {
     #[command(flatten)]
     system: SystemOptions,
@@ -71,7 +70,7 @@ pub(crate) struct Simulate {
     gravity: Option<f64>,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, in order; before 0 the motion runs backward
+    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0; negative times run backward
     #[arg(long, value_parser = arguments::times)]
     times: Times,
     /// The relative error allowed in each step
@@ -83,19 +82,19 @@ pub(crate) struct Simulate {
     /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
-    /// What the picture shows instead of the coordinates against time: one number of the state against another, such as theta,theta'
+    /// Draw one state variable against another instead of the coordinates against time, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
-    /// Show the bodies as they move beside the curves: an SVG that moves by itself, in a browser
+    /// Animate the bodies beside the curves (an SVG animation, for browsers)
     #[arg(long, requires = "figure", conflicts_with = "axes")]
     animate: bool,
     #[command(flatten)]
     sizes: figure::Sizes,
-    /// Write the answer to a file, whole or not at all, or into a stream; the endings .json and .csv choose the form, - is the
-    /// standard output
+    /// Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the
+    /// format, - is standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Go on from an earlier answer, JSON or CSV with its FILE.state; the new answer begins with the earlier one
+    /// Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     #[command(flatten)]
