@@ -15,7 +15,7 @@ pub(crate) fn displacements(
         && text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter) || letter == '°')
     {
         return Err(refusal(format!(
-            "`{}`: give numbers, such as 0.5,1 or 0.1:3:0.1; units of angles are for variables named as angles are, such as theta",
+            "`{}`: give plain numbers, such as 0.5,1 or 0.1:3:0.1; angle units are for variables with the name of an angle, such as theta",
             text.trim()
         )));
     }
@@ -26,7 +26,7 @@ pub(crate) fn displacements(
     };
     match values.iter().map(Displacement::to_f64).find(|value| *value <= 0.0) {
         Some(value) => {
-            Err(refusal(format!("{} is no amplitude: give numbers above zero", number::exact(value))))
+            Err(refusal(format!("the amplitude is {}: give numbers above zero", number::exact(value))))
         }
         None => Ok(values),
     }

@@ -61,7 +61,7 @@ impl Initial {
         let mut given: Vec<Option<f64>> = vec![None; names.len()];
         for item in text.split(',').filter(|item| !item.trim().is_empty()) {
             let (name, value) = item.split_once('=').ok_or_else(|| {
-                usage(format!("`{}` has no value: give NAME=VALUE, as {}=0.5", item.trim(), names[0]))
+                usage(format!("`{}` has no value: give NAME=VALUE, such as {}=0.5", item.trim(), names[0]))
             })?;
             let place = place_of(name, &names)?;
             if given[place].is_some() {
@@ -88,7 +88,7 @@ fn missing(model: &Model) -> Failure {
     };
     let examples: Vec<String> = model.coordinates().iter().map(example).collect();
     usage(format!(
-        "the motion has no beginning: say where it begins, as --initial \"{}\"; its numbers are {}",
+        "the initial state is missing: give it, such as --initial \"{}\"; the state variables are {}",
         examples.join(","),
         model.state_names().join(", ")
     ))
@@ -97,7 +97,7 @@ fn missing(model: &Model) -> Failure {
 fn place_of(name: &str, names: &[String]) -> Result<usize, Failure> {
     let plain = plain_name(name);
     names.iter().position(|known| *known == plain).ok_or_else(|| {
-        usage(format!("the system has no `{}`: its numbers are {}", name.trim(), names.join(", ")))
+        usage(format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")))
     })
 }
 

@@ -36,6 +36,6 @@ fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<V
 }
 
 fn too_large(path: &Path, how: &str, limit: usize) -> Failure {
-    let reason = format!("it {how}, and no more than {limit} bytes are read: give a part of it");
+    let reason = format!("it {how}, and at most {limit} bytes are read: give a part of it");
     Failure::no_answer(&path.display().to_string(), reason)
 }

@@ -23,7 +23,7 @@ pub(crate) fn read<T, E: Display>(
     if values.is_empty() {
         return Err(Failure::no_answer(
             &path.display().to_string(),
-            "the file holds no value: write one per line",
+            "the file has no values: write one per line",
         ));
     }
     Ok(values)

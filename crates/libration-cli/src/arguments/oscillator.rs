@@ -61,10 +61,13 @@ impl Chosen {
             return Displacement::from_angle_text(text).map_err(|error| Failure::usage(argument, error));
         }
         let name = self.oscillator.variable();
-        let hint = "units of angles are for variables named as angles are, such as theta";
+        let hint = "angle units are for variables with the name of an angle, such as theta";
         Err(Failure::usage(
             argument,
-            format!("`{}` is no amplitude of {name}: give a number, such as 0.5; {hint}", text.trim()),
+            format!(
+                "cannot read `{}` as an amplitude of {name}: give a number, such as 0.5; {hint}",
+                text.trim()
+            ),
         ))
     }
 }
@@ -128,7 +131,7 @@ fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
             format!("`{shown}` is no place: give a number or an angle, such as 0.5, pi/2 or 90deg")
         }
         Ok(_) => format!(
-            "`{shown}` is no place: give a number, such as 0.5 or sqrt(2)/2; units of angles are for variables named as \
+            "cannot read `{shown}` as a position: give a number, such as 0.5 or sqrt(2)/2; angle units are for variables named as \
              angles are, such as theta"
         ),
     }))

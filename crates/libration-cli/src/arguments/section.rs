@@ -132,7 +132,7 @@ pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Resul
     place.ok_or_else(|| {
         Failure::usage(
             argument,
-            format!("the system has no `{}`: its numbers are {}", name.trim(), names.join(", ")),
+            format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")),
         )
     })
 }
@@ -141,7 +141,7 @@ pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Resul
 pub(crate) fn places_in_state(model: &Model, argument: &str, names: &str) -> Result<[usize; 2], Failure> {
     match names.split(',').collect::<Vec<_>>()[..] {
         [across, up] => Ok([place_in_state(model, argument, across)?, place_in_state(model, argument, up)?]),
-        _ => Err(Failure::usage(argument, "give two names, as theta,theta'")),
+        _ => Err(Failure::usage(argument, "give two names, such as theta,theta'")),
     }
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn section_failure(error: SectionError) -> Failure {
 
 fn phase(text: &str) -> Result<f64, String> {
     let phase = text.trim().parse().ok().filter(|phase| (0.0..=1.0).contains(phase));
-    phase.ok_or_else(|| "give a part of the period, from 0 to 1".to_owned())
+    phase.ok_or_else(|| "give a fraction of the period, from 0 to 1".to_owned())
 }
 
 fn whole(text: &str) -> Result<usize, String> {

@@ -44,8 +44,7 @@ impl SystemOptions {
         }
         let argument = if length.is_some() { "--length" } else { "--gravity" };
         let named = NamedSystem::by_key(self.system.trim()).map_err(|_| {
-            let reason =
-                "it is for the pendulums of `libration systems`, such as damped_pendulum: give one of them";
+            let reason = "only the pendulums of `libration systems` take it, such as damped_pendulum";
             Failure::usage(argument, reason)
         })?;
         let of_pendulum =
@@ -73,7 +72,7 @@ impl SystemOptions {
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
             Some(name) => Err(Failure::usage(
                 "--set",
-                format!("`{name}` has no value: give it one, as --set {name}=0.1"),
+                format!("`{name}` has no value: give it one, such as --set {name}=0.1"),
             )),
             None => Ok(model),
         }

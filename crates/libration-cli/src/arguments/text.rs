@@ -49,7 +49,7 @@ pub(crate) fn part(text: &str) -> Result<f64, String> {
     let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number, 0.01));
     let part = number.trim().parse::<f64>().ok().map(|number| number * unit);
     part.filter(|part| (0.0..1.0).contains(part))
-        .ok_or_else(|| "give a part of one, such as 0.01 or 1%".to_owned())
+        .ok_or_else(|| "give a fraction of 1, such as 0.01 or 1%".to_owned())
 }
 
 pub(crate) fn gravity(text: &str) -> Result<f64, String> {

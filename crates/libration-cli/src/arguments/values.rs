@@ -26,7 +26,7 @@ pub(super) fn plain_name(name: &str) -> String {
 
 fn value(item: &str) -> Result<(String, Expression), Failure> {
     let (name, value) = item.split_once('=').ok_or_else(|| {
-        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, as mu=0.1"))
+        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, such as mu=0.1"))
     })?;
     let value =
         value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;

@@ -117,7 +117,7 @@ impl FieldsQuestion {
             let mut names: Vec<&str> = catalogue().iter().map(|it| it.command).collect();
             names.dedup();
             let reason = format!(
-                "`{}` has no answer with fields; those that have are {}",
+                "`{}` has no answer with fields; the commands that have are {}",
                 asked.join(" "),
                 names.join(", ")
             );

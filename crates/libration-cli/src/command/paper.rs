@@ -36,10 +36,7 @@ impl Paper {
         let mut chosen = rows_where(|document, label| self.asks_for(document, label));
         chosen.retain(|row| self.only.is_none_or(|verdict| verdict == row.finding.verdict));
         if chosen.is_empty() {
-            return Err(Failure::no_answer(
-                "paper",
-                "no statement is like that: leave out --label or --only",
-            ));
+            return Err(Failure::no_answer("paper", "no statement matches: leave out --label or --only"));
         }
         match self.form.form() {
             Form::Json => {
@@ -71,12 +68,12 @@ fn is_named(label: &str, asked: &str) -> bool {
 
 fn verdict(text: &str) -> Result<StatementVerdict, String> {
     let found = StatementVerdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
-    found.ok_or_else(|| format!("`{text}` is no verdict: give verified, typo, wrong or not-decided"))
+    found.ok_or_else(|| format!("unknown verdict `{text}`: give verified, typo, wrong or not-decided"))
 }
 
 fn document(text: &str) -> Result<Document, String> {
     let found = Document::ALL.into_iter().find(|document| document.key() == text);
-    found.ok_or_else(|| format!("`{text}` is no document: give black-vel or cote"))
+    found.ok_or_else(|| format!("unknown document `{text}`: give black-vel or cote"))
 }
 
 /// Where a claim about numbers holds.

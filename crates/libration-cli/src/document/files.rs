@@ -13,7 +13,7 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
     if is(&path, "html") || is(&path, "htm") || is(&path, "md") {
         return Ok(path);
     }
-    Err("reports are written as HTML or Markdown: give a name that ends in .html or .md".to_owned())
+    Err("reports are written as HTML or Markdown: give a file name ending in .html or .md".to_owned())
 }
 
 /// Writes the document; with Markdown each picture becomes an SVG file beside it.

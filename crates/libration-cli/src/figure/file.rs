@@ -17,14 +17,14 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
     if is(&path, "svg") || is(&path, "png") {
         return Ok(path);
     }
-    Err("pictures are written as SVG or PNG: give a name that ends in .svg or .png, or - for SVG on the standard output"
+    Err("pictures are written as SVG or PNG: give a file name ending in .svg or .png, or - for SVG on standard output"
         .to_owned())
 }
 
 /// Draws the picture in its size into its file, and says so in a sentence.
 pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, Failure> {
     if picture.animation.is_some() && is(path, "png") {
-        let reason = format!("{} cannot move: give a name that ends in .svg", path.display());
+        let reason = format!("{} cannot be animated: give a file name ending in .svg", path.display());
         return Err(Failure::usage("--animate", reason));
     }
     let scene = sizes.scene(picture)?;

@@ -58,7 +58,8 @@ impl Sizes {
         let refused = |name: &str, asked: Option<Side>, usual: f64, least: f64| {
             let side = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
             let least = Side { length: (least / side.unit.size - 1e-6).ceil(), ..side };
-            let reason = format!("{side} does not hold this picture with its labels: give at least {least}");
+            let reason =
+                format!("{side} is too small for this picture and its labels: give at least {least}");
             Failure::no_answer(name, reason)
         };
         draw(picture, &format).map_err(|error| match error {

@@ -63,7 +63,7 @@ pub(super) fn remove(path: &Path) {
         }
         if removed.is_ok() {
             let name = leftover.path.display();
-            let _ = writeln!(io::stderr(), "removed {name}, which a run that was ended by force had left");
+            let _ = writeln!(io::stderr(), "removed {name}, left by a killed run");
         }
     }
 }

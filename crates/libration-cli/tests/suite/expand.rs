@@ -320,7 +320,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "pendulum", "--evaluate", "1", "--quantity", "energy"], 2, "frequency"),
         (&["expand", "x'' + 1/0*x = 0"], 2, "`1/0` has no value: nothing can be divided by zero"),
         (&["expand", "duffing", "--set", "epsilon=1/0"], 2, "--set: epsilon gets no value: `1/0`"),
-        (&["expand", "x'' + x*a/b = 0", "--set", "a=1,b=0"], 2, "nothing can be divided by zero"),
+        (&["expand", "x'' + x*a/b = 0", "--set", "a=1,b=0"], 2, "division by zero"),
         (&["expand", "x'' + x + abs(x)^3 = 0"], 1, "(libration backbone)"),
         (&["expand", "x'' + x^3 = 0"], 1, "the force drives back"),
         (&["expand", "x'' - mu*(1-x^2)*x' + x + x^3 = 0"], 1, "(libration simulate)"),

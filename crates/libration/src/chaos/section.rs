@@ -78,7 +78,7 @@ pub enum SectionEnding {
     #[error("{0}")]
     Stopped(Cause),
     /// The motion crosses the surface no more, as far as it was followed.
-    #[error("the motion crosses the surface no more")]
+    #[error("the motion no longer crosses the surface")]
     NoCrossing,
 }
 
@@ -94,7 +94,7 @@ pub enum SectionError {
     Integration(#[from] IntegrationError),
     /// Equations whose drive has no period that is found.
     #[error(
-        "the equations show no period of a drive: give it, or a surface that the motion crosses, such as the velocity"
+        "the equations have no drive with a known period: give the period, or a surface that the motion crosses, such as the velocity"
     )]
     NoPeriod,
     /// A period or a phase that cannot be.

@@ -55,18 +55,17 @@ pub enum NoSeries {
 #[non_exhaustive]
 pub enum NoBackbone {
     /// Several coordinates.
-    #[error("there are {0} coordinates: give one equation of motion, or ask for the normal modes")]
+    #[error("there are {0} coordinates: give one equation of motion, or compute normal modes")]
     SeveralCoordinates(usize),
     /// The time in the force.
     #[error("the acceleration depends on t: set the strength of the driving to zero")]
     DependsOnTime,
     /// Parameters that have no value.
-    #[error("no value is given for {0}: give one, as {0}=0.1")]
+    #[error("no value is given for {0}: give one, such as {0}=0.1")]
     WithoutValue(String),
     /// A limit cycle in the place of a family.
     #[error(
-        "the motion settles to a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: ask for its \
-         expansion"
+        "the motion settles on a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: expand it in {0} instead"
     )]
     LimitCycle(String),
     /// A place that is no equilibrium.

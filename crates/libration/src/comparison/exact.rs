@@ -43,27 +43,25 @@ pub enum Method {
 #[non_exhaustive]
 pub enum NoExactValue {
     /// A displacement that cannot be.
-    #[error("{0:?} is no amplitude: give a finite number above zero")]
+    #[error("the amplitude is {0:?}: give a finite number above zero")]
     Amplitude(f64),
     /// A release on the separatrix.
     #[error(
-        "the period is infinite: a motion released at the displacement {0:?} is on the separatrix and approaches an unstable \
-         equilibrium for ever, or rests in it"
+        "the period is infinite: a motion released at the displacement {0:?} is on the separatrix: it approaches an unstable equilibrium for ever, or stays at it"
     )]
     Infinite(f64),
     /// A release beyond the equilibrium's own well.
     #[error(
-        "at the displacement {0:?} from the equilibrium the force does not drive back: give a smaller one"
+        "at the displacement {0:?} from the equilibrium the force does not point back: give a smaller amplitude"
     )]
     NotRestoring(f64),
     /// A motion that does not come back.
     #[error(
-        "a release at the displacement {0:?} from the equilibrium does not come to rest on the other side and return: \
-         give a smaller one"
+        "a release at the displacement {0:?} from the equilibrium does not come to rest on the other side and return: give a smaller amplitude"
     )]
     NoReturn(f64),
     /// A strength of no excitation.
-    #[error("{0:?} is no strength of an excitation: give a finite number other than zero")]
+    #[error("the strength of the excitation is {0:?}: give a finite number other than zero")]
     Strength(f64),
     /// A motion that cannot be followed.
     #[error(transparent)]

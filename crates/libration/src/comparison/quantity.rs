@@ -18,7 +18,7 @@ pub enum SeriesQuantity {
 
 /// A text that names no quantity.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no quantity: give period, frequency, or a harmonic such as a3")]
+#[error("unknown quantity `{0}`: give period, frequency, or a harmonic such as a3")]
 pub struct NotASeriesQuantity(String);
 
 impl fmt::Display for SeriesQuantity {

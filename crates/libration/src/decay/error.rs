@@ -11,7 +11,7 @@ pub(super) const MOST_TERMS: usize = 16;
 #[non_exhaustive]
 pub enum DecayError {
     /// A power of the velocity that is negative or no number.
-    #[error("damping in proportion to the velocity to the power {0:?}: give a power of zero or more")]
+    #[error("the damping has the velocity to the power {0:?}: give a power of zero or more")]
     Exponent(f64),
     /// A coefficient that is negative or not finite.
     #[error(
@@ -41,7 +41,7 @@ pub enum DecayError {
         value: f64,
     },
     /// An amplitude that is none.
-    #[error("an amplitude of {0:?} rad is no motion: give at least 1e-100")]
+    #[error("an amplitude of {0:?} rad is too small: give at least 1e-100")]
     AtRest(f64),
     /// An amplitude at or beyond the top.
     #[error(transparent)]

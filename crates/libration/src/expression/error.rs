@@ -24,7 +24,7 @@ pub struct ParseError {
 #[non_exhaustive]
 pub enum Fault {
     /// Nothing but spaces.
-    #[error("there is no formula here: write one such as x'' + sin(x) = 0")]
+    #[error("the formula is empty: write one such as x'' + sin(x) = 0")]
     Empty,
     /// A text beyond the limit.
     #[error("the text has {length} bytes: give at most {limit}")]
@@ -58,7 +58,7 @@ pub enum Fault {
         hint: &'static str,
     },
     /// Something where a number, a name or a bracket should be.
-    #[error("{found} stands where a number, a name or ( should be")]
+    #[error("expected a number, a name or (, found {found}")]
     MissingOperand {
         /// What is there.
         found: String,
@@ -70,7 +70,7 @@ pub enum Fault {
         found: String,
     },
     /// A bracket that is not closed.
-    #[error("this bracket is not closed: write the ) that belongs to it")]
+    #[error("this bracket is not closed: add the matching )")]
     Unclosed,
     /// A function without its argument in brackets.
     #[error("the argument of {0} must stand in brackets: write {0}(x), or {0}(x)^2 for its square")]
@@ -85,7 +85,7 @@ pub enum Fault {
         name: String,
     },
     /// x(t).
-    #[error("a variable is written without its time: write {0} instead of {0}(t)")]
+    #[error("variables are written without their argument: write {0} instead of {0}(t)")]
     OfTime(String),
     /// log, which some read as ln and some as log10.
     #[error("log may be the natural or the common logarithm: write ln(x), or ln(x)/ln(10)")]
@@ -94,22 +94,22 @@ pub enum Fault {
     #[error("e may be Euler's number or a parameter: write exp(x), or choose another name")]
     EulersNumber,
     /// 1/2x.
-    #[error("a product without a sign after a division may be read in two ways: write (1/2)*x or 1/(2*x)")]
+    #[error("an implied product after a division is ambiguous: write (1/2)*x or 1/(2*x)")]
     AmbiguousDivision,
     /// 2^3x.
-    #[error("a product without a sign after a power may be read in two ways: write 2^3*x or 2^(3*x)")]
+    #[error("an implied product after a power is ambiguous: write 2^3*x or 2^(3*x)")]
     AmbiguousPower,
     /// x²^3.
-    #[error("a power of a power written with ² may be read in two ways: write (x^2)^3 or x^(2^3)")]
+    #[error("a power of a power written with ² is ambiguous: write (x^2)^3 or x^(2^3)")]
     PowerOfPower,
     /// A number after something it might multiply.
     #[error("a number cannot follow here without a sign: write a*2 for a product, a^2 for a power")]
     NumberAfterFactor,
     /// More primes than a derivative has.
-    #[error("that many derivatives are not understood: write at most x'''")]
+    #[error("too many primes: write at most x'''")]
     TooManyPrimes,
     /// = or ; in a formula.
-    #[error("`{0}` has no place in a formula: give a formula alone, not an equation")]
+    #[error("`{0}` is not allowed in a formula: give a formula, not an equation")]
     NotAnEquation(char),
 }
 

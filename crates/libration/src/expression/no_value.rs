@@ -32,7 +32,7 @@ impl Expression {
     /// Why this operation has no value, its operands having one.
     fn why_without_value(&self) -> Option<&'static str> {
         match self {
-            Self::Divide(_, divisor) if divisor.vanishes() => Some("nothing can be divided by zero"),
+            Self::Divide(_, divisor) if divisor.vanishes() => Some("division by zero"),
             Self::Power(base, exponent) => {
                 let below_zero = exponent.to_rational().is_some_and(|it| it.is_negative());
                 (below_zero && base.vanishes()).then_some("zero has no negative powers")

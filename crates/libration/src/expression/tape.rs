@@ -56,7 +56,7 @@ pub(crate) struct Tape {
 
 /// A formula that cannot be put on a tape.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` has no value: give it one, as {0}=0.1")]
+#[error("`{0}` has no value: give it one, such as {0}=0.1")]
 pub struct WithoutValue(pub String);
 
 impl Tape {

@@ -58,9 +58,9 @@ pub enum SearchEnd {
     #[error("where the accelerations at rest have no finite value")]
     NoValue,
     /// Nothing in the slopes that leads to zero.
-    #[error("where they are not zero and their slopes do not tell where they are")]
+    #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
     /// As many steps as are made.
-    #[error("where it was given up, as it does not settle")]
+    #[error("where it was given up because it does not converge")]
     Unsettled,
 }

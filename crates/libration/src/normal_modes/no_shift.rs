@@ -11,18 +11,16 @@ pub enum NoShift {
     NotOscillating,
     /// Modes of the same frequency.
     #[error(
-        "several modes have this frequency (1:1): which mixtures of them are periodic at a larger amplitude the linear equations \
-         do not tell"
+        "several modes have this frequency (1:1): the linear equations do not tell which of their combinations stay periodic at larger amplitudes"
     )]
     Degenerate,
     /// A resonance at which energy goes to and fro at every amplitude.
     #[error(
-        "another mode has {0} times this frequency (resonance {0}:1), and the motion drives it: energy goes to and fro \
-         at any amplitude, and no series in a² describes it"
+        "another mode has {0} times this frequency (resonance {0}:1), and the motion drives it: the two exchange energy at any amplitude, which no series in a² describes"
     )]
     Resonance(usize),
     /// A steady force with nothing against it.
-    #[error("the oscillation makes a steady force on a mode without a restoring force")]
+    #[error("the oscillation exerts a steady force on a mode without a restoring force")]
     Drift,
     /// Damping or excitation that grows with the amplitude.
     #[error("the amplitude {} by the nonlinear terms: there is no periodic motion", if *grows { "grows" } else { "shrinks" })]

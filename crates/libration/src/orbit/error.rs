@@ -12,15 +12,13 @@ pub enum NoOrbit {
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// A release of more or less than one coordinate.
-    #[error("a release from rest is for one coordinate, but there are {0}: give a guess of the whole orbit")]
+    #[error("a release from rest is for one coordinate, and there are {0}: give a guess of the whole orbit")]
     SeveralCoordinates(usize),
     /// A release where the force changes in time.
-    #[error(
-        "the force depends on the time t, which has no release from rest: ask for the answer to a period of driving"
-    )]
+    #[error("the force depends on the time t: look for the orbit with the period of the drive instead")]
     DependsOnTime,
     /// A cycle of its own where the force sets the beat.
-    #[error("the force does not depend on the time t: no period of driving belongs to it")]
+    #[error("the force does not depend on the time t, so there is no drive period")]
     NotDriven,
     /// A state of the wrong length, or with numbers that are not finite.
     #[error(
@@ -33,10 +31,10 @@ pub enum NoOrbit {
         wanted: usize,
     },
     /// A period that cannot be.
-    #[error("{0:?} is no period: give a finite number above zero")]
+    #[error("the period is {0:?}: give a finite number above zero")]
     Period(f64),
     /// A start in equilibrium.
-    #[error("the accelerations vanish at {0:?}: what is released there stays there")]
+    #[error("the accelerations vanish at {0:?}: a body released there stays there")]
     AtRest(Vec<f64>),
     /// A release where the acceleration, or a part of its formula, is beyond double precision.
     #[error(
@@ -48,7 +46,7 @@ pub enum NoOrbit {
     #[error("the acceleration has no value at {0:?}: give another amplitude")]
     NoValue(f64),
     /// A motion that comes to rest no more.
-    #[error("released at {start:?} the motion does not come back: {why}")]
+    #[error("released at {start:?}, the motion does not return: {why}")]
     NoReturn {
         /// The place of the release.
         start: f64,
@@ -98,12 +96,11 @@ pub enum NoOrbit {
         uncertainty: f64,
     },
     /// A motion that does not settle.
-    #[error("the motion settles to no cycle: {0}")]
+    #[error("the motion does not settle on a limit cycle: {0}")]
     NoCycle(Lost),
     /// Newton's method at its end.
     #[error(
-        "no periodic orbit is found near the start: after {rounds} rounds of Newton's method it misses itself by \
-         {defect:.1e} of its size; give a better guess"
+        "no periodic orbit is found near the start: after {rounds} iterations of Newton's method it fails to close by {defect:.1e} of its size; give a better guess"
     )]
     NoConvergence {
         /// Rounds of Newton's method.
@@ -136,10 +133,10 @@ pub enum Lost {
     #[error("{0}")]
     Stopped(IntegrationError),
     /// Rest that is approached for ever, or a way out without end.
-    #[error("it moves on in one direction as far as it was followed, to t = {0:?}")]
+    #[error("it keeps moving in one direction as far as it was followed, to t = {0:?}")]
     OneWay(f64),
     /// Rest.
-    #[error("it comes to rest in an equilibrium")]
+    #[error("it comes to rest at an equilibrium")]
     Rest,
     /// Neither.
     #[error("it does not repeat itself up to t = {0:?}")]

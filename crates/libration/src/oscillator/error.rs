@@ -13,8 +13,7 @@ pub enum OscillatorError {
     Equation(#[from] EquationError),
     /// More than one variable.
     #[error(
-        "there are {} variables, {}: give one equation of motion; small oscillations of several are their normal modes \
-         (libration modes)",
+        "there are {} variables, {}: give one equation of motion, or compute normal modes (libration modes)",
         names.len(),
         names.join(", ")
     )]
@@ -23,12 +22,14 @@ pub enum OscillatorError {
         names: Vec<String>,
     },
     /// The time itself in the equation.
-    #[error("the acceleration depends on t: leave the driving out, or give the equation to a simulation")]
+    #[error(
+        "the acceleration depends on t: leave the driving out, or simulate the motion (libration simulate)"
+    )]
     DependsOnTime,
     /// Parameters that have no value.
     #[error(
-        "no value is given for {}: give each one, as {}=0.1; only the strength of a self-excitation may stay open, as mu in \
-         x'' - mu*(1-x^2)*x' + x = 0, and a second variable, which no expansion has, would need an equation of its own",
+        "no value is given for {}: give one, such as {}=0.1 (only the strength of a self-excitation may stay open, such as mu in \
+             x'' - mu*(1-x^2)*x' + x = 0)",
         names.join(", "),
         names.first().map_or("mu", String::as_str)
     )]
@@ -38,8 +39,8 @@ pub enum OscillatorError {
     },
     /// A self-excitation of what is no linear oscillator.
     #[error(
-        "a limit cycle is expanded in {parameter} only about a linear oscillator with fractions, as x'' = -2*x, and what is left \
-         at {parameter} = 0 is {variable}'' = {left}: at a value of {parameter} its motion can be followed (libration simulate)"
+        "a limit cycle is expanded in {parameter} only about a linear oscillator with rational coefficients, such as x'' = -2*x, and at {parameter} = 0 the \
+             equation is {variable}'' = {left}: give {parameter} a value and simulate the motion (libration simulate)"
     )]
     ExcitedNonlinear {
         /// The open parameter.
@@ -51,8 +52,7 @@ pub enum OscillatorError {
     },
     /// An open parameter that is more than the strength of a self-excitation.
     #[error(
-        "{parameter} has no value, and is not the strength of a self-excitation, as the acceleration is not the same when both \
-         {parameter} and the velocity change sign: give it a value, as {parameter}=0.1"
+        "{parameter} has no value, and is not the strength of a self-excitation, as the acceleration is not the same when both {parameter} and the velocity change sign: give it a value, such as {parameter}=0.1"
     )]
     NoStrength {
         /// The open parameter.
@@ -62,14 +62,12 @@ pub enum OscillatorError {
     #[error("the acceleration at rest has no value at any place looked at, from -{SEARCHED} to {SEARCHED}")]
     NoValues,
     /// A force that vanishes nowhere.
-    #[error(
-        "there is no equilibrium to oscillate about: the acceleration at rest passes through zero nowhere"
-    )]
+    #[error("there is no equilibrium to oscillate about: the acceleration at rest never passes through zero")]
     NoEquilibrium,
     /// A force that was not seen to vanish.
     #[error(
         "no equilibrium is found: from -{SEARCHED} to {SEARCHED}, where one is looked for, the acceleration at rest does not \
-         pass through zero; if there is one further out, name it, as --about {}",
+         pass through zero; if there is one further out, give it, such as --about {}",
         2.0 * SEARCHED
     )]
     NotFound,
@@ -77,7 +75,7 @@ pub enum OscillatorError {
     #[error("there is no expansion about any equilibrium: {}", list(.0))]
     NoStableEquilibrium(Vec<Refusal>),
     /// What is given as the equilibrium is no constant.
-    #[error("`{place}` is no place: {why}")]
+    #[error("`{place}` is not a position: {why}")]
     NotAPlace {
         /// What is given, shortened.
         place: String,
@@ -85,7 +83,7 @@ pub enum OscillatorError {
         why: String,
     },
     /// A place given as the equilibrium where the force does not vanish.
-    #[error("there is no equilibrium at {at}: the acceleration does not vanish there, nor next to it")]
+    #[error("there is no equilibrium at {at}: the acceleration does not vanish there or nearby")]
     NotAnEquilibrium {
         /// The place, shortened.
         at: String,
@@ -107,7 +105,7 @@ pub struct Refusal {
 #[non_exhaustive]
 pub enum Unfit {
     /// The force drives away.
-    #[error("the force drives away: omega0^2 is {omega0_squared} and must be positive")]
+    #[error("the force points away from it: omega0^2 is {omega0_squared} and must be positive")]
     NotRestoring {
         /// −∂F/∂x.
         omega0_squared: String,
@@ -132,8 +130,8 @@ pub enum Unfit {
     },
     /// Energy is lost or won in small oscillations.
     #[error(
-        "small motions {}, as the acceleration holds {damping} times the velocity: a simulation follows them (libration \
-         simulate); for an expansion leave that out, or, where it is a self-excitation of a linear oscillator, its strength open",
+        "small motions {}, because the acceleration contains {damping} times the velocity: simulate them (libration simulate); for an expansion leave \
+             that term out or, where it is the self-excitation of a linear oscillator, leave its strength open",
         if damping.starts_with('-') { "decay" } else { "grow" }
     )]
     Damped {
@@ -142,8 +140,7 @@ pub enum Unfit {
     },
     /// Energy is lost or won in larger ones, or it cannot be excluded.
     #[error(
-        "the acceleration is not the same for the opposite velocity, so that motions may decay or grow: a simulation follows \
-         them (libration simulate)"
+        "the acceleration is not the same for the opposite velocity, so that motions may decay or grow: simulate them (libration simulate)"
     )]
     Irreversible,
 }
@@ -172,13 +169,13 @@ impl EquilibriumSearch {
 fn without_linear_part(force: Option<Tendency>, found: EquilibriumSearch) -> String {
     match force {
         Some(Tendency::Back) => format!(
-            "the force drives back, but has no part in proportion to the displacement: omega0^2 is 0, so that the frequency \
-             goes to zero with the amplitude and has no expansion{}",
+            "the restoring force has no linear part: omega0^2 is 0, so that the frequency goes to zero with the amplitude and has no \
+             expansion{}",
             found.advice()
         ),
-        Some(Tendency::Away) => "the force drives away, though omega0^2 is 0".to_owned(),
-        Some(Tendency::OneWay) => "the force drives the same way on both sides, omega0^2 being 0".to_owned(),
-        Some(Tendency::None) => "there is no force all about it: omega0^2 is 0".to_owned(),
+        Some(Tendency::Away) => "the force points away from it, with omega0^2 = 0".to_owned(),
+        Some(Tendency::OneWay) => "the force points the same way on both sides, with omega0^2 = 0".to_owned(),
+        Some(Tendency::None) => "there is no force anywhere near it: omega0^2 is 0".to_owned(),
         None => "omega0^2 is 0 and must be positive".to_owned(),
     }
 }

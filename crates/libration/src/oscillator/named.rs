@@ -39,7 +39,7 @@ pub struct NamedOscillator {
 
 impl Named for NamedOscillator {
     const KIND: &'static str = "oscillator";
-    const OTHERWISE: &'static str = "; or write its equation, as x'' + sin(x) = 0";
+    const OTHERWISE: &'static str = "; or write its equation, such as x'' + sin(x) = 0";
 
     fn keys(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.key).chain(self.also.iter().copied())

@@ -161,14 +161,13 @@ fn series(coefficients: &[Ratio], x: f64) -> f64 {
 pub enum ApproximateMotionError {
     /// Not released from rest.
     #[error(
-        "the approximate motions are for a pendulum released from rest, and this one starts with {0} rad/s: \
-         leave the velocity out, or the comparison"
+        "the approximate motions are for a pendulum released from rest, and this one starts with {0} rad/s: leave out the velocity or the comparison"
     )]
     NotFromRest(f64),
     /// Released from the upright position or beyond.
     #[error(
-        "the approximate motions are for a release from between −π and π, and this one is from {0} rad: \
-         give an angle within, or leave the comparison out"
+        "the approximate motions are for a release between −π and π, and this one starts at {0} rad: give a smaller angle or leave out the \
+         comparison"
     )]
     BeyondUpright(f64),
 }

@@ -112,7 +112,7 @@ pub enum PendulumError {
     },
     /// An amplitude at or beyond the upright position.
     #[error(
-        "an amplitude of {0:?} rad is not below pi: a pendulum at rest there does not swing; give a smaller angle or an initial velocity"
+        "an amplitude of {0:?} rad is not below pi: a pendulum released there does not swing; give a smaller angle"
     )]
     AmplitudeBeyondTop(f64),
     /// An energy below that of the pendulum at rest.
@@ -130,11 +130,13 @@ pub enum PendulumError {
     TooMuchEnergy(f64),
     /// A start so close to the upright position that half its complement is no longer a full `f64`.
     #[error(
-        "a start {0:?} rad from the upright position is closer to it than numbers can tell: give at least 4.5e-308 rad, or exactly the upright position"
+        "a start {0:?} rad from the upright position is closer to it than floating-point numbers resolve: give at least 4.5e-308 rad, or exactly the upright position"
     )]
     TooCloseToTop(f64),
     /// The energy differs from the separatrix's by less than the range of `f64`.
-    #[error("the motion is closer to the separatrix than numbers can tell: give another velocity")]
+    #[error(
+        "the motion is closer to the separatrix than floating-point numbers resolve: give another velocity"
+    )]
     TooCloseToSeparatrix,
     /// A period ratio that no amplitude has.
     #[error(
@@ -151,7 +153,7 @@ pub enum PendulumError {
     PeriodOutOfRange(f64),
     /// A period that no length or gravity within the range of `f64` gives.
     #[error(
-        "the {name} for a period of {period:?} s is beyond the range of numbers: give a period nearer to a second"
+        "the {name} for a period of {period:?} s is beyond the range of numbers: give a period closer to one second"
     )]
     Unattainable {
         /// What was asked for.

@@ -306,7 +306,7 @@ pub enum ExpansionError {
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// A gauge for a limit cycle.
-    #[error("a limit cycle has no free amplitude and so no gauge `{0}`: leave the gauge out")]
+    #[error("a limit cycle has no free amplitude, and so no gauge `{0}`: leave the gauge out")]
     GaugeOfLimitCycle(String),
     /// The energy gauge where energy is not kinetic plus potential.
     #[error(
@@ -314,18 +314,18 @@ pub enum ExpansionError {
     )]
     EnergyOfVelocity,
     /// The nome of what is no pendulum.
-    #[error("the gauge `nome` belongs to the pendulum x'' + omega0^2*sin(x) = 0: choose another gauge")]
+    #[error(
+        "the gauge `nome` is defined only for the pendulum x'' + omega0^2*sin(x) = 0: choose another gauge"
+    )]
     NomeOfOther,
     /// A self-excitation that is no polynomial.
     #[error(
-        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree \
-         {MAX_DEGREE} or less: at a value of the parameter its motion can be followed (libration simulate)"
+        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: give the parameter a value and simulate the motion (libration simulate)"
     )]
     NotPolynomial,
     /// No amplitude at which the self-excitation does no work.
     #[error(
-        "no limit cycle attracts at small strength: there is no amplitude at which the self-excitation gives and takes \
-         the same energy{}",
+        "there is no stable limit cycle at small strength: at no amplitude does the self-excitation give as much energy as it takes{}",
         apart_from(*.repelling)
     )]
     NoLimitCycle {
@@ -342,12 +342,10 @@ pub enum ExpansionError {
     #[error("the acceleration has no power series about the equilibrium in fractions or their roots")]
     NoPrimes,
     /// No agreement between precisions, or no series at all.
-    #[error("the acceleration has no power series about the equilibrium, not in digits either")]
+    #[error("the acceleration has no power series about the equilibrium, not even with decimal coefficients")]
     NoDigits,
     /// No limit cycle where the condition on its amplitude is known in digits only.
-    #[error(
-        "no limit cycle that attracts at small strength was found, though amplitudes from 10^-6 to 10^6 were tried"
-    )]
+    #[error("no stable limit cycle at small strength was found among amplitudes from 10^-6 to 10^6")]
     NoCycleInDigits,
     /// Two independent computations disagree.
     #[error(
@@ -370,7 +368,7 @@ fn certain(known: Option<&Expansion>) -> String {
 fn apart_from(repelling: usize) -> String {
     match repelling {
         0 => String::new(),
-        1 => ", apart from one that repels".to_owned(),
-        several => format!(", apart from {several} that repel"),
+        1 => ", except an unstable one".to_owned(),
+        several => format!(", except {several} unstable ones"),
     }
 }

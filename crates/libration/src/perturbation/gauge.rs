@@ -94,12 +94,12 @@ fn coefficient(item: &str) -> Result<(usize, Rational), NotAGauge> {
 pub enum NotAGauge {
     /// Neither a name nor a list.
     #[error(
-        "`{0}` is no gauge: give fundamental, x_max, half_swing, energy, nome, or coefficients such as A1=1,A3=-1"
+        "unknown gauge `{0}`: give fundamental, x_max, half_swing, energy, nome, or coefficients such as A1=1,A3=-1"
     )]
     Unknown(String),
     /// An item of the list that is no coefficient.
     #[error(
-        "`{0}` is no coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}"
+        "`{0}` is not a coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}"
     )]
     Item(String),
     /// A coefficient that is given twice.
@@ -107,7 +107,7 @@ pub enum NotAGauge {
     Twice(usize),
     /// A list without A1.
     #[error(
-        "the gauge `{0}` has no A1: ε must be of first order in the swing, so give one that is not zero, as A1=1"
+        "the gauge `{0}` has no A1: ε must be of first order in the amplitude, so give a nonzero A1, such as A1=1"
     )]
     NoFirst(String),
     /// A coefficient that is no fraction.

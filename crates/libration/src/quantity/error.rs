@@ -37,7 +37,7 @@ pub enum QuantityError {
         dimension: Dimension,
     },
     /// A unit that is not known.
-    #[error("`{unit}` in `{text}` is no unit of {dimension}: write {}", .dimension.examples())]
+    #[error("`{unit}` in `{text}` is not a unit of {dimension}: write {}", .dimension.examples())]
     UnknownUnit {
         /// The text, shortened.
         text: String,

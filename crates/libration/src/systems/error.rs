@@ -8,7 +8,7 @@ use crate::expression::{EquationError, Symbol, WithoutValue};
 #[non_exhaustive]
 pub enum ModelError {
     /// A key that neither a system nor an oscillator has.
-    #[error("{system}; the oscillators {} can be given too", oscillators.join(", "))]
+    #[error("{system}; the keys of oscillators are {}", oscillators.join(", "))]
     Unknown {
         /// The systems there are.
         system: Box<UnknownKey>,
@@ -17,8 +17,8 @@ pub enum ModelError {
     },
     /// A power that has no derivatives at rest.
     #[error(
-        "n = {value} is not a whole number from 0 on, and such a power of the velocity has no derivatives at rest: \
-         give a whole one; how the swings decay is known for any power (libration decay)"
+        "n = {value} is not a whole number of 0 or more, and such a power of the velocity has no derivatives at rest: give a whole number, or \
+         use `libration decay`, which takes any power"
     )]
     NotWhole {
         /// The power.
@@ -51,8 +51,7 @@ pub enum NoEnergy {
     },
     /// Forces with a curl.
     #[error(
-        "the forces have no potential that could be proved: that on {first} changes with {second} otherwise than that on {second} \
-         with {first}"
+        "the forces have no potential that could be proved: that on {first} changes with {second} differently from that on {second} with {first}"
     )]
     Curl {
         /// One coordinate.

@@ -137,7 +137,7 @@ impl NamedSystem {
 #[non_exhaustive]
 pub enum NoSuchPendulum {
     /// A length or gravity that is not above zero.
-    #[error("{0:?} is no length or gravity: give finite numbers above zero")]
+    #[error("the length or gravity is {0:?}: give finite numbers above zero")]
     NotAbove(f64),
     /// Parameters that do not say it.
     #[error("{key} has no {what} among its parameters, which are {parameters}: give these by --set")]

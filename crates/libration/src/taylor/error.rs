@@ -23,14 +23,14 @@ pub enum IntegrationError {
         wanted: usize,
     },
     /// A state or a time at the beginning that is infinite or no number.
-    #[error("the motion cannot begin with {0:?}: give finite numbers")]
+    #[error("the initial state has {0:?} in it: give finite numbers")]
     StartNotFinite(f64),
     /// Times that are not finite.
-    #[error("{0:?} is no time: give finite ones")]
+    #[error("the times contain {0:?}: give finite ones")]
     TimeNotFinite(f64),
     /// Times that go back and forth.
     #[error(
-        "the time {after:?} follows {before:?}: let all times go forward from the start, or all backward"
+        "the time {after:?} follows {before:?}: times must lead away from the start, all forward or all backward"
     )]
     TimesNotInOrder {
         /// The one before, or the start.
@@ -53,7 +53,7 @@ pub enum IntegrationError {
     #[error("the checkpoint is not one of this system and its events: give both as they were")]
     OtherCheckpoint,
     /// An integration that began and stopped.
-    #[error("{cause} at t = {:?}: the motion is known until there", solution.end.time)]
+    #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
     Stopped {
         /// Why it stopped.
         cause: Cause,
@@ -77,10 +77,10 @@ pub enum Cause {
     #[error("the steps become too short, as they do before a singularity,")]
     StepUnderflow,
     /// A state that no `f64` holds soon, as of a motion that runs away for ever.
-    #[error("the motion runs away, beyond the range of numbers,")]
+    #[error("the motion diverges, beyond the range of numbers,")]
     OutOfRange,
     /// As many steps as are allowed.
-    #[error("as many steps are taken as are allowed")]
+    #[error("the largest number of steps is reached")]
     StepLimit,
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
     #[error("an absolute value is zero and the motion can leave it to neither side")]

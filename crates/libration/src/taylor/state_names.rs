@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum StateNameError {
     /// A name that the state does not have.
-    #[error("the state has no `{name}`: its numbers are {}", known.join(", "))]
+    #[error("the state has no variable `{name}`: it has {}", known.join(", "))]
     Unknown {
         /// What was asked for.
         name: String,

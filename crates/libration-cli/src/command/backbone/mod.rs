@@ -61,7 +61,7 @@ impl Answer {
     /// That Ctrl-C came before the last amplitude.
     fn interruption(&self) -> Option<Failure> {
         let (done, all) = (self.points.len(), self.asked_for);
-        let told = || format!("interrupted: the points until then are written, {done} of {all}");
+        let told = || format!("interrupted: the points up to then are written, {done} of {all}");
         (done < all).then(|| Failure::Interrupted(told()))
     }
 
@@ -104,7 +104,7 @@ impl Backbone {
         }
         let reason = answer.points.first().and_then(|point| point.orbit.as_ref().err());
         let reason = reason.map_or_else(String::new, ToString::to_string);
-        Err(Failure::no_answer("--amplitudes", format!("at none of them is there an orbit: {reason}")))
+        Err(Failure::no_answer("--amplitudes", format!("none of them has a periodic orbit: {reason}")))
     }
 
     fn computed(&self) -> Result<Answer, Failure> {

@@ -118,7 +118,7 @@ impl Bifurcation {
         if diagram.is_complete() {
             return Ok(());
         }
-        Err(Failure::Interrupted("interrupted: the values that are done are written".to_owned()))
+        Err(Failure::Interrupted("interrupted: the complete values are written".to_owned()))
     }
 
     /// The place in the state of what the picture shows.

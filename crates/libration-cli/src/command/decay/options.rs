@@ -34,7 +34,7 @@ impl DampingOptions {
         let terms: Vec<DampingTerm> = named.chain(self.power.iter().copied()).collect();
         if terms.is_empty() {
             let reason = "give --dry, --linear, --quadratic, --cubic or --power, such as --linear 0.1; \
-                          without damping ask `libration motion`";
+                          without damping use `libration motion`";
             return Err(Failure::usage("damping", reason));
         }
         Damping::new(&terms).map_err(|error| Failure::usage("damping", error))

@@ -102,7 +102,7 @@ fn no_swing(decay: &Decay, ending: DecayEnding) -> Failure {
     let reason = if ending == DecayEnding::Sticks {
         let held = short(decay.sticking_amplitude().to_degrees(), 6);
         format!(
-            "dry friction holds the pendulum where it is released, as up to {held}° from the bottom and from the top: give another amplitude"
+            "dry friction holds the pendulum where it is released, as it does within {held}° of the bottom and of the top: give another amplitude"
         )
     } else {
         "the damping is too strong for a swing, the pendulum creeps to the bottom: give smaller coefficients"

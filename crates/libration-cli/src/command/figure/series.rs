@@ -72,7 +72,10 @@ impl Series {
         let (relation, expansion) = (subject.relation(), &subject.expansion);
         let powers = powers(&relation);
         if powers.is_empty() {
-            let reason = format!("{} has no term beyond the first to this order", self.quantity);
+            let reason = format!(
+                "the {} does not change with the amplitude to this order: give a higher --order, or another oscillator",
+                self.quantity
+            );
             return Err(Failure::no_answer("--quantity", reason));
         }
         let setting = setting(&chosen, expansion, self.quantity, self.lowest);

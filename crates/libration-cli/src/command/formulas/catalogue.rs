@@ -58,12 +58,9 @@ fn of_entry() -> Fields<Entry> {
             |it| it.worst_error.abs(),
         )
         .rounded("error to 90°", 3),
-        Of::present(
-            "holds_to_rad",
-            "rad",
-            "amplitude up to which it keeps the tolerance that was given",
-            |it| it.holds_to,
-        )
+        Of::present("holds_to_rad", "rad", "amplitude up to which it is within the given tolerance", |it| {
+            it.holds_to
+        })
         .degrees("holds to / °", 12),
     ])
 }

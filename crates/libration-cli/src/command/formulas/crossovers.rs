@@ -15,7 +15,7 @@ use std::io::Write;
 
 pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), Failure> {
     if formulas.len() < 2 {
-        return Err(Failure::usage("--formulas", "one formula overtakes none: name at least two"));
+        return Err(Failure::usage("--formulas", "crossovers are between formulas: name at least two"));
     }
     interrupt::listen()?;
     let line = RefCell::new(ProgressLine::new());

@@ -62,7 +62,7 @@ impl Formulas {
         };
         if chosen.is_empty() {
             let reason = format!(
-                "no formula keeps the tolerance {tolerance:?} there: give a larger one, or take the exact period"
+                "no formula is within the tolerance {tolerance:?} there: give a larger tolerance, or use the exact period"
             );
             return Err(Failure::no_answer("--amplitude", reason));
         }

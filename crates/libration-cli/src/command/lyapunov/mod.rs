@@ -92,10 +92,10 @@ impl Lyapunov {
         out.flush()?;
         match answer.found.verdict {
             LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
-                Err(Failure::Interrupted("interrupted: the estimate until then is written".to_owned()))
+                Err(Failure::Interrupted("interrupted: the estimate up to then is written".to_owned()))
             }
             LyapunovVerdict::Undecided(Doubt::Stopped(cause)) => {
-                Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate until then is written")))
+                Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate up to then is written")))
             }
             _ => Ok(()),
         }
@@ -145,7 +145,7 @@ fn failure(error: LyapunovError) -> Failure {
     match &error {
         LyapunovError::Nothing(Cause::Interrupted)
         | LyapunovError::Integration(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-            Failure::Interrupted("interrupted before anything was measured".to_owned())
+            Failure::Interrupted("interrupted before the first measurement".to_owned())
         }
         _ => Failure::no_answer("lyapunov", error),
     }

@@ -11,9 +11,9 @@ pub(super) fn guess(model: &Model, about: Option<&str>) -> Result<Vec<f64>, Fail
     let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
     let items = about.unwrap_or_default().split(',').filter(|item| !item.trim().is_empty());
     for item in items {
-        let (name, value) = item
-            .split_once('=')
-            .ok_or_else(|| refusal(format!("`{}` has no value: give NAME=VALUE, as x=1", item.trim())))?;
+        let (name, value) = item.split_once('=').ok_or_else(|| {
+            refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
+        })?;
         let place = place_of(name, model)?;
         guess[place] = number(&model.coordinates()[place], value.trim())?;
     }

@@ -134,11 +134,11 @@ impl Answer<'_> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {
             SectionEnding::Stopped(Cause::Interrupted) => {
-                Failure::Interrupted("interrupted: the points until then are written".to_owned())
+                Failure::Interrupted("interrupted: the points up to then are written".to_owned())
             }
             other => Failure::no_answer(
                 "section",
-                format!("{}: the points until then are written", other.to_string().trim_end_matches(',')),
+                format!("{}: the points up to then are written", other.to_string().trim_end_matches(',')),
             ),
         })
     }

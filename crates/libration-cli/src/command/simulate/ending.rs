@@ -20,8 +20,8 @@ impl Ending {
             Self::Complete => Ok(()),
             Self::Interrupted(time) => {
                 let how = output.map_or_else(
-                    || "only what --output writes as JSON or CSV can be gone on from".to_owned(),
-                    |file| format!("go on with --resume {}", file.display()),
+                    || "only a run written by --output as JSON or CSV can be continued".to_owned(),
+                    |file| format!("continue with --resume {}", file.display()),
                 );
                 Err(Failure::Interrupted(format!(
                     "interrupted at t = {time:?} s: what was computed is written; {how}"

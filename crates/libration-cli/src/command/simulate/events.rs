@@ -114,7 +114,8 @@ fn zero_of(text: &str, model: &Model) -> Result<Kind, Failure> {
     let known = model.state_names();
     let unknown = formula.symbols().into_iter().map(|symbol| symbol.to_string());
     if let Some(name) = unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
-        let reason = format!("the system has no `{name}`: its numbers are {}, and t", known.join(", "));
+        let reason =
+            format!("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "));
         return Err(Failure::usage("--events", reason));
     }
     Ok(Kind { name: written.to_string(), formula, coordinate: 0 })

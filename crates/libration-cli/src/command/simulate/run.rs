@@ -154,7 +154,7 @@ fn ended(
             let place: Vec<String> =
                 place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
             let place = place.join(", ");
-            let reason = format!("{cause} at t = {time:?} s, {place}: the motion is known until there");
+            let reason = format!("{cause} at t = {time:?} s, {place}: the motion is known up to there");
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(Failure::usage("--initial", error)),

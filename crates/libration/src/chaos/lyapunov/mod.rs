@@ -46,8 +46,7 @@ pub enum LyapunovError {
     Integration(#[from] IntegrationError),
     /// Accelerations that jump.
     #[error(
-        "at the jumps of sign(…) the linearised equations fail: give x'*abs(x') for sign(x')*x'^2, and for dry friction \
-         something smooth, as tanh(100*x')"
+        "at the jumps of sign(…) the linearised equations fail: write x'*abs(x') for sign(x')*x'^2, and make dry friction smooth, such as tanh(100*x')"
     )]
     Jumps,
     /// Times that measure nothing.

@@ -22,7 +22,7 @@ pub enum EquationError {
         example: String,
     },
     /// a = b = c.
-    #[error("an equation has one = sign: write several equations with ; between them")]
+    #[error("an equation has one = sign: separate several equations by ;")]
     SecondEqualsSign,
     /// No second derivative.
     #[error("`{equation}` has no second derivative: mark the acceleration with two primes, as in x'' = -x")]
@@ -37,7 +37,9 @@ pub enum EquationError {
     #[error("t is the time and cannot be a variable: call the variable x, say")]
     TimeAsVariable,
     /// Two second derivatives in one equation.
-    #[error("`{first}` and `{second}` stand in one equation: solve for each of them, as in x'' = …; y'' = …")]
+    #[error(
+        "`{first}` and `{second}` appear in one equation: solve for each of them, as in x'' = …; y'' = …"
+    )]
     Coupled {
         /// One of them.
         first: Symbol,
@@ -54,13 +56,13 @@ pub enum EquationError {
     #[error("the equation is not linear in {0}: write it solved for {0}, as in {0} = …")]
     NotLinear(Symbol),
     /// A second derivative with a factor of zero.
-    #[error("{0} drops out of the equation, its factor being zero: write an equation that holds it")]
+    #[error("{0} drops out of the equation, because its factor is zero: write an equation that contains it")]
     DropsOut(Symbol),
     /// A part that has no value, as 1/0.
     #[error(transparent)]
     NoValue(#[from] NoValue),
     /// A value that is none, as 1/0.
-    #[error("{name} gets no value: {why}")]
+    #[error("{name} has no value: {why}")]
     ValueWithout {
         /// The parameter.
         name: String,
@@ -79,7 +81,7 @@ pub enum EquationError {
     #[error("{0} is given twice: give it one value")]
     SetTwice(String),
     /// A value with symbols in it.
-    #[error("the value of {name} has {inside} in it: give a constant such as 0.1, 2/3 or sqrt(2)")]
+    #[error("the value of {name} contains {inside}: give a constant such as 0.1, 2/3 or sqrt(2)")]
     NotConstant {
         /// The parameter.
         name: String,

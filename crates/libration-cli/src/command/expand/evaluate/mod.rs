@@ -70,7 +70,7 @@ pub(super) fn write(
 fn absent(answer: &Answer) -> String {
     let present: Vec<String> =
         answer.expansion.harmonics.iter().take(6).map(|harmonic| format!("a{}", harmonic.k)).collect();
-    format!("is zero to this order; harmonics that are not: {}", present.join(", "))
+    format!("is zero to this order; nonzero harmonics are {}", present.join(", "))
 }
 
 impl<'a> Numbers<'a> {

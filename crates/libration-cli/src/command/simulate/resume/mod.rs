@@ -42,35 +42,34 @@ pub(super) struct Earlier {
 /// Why an answer cannot be gone on from.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which says of what motion the numbers are and how it goes on: give a file that `libration \
-             simulate` wrote by --output, with the .state beside it", .0.display())]
+    #[error("{} is missing, which records the system and where the integration stands: give a file that `libration simulate --output` wrote, with its .state file beside it", .0.display())]
     NoState(PathBuf),
-    #[error("{} does not say how a motion goes on: give a file that `libration simulate` wrote by --output", .0.display())]
+    #[error("{} is not a record of an integration: give a file that `libration simulate --output` wrote", .0.display())]
     NotAState(PathBuf),
     #[error(
-        "`resume` is missing, which says how the motion goes on: give a file that this version of `libration simulate` \
-             wrote by --json or --csv"
+        "the field `resume` is missing or damaged: give a file that this version of `libration simulate` wrote with --json or --csv"
     )]
     NotInAnswer,
-    #[error("no JSON ({0}): give a file that `libration simulate` wrote")]
+    #[error("not valid JSON ({0}): give a file that `libration simulate` wrote")]
     NotJson(String),
     #[error(transparent)]
     Difference(#[from] Difference),
-    #[error("it is shorter than its .state says, {bytes} bytes: one of them is not of this run")]
+    #[error(
+        "it is shorter than the {bytes} bytes recorded in its .state: the two files are from different runs"
+    )]
     Shorter { bytes: u64 },
     #[error(
-        "its first {bytes} bytes are not those that its .state speaks of: it was changed, or one of them is not of this run"
+        "its first {bytes} bytes do not match its .state: it was changed, or the two files are from different runs"
     )]
     Changed { bytes: u64 },
-    #[error("line {0} is no state of the system")]
+    #[error("line {0} is not a state of the system")]
     Unreadable(usize),
     #[error(
-        "it has a sample at t = {earlier:?} s where the times asked for have {asked:?} s: give --times that begin as those \
-             of the file"
+        "it has a sample at t = {earlier:?} s where --times has {asked:?} s: give --times that begin with those of the file"
     )]
     Times { earlier: f64, asked: f64 },
     #[error(
-        "it goes to t = {earlier:?} s already, and --times ends before: give times that go farther, or leave --resume out"
+        "it already reaches t = {earlier:?} s, and --times ends earlier: give later times, or leave out --resume"
     )]
     NotFarther { earlier: f64 },
 }
@@ -92,7 +91,7 @@ impl Earlier {
                 let (name, time) = (leftover.path.display(), reached(&other));
                 let _ = writeln!(
                     io::stderr(),
-                    "going on from {name}, which a run that was ended by force left at t = {time:?} s"
+                    "continuing from {name}, which a killed run left at t = {time:?} s"
                 );
                 best = Ok(Self { _leftover: Some(leftover), ..other });
             }
@@ -151,8 +150,7 @@ impl Earlier {
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, Failure> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
-                let reason = "the file given to --resume does not begin there: leave --initial out to go on from the file, or \
-                              --resume to begin anew";
+                let reason = "the run given to --resume started elsewhere: leave out --initial to continue that run, or --resume to start a new one";
                 Err(Failure::usage("--initial", reason))
             }
             Some(asked) => Ok(asked),

@@ -24,12 +24,10 @@ pub(crate) struct Question {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(crate) enum Difference {
     #[error(
-        "its equations are `{earlier}`, those asked for `{asked}`: give the system and the values it was begun with"
+        "its equations are `{earlier}`, not `{asked}`: give the system and the parameter values of that run"
     )]
     Equations { earlier: String, asked: String },
-    #[error(
-        "it was computed to the tolerance {earlier:e}, and {asked:e} is asked for: give --tolerance {earlier:e}"
-    )]
+    #[error("it was computed to the tolerance {earlier:e}, not {asked:e}: give --tolerance {earlier:e}")]
     Tolerance { earlier: f64, asked: f64 },
     #[error("{}: give the same --events", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
@@ -37,7 +35,7 @@ pub(crate) enum Difference {
 
 fn events(earlier: &[String], asked: &[String]) -> String {
     let named = |events: &[String]| if events.is_empty() { "none".to_owned() } else { events.join(", ") };
-    format!("its events are {}, those asked for {}", named(earlier), named(asked))
+    format!("its events are {}, not {}", named(earlier), named(asked))
 }
 
 impl Question {
