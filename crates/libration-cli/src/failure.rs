@@ -27,7 +27,7 @@ pub(crate) enum Failure {
 /// arguments is shortened.
 pub(crate) fn refuse(error: &clap::Error) -> ExitCode {
     let message = error.render().to_string();
-    let shown = echo::shortened(&message);
+    let shown = echo::shortened(&echo::unprotected(&message));
     if shown == message {
         error.exit();
     }

@@ -11,6 +11,11 @@ pub(crate) fn excerpt(text: &str) -> String {
     cut(text, SHOWN)
 }
 
+/// The message without the blanks that keep negative values from being taken for options.
+pub(super) fn unprotected(message: &str) -> String {
+    message.replace("' -", "'-").replace("' −", "'−")
+}
+
 /// The message with whatever is very long in it cut: quotations, words, lines.
 pub(super) fn shortened(message: &str) -> String {
     message.split('\n').map(line).collect::<Vec<_>>().join("\n")

@@ -3,7 +3,7 @@
 use crate::command::{libration, message};
 
 /// Arguments, exit status, parts of the message.
-const CASES: [(&str, i32, &[&str]); 51] = [
+const CASES: [(&str, i32, &[&str]); 53] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
     ("period -inf", 2, &["AMPLITUDE", "-inf", "60deg"]),
@@ -18,7 +18,7 @@ const CASES: [(&str, i32, &[&str]); 51] = [
     ("period 0:3:1e-12", 2, &["elements", "larger step"]),
     ("period 0deg:90deg:0deg", 2, &["step"]),
     ("period 1:2", 2, &["START:STOP:STEP"]),
-    ("period 60deg --length -1m", 2, &["--length", "above zero"]),
+    ("period 60deg --length -1m", 2, &["'-1m'", "--length", "above zero"]),
     ("period 60deg --length 0", 2, &["--length", "above zero"]),
     ("period 60deg --length nan", 2, &["--length", "nan"]),
     ("period 60deg --length 1s", 2, &["--length", "1s", "a length"]),
@@ -61,6 +61,9 @@ const CASES: [(&str, i32, &[&str]); 51] = [
         2,
         &["--events", "turning, crossing"],
     ),
+    // Without a picture nothing has axes.
+    ("section pendulum --initial theta=1 --period 1 --points 2 --axes theta,x", 2, &["--figure"]),
+    ("bifurcation driven_pendulum --over A=1 --initial theta=1 --points 2 --axis x", 2, &["--figure"]),
     ("systems nothing", 2, &["KEY", "nothing"]),
     ("fit periods /nonexistent/file", 1, &["/nonexistent/file"]),
 ];

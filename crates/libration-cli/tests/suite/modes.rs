@@ -70,7 +70,7 @@ fn questions_about_modes_without_an_answer_are_refused() {
         (&["modes", "pendulum", "--about", "theta"], 2, "has no value"),
         (&["modes", "x'' = -x", "--about", "x=1deg"], 2, "no number"),
         (&["backbone", "duffing"], 2, "--amplitudes"),
-        (&["backbone", "duffing", "--amplitudes", "1deg"], 2, "units of angles"),
+        (&["backbone", "duffing", "--amplitudes", "1deg"], 2, "angle units"),
         (&["backbone", "duffing", "--amplitudes", "0:1:0.5"], 2, "above zero"),
         (&["backbone", "van_der_pol", "--amplitudes", "1"], 1, "limit cycle"),
         (&["backbone", "x'' = -y; y'' = -x", "--amplitudes", "1"], 1, "normal modes"),

@@ -53,7 +53,7 @@ pub(crate) struct Bifurcation {
     #[command(flatten)]
     section: SectionOptions,
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", requires = "figure")]
     axis: Option<String>,
     /// Draw the diagram to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]

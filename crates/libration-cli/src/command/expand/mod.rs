@@ -99,7 +99,7 @@ impl Expand {
                 Answer::new(chosen, *known, Some(order))
             }
             Err(ExpansionError::Interrupted { known: None }) => {
-                return Err(Failure::Interrupted("interrupted before any order was complete".to_owned()));
+                return Err(Failure::Interrupted("interrupted before any order was certain".to_owned()));
             }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };

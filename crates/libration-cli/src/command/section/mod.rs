@@ -44,7 +44,7 @@ pub(crate) struct PoincareQuestion {
     #[command(flatten)]
     section: SectionOptions,
     /// The two state variables that the picture shows [default: a coordinate and its velocity]
-    #[arg(long, value_name = "NAME,NAME")]
+    #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
     /// Draw the section to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
