@@ -128,7 +128,9 @@ fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
     Err(refusal(match formula {
         Err(error) => error.to_string(),
         Ok(_) if is_angle_name(variable) => {
-            format!("`{shown}` is no place: give a number or an angle, such as 0.5, pi/2 or 90deg")
+            format!(
+                "cannot read `{shown}` as a position: give a number or an angle, such as 0.5, pi/2 or 90deg"
+            )
         }
         Ok(_) => format!(
             "cannot read `{shown}` as a position: give a number, such as 0.5 or sqrt(2)/2; angle units are for variables named as \

@@ -319,7 +319,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "pendulum", "--evaluate", "1", "--quantity", "a2"], 1, "a1, a3, a5"),
         (&["expand", "pendulum", "--evaluate", "1", "--quantity", "energy"], 2, "frequency"),
         (&["expand", "x'' + 1/0*x = 0"], 2, "`1/0` has no value: nothing can be divided by zero"),
-        (&["expand", "duffing", "--set", "epsilon=1/0"], 2, "--set: epsilon gets no value: `1/0`"),
+        (&["expand", "duffing", "--set", "epsilon=1/0"], 2, "--set: epsilon has no value: `1/0`"),
         (&["expand", "x'' + x*a/b = 0", "--set", "a=1,b=0"], 2, "division by zero"),
         (&["expand", "x'' + x + abs(x)^3 = 0"], 1, "(libration backbone)"),
         (&["expand", "x'' + x^3 = 0"], 1, "the force drives back"),
@@ -328,7 +328,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (
             &["expand", "pendulum", "--about", "foo"],
             2,
-            "--about: `foo` is no place: give a number or an angle",
+            "--about: cannot read `foo` as a position: give a number or an angle",
         ),
         (&["expand", "duffing", "--about", "360deg"], 2, "units of angles are for variables named as angles"),
         (&["expand", "pendulum", "--about", "1/0"], 1, "`1/0` has no value"),

@@ -159,7 +159,7 @@ pub enum EquilibriumSearch {
 impl EquilibriumSearch {
     fn advice(self) -> &'static str {
         match self {
-            Self::ByOrbits => ": the frequency at an amplitude is found without one (libration backbone)",
+            Self::ByOrbits => ": the frequency at any amplitude is found without one (libration backbone)",
             Self::ByMotion => ": the motion is followed without one (libration simulate)",
             Self::Nowhere => "",
         }
@@ -182,9 +182,9 @@ fn without_linear_part(force: Option<Tendency>, found: EquilibriumSearch) -> Str
 
 fn without_series(force: Option<Tendency>, found: EquilibriumSearch) -> String {
     match force {
-        Some(Tendency::Back) => format!("; the force drives back{}", found.advice()),
-        Some(Tendency::Away) => "; the force drives away".to_owned(),
-        Some(Tendency::OneWay) => "; the force drives the same way on both sides".to_owned(),
+        Some(Tendency::Back) => format!("; the force points back to it{}", found.advice()),
+        Some(Tendency::Away) => "; the force points away from it".to_owned(),
+        Some(Tendency::OneWay) => "; the force points the same way on both sides".to_owned(),
         _ => String::new(),
     }
 }

@@ -71,7 +71,7 @@ fn every_entry_of_the_catalogue_is_used_by_the_tests_above_or_refused() {
         assert_eq!(names, named.parameters.iter().map(|it| it.name).collect::<Vec<_>>(), "{}", named.key);
     }
     let refused = NamedOscillator::by_key("pure_cubic").unwrap().oscillator(&[]).unwrap_err().to_string();
-    assert!(refused.contains("at 0 the force drives back, but has no part in proportion"), "{refused}");
+    assert!(refused.contains("at 0 the restoring force has no linear part"), "{refused}");
 }
 
 #[test]
@@ -147,13 +147,16 @@ fn symmetries_are_proved_not_sampled() {
 #[test]
 fn what_does_not_oscillate_is_refused_with_the_reason() {
     for (text, part) in [
-        ("x'' = x", "at 0 the force drives away: omega0^2 is -1 and must be positive"),
-        ("x'' = -x - 0.1*x'", "small motions decay, as the acceleration holds -0.1 times the velocity"),
-        ("x'' = -x + 0.1*x'", "small motions grow, as the acceleration holds 0.1 times the velocity"),
+        ("x'' = x", "at 0 the force points away from it: omega0^2 is -1 and must be positive"),
+        (
+            "x'' = -x - 0.1*x'",
+            "small motions decay, because the acceleration contains -0.1 times the velocity",
+        ),
+        ("x'' = -x + 0.1*x'", "small motions grow, because the acceleration contains 0.1 times the velocity"),
         ("x'' = -x - x'^3", "not the same for the opposite velocity"),
         ("x'' = -x + cos(t)", "depends on t"),
         ("x'' = -x; y'' = -y", "2 variables, x, y"),
-        ("x'' = -k*x", "no value is given for k: give each one, as k=0.1"),
+        ("x'' = -k*x", "no value is given for k: give one, such as k=0.1"),
         ("x'' = -k*x/m", "no value is given for k, m"),
         ("x'' = -x - y^2", "no value is given for y"),
         ("x'' = -x - epsilon*x^3", "no value is given for epsilon"),
@@ -166,18 +169,15 @@ fn what_does_not_oscillate_is_refused_with_the_reason() {
 #[test]
 fn a_force_without_a_linear_part_is_told_by_the_way_it_drives() {
     for (text, part) in [
-        (
-            "x'' = -x^3",
-            "at 0 the force drives back, but has no part in proportion to the displacement: omega0^2 is 0",
-        ),
+        ("x'' = -x^3", "at 0 the restoring force has no linear part: omega0^2 is 0"),
         ("x'' = -x^3", "(libration backbone)"),
-        ("x'' = -(x - 1)^5", "at 1 the force drives back"),
-        ("x'' = x - sin(x)", "at 0 the force drives away, though omega0^2 is 0"),
-        ("x'' = sin(x) - x", "at 0 the force drives back"),
-        ("x'' = x^3", "at 0 the force drives away, though omega0^2 is 0"),
-        ("x'' = 1 - cosh(x)", "at 0 the force drives the same way on both sides"),
-        ("x'' = -x^301", "at 0 the force drives back"),
-        ("x'' = 0", "at 0 there is no force all about it"),
+        ("x'' = -(x - 1)^5", "at 1 the restoring force"),
+        ("x'' = x - sin(x)", "at 0 the force points away from it, with omega0^2 = 0"),
+        ("x'' = sin(x) - x", "at 0 the restoring force"),
+        ("x'' = x^3", "at 0 the force points away from it, with omega0^2 = 0"),
+        ("x'' = 1 - cosh(x)", "at 0 the force points the same way on both sides"),
+        ("x'' = -x^301", "at 0 the restoring force"),
+        ("x'' = 0", "at 0 there is no force anywhere near it"),
         ("x'' = -x^3 - x'", "the motion is followed without one (libration simulate)"),
     ] {
         let error = refusal(text);
@@ -187,9 +187,8 @@ fn a_force_without_a_linear_part_is_told_by_the_way_it_drives() {
 
 #[test]
 fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
-    let by_orbits =
-        "the force drives back: the frequency at an amplitude is found without one (libration backbone)";
-    let one_way = "the force drives the same way on both sides";
+    let by_orbits = "the force points back to it: the frequency at any amplitude is found without one (libration backbone)";
+    let one_way = "the force points the same way on both sides";
     for (text, parts) in [
         (
             "x'' = -x - abs(x)^3",
@@ -213,15 +212,15 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
         ("x'' = -abs(x)", ["it has a kink, its slope being 1 below and -1 above", one_way]),
         (
             "x'' = -abs(x)*sign(-x)*(1 + abs(x))",
-            ["it has a derivative, omega0^2 being -1,", "the force drives away"],
+            ["it has a derivative, omega0^2 being -1,", "the force points away from it"],
         ),
         ("x'' = -sign(x)", ["it jumps", by_orbits]),
         ("x'' = -sqrt(x)", ["it has no value below the place", ""]),
         ("x'' = -sqrt(1 - x)", ["it has no value above the place", ""]),
-        ("x'' = -sign(x)*sqrt(abs(x))", ["its slope is infinite", "the force drives back"]),
+        ("x'' = -sign(x)*sqrt(abs(x))", ["its slope is infinite", "the force points back to it"]),
         (
             "x'' = -x - x*abs(x)^(1/2)",
-            ["it has a derivative, omega0^2 being 1, but not all", "the force drives back"],
+            ["it has a derivative, omega0^2 being 1, but not all", "the force points back to it"],
         ),
     ] {
         let error = refusal(text);
@@ -238,9 +237,9 @@ fn where_no_equilibrium_is_found_nothing_is_claimed_beyond_the_search() {
             "x'' = -1",
             "there is no equilibrium to oscillate about: the acceleration at rest never passes through zero",
         ),
-        ("x'' = -(x - 100)^2 - 1", "passes through zero nowhere"),
+        ("x'' = -(x - 100)^2 - 1", "never passes through zero"),
         ("x'' = -exp(x)", "no equilibrium is found: from -10 to 10, where one is looked for"),
-        ("x'' = -(x - 12.5)*exp(-x^2)", "if there is one further out, name it, as --about 20"),
+        ("x'' = -(x - 12.5)*exp(-x^2)", "if there is one further out, give it, such as --about 20"),
         ("x'' = ln(-1 - x^2) - x", "has no value at any place looked at"),
     ] {
         let error = refusal(text);
@@ -264,9 +263,9 @@ fn powers_too_high_for_products_are_zero_where_their_base_is() {
 #[test]
 fn an_open_parameter_is_refused_for_what_it_does() {
     for (text, part) in [
-        ("x'' - mu*(1-x^2)*x' + x + x^3 = 0", "what is left at mu = 0 is x'' = -x - x^3"),
+        ("x'' - mu*(1-x^2)*x' + x + x^3 = 0", "at mu = 0 the equation is x'' = -x - x^3"),
         ("x'' - mu*(1-x^2)*x' + sin(x) = 0", "(libration simulate)"),
-        ("x'' - mu*(1-x^2)*x' - x = 0", "what is left at mu = 0 is x'' = x"),
+        ("x'' - mu*(1-x^2)*x' - x = 0", "at mu = 0 the equation is x'' = x"),
         ("x'' + x + mu*x^2 + mu*x' = 0", "mu has no value, and is not the strength of a self-excitation"),
         ("x'' + a*x' + b*x = 0", "no value is given for a, b"),
     ] {
@@ -280,8 +279,8 @@ fn a_place_is_a_number() {
     let about = |place: &str| {
         Oscillator::about(&"x'' = -sin(x)".parse().unwrap(), &place.parse().unwrap()).unwrap_err().to_string()
     };
-    assert!(about("foo").contains("`foo` is no place: foo in it has no value"));
-    assert!(about("1/0").contains("`1/0` is no place: `1/0` has no value"));
+    assert!(about("foo").contains("`foo` is not a position: foo in it has no value"));
+    assert!(about("1/0").contains("`1/0` is not a position: `1/0` has no value"));
     assert!(about("1").contains("there is no equilibrium at 1"));
 }
 

@@ -118,7 +118,7 @@ fn a_decimal_and_its_f64_are_two_amplitudes() {
     assert_holds(&double, 62.535_279_861_827_07 / TAU, 10.0, "its f64");
     assert_eq!(
         relation.exact_at(f64::NAN).map_err(|it| it.to_string()).unwrap_err(),
-        "NaN is no amplitude: give a finite number above zero"
+        "the amplitude is NaN: give a finite number above zero"
     );
 }
 
