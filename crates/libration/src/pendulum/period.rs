@@ -5,6 +5,22 @@
 //! complementary nome, DLMF 22.2.1). G − 1 and ln(64 q/s²) are polynomials in u = s² on
 //! 0 ≤ s ≤ π/2, their singularities lying at u = π². Leading terms are carried in two words, so that the sum
 //! is rounded once.
+//!
+//! # Error budget
+//! In units in the last place of T/T0; in brackets the largest of 20 000 inputs on each side, where it was measured.
+//!
+//! | what | error | why |
+//! |---|---|---|
+//! | s and u = s² | 0 | s = θ0 is given; π − θ0 comes from three words of π, relatively right to 2⁻¹⁰⁵; the rounding error of s² is its second word |
+//! | u/16 | 0 | a power of two |
+//! | u²·P(u), at most 0.026 | 0.04 [0.038 with all of G − 1] | three roundings, of u², of P and of their product, each half a unit of that term |
+//! | the table of P | 0.01 | 1.2e-17 of G − 1 ≤ 0.18 |
+//! | ln(1/q) | 0.02 [0.016] | leading terms in two words; roundings of ln's tail and of the terms behind u/24 only |
+//! | products with G and 1/π | 0.001 | in two words |
+//! | T/T0 in two words, in sum | 0.07 [0.038] | a test holds it to 0.06 |
+//! | the one rounding to `f64` | 0.5 | |
+//!
+//! So the result is right to 0.56 ulp [0.53], to which the ledger holds it.
 
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
@@ -323,3 +339,6 @@ fn ratio_at_the_top(complement: f64) -> f64 {
     let log = DoubleDouble::LN_2 * 3.0 - two_word::ln(DoubleDouble::from(complement));
     (log * DoubleDouble::FRAC_2_PI).to_f64()
 }
+
+#[cfg(test)]
+mod tests;
