@@ -12,15 +12,16 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integ
 use crate::watch::Watch;
 use std::ops::ControlFlow;
 
-/// Maxima of the first coordinate that are waited for.
+/// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
+/// gone by then.
 const MOST_MAXIMA: usize = 3000;
-/// Steps of the search.
+/// Steps of the search, a hundred for each maximum.
 const MOST_STEPS: usize = 300_000;
-/// So many maxima may lie between a state and its return.
+/// So many maxima may lie between a state and its return: a cycle that has doubled its period three times.
 const LONGEST: usize = 8;
-/// Swings below this part of the whole range are rest.
+/// Swings below this part of the whole range are rest: a thousand tolerances of the search.
 const VANISHED: f64 = 1e-9;
-/// A state has returned when it differs by less than this part of the swing.
+/// A state has returned when it differs by less than this part of the swing; Newton's method does the rest.
 const RETURNED: f64 = 1e-3;
 
 impl Orbit {

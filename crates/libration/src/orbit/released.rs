@@ -16,15 +16,17 @@ use crate::watch::Watch;
 
 /// Steps of one half of an oscillation; more are taken only by motions without end.
 const MOST_STEPS: usize = 20_000;
-/// A period that may be wrong by more than this part of it is none.
+/// A period that may be wrong by more than this part of it is none: four digits are the least that a comparison needs.
 const UNCERTAIN: f64 = 1e-4;
-/// And one that may be wrong by more than this part of it, 2⁻⁴⁵, is looked for with more bits.
+/// And one that may be wrong by more than this part of it, 2⁻⁴⁵ or 128 roundings, is looked for with more bits.
 const TRUSTED: f64 = 2.9e-14;
-/// Further off than this part of the swing an oscillation does not end where it began.
+/// Further off than this part of the swing an oscillation does not end where it began: next to an unstable equilibrium a rounding of
+/// the energy moves a turning point by its root, 1e-8, and a hundred of that are left.
 const CLOSED: f64 = 1e-6;
 /// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
 const PRECISIONS: [usize; 3] = [128, 192, 256];
-/// Two precisions agree in a period when they differ by less than this part of it.
+/// Two precisions agree in a period when they differ by less than this part of it; while they differ by more the lower one has lost the
+/// motion.
 const AGREED: f64 = 1e-3;
 /// While they agree the error is in proportion to the last bit, so that the higher precision is better by 2⁶⁴; half of these bits are
 /// left for what is by chance.
@@ -140,6 +142,7 @@ impl<'a> Release<'a> {
     fn condition(&self, period: f64, swing: f64) -> f64 {
         // Small beside any distance from a separatrix at which double precision is trusted, large beside its errors.
         const PART: f64 = 1e-8;
+        // A neighbour whose period differs by a per cent at that distance is another motion.
         const OTHER: f64 = 1e-2;
         let sides: &[f64] = if self.acceleration.is_smooth() { &[1.0] } else { &[1.0, -1.0] };
         let change = |side: &f64| {
@@ -245,7 +248,8 @@ impl<'a> Release<'a> {
         }
     }
 
-    /// In times in which the first acceleration leads to zero, about: most motions have come to rest by then.
+    /// In times in which the first acceleration leads to zero, about: a harmonic oscillator has come to rest after π of them, and most
+    /// motions after so many.
     const HORIZON: f64 = 8.0;
 }
 

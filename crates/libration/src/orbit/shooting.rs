@@ -68,14 +68,15 @@ pub(super) struct Unknowns {
     pub(super) period: bool,
 }
 
-/// Rounds of Newton's method.
+/// Rounds of Newton's method, in which by the next number a size can change by 1.3⁴⁰ = 4·10⁴.
 const MOST_ROUNDS: usize = 40;
 /// No round changes a number of the state by more than this part of its size.
 const LARGEST_CHANGE: f64 = 0.3;
-/// An orbit that misses its start by less than this part of its size is closed.
+/// An orbit that misses its start by less than this part of its size is closed: what rounding, 1e-15, becomes in a round with a
+/// multiplier of 1e5.
 const CLOSED: f64 = 1e-10;
 
-/// An orbit that shrinks to this part of the guess is an equilibrium.
+/// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.
 const VANISHED: f64 = 1e-6;
 
 /// The orbit near a guess.

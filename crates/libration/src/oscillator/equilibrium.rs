@@ -8,7 +8,8 @@ use super::roots::{LARGEST_DEGREE, Seen, polynomial_zeros, zeros};
 use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 
-/// How far a zero may be from the number found for it, relative to it or to one.
+/// How far a zero may be from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, and
+/// a hundred of that are left.
 const FOUND_WITHIN: f64 = 1e-6;
 
 /// Bits of the longest fractions that are tried as zeros.

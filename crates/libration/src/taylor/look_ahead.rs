@@ -47,6 +47,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// Expands the steps; at the beginning of a motion once more, if its time scale asks for another unit.
     fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
+        /// As a power of two: coefficients of order 63 are larger or smaller by 2⁶³⁰ then, which an `f64` holds.
         const FITS: f64 = 10.0;
         let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
@@ -95,7 +96,7 @@ impl<const N: usize> Stepper<'_, N> {
     /// The end of a step, or one nearer to its start if the formulas end on the way, and what they say behind is not what
     /// the series do. Where steps come near it, either the series show what happens there or they become too short.
     fn end_before_boundary(&mut self, lane: usize, end: f64, length: f64) -> Result<f64, Cause> {
-        /// The part of the way to the boundary that a step may go.
+        /// The part of the way to the boundary that a step may go; the next begins with an eighth of it left.
         const TOWARDS: f64 = 0.875;
         /// What comes within so many tolerances of its change in the step is looked at: of √(x² + ε²) the series show ε²/x²
         /// where it is not below one tolerance.

@@ -178,6 +178,7 @@ fn looks() -> impl Iterator<Item = f64> {
 ///
 /// Errors of a polynomial of order 6 fall at least by 2⁵ when the step is halved.
 fn end_in_noise(trials: &[Trial]) -> Option<f64> {
+    /// In so many halvings they fall by 2³⁰, below any noise that is not constant.
     const SHORT: usize = 6;
     const MARGIN: f64 = 8.0;
     /// What no rounding of a formula that says anything comes to.
