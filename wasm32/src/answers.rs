@@ -11,7 +11,7 @@ use libration::perturbation::{Gauge, expand};
 use libration::quantity::Angle;
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_report::chart::{Axis, Panel, Picture, Series};
-use libration_report::format::Format;
+use libration_report::format::PictureFormat;
 use libration_report::{draw, style, svg};
 
 /// Why there are no answers.
@@ -132,7 +132,7 @@ fn picture() -> Result<Vec<f64>, Failure> {
         series: vec![Series::line("exact", style::curve(0), points)],
         share: 1.0,
     };
-    let scene = draw(&Picture::new("A swing of 150°", vec![panel]), &Format::PAGE)?;
+    let scene = draw(&Picture::new("A swing of 150°", vec![panel]), &PictureFormat::PAGE)?;
     Ok(letters(svg::file(&scene)).collect())
 }
 

@@ -3,11 +3,11 @@
 use crate::animation;
 use crate::chart::{Panel, Picture};
 use crate::describe;
-use crate::format::{Format, TooSmall};
+use crate::format::{PictureFormat, TooSmall};
 use crate::frame::{Cell, Frame, NAME_GAP, PADDING, TICK_BASE, TICK_GAP, TITLE};
 use crate::letters::{ASCENT, LINE, width};
 use crate::marks;
-use crate::scene::{Anchor, Form, Place, Role, Scene, Shape, Text};
+use crate::scene::{Anchor, Form, Place, Scene, Shape, ShapeRole, Text};
 use crate::style::INK;
 
 /// Lengths of ticks, in sizes of a letter.
@@ -24,7 +24,7 @@ const HALF_DIGIT: f64 = 0.365;
 /// # Errors
 ///
 /// [`TooSmall`] if the format does not hold its axes with their labels.
-pub fn draw(picture: &Picture, format: &Format) -> Result<Scene, TooSmall> {
+pub fn draw(picture: &Picture, format: &PictureFormat) -> Result<Scene, TooSmall> {
     let frame = Frame::new(picture, format)?;
     let em = format.text;
     let panels = picture.panels.iter().zip(&frame.cells);
@@ -45,7 +45,7 @@ fn words(picture: &Picture, frame: &Frame, em: f64) -> Vec<Shape> {
     let mut shapes = vec![];
     let mut top = PADDING;
     for (role, size, lines) in
-        [(Role::Title, TITLE, &frame.title), (Role::Parameters, 1.0, &frame.parameters)]
+        [(ShapeRole::Title, TITLE, &frame.title), (ShapeRole::Parameters, 1.0, &frame.parameters)]
     {
         for line in lines {
             let at = (PADDING * em, (top + (0.5 * (LINE - 1.0) + ASCENT) * size) * em);
@@ -64,8 +64,8 @@ fn of_panel(panel: &Panel, cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = vec![];
     shapes.extend(panel.series.iter().flat_map(|series| marks::of_series(series, panel, em, &place)));
     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(place).to_vec();
-    shapes.push(lines(Role::Frame, vec![corners], FRAME_LINE * em));
-    shapes.push(lines(Role::Tick, ticks(cell, em, &place), TICK_LINE * em));
+    shapes.push(lines(ShapeRole::Frame, vec![corners], FRAME_LINE * em));
+    shapes.push(lines(ShapeRole::Tick, ticks(cell, em, &place), TICK_LINE * em));
     shapes.extend(tick_labels(cell, em, &place));
     shapes.extend(names(cell, frame, em));
     shapes
@@ -92,11 +92,11 @@ fn ticks(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Vec<Place>
 fn tick_labels(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Shape> {
     let below = cell.x_ticks.labelled.iter().filter(|_| cell.has_x_labels).map(|(part, label)| {
         let (x, y) = place((*part, 0.0));
-        text(Role::XTickLabel, label, (x, y + TICK_BASE * em), Anchor::Middle, em)
+        text(ShapeRole::XTickLabel, label, (x, y + TICK_BASE * em), Anchor::Middle, em)
     });
     let beside = cell.y_ticks.labelled.iter().map(|(part, label)| {
         let (x, y) = place((0.0, *part));
-        text(Role::YTickLabel, label, (x - TICK_GAP * em, y + HALF_DIGIT * em), Anchor::End, em)
+        text(ShapeRole::YTickLabel, label, (x - TICK_GAP * em, y + HALF_DIGIT * em), Anchor::End, em)
     });
     below.chain(beside).collect()
 }
@@ -109,7 +109,7 @@ fn names(cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
         let half = 0.5 * width(name, 1.0);
         let middle = (0.5 * (frame.left + frame.right)).min(frame.width - PADDING - half).max(PADDING + half);
         let base = below + LINE * f64::from(line) + 0.5 * (LINE - 1.0) + ASCENT;
-        shapes.push(text(Role::AxisLabel, name, (middle * em, base * em), Anchor::Middle, em));
+        shapes.push(text(ShapeRole::AxisLabel, name, (middle * em, base * em), Anchor::Middle, em));
     }
     let widest = cell.y_ticks.labelled.iter().map(|(_, label)| width(label, 1.0)).fold(0.0, f64::max);
     let lines: f64 = cell.y_name.iter().map(|_| LINE).sum();
@@ -117,18 +117,20 @@ fn names(cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
     for (line, name) in (0_u32..).zip(&cell.y_name) {
         let base = first.max(PADDING) + LINE * f64::from(line) + ASCENT + 0.1;
         let at = (base * em, (cell.top + 0.5 * cell.height) * em);
-        let Form::Text(written) = text(Role::AxisLabel, name, at, Anchor::Middle, em).form else { continue };
+        let Form::Text(written) = text(ShapeRole::AxisLabel, name, at, Anchor::Middle, em).form else {
+            continue;
+        };
         let turned = Form::Text(Text { is_turned: true, ..written });
-        shapes.push(Shape { role: Role::AxisLabel, form: turned, colour: INK, opacity: 1.0 });
+        shapes.push(Shape { role: ShapeRole::AxisLabel, form: turned, colour: INK, opacity: 1.0 });
     }
     shapes
 }
 
-fn text(role: Role, content: &str, at: Place, anchor: Anchor, size: f64) -> Shape {
+fn text(role: ShapeRole, content: &str, at: Place, anchor: Anchor, size: f64) -> Shape {
     let text = Text { content: content.to_owned(), at, anchor, size, is_turned: false };
     Shape { role, form: Form::Text(text), colour: INK, opacity: 1.0 }
 }
 
-fn lines(role: Role, pieces: Vec<Vec<Place>>, width: f64) -> Shape {
+fn lines(role: ShapeRole, pieces: Vec<Vec<Place>>, width: f64) -> Shape {
     Shape { role, form: Form::Lines { pieces, width, dashes: vec![] }, colour: INK, opacity: 1.0 }
 }

@@ -12,7 +12,7 @@ const PAGE: f64 = 170.0 * UNITS_PER_MM;
 
 /// The size of a picture, in units of 1/96 inch, and of its letters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Format {
+pub struct PictureFormat {
     /// From the left to the right.
     pub width: f64,
     /// From the top to the bottom; by the shape of the picture where it is not given.
@@ -21,7 +21,7 @@ pub struct Format {
     pub text: f64,
 }
 
-impl Format {
+impl PictureFormat {
     /// As wide as the text of a page, with letters of 12 points.
     pub const PAGE: Self = Self { width: PAGE, height: None, text: TWELVE_POINTS };
     /// As wide as a column of a journal, 80 mm, with letters of 12 points.
@@ -30,7 +30,7 @@ impl Format {
     pub const SLIDE: Self = Self { width: 1280.0, height: Some(720.0), text: 80.0 / 3.0 };
 }
 
-impl Default for Format {
+impl Default for PictureFormat {
     fn default() -> Self {
         Self::PAGE
     }

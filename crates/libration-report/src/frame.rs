@@ -2,7 +2,7 @@
 //! width, since text is broken into lines; what is left of the height is shared by the axes.
 
 use crate::chart::{Axis, Panel, Picture};
-use crate::format::{Format, TooSmall};
+use crate::format::{PictureFormat, TooSmall};
 use crate::legend::Legend;
 use crate::letters::{LINE, width, wrapped};
 use crate::scene::Place;
@@ -84,7 +84,7 @@ impl Frame {
     }
 
     /// The frame of the picture in the format, if that holds it.
-    pub(crate) fn new(picture: &Picture, format: &Format) -> Result<Self, TooSmall> {
+    pub(crate) fn new(picture: &Picture, format: &PictureFormat) -> Result<Self, TooSmall> {
         let em = format.text;
         // Sizes are compared with whole units: what rounding leaves is no reason to refuse one.
         const SLACK: f64 = 1e-9;

@@ -3,7 +3,7 @@
 use crate::chart::{Mark, Panel, Series};
 use crate::letters::{LINE, width, wrapped};
 use crate::marks;
-use crate::scene::{Anchor, Form, Place, Role, Shape, Text};
+use crate::scene::{Anchor, Form, Place, Shape, ShapeRole, Text};
 use crate::style::INK;
 
 /// Long enough to show the dashes.
@@ -85,5 +85,5 @@ fn sample(series: &Series) -> f64 {
 
 fn name(words: &str, at: Place, em: f64) -> Shape {
     let text = Text { content: words.to_owned(), at, anchor: Anchor::Start, size: em, is_turned: false };
-    Shape { role: Role::Name, form: Form::Text(text), colour: INK, opacity: 1.0 }
+    Shape { role: ShapeRole::Name, form: Form::Text(text), colour: INK, opacity: 1.0 }
 }

@@ -1,6 +1,6 @@
 //! Answers as they are shown: pictures described as data, laid out for a column, a page or a slide, and written as SVG.
 //!
-//! A [`Picture`](chart::Picture) says what is shown. [`draw`] lays it out in a [`Format`](format::Format) and gives a
+//! A [`Picture`](chart::Picture) says what is shown. [`draw`] lays it out in a [`PictureFormat`](format::PictureFormat) and gives a
 //! [`Scene`](scene::Scene) of lines, dots and text, which [`svg`] writes; other renderers draw the same scene. Nothing here
 //! reads files or asks for the time.
 

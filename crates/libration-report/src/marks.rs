@@ -2,7 +2,7 @@
 
 use crate::chart::{Look, Mark, Panel, Point, Series};
 use crate::clip;
-use crate::scene::{Form, Place, Role, Shape};
+use crate::scene::{Form, Place, Shape, ShapeRole};
 
 /// Widths of lines are given for letters of this size.
 const USUAL_LETTER: f64 = 16.0;
@@ -23,13 +23,13 @@ pub(crate) fn of_series(
         Mark::Line(_) => {
             let pieces = clip::visible_pieces(series, panel);
             let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(place).collect()).collect();
-            vec![line(Role::Curve, pieces, &series.look, unit)]
+            vec![line(ShapeRole::Curve, pieces, &series.look, unit)]
         }
         Mark::Markers(number) => {
             let shown: Vec<&Point> =
                 series.points.iter().filter(|point| clip::is_visible(point, panel)).collect();
             let places = shown.iter().map(|point| place(clip::place(point, panel))).collect();
-            let markers = markers(Role::Markers, number, places, &series.look, unit);
+            let markers = markers(ShapeRole::Markers, number, places, &series.look, unit);
             bars(&shown, panel, &series.look, em, place).into_iter().chain([markers]).collect()
         }
         Mark::Band => vec![band(series, panel, place)],
@@ -41,31 +41,36 @@ pub(crate) fn sample(series: &Series, (left, middle): Place, length: f64, em: f6
     let unit = em / USUAL_LETTER;
     match series.look.mark {
         Mark::Line(_) => {
-            vec![line(Role::Sample, vec![vec![(left, middle), (left + length, middle)]], &series.look, unit)]
+            vec![line(
+                ShapeRole::Sample,
+                vec![vec![(left, middle), (left + length, middle)]],
+                &series.look,
+                unit,
+            )]
         }
         Mark::Markers(number) => {
             let look = Look { width: series.look.width.max(LEAST_SAMPLE), ..series.look.clone() };
-            vec![markers(Role::Sample, number, vec![(left + 0.5 * length, middle)], &look, unit)]
+            vec![markers(ShapeRole::Sample, number, vec![(left + 0.5 * length, middle)], &look, unit)]
         }
         Mark::Band => {
             let (up, down, right) = (middle - 0.35 * em, middle + 0.35 * em, left + length);
             let outline = vec![(left, up), (right, up), (right, down), (left, down)];
-            vec![shape(Role::Sample, Form::Areas(vec![outline]), &series.look)]
+            vec![shape(ShapeRole::Sample, Form::Areas(vec![outline]), &series.look)]
         }
     }
 }
 
-fn shape(role: Role, form: Form, look: &Look) -> Shape {
+fn shape(role: ShapeRole, form: Form, look: &Look) -> Shape {
     Shape { role, form, colour: look.colour, opacity: look.opacity }
 }
 
-fn line(role: Role, pieces: Vec<Vec<Place>>, look: &Look, unit: f64) -> Shape {
+fn line(role: ShapeRole, pieces: Vec<Vec<Place>>, look: &Look, unit: f64) -> Shape {
     let dashes = if let Mark::Line(dashes) = look.mark { dashes } else { &[] };
     let dashes = dashes.iter().map(|length| length * unit).collect();
     shape(role, Form::Lines { pieces, width: look.width * unit, dashes }, look)
 }
 
-fn markers(role: Role, number: usize, places: Vec<Place>, look: &Look, unit: f64) -> Shape {
+fn markers(role: ShapeRole, number: usize, places: Vec<Place>, look: &Look, unit: f64) -> Shape {
     let size = look.width * unit;
     let corners: &[Place] = match number % 4 {
         0 => return shape(role, Form::Dots { places, radius: size }, look),
@@ -104,7 +109,7 @@ fn bars(
         }
     }
     let thin = Look { width: 1.0, mark: Mark::Line(&[]), ..look.clone() };
-    (!pieces.is_empty()).then(|| line(Role::Bars, pieces, &thin, em / USUAL_LETTER))
+    (!pieces.is_empty()).then(|| line(ShapeRole::Bars, pieces, &thin, em / USUAL_LETTER))
 }
 
 /// From the lower ends of the uncertainties to the right and back along the upper ones.
@@ -116,5 +121,5 @@ fn band(series: &Series, panel: &Panel, place: &dyn Fn(Place) -> Place) -> Shape
     };
     let below = series.points.iter().map(|point| edge(point, -1.0));
     let above = series.points.iter().rev().map(|point| edge(point, 1.0));
-    shape(Role::Band, Form::Areas(vec![below.chain(above).collect()]), &series.look)
+    shape(ShapeRole::Band, Form::Areas(vec![below.chain(above).collect()]), &series.look)
 }

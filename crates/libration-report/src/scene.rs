@@ -54,7 +54,7 @@ pub enum MovingForm {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// What it stands for.
-    pub role: Role,
+    pub role: ShapeRole,
     /// Lines, areas, dots or text.
     pub form: Form,
     /// As `#RRGGBB`.
@@ -65,7 +65,7 @@ pub struct Shape {
 
 /// What a shape stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum ShapeRole {
     /// The box of the axes.
     Frame,
     /// The ticks of the axes.

@@ -1,6 +1,6 @@
 //! A scene as SVG: with a view box, a title and a description, and colours for light and for dark pages.
 
-use crate::scene::{Anchor, Form, Moving, MovingForm, Place, Role, Scene, Shape, Text};
+use crate::scene::{Anchor, Form, Moving, MovingForm, Place, Scene, Shape, ShapeRole, Text};
 use crate::style::{DARK, PAPER};
 use std::fmt::Write;
 
@@ -151,21 +151,21 @@ fn shape(shape: &Shape) -> String {
     }
 }
 
-fn class(role: Role) -> &'static str {
+fn class(role: ShapeRole) -> &'static str {
     match role {
-        Role::Frame => "frame",
-        Role::Tick => "tick",
-        Role::XTickLabel => "x-tick",
-        Role::YTickLabel => "y-tick",
-        Role::AxisLabel => "axis",
-        Role::Curve => "curve",
-        Role::Markers => "markers",
-        Role::Bars => "bars",
-        Role::Band => "band",
-        Role::Sample => "sample",
-        Role::Name => "name",
-        Role::Title => "title",
-        Role::Parameters => "parameters",
+        ShapeRole::Frame => "frame",
+        ShapeRole::Tick => "tick",
+        ShapeRole::XTickLabel => "x-tick",
+        ShapeRole::YTickLabel => "y-tick",
+        ShapeRole::AxisLabel => "axis",
+        ShapeRole::Curve => "curve",
+        ShapeRole::Markers => "markers",
+        ShapeRole::Bars => "bars",
+        ShapeRole::Band => "band",
+        ShapeRole::Sample => "sample",
+        ShapeRole::Name => "name",
+        ShapeRole::Title => "title",
+        ShapeRole::Parameters => "parameters",
     }
 }
 

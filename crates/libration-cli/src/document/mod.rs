@@ -13,7 +13,7 @@ pub(crate) use provenance::provenance;
 use crate::figure::chart::Picture;
 use crate::output::table::Column;
 use libration_report::draw;
-use libration_report::format::{Format, TooSmall};
+use libration_report::format::{PictureFormat, TooSmall};
 use libration_report::scene::Scene;
 
 /// A document.
@@ -62,9 +62,9 @@ pub(crate) struct Figure {
 impl Figure {
     /// The picture as wide as the text of a page, or as wide as it must be.
     fn scene(&self) -> Scene {
-        let usual = Format::PAGE;
+        let usual = PictureFormat::PAGE;
         let fitting = draw(&self.picture, &usual).or_else(|error| match error {
-            TooSmall::Width(width) => draw(&self.picture, &Format { width, ..usual }),
+            TooSmall::Width(width) => draw(&self.picture, &PictureFormat { width, ..usual }),
             TooSmall::Height(_) => Err(error),
         });
         fitting.expect("the width is enough, and the height follows from it")

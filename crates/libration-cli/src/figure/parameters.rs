@@ -3,7 +3,7 @@
 use super::names::symbol;
 use crate::output::number::{self, short};
 use crate::output::series::subscript;
-use libration::decay::{Damping, DampingTerm};
+use libration::decay::{Damping, PowerLawTerm};
 use libration::quantity::Quantity;
 use libration::systems::{Model, NamedSystem};
 
@@ -77,7 +77,7 @@ pub(crate) fn of_start(model: &Model, state: &[f64], angles: Angles) -> Vec<Stri
 
 /// The coefficients of a damping, each with the power of the velocity it belongs to.
 pub(crate) fn of_damping(damping: &Damping) -> Vec<String> {
-    let term = |term: &DampingTerm| {
+    let term = |term: &PowerLawTerm| {
         let power = [0_usize, 1, 2, 3].into_iter().zip([0.0, 1.0, 2.0, 3.0]);
         let known = power.into_iter().find(|(_, power)| (power - term.exponent).abs() <= 0.0);
         let name = known

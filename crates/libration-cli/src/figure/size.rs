@@ -3,7 +3,7 @@
 use super::chart::Picture;
 use crate::failure::Failure;
 use libration_report::draw;
-use libration_report::format::{Format, TooSmall, UNITS_PER_MM};
+use libration_report::format::{PictureFormat, TooSmall, UNITS_PER_MM};
 use libration_report::scene::Scene;
 use std::fmt;
 
@@ -68,17 +68,17 @@ impl Sizes {
         })
     }
 
-    fn format(&self) -> Format {
+    fn format(&self) -> PictureFormat {
         let usual = match self.size {
-            Preset::Page => Format::PAGE,
-            Preset::Column => Format::COLUMN,
-            Preset::Slide => Format::SLIDE,
+            Preset::Page => PictureFormat::PAGE,
+            Preset::Column => PictureFormat::COLUMN,
+            Preset::Slide => PictureFormat::SLIDE,
         };
         let height = self.height.map(Side::in_units);
         match self.width {
             // A width of one's own leaves the height to the picture.
-            Some(width) => Format { width: width.in_units(), height, ..usual },
-            None => Format { height: height.or(usual.height), ..usual },
+            Some(width) => PictureFormat { width: width.in_units(), height, ..usual },
+            None => PictureFormat { height: height.or(usual.height), ..usual },
         }
     }
 }

@@ -5,7 +5,7 @@ use super::DecayError;
 /// The damping c·θ′|θ′|ⁿ⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct DampingTerm {
+pub struct PowerLawTerm {
     /// n, zero or more: 0 is dry friction, 1 is viscous damping, 2 the drag of a fast flow.
     pub exponent: f64,
     /// c in radⁿ⁻¹… per unit of mass and length: rad/s² for n = 0, 1/s for n = 1, 1/rad for n = 2, s/rad² for n = 3.
@@ -15,7 +15,7 @@ pub struct DampingTerm {
 /// A sum of powers of the velocity, each with a coefficient above zero and a power of its own, the lowest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Damping {
-    terms: Vec<DampingTerm>,
+    terms: Vec<PowerLawTerm>,
 }
 
 impl Damping {
@@ -27,9 +27,9 @@ impl Damping {
     /// # Errors
     /// A power below zero, a coefficient below zero, numbers that are not finite, no coefficient above zero, or too many
     /// powers.
-    pub fn new(terms: &[DampingTerm]) -> Result<Self, DecayError> {
-        let mut sums: Vec<DampingTerm> = vec![];
-        for &DampingTerm { exponent, coefficient } in terms {
+    pub fn new(terms: &[PowerLawTerm]) -> Result<Self, DecayError> {
+        let mut sums: Vec<PowerLawTerm> = vec![];
+        for &PowerLawTerm { exponent, coefficient } in terms {
             if !(0.0..f64::INFINITY).contains(&exponent) {
                 return Err(DecayError::Exponent(exponent));
             }
@@ -38,7 +38,7 @@ impl Damping {
             }
             match sums.iter_mut().find(|sum| sum.exponent.total_cmp(&exponent).is_eq()) {
                 Some(sum) => sum.coefficient += coefficient,
-                None => sums.push(DampingTerm { exponent, coefficient }),
+                None => sums.push(PowerLawTerm { exponent, coefficient }),
             }
         }
         if sums.len() > Self::MOST_TERMS {
@@ -54,12 +54,12 @@ impl Damping {
     /// # Errors
     /// As [`Damping::new`].
     pub fn of_degree(exponent: f64, coefficient: f64) -> Result<Self, DecayError> {
-        Self::new(&[DampingTerm { exponent, coefficient }])
+        Self::new(&[PowerLawTerm { exponent, coefficient }])
     }
 
     /// The terms, the lowest power first.
     #[must_use]
-    pub fn terms(&self) -> &[DampingTerm] {
+    pub fn terms(&self) -> &[PowerLawTerm] {
         &self.terms
     }
 
@@ -81,12 +81,12 @@ impl Damping {
 
     /// The same with 1/ω0 as the unit of time: cₙ ω0ⁿ⁻².
     pub(super) fn scaled(&self, angular_frequency: f64) -> Result<Self, DecayError> {
-        let scaled = |term: &DampingTerm| {
+        let scaled = |term: &PowerLawTerm| {
             let exponent = term.exponent;
             let value = term.coefficient * libm::pow(angular_frequency, exponent - 2.0);
             let usable = value.is_normal();
             usable
-                .then_some(DampingTerm { exponent, coefficient: value })
+                .then_some(PowerLawTerm { exponent, coefficient: value })
                 .ok_or(DecayError::OutOfRange { exponent, value })
         };
         Ok(Self { terms: self.terms.iter().map(scaled).collect::<Result<_, _>>()? })

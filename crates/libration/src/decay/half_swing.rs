@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use super::turning::{self, arrival, departure};
-use super::{Damping, DampingTerm, DecayEnding, LEAST_AMPLITUDE};
+use super::{Damping, DecayEnding, LEAST_AMPLITUDE, PowerLawTerm};
 use crate::algebra::{BigFloat, Rational};
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::expression::{Equation, Expression, Function, Symbol};
@@ -142,7 +142,7 @@ impl Frame {
 /// x″ = gravity − Σ cₙ x′ⁿ.
 fn system(gravity: Expression, damping: &Damping) -> System {
     let velocity = Expression::Symbol(Symbol::plain("x").with_primes(1));
-    let drag = |term: &DampingTerm| {
+    let drag = |term: &PowerLawTerm| {
         let power = Expression::Power(Box::new(velocity.clone()), Box::new(number(term.exponent)));
         Expression::Multiply(Box::new(number(term.coefficient)), Box::new(power))
     };
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn the_equation_is_that_of_its_text() {
         let terms = [(0.0, 0.25), (0.5, 0.1), (1.0, 1e-300), (2.0, 3.0), (2.7, 7.5)];
-        let terms = terms.map(|(exponent, coefficient)| DampingTerm { exponent, coefficient });
+        let terms = terms.map(|(exponent, coefficient)| PowerLawTerm { exponent, coefficient });
         let damping = Damping::new(&terms).unwrap();
         let text: String =
             terms.iter().map(|term| format!(" - {:e}*(x')^{:e}", term.coefficient, term.exponent)).collect();

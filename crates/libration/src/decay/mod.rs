@@ -41,7 +41,7 @@ use crate::quantity::Angle;
 use cycle::Cycle;
 
 pub use cycle::{cycle_integral, small_cycle_integral};
-pub use damping::{Damping, DampingTerm};
+pub use damping::{Damping, PowerLawTerm};
 pub use ending::DecayEnding;
 pub use envelope::{DecayEnvelope, EnvelopeLaw};
 pub use error::DecayError;

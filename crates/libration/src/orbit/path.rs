@@ -53,7 +53,7 @@ impl Path {
 
     /// The states at the ends of all steps.
     pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
-        self.steps.steps().iter().map(|kept| kept.step().state_at(kept.step().end().min(self.end)))
+        self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
     }
 
     /// Coordinates, then velocities.

@@ -29,7 +29,7 @@ struct Series {
 }
 
 /// A motion from rest to the next rest.
-pub(super) struct Leg {
+pub(super) struct HalfPeriod {
     pub(super) steps: Vec<OwnedStep>,
     pub(super) duration: BigFloat,
     /// The place at the end.
@@ -38,7 +38,7 @@ pub(super) struct Leg {
 
 /// Why there is no such motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum NoLeg {
+pub(super) enum NoHalfPeriod {
     /// It comes so near an equilibrium that these bits do not tell what it does there.
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
@@ -56,7 +56,7 @@ pub(super) struct Motion<'a> {
     watch: &'a Watch<'a>,
 }
 
-/// Steps of a leg; more are taken only by motions without end.
+/// Steps of a half period; more are taken only by motions without end.
 const MOST_STEPS: usize = 600;
 /// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
 const LAST: f64 = 4.0;
@@ -74,19 +74,19 @@ impl<'a> Motion<'a> {
     }
 
     /// The motion that is released from rest at a place, at a time that its steps begin to count from.
-    pub(super) fn leg(&self, place: &BigFloat, start: f64) -> Result<Leg, NoLeg> {
+    pub(super) fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, NoHalfPeriod> {
         let size = place.exponent().unwrap_or(0);
         let mut state = State { x: place.clone(), velocity: self.ring.zero() };
         let (mut steps, mut duration) = (vec![], self.ring.zero());
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
-            self.watch.go_on().map_err(|_| NoLeg::Unable)?;
-            let lost = NoLeg::Lost(duration.to_f64());
+            self.watch.go_on().map_err(|_| NoHalfPeriod::Unable)?;
+            let lost = NoHalfPeriod::Lost(duration.to_f64());
             if is_far(&state.x, size) {
                 return Err(lost);
             }
             // Exponentials of large numbers, which take too long, have values in double precision.
-            let no_series = || if self.has_value_nearby(&state) { NoLeg::Unable } else { lost };
+            let no_series = || if self.has_value_nearby(&state) { NoHalfPeriod::Unable } else { lost };
             let series = self.series(&state).ok_or_else(no_series)?;
             nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
             let size = size.max(state.x.exponent().unwrap_or(size));
@@ -96,15 +96,15 @@ impl<'a> Motion<'a> {
                 duration = duration + rest.clone();
                 let end = sum_at(&series.x, &rest);
                 nearness.conclude(self.ring.precision)?;
-                steps.push(kept(&series, begin, start + duration.to_f64(), length));
-                return Ok(Leg { steps, duration, end });
+                steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
+                return Ok(HalfPeriod { steps, duration, end });
             }
-            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoLeg::Unable)?;
+            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoHalfPeriod::Unable)?;
             duration = duration + elapsed.clone();
-            steps.push(kept(&series, begin, start + duration.to_f64(), length));
+            steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
             state = State { x: sum_at(&series.x, &elapsed), velocity: sum_at(&series.velocity, &elapsed) };
         }
-        Err(NoLeg::Unable)
+        Err(NoHalfPeriod::Unable)
     }
 
     fn has_value_nearby(&self, state: &State) -> bool {
@@ -126,7 +126,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Where the last terms are below the last bit of a number whose first bit is 2^size, and fall.
-    fn length(&self, series: &Series, size: isize) -> Result<f64, NoLeg> {
+    fn length(&self, series: &Series, size: isize) -> Result<f64, NoHalfPeriod> {
         let bits = count(self.ring.precision) + 4.0;
         let exponents: Vec<(f64, f64)> = (series.x.iter().enumerate())
             .filter_map(|(n, c)| Some((count(n), real_exponent(c.exponent()? - size))))
@@ -134,18 +134,18 @@ impl<'a> Motion<'a> {
         let last = exponents.iter().filter(|(n, _)| *n > f64::from(self.order) - LAST);
         let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
         let length = libm::exp2(shortest - excess(&exponents, f64::from(self.order), shortest));
-        if length == f64::INFINITY { Err(NoLeg::Unable) } else { Ok(length) }
+        if length == f64::INFINITY { Err(NoHalfPeriod::Unable) } else { Ok(length) }
     }
 
     /// The length of a step, or as much of it as double precision agrees with.
-    fn tried(&self, state: &State, series: &Series, length: f64, size: isize) -> Result<f64, NoLeg> {
+    fn tried(&self, state: &State, series: &Series, length: f64, size: isize) -> Result<f64, NoHalfPeriod> {
         let lengths = (0..MOST_HALVINGS).map(|halvings| libm::ldexp(length, -halvings.cast_signed()));
         let unseen = UNSEEN * libm::ldexp(1.0, i32::try_from(size).unwrap_or(i32::MAX));
         let agrees = |length: &f64| {
             let [place, velocity] = self.misfit(state, series, *length).unwrap_or_default();
             place <= unseen && velocity * length <= unseen
         };
-        lengths.into_iter().find(agrees).ok_or(NoLeg::Unable)
+        lengths.into_iter().find(agrees).ok_or(NoHalfPeriod::Unable)
     }
 
     /// How far the same step in double precision ends from the sums of the series; `None` where it has no values.
@@ -199,7 +199,12 @@ struct Nearness {
 }
 
 impl Nearness {
-    fn watch(&mut self, velocity: &BigFloat, acceleration: &BigFloat, precision: usize) -> Result<(), NoLeg> {
+    fn watch(
+        &mut self,
+        velocity: &BigFloat,
+        acceleration: &BigFloat,
+        precision: usize,
+    ) -> Result<(), NoHalfPeriod> {
         let (v, a) = (velocity.exponent(), acceleration.exponent());
         self.first = self.first.or(a);
         self.velocity = self.velocity.max(v);
@@ -208,14 +213,14 @@ impl Nearness {
             largest.is_some_and(|largest| own.is_none_or(|own| own - largest < -limit(precision)))
         };
         let near = below(v, self.velocity) && below(a, self.acceleration);
-        if near { Err(NoLeg::Undecided) } else { Ok(()) }
+        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
     }
 
     /// At the end it is known how small the first acceleration was.
-    fn conclude(&self, precision: usize) -> Result<(), NoLeg> {
+    fn conclude(&self, precision: usize) -> Result<(), NoHalfPeriod> {
         let parts = self.first.zip(self.acceleration);
         let near = parts.is_none_or(|(first, largest)| first - largest < -limit(precision));
-        if near { Err(NoLeg::Undecided) } else { Ok(()) }
+        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
     }
 }
 
@@ -261,7 +266,7 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
 }
 
 /// The step in double precision, of length one in its own unit.
-fn kept(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
+fn owned_step(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
     OwnedStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
 }
 
@@ -276,19 +281,20 @@ mod tests {
     use crate::orbit::acceleration::Acceleration;
 
     /// How long a motion takes from rest to rest, and where that is.
-    fn leg(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
+    fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
         let equation = equation.parse().unwrap();
         let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
-        let leg = Motion::new(&system, &acceleration.tape, 128, &Watch::none()).leg(place, 0.0).unwrap();
-        [leg.duration, leg.end]
+        let half =
+            Motion::new(&system, &acceleration.tape, 128, &Watch::none()).half_period(place, 0.0).unwrap();
+        [half.duration, half.end]
     }
 
     /// At the other end, −147.4, e^x is below the last of 128 bits, and the coefficients of a step that begins there are tiny.
     #[test]
     fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
         let equation = "x'' = 1 - exp(x)";
-        let [there, end] = leg(equation, &BigFloat::from_integer(5, 128));
-        let [back, start] = leg(equation, &end);
+        let [there, end] = half_period(equation, &BigFloat::from_integer(5, 128));
+        let [back, start] = half_period(equation, &end);
         assert!((there.clone() - back).to_f64().abs() < 1e-30, "{there:?}");
         assert!((start.to_f64() - 5.0).abs() < 1e-15, "{start:?}");
         // The energy, e^x − x, is the same at both ends.

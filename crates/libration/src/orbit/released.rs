@@ -8,7 +8,7 @@ use super::error::{Lost, NoOrbit, finished};
 use super::path::{Path, sign_change, until};
 use super::periodic::Orbit;
 use super::place::ReleasePlace;
-use super::precise::{Leg, Motion, NoLeg};
+use super::precise::{HalfPeriod, Motion, NoHalfPeriod};
 use crate::algebra::BigFloat;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
@@ -165,14 +165,14 @@ impl<'a> Release<'a> {
     fn precisely(&self, rough: Result<Orbit, NoOrbit>) -> Result<Orbit, NoOrbit> {
         let mut before: Option<BigFloat> = None;
         for precision in PRECISIONS {
-            let found = match self.precise_legs(precision) {
-                Ok(legs) => legs,
-                Err(NoLeg::Undecided) => {
+            let found = match self.precise_halves(precision) {
+                Ok(halves) => halves,
+                Err(NoHalfPeriod::Undecided) => {
                     before = None;
                     continue;
                 }
-                Err(NoLeg::Unable) => return rough,
-                Err(NoLeg::Lost(time)) => {
+                Err(NoHalfPeriod::Unable) => return rough,
+                Err(NoHalfPeriod::Lost(time)) => {
                     let lost = NoOrbit::NoReturn { start: self.start, why: Lost::OneWay(time) };
                     return Err(rough
                         .err()
@@ -191,14 +191,14 @@ impl<'a> Release<'a> {
         Err(NoOrbit::Separatrix(self.start))
     }
 
-    fn precise_legs(&self, precision: usize) -> Result<Legs, NoLeg> {
+    fn precise_halves(&self, precision: usize) -> Result<Halves, NoHalfPeriod> {
         let motion = Motion::new(&self.system, &self.acceleration.tape, precision, self.watch);
-        let there = motion.leg(&self.place.to_bits(precision), 0.0)?;
+        let there = motion.half_period(&self.place.to_bits(precision), 0.0)?;
         let back = match self.acceleration.is_free_of_velocity {
             true => None,
-            false => Some(motion.leg(&there.end, there.duration.to_f64())?),
+            false => Some(motion.half_period(&there.end, there.duration.to_f64())?),
         };
-        Ok(Legs { there, back })
+        Ok(Halves { there, back })
     }
 
     fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, NoOrbit> {
@@ -254,12 +254,12 @@ impl<'a> Release<'a> {
 }
 
 /// The way to rest, and the way back where it is another.
-struct Legs {
-    there: Leg,
-    back: Option<Leg>,
+struct Halves {
+    there: HalfPeriod,
+    back: Option<HalfPeriod>,
 }
 
-impl Legs {
+impl Halves {
     fn period(&self) -> BigFloat {
         let back = self.back.as_ref().unwrap_or(&self.there);
         self.there.duration.clone() + back.duration.clone()

@@ -2,7 +2,7 @@
 
 use crate::golden::Table;
 use libration::decay::{
-    Damping, DampingTerm, Decay, DecayEnding, DecayError, EnvelopeLaw, TurningPoint, cycle_integral,
+    Damping, Decay, DecayEnding, DecayError, EnvelopeLaw, PowerLawTerm, TurningPoint, cycle_integral,
     small_cycle_integral,
 };
 use libration::pendulum::{Amplitude, Pendulum};
@@ -19,8 +19,8 @@ fn decay(terms: &[(f64, f64)], start: f64) -> Decay {
 }
 
 fn of(pendulum: Pendulum, terms: &[(f64, f64)], start: f64) -> Decay {
-    let terms: Vec<DampingTerm> =
-        terms.iter().map(|&(exponent, coefficient)| DampingTerm { exponent, coefficient }).collect();
+    let terms: Vec<PowerLawTerm> =
+        terms.iter().map(|&(exponent, coefficient)| PowerLawTerm { exponent, coefficient }).collect();
     let start = Angle::from_radians(start).unwrap();
     Decay::new(pendulum, Damping::new(&terms).unwrap(), start).unwrap()
 }
@@ -298,8 +298,8 @@ fn what_is_no_damping_is_refused() {
     assert!(matches!(Damping::of_degree(f64::NAN, 1.0), Err(DecayError::Exponent(_))));
     assert!(matches!(Damping::of_degree(1.0, -1.0), Err(DecayError::Coefficient { .. })));
     assert!(matches!(Damping::of_degree(1.0, f64::INFINITY), Err(DecayError::Coefficient { .. })));
-    let many: Vec<DampingTerm> =
-        (0..17u8).map(|n| DampingTerm { exponent: f64::from(n), coefficient: 1.0 }).collect();
+    let many: Vec<PowerLawTerm> =
+        (0..17u8).map(|n| PowerLawTerm { exponent: f64::from(n), coefficient: 1.0 }).collect();
     assert!(matches!(Damping::new(&many), Err(DecayError::TooManyTerms(17))));
 }
 

@@ -4,7 +4,7 @@ use super::report::{Cycle, Report, Row};
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use libration::decay::{DampingTerm, Decay, DecayEnding};
+use libration::decay::{Decay, DecayEnding, PowerLawTerm};
 use serde_json::Value;
 
 /// A turning point of a decay.
@@ -31,8 +31,8 @@ pub(super) fn of_pendulum() -> Fields<Decay> {
     .line("ω0", 13)])
 }
 
-pub(super) fn of_term() -> Fields<DampingTerm> {
-    type Of = Field<DampingTerm>;
+pub(super) fn of_term() -> Fields<PowerLawTerm> {
+    type Of = Field<PowerLawTerm>;
     Fields::from([
         Of::number("exponent", "1", "power n of the velocity in the term c·θ′|θ′|ⁿ⁻¹", |term| {
             term.exponent

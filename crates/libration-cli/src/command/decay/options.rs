@@ -2,7 +2,7 @@
 
 use crate::arguments;
 use crate::failure::Failure;
-use libration::decay::{Damping, DampingTerm};
+use libration::decay::{Damping, PowerLawTerm};
 use libration::quantity::{Dimension, parse};
 
 /// The coefficients of the damping.
@@ -22,16 +22,16 @@ pub(super) struct DampingOptions {
     cubic: Option<f64>,
     /// Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several times
     #[arg(long, value_name = "POWER:C", value_parser = term)]
-    power: Vec<DampingTerm>,
+    power: Vec<PowerLawTerm>,
 }
 
 impl DampingOptions {
     pub(super) fn damping(&self) -> Result<Damping, Failure> {
         let named = [(0.0, self.dry), (1.0, self.linear), (2.0, self.quadratic), (3.0, self.cubic)];
         let named = named.into_iter().filter_map(|(exponent, coefficient)| {
-            coefficient.map(|coefficient| DampingTerm { exponent, coefficient })
+            coefficient.map(|coefficient| PowerLawTerm { exponent, coefficient })
         });
-        let terms: Vec<DampingTerm> = named.chain(self.power.iter().copied()).collect();
+        let terms: Vec<PowerLawTerm> = named.chain(self.power.iter().copied()).collect();
         if terms.is_empty() {
             let reason = "give --dry, --linear, --quadratic, --cubic or --power, such as --linear 0.1; \
                           without damping use `libration motion`";
@@ -41,11 +41,11 @@ impl DampingOptions {
     }
 }
 
-fn term(text: &str) -> Result<DampingTerm, String> {
+fn term(text: &str) -> Result<PowerLawTerm, String> {
     let numbers = text.split_once(':').and_then(|(power, c)| Some((number(power)?, number(c)?)));
     let (exponent, coefficient) =
         numbers.ok_or("give the power of the velocity and the coefficient, such as 1.5:0.1")?;
-    let term = DampingTerm { exponent, coefficient };
+    let term = PowerLawTerm { exponent, coefficient };
     Damping::new(&[term]).map_err(|error| error.to_string())?;
     Ok(term)
 }

@@ -182,7 +182,7 @@ impl MotionParameters {
     }
 
     fn damping(&self) -> Result<Damping, DecayError> {
-        let term = |(term, &coefficient): (&DampingTerm, &f64)| decay::DampingTerm {
+        let term = |(term, &coefficient): (&DampingTerm, &f64)| decay::PowerLawTerm {
             exponent: term.exponent(),
             coefficient,
         };
