@@ -20,7 +20,7 @@ fn main() -> ExitCode {
         Ok(question) => question,
         Err(error) => return failure::refuse(&error),
     };
-    let mut out = output::standard::Answer::new();
+    let mut out = output::standard::StandardOutput::new();
     let heartbeat = Heartbeat::begin();
     let answered = question.answer(&mut out).and_then(|()| Ok(out.flush()?));
     heartbeat.end();

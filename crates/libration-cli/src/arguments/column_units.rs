@@ -40,14 +40,14 @@ pub(crate) struct ColumnsInSi<const N: usize> {
 
 impl<const N: usize> ColumnsInSi<N> {
     /// The chosen columns of a table, or why they are not what is wanted.
-    pub(crate) fn of(
+    pub(crate) fn from_table(
         table: &Table,
         chosen: &[Option<Column>; N],
         wanted: &[Wanted; N],
     ) -> Result<Self, String> {
         let asked: Vec<Column> = chosen.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| error.to_string())?;
-        let units = ColumnUnits::of(table, chosen, wanted)?;
+        let units = ColumnUnits::from_headings(table, chosen, wanted)?;
         let columns = units.in_si(selection.columns, chosen);
         Ok(Self {
             columns,
@@ -125,7 +125,11 @@ impl Wanted {
 
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
-    fn of(table: &Table, columns: &[Option<Column>; N], wanted: &[Wanted; N]) -> Result<Self, String> {
+    fn from_headings(
+        table: &Table,
+        columns: &[Option<Column>; N],
+        wanted: &[Wanted; N],
+    ) -> Result<Self, String> {
         let (mut units, mut counts, mut told) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
         for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
             let Some(column) = column else { continue };

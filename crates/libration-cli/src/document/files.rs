@@ -1,6 +1,6 @@
 //! The files of a document: all of them are written, or none.
 
-use super::{Document, Figure, html, markdown};
+use super::{Document, DocumentFigure, html, markdown};
 use crate::failure::Failure;
 use crate::output::file::NewFile;
 use libration_report::svg;
@@ -32,7 +32,7 @@ pub(crate) fn write(path: &Path, document: &Document) -> Result<(), Failure> {
     place(&files)
 }
 
-fn file_name(stem: &str, figure: &Figure) -> String {
+fn file_name(stem: &str, figure: &DocumentFigure) -> String {
     format!("{stem}-{}.svg", figure.name)
 }
 

@@ -1,6 +1,6 @@
 //! A document as one HTML file that needs nothing else: its pictures are inside.
 
-use super::{Block, Document, Figure, Section, Table, latex};
+use super::{Block, Document, DocumentFigure, DocumentTable, Section, latex};
 use crate::output::table::Column;
 use libration_report::svg;
 
@@ -112,7 +112,7 @@ fn list(items: &[String]) -> String {
 }
 
 /// The table, which becomes a list of lists on small screens if it has many columns of words, with its buttons.
-fn table(table: &Table) -> String {
+fn table(table: &DocumentTable) -> String {
     let words = table.columns.iter().filter(|column| !column.is_of_numbers()).count();
     let many = if table.columns.len() >= MANY && words > 1 { " class=\"many\"" } else { "" };
     let head = |column: &Column| {
@@ -151,7 +151,7 @@ fn class(column: &Column, is_short: bool) -> &'static str {
     }
 }
 
-fn figure(figure: &Figure) -> String {
+fn figure(figure: &DocumentFigure) -> String {
     let caption = escaped(&figure.caption);
     let svg = svg::inline(&figure.scene());
     format!("<figure>\n<div class=\"wide\">{svg}</div>\n<figcaption>{caption}</figcaption>\n</figure>\n")
@@ -169,9 +169,12 @@ mod tests {
     #[test]
     fn what_is_written_is_never_taken_for_tags() {
         let text = "<script>alert(1)</script> & \"more\"";
-        let figure =
-            Figure { name: "a".to_owned(), caption: text.to_owned(), picture: Picture::new(text, vec![]) };
-        let table = Table {
+        let figure = DocumentFigure {
+            name: "a".to_owned(),
+            caption: text.to_owned(),
+            picture: Picture::new(text, vec![]),
+        };
+        let table = DocumentTable {
             caption: text.to_owned(),
             columns: vec![Column::words(text), Column::numbers(text)],
             rows: vec![vec![text.to_owned(); 2]],
@@ -199,7 +202,7 @@ mod tests {
     fn tables_can_be_copied_and_fit_small_screens() {
         let written = |columns: Vec<Column>| {
             let row = vec!["a_b".to_owned(); columns.len()];
-            table(&Table { caption: "What".to_owned(), columns, rows: vec![row] })
+            table(&DocumentTable { caption: "What".to_owned(), columns, rows: vec![row] })
         };
         let words = written(["one", "two", "three", "four"].map(Column::words).to_vec());
         assert!(words.contains("class=\"many\"") && words.contains("data-head=\"four\""), "{words}");

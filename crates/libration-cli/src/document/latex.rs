@@ -1,9 +1,9 @@
 //! A table as a LaTeX `tabular`, to be copied into a report.
 
-use super::Table;
+use super::DocumentTable;
 
 /// The environment with a line of heads and one line for each row; needs no package.
-pub(super) fn tabular(table: &Table) -> String {
+pub(super) fn tabular(table: &DocumentTable) -> String {
     let sides: String =
         table.columns.iter().map(|column| if column.is_of_numbers() { 'r' } else { 'l' }).collect();
     let line =
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn what_latex_would_take_for_its_own_is_spelled_out() {
-        let table = Table {
+        let table = DocumentTable {
             caption: "Two".to_owned(),
             columns: vec![Column::words("name"), Column::numbers("T₀ / s")],
             rows: vec![vec![r"a_b & 50 % \input{x}".to_owned(), "1.5 ± 0.1".to_owned()]],

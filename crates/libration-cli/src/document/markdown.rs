@@ -1,10 +1,10 @@
 //! A document as Markdown (the tables are GitHub's).
 
-use super::{Block, Document, Figure, Table};
+use super::{Block, Document, DocumentFigure, DocumentTable};
 use std::borrow::Cow;
 
 /// The whole page; `file_of` says which file a picture is in.
-pub(super) fn page(document: &Document, file_of: impl Fn(&Figure) -> String) -> String {
+pub(super) fn page(document: &Document, file_of: impl Fn(&DocumentFigure) -> String) -> String {
     let mut page = format!("# {}\n", escaped(&document.title));
     for section in &document.sections {
         page += &format!("\n## {}\n", escaped(section.title));
@@ -15,7 +15,7 @@ pub(super) fn page(document: &Document, file_of: impl Fn(&Figure) -> String) -> 
     page
 }
 
-fn block(block: &Block, file_of: &impl Fn(&Figure) -> String) -> String {
+fn block(block: &Block, file_of: &impl Fn(&DocumentFigure) -> String) -> String {
     match block {
         Block::Paragraph(text) => escaped(text).into_owned(),
         Block::List(items) => {
@@ -33,7 +33,7 @@ fn block(block: &Block, file_of: &impl Fn(&Figure) -> String) -> String {
     }
 }
 
-fn table(table: &Table) -> String {
+fn table(table: &DocumentTable) -> String {
     let line = |cells: &mut dyn Iterator<Item = Cow<'_, str>>| {
         format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).collect::<Vec<_>>().join(" | "))
     };
@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn tables_have_a_rule_and_text_is_escaped() {
-        let table = Table {
+        let table = DocumentTable {
             caption: "What".to_owned(),
             columns: vec![Column::words("name"), Column::numbers("value")],
             rows: vec![vec!["a_b|c".to_owned(), "1".to_owned()]],

@@ -37,13 +37,13 @@ pub(crate) enum Block {
     List(Vec<String>),
     /// What must not be missed, under a title.
     Aside(&'static str, Vec<String>),
-    Table(Table),
-    Figure(Figure),
+    Table(DocumentTable),
+    Figure(DocumentFigure),
 }
 
 /// A table with a line above that says what it shows; the first column names the row.
 #[derive(Clone, Debug)]
-pub(crate) struct Table {
+pub(crate) struct DocumentTable {
     pub(crate) caption: String,
     pub(crate) columns: Vec<Column>,
     pub(crate) rows: Vec<Vec<String>>,
@@ -51,7 +51,7 @@ pub(crate) struct Table {
 
 /// A picture with what there is to see in it.
 #[derive(Clone, Debug)]
-pub(crate) struct Figure {
+pub(crate) struct DocumentFigure {
     /// Part of the name of its file, where it has one of its own.
     pub(crate) name: String,
     /// What it shows, for those who cannot see it too.
@@ -59,7 +59,7 @@ pub(crate) struct Figure {
     pub(crate) picture: Picture,
 }
 
-impl Figure {
+impl DocumentFigure {
     /// The picture as wide as the text of a page, or as wide as it must be.
     fn scene(&self) -> Scene {
         let usual = PictureFormat::PAGE;
@@ -85,7 +85,7 @@ impl Block {
 }
 
 impl Document {
-    fn figures(&self) -> impl Iterator<Item = &Figure> {
+    fn figures(&self) -> impl Iterator<Item = &DocumentFigure> {
         let blocks = self.sections.iter().flat_map(|section| &section.blocks);
         blocks.filter_map(|block| if let Block::Figure(figure) = block { Some(figure) } else { None })
     }

@@ -1,6 +1,6 @@
 //! Where a document comes from: program, version, command line and date.
 
-use super::{Block, Table};
+use super::{Block, DocumentTable};
 use crate::output::table::Column;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -9,7 +9,7 @@ pub(crate) fn provenance() -> Block {
     let command = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
     let command: Vec<String> = std::iter::once("libration".to_owned()).chain(command).collect();
     let row = |name: &str, value: String| vec![name.to_owned(), value];
-    Block::Table(Table {
+    Block::Table(DocumentTable {
         caption: "With this the report can be made again".to_owned(),
         columns: vec![Column::words("what"), Column::words("which")],
         rows: vec![

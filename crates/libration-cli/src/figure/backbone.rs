@@ -6,7 +6,7 @@ use super::style;
 use libration::comparison::{Backbone, BackbonePoint};
 
 /// What the picture is of.
-pub(crate) struct Setting {
+pub(crate) struct BackboneSetting {
     pub(crate) title: String,
     pub(crate) order: usize,
     pub(crate) is_angle: bool,
@@ -18,7 +18,7 @@ const SAMPLES: u32 = 240;
 const BEYOND: f64 = 0.5;
 
 /// Orbits as markers at the amplitudes asked for, on a curve of orbits, beside the series and its radius of convergence.
-pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Setting) -> Picture {
+pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &BackboneSetting) -> Picture {
     let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
     let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);
     let sampled: Vec<BackbonePoint> =

@@ -12,7 +12,7 @@ pub(crate) struct Line {
 }
 
 /// What the picture is of.
-pub(crate) struct Setting {
+pub(crate) struct SeriesSetting {
     pub(crate) title: String,
     pub(crate) quantity: String,
     pub(crate) abscissa: Abscissa,
@@ -49,7 +49,7 @@ pub(crate) fn against_amplitude(
     lines: &[Line],
     radius: Option<(f64, &str)>,
     to: f64,
-    setting: &Setting,
+    setting: &SeriesSetting,
 ) -> Picture {
     let abscissa = &setting.abscissa;
     let mut series: Vec<Series> =
@@ -70,7 +70,7 @@ fn curve(number: usize, line: &Line, abscissa: &Abscissa) -> Series {
 }
 
 /// Errors against the last power kept.
-pub(crate) fn against_terms(lines: &[Line], setting: &Setting) -> Picture {
+pub(crate) fn against_terms(lines: &[Line], setting: &SeriesSetting) -> Picture {
     let mut series = vec![];
     for (number, line) in lines.iter().enumerate() {
         let points: Vec<(f64, f64)> =
@@ -83,7 +83,7 @@ pub(crate) fn against_terms(lines: &[Line], setting: &Setting) -> Picture {
     picture(x.in_units(Units::Whole), series, setting)
 }
 
-fn picture(x: Axis, series: Vec<Series>, setting: &Setting) -> Picture {
+fn picture(x: Axis, series: Vec<Series>, setting: &SeriesSetting) -> Picture {
     let label = format!("|error of {}|", setting.quantity);
     let y = Axis::logarithmic(&label, setting.lowest, setting.highest);
     let title = format!("Partial sums of {}: {}", setting.quantity, setting.title);

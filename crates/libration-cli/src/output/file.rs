@@ -1,6 +1,6 @@
 //! Files are written beside their place and renamed into it: whole or not at all. Streams are written into.
 
-use super::place::{self, Place, Stream};
+use super::destination::{self, Destination, Stream};
 use super::{leftover, standard};
 use crate::failure::Failure;
 use std::fs;
@@ -33,14 +33,14 @@ struct Unfinished {
 impl NewFile {
     pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
         let fails = |error| cannot_write(path, error);
-        let (target, unfinished) = match place::of(path).map_err(fails)? {
-            Place::Stream(stream) => {
+        let (target, unfinished) = match destination::resolved(path).map_err(fails)? {
+            Destination::Stream(stream) => {
                 if stream == Stream::Output {
                     standard::keep_for_files();
                 }
                 (stream.open().map_err(fails)?, None)
             }
-            Place::File(place) => {
+            Destination::File(place) => {
                 let unfinished = Unfinished::create(place)?;
                 let file = unfinished.file.try_clone().map_err(fails)?;
                 (Box::new(file) as Box<dyn Write>, Some(unfinished))

@@ -12,15 +12,15 @@ pub(crate) fn keep_for_files() {
 }
 
 /// What of the answer goes to the standard output: all, or nothing when a file goes there.
-pub(crate) struct Answer(BufWriter<Screen<StdoutLock<'static>>>);
+pub(crate) struct StandardOutput(BufWriter<Screen<StdoutLock<'static>>>);
 
-impl Answer {
+impl StandardOutput {
     pub(crate) fn new() -> Self {
         Self(BufWriter::with_capacity(1 << 16, Screen::new(stdout().lock())))
     }
 }
 
-impl Write for Answer {
+impl Write for StandardOutput {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if TAKEN.load(Ordering::Relaxed) { Ok(bytes.len()) } else { self.0.write(bytes) }
     }

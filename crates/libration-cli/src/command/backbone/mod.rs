@@ -79,7 +79,8 @@ impl Backbone {
                 Some(_) => answer.asked.title.clone(),
                 None => answer.asked.equation.to_string(),
             };
-            let setting = figure::backbone::Setting { title, order: self.order, is_angle: answer.is_angle() };
+            let setting =
+                figure::backbone::BackboneSetting { title, order: self.order, is_angle: answer.is_angle() };
             let picture = figure::backbone::backbone(&answer.curve, &answer.points, &setting);
             let values = answer
                 .asked

@@ -4,7 +4,7 @@ use super::PictureOptions;
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::failure::Failure;
 use crate::figure::chart::Picture;
-use crate::figure::series::{Abscissa, Line, Setting, against_amplitude, against_terms};
+use crate::figure::series::{Abscissa, Line, SeriesSetting, against_amplitude, against_terms};
 use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::{interrupt, parallel};
@@ -99,7 +99,7 @@ impl Series {
         chosen: &Chosen,
         subject: &Subject,
         powers: &[usize],
-        setting: Setting,
+        setting: SeriesSetting,
     ) -> Result<Picture, Failure> {
         let relation = &subject.relation();
         let radius = relation.radius().filter(|radius| radius.value().is_finite());
@@ -122,7 +122,12 @@ impl Series {
         Ok(against_amplitude(&lines, radius, to, &setting))
     }
 
-    fn in_terms(&self, chosen: &Chosen, subject: &Subject, setting: Setting) -> Result<Picture, Failure> {
+    fn in_terms(
+        &self,
+        chosen: &Chosen,
+        subject: &Subject,
+        setting: SeriesSetting,
+    ) -> Result<Picture, Failure> {
         if self.amplitudes.len() > MOST_AMPLITUDES {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", self.amplitudes.len());
             return Err(Failure::usage("--amplitudes", reason));
@@ -192,7 +197,7 @@ fn lines(
     relation: &SeriesComparison<'_>,
     sampled: &[Sample],
     powers: &[usize],
-    setting: &Setting,
+    setting: &SeriesSetting,
 ) -> Vec<Line> {
     /// Of the approximant, where the order allows it.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
@@ -227,7 +232,7 @@ fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<Displacement,
     Err(Failure::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))
 }
 
-fn setting(chosen: &Chosen, expansion: &Expansion, quantity: SeriesQuantity, lowest: f64) -> Setting {
+fn setting(chosen: &Chosen, expansion: &Expansion, quantity: SeriesQuantity, lowest: f64) -> SeriesSetting {
     let abscissa = if expansion.variable.is_strength() {
         Abscissa {
             symbol: expansion.variable.name().replace("mu", "μ"), name: "strength", in_degrees: false
@@ -245,7 +250,7 @@ fn setting(chosen: &Chosen, expansion: &Expansion, quantity: SeriesQuantity, low
         Some(_) => chosen.title.clone(),
         None => chosen.oscillator.equation().to_string(),
     };
-    Setting { title, quantity, abscissa, lowest, highest: HIGHEST }
+    SeriesSetting { title, quantity, abscissa, lowest, highest: HIGHEST }
 }
 
 /// The last powers of the partial sums: 2, 4, 8, … and the last one, if each adds much to the one before.

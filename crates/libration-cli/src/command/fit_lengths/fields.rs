@@ -1,6 +1,6 @@
 //! What is said of periods against lengths, and of each law.
 
-use super::input::Table;
+use super::input::LengthFile;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::warnings::{self, Named};
@@ -9,7 +9,7 @@ use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning, Uncer
 
 /// What is said about the measurements.
 pub(super) struct Answer<'a> {
-    pub(super) table: &'a Table,
+    pub(super) table: &'a LengthFile,
     pub(super) fit: &'a LengthsFit,
 }
 

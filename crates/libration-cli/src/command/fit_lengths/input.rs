@@ -33,7 +33,7 @@ pub(super) struct Input {
 
 /// What was measured, and how it was read.
 #[derive(Clone, Debug)]
-pub(super) struct Table {
+pub(super) struct LengthFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// The units that the header says.
@@ -46,11 +46,11 @@ impl Input {
         self.file.display().to_string()
     }
 
-    pub(super) fn read(&self) -> Result<Table, Failure> {
+    pub(super) fn read(&self) -> Result<LengthFile, Failure> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "length and period")?;
-        let read =
-            ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
+            .map_err(|error| self.no_answer(error))?;
         let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
         let lengths = lengths.unwrap_or_default();
         let periods = periods.unwrap_or_default();
@@ -63,7 +63,7 @@ impl Input {
         };
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
         let period_uncertainties = of_periods;
-        Ok(Table {
+        Ok(LengthFile {
             measured: Measured { lengths, periods, length_uncertainties, period_uncertainties, table },
             dropped: read.dropped,
             told: read.told,

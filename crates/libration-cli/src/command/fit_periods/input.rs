@@ -49,8 +49,8 @@ impl Input {
     pub(super) fn read(&self) -> Result<Measured, Failure> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "amplitude and period")?;
-        let read =
-            ColumnsInSi::of(&table, &columns, &self.wanted()).map_err(|error| self.no_answer(error))?;
+        let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
+            .map_err(|error| self.no_answer(error))?;
         self.measured(read)
     }
 

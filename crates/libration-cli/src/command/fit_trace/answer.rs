@@ -1,7 +1,7 @@
 //! What is found in measured swings.
 
 use super::input::Measured;
-use super::model::Model;
+use super::model::DampingChoice;
 use super::options;
 use crate::arguments::ApparatusOptions;
 use crate::failure::Failure;
@@ -22,7 +22,7 @@ pub(super) struct Answer<'a> {
 impl<'a> Answer<'a> {
     pub(super) fn new(
         measured: &'a Measured,
-        model: Model,
+        model: DampingChoice,
         options: TraceOptions,
         apparatus: &ApparatusOptions,
     ) -> Result<Self, Failure> {
@@ -35,8 +35,8 @@ impl<'a> Answer<'a> {
         };
         let options = SwingsOptions {
             damping: match model {
-                Model::Given(damping) => Some(damping),
-                Model::Auto => None,
+                DampingChoice::Given(damping) => Some(damping),
+                DampingChoice::Auto => None,
             },
             trace: TraceOptions { profile: true, ..options },
             apparatus: apparatus.apparatus(),

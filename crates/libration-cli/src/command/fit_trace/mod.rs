@@ -17,7 +17,7 @@ use crate::output::{Form, FormOptions, announce, json};
 use answer::Answer;
 use input::{Input, Measured};
 use libration_lab::fit::trace::TraceOptions;
-use model::Model;
+use model::DampingChoice;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -41,7 +41,7 @@ pub(crate) struct FitTrace {
     input: Input,
     /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear
     #[arg(long, default_value = "auto")]
-    model: Model,
+    model: DampingChoice,
     /// Give less weight to rows far from the fitted motion (robust fit)
     #[arg(long)]
     robust: bool,

@@ -5,14 +5,14 @@ use std::str::FromStr;
 
 /// The damping that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Model {
+pub(super) enum DampingChoice {
     /// All combinations, of which the data choose.
     Auto,
     /// This one.
     Given(DampingTerms),
 }
 
-impl FromStr for Model {
+impl FromStr for DampingChoice {
     type Err = DampingTermsError;
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text.trim() {

@@ -1,7 +1,7 @@
 //! The answer as a sheet with tables, for people at a terminal.
 
 use super::answer::Answer;
-use super::fields::{self, Model};
+use super::fields::{self, DampingModel};
 use super::units::in_unit;
 use crate::output;
 use crate::output::number::{self, rounded};
@@ -132,11 +132,11 @@ fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> 
         return Ok(());
     }
     writeln!(out)?;
-    let left = fields::models(answer, comparison).into_iter().filter(Model::is_left);
+    let left = fields::models(answer, comparison).into_iter().filter(DampingModel::is_left);
     fields::coefficients().write_table(out, &left.collect::<Vec<_>>())
 }
 
-pub(super) fn best_first<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<Model<'a>> {
+pub(super) fn best_first<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<DampingModel<'a>> {
     let mut models = fields::models(answer, comparison);
     models.sort_by(|a, b| a.excess().total_cmp(&b.excess()));
     models

@@ -2,8 +2,8 @@
 
 use super::events::Happening;
 use super::fields;
-use super::motion::Motion;
-use super::report::{Report, Summary};
+use super::motion::SimulatedMotion;
+use super::report::{AnswerWriter, Summary};
 use crate::output::field::Fields;
 use crate::output::{csv, number};
 use libration::taylor::Moment;
@@ -29,8 +29,8 @@ impl Csv {
     }
 }
 
-impl Report for Csv {
-    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+impl AnswerWriter for Csv {
+    fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         self.with_events = !motion.watched.is_empty();
         let mut names = [self.of_time.csv_names(), motion.model.state_names()].concat();
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));

@@ -2,7 +2,7 @@
 
 use super::ending::Ending;
 use super::events::Happening;
-use super::motion::Motion;
+use super::motion::SimulatedMotion;
 use super::report::Summary;
 use super::resume::State;
 use crate::output::description::{Answers, Row, descriptions};
@@ -10,8 +10,8 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use libration::taylor::Moment;
 
-pub(super) fn of_motion<'a>() -> Fields<Motion<'a>> {
-    type Of<'a> = Field<Motion<'a>>;
+pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
+    type Of<'a> = Field<SimulatedMotion<'a>>;
     Fields::from([
         Of::value("system", "", "key of the system, or its equations as they were understood", |it| {
             it.name().into()

@@ -2,8 +2,8 @@
 
 use super::events::Happening;
 use super::fields;
-use super::motion::Motion;
-use super::report::{Report, Summary};
+use super::motion::SimulatedMotion;
+use super::report::{AnswerWriter, Summary};
 use crate::output::field::Fields;
 use crate::output::json;
 use libration::taylor::Moment;
@@ -22,8 +22,8 @@ impl Json {
     }
 }
 
-impl Report for Json {
-    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+impl AnswerWriter for Json {
+    fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         json::begin_document(out, fields::of_motion().record(motion))?;
         self.samples.begin(out, "samples")
     }

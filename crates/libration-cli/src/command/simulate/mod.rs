@@ -24,7 +24,7 @@ use ending::Ending;
 use events::Watched;
 use libration::systems::Model;
 use libration::taylor::Effort;
-use motion::Motion;
+use motion::SimulatedMotion;
 use resume::{Earlier, Keeper, Question};
 use run::Outcome;
 use std::io::Write;
@@ -113,7 +113,7 @@ impl Simulate {
             }
             None => (asked.map_or_else(|| self.initial.read(&model), Ok)?, None),
         };
-        let motion = Motion {
+        let motion = SimulatedMotion {
             model: &model,
             question: self.question(&model, &watched, initial.state.clone()),
             initial,
@@ -164,7 +164,7 @@ impl Simulate {
 
 /// Writes the answer into its file, and beside a CSV file how it is gone on from; how it ended, and what was drawn.
 fn write_file(
-    motion: Motion<'_>,
+    motion: SimulatedMotion<'_>,
     form: Form,
     figure: Option<run::Figure<'_>>,
     path: &Path,

@@ -7,7 +7,7 @@ use libration::systems::Model;
 use libration::taylor::{Effort, Moment};
 
 /// A motion to be integrated, with what is asked about it.
-pub(super) struct Motion<'a> {
+pub(super) struct SimulatedMotion<'a> {
     pub(super) model: &'a Model,
     pub(super) question: Question,
     pub(super) initial: Initial,
@@ -17,7 +17,7 @@ pub(super) struct Motion<'a> {
     pub(super) earlier: Option<Earlier>,
 }
 
-impl Motion<'_> {
+impl SimulatedMotion<'_> {
     /// What the system is called: its key, or the equations as they were understood.
     pub(super) fn name(&self) -> String {
         self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)

@@ -2,14 +2,14 @@
 
 use super::ending::Ending;
 use super::events::Happening;
-use super::motion::Motion;
+use super::motion::SimulatedMotion;
 use super::resume::State;
 use libration::taylor::Moment;
 use std::io::{self, Write};
 
 /// A form of the answer.
-pub(super) trait Report {
-    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()>;
+pub(super) trait AnswerWriter {
+    fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()>;
     fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()>;
     /// An event, behind all samples up to its time.
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()>;

@@ -3,8 +3,8 @@
 use super::csv::Csv;
 use super::ending::Ending;
 use super::json::Json;
-use super::motion::Motion;
-use super::report::{Report, Summary};
+use super::motion::SimulatedMotion;
+use super::report::{AnswerWriter, Summary};
 use super::resume::{Keeper, State};
 use super::sheet::Sheet;
 use super::watch::Watch;
@@ -40,7 +40,7 @@ pub(super) struct Outcome {
     pub(super) drawn: Vec<String>,
 }
 
-impl Motion<'_> {
+impl SimulatedMotion<'_> {
     /// Writes the answer as far as the integration comes, and draws the picture.
     pub(super) fn write(
         &self,
@@ -112,7 +112,7 @@ impl Motion<'_> {
 }
 
 /// The report in this form; a table lists the samples only if that is wanted.
-fn report(form: Form, listed: bool) -> Box<dyn Report> {
+fn report(form: Form, listed: bool) -> Box<dyn AnswerWriter> {
     match form {
         Form::Json => Box::new(Json::new()),
         Form::Csv => Box::new(Csv::new()),
@@ -141,7 +141,7 @@ fn check_order(times: &Times) -> Result<(), Failure> {
 /// How it ended, with what was computed.
 fn ended(
     outcome: Result<Solution, IntegrationError>,
-    motion: &Motion,
+    motion: &SimulatedMotion,
 ) -> Result<(Ending, Solution), Failure> {
     match outcome {
         Ok(solution) => Ok((Ending::Complete, solution)),

@@ -1,8 +1,8 @@
 //! The answer to read.
 
 use super::events::Happening;
-use super::motion::Motion;
-use super::report::{Report, Summary};
+use super::motion::SimulatedMotion;
+use super::report::{AnswerWriter, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use libration::taylor::Moment;
@@ -18,8 +18,8 @@ pub(super) struct Sheet {
     happenings: Vec<Happening>,
 }
 
-impl Report for Sheet {
-    fn begin(&mut self, motion: &Motion, out: &mut dyn Write) -> io::Result<()> {
+impl AnswerWriter for Sheet {
+    fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         let model = motion.model;
         write_text(out, "", &format!("{} ({})", model.title(), motion.name()))?;
         writeln!(out, "{}", paragraph("  equations  ", &model.equation().to_string(), 120))?;
@@ -113,7 +113,7 @@ fn labelled(name: &str, unit: &str) -> String {
 }
 
 /// The values of the parameters, and how they are those of the pendulum that other commands take if none is given.
-fn parameters(motion: &Motion) -> Option<String> {
+fn parameters(motion: &SimulatedMotion) -> Option<String> {
     let values = motion.model.values().iter().map(|(name, value)| format!("{name} = {value}"));
     let values = values.collect::<Vec<_>>().join(", ");
     let is_default = motion.model.value_of("omega0").is_some_and(|frequency| (frequency - 1.0).abs() <= 0.0);
@@ -126,7 +126,7 @@ fn parameters(motion: &Motion) -> Option<String> {
 }
 
 /// The state at the start, with what was not given.
-fn start(motion: &Motion) -> String {
+fn start(motion: &SimulatedMotion) -> String {
     let state =
         motion.model.state_names().into_iter().zip(motion.model.state_units()).zip(&motion.initial.state);
     let given: Vec<String> =

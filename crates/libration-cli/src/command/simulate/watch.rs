@@ -1,8 +1,8 @@
 //! What is done with each step of the integration as soon as it is made.
 
 use super::events::Happening;
-use super::motion::Motion;
-use super::report::{Report, Summary};
+use super::motion::SimulatedMotion;
+use super::report::{AnswerWriter, Summary};
 use super::resume::{Keeper, Mark, State};
 use super::tally::Tally;
 use crate::failure::Failure;
@@ -18,8 +18,8 @@ use std::ops::ControlFlow;
 /// Writes the samples and events of each step, accounts for the energy, remembers where it may be gone on from, and shows how
 /// far it is.
 pub(super) struct Watch<'a> {
-    motion: &'a Motion<'a>,
-    report: &'a mut dyn Report,
+    motion: &'a SimulatedMotion<'a>,
+    report: &'a mut dyn AnswerWriter,
     out: Tally<'a>,
     balance: Option<EnergyBalance<'a>>,
     pub(super) trace: Option<Trace>,
@@ -37,8 +37,8 @@ pub(super) struct Watch<'a> {
 
 impl<'a> Watch<'a> {
     pub(super) fn new(
-        motion: &'a Motion,
-        report: &'a mut dyn Report,
+        motion: &'a SimulatedMotion,
+        report: &'a mut dyn AnswerWriter,
         out: &'a mut dyn Write,
         balance: Option<EnergyBalance<'a>>,
         trace: Option<Trace>,

@@ -11,12 +11,12 @@ const NARROWEST_WORDS: usize = 24;
 /// The blocks that stand one below the other, each with its columns and their widths. The first column stands in each.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    pub(super) blocks: Vec<Vec<Place>>,
+    pub(super) blocks: Vec<Vec<ColumnPlace>>,
 }
 
 /// A column in its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct ColumnPlace {
     pub(super) column: usize,
     pub(super) width: usize,
 }
@@ -37,7 +37,7 @@ impl Layout {
     /// The layout of these rows in so many columns of the screen.
     pub(super) fn new(columns: &[Column], rows: &[Vec<String>], room: usize) -> Self {
         let demands: Vec<Demand> =
-            columns.iter().enumerate().map(|(index, column)| Demand::of(index, column, rows)).collect();
+            columns.iter().enumerate().map(|(index, column)| Demand::new(index, column, rows)).collect();
         Self { blocks: grouped(&demands, room).iter().map(|block| shared(block, room)).collect() }
     }
 
@@ -59,7 +59,7 @@ impl Layout {
 }
 
 impl Demand {
-    fn of(index: usize, column: &Column, rows: &[Vec<String>]) -> Self {
+    fn new(index: usize, column: &Column, rows: &[Vec<String>]) -> Self {
         let cells = || rows.iter().filter_map(|row| row.get(index));
         let widest = cells().map(|cell| columns_of(cell)).max().unwrap_or(0);
         let without_title = widest.max(longest_word(&column.title));
@@ -97,7 +97,7 @@ fn grouped(demands: &[Demand], room: usize) -> Vec<Vec<Demand>> {
 }
 
 /// The widths of the columns of a block: titles are folded before words are, and of these the widest first.
-fn shared(block: &[Demand], room: usize) -> Vec<Place> {
+fn shared(block: &[Demand], room: usize) -> Vec<ColumnPlace> {
     let mut widths: Vec<usize> = block.iter().map(|demand| demand.natural).collect();
     let floors: [fn(&Demand) -> usize; 2] = [|demand| demand.without_title, |demand| demand.least];
     for floor in floors {
@@ -107,7 +107,7 @@ fn shared(block: &[Demand], room: usize) -> Vec<Place> {
             widths[widest] -= 1;
         }
     }
-    block.iter().zip(widths).map(|(demand, width)| Place { column: demand.column, width }).collect()
+    block.iter().zip(widths).map(|(demand, width)| ColumnPlace { column: demand.column, width }).collect()
 }
 
 fn taken(widths: &[usize]) -> usize {
@@ -115,9 +115,9 @@ fn taken(widths: &[usize]) -> usize {
 }
 
 /// The lines of a row: the cells side by side, each in as many lines as it needs.
-pub(super) fn lines(places: &[Place], columns: &[Column], cells: &[String]) -> Vec<String> {
+pub(super) fn lines(places: &[ColumnPlace], columns: &[Column], cells: &[String]) -> Vec<String> {
     let nothing = String::new();
-    let cell = |place: &Place| folded(cells.get(place.column).unwrap_or(&nothing), place.width);
+    let cell = |place: &ColumnPlace| folded(cells.get(place.column).unwrap_or(&nothing), place.width);
     let stacks: Vec<Vec<String>> = places.iter().map(cell).collect();
     let height = stacks.iter().map(Vec::len).max().unwrap_or(0);
     let line = |level: usize| {

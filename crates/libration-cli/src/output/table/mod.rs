@@ -3,7 +3,7 @@
 mod layout;
 
 use super::screen;
-use layout::{Layout, Place, lines};
+use layout::{ColumnPlace, Layout, lines};
 use std::io::{self, Write};
 
 /// Rows that are held back to find the widths of the columns.
@@ -87,7 +87,7 @@ impl Table {
         Ok(())
     }
 
-    fn write(&self, out: &mut dyn Write, places: &[Place], cells: &[String]) -> io::Result<()> {
+    fn write(&self, out: &mut dyn Write, places: &[ColumnPlace], cells: &[String]) -> io::Result<()> {
         lines(places, &self.columns, cells).iter().try_for_each(|line| writeln!(out, "{line}"))
     }
 }

@@ -18,7 +18,7 @@ use libration_lab::measurement::Seen;
 use serde_json::Value;
 
 pub(super) use cycle::{COLUMNS as CYCLE_COLUMNS, cycles, of_cycle};
-pub(super) use model::{Model, coefficients, models, of_model, shown as shown_models};
+pub(super) use model::{DampingModel, coefficients, models, of_model, shown as shown_models};
 pub(super) use parameter::{of_parameter, rows as parameters, shown as shown_parameters};
 pub(super) use trace::{of_row, of_trace, rows, traces};
 

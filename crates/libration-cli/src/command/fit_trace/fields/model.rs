@@ -11,7 +11,7 @@ use libration_lab::fit::trace::{Averaged, Comparison, Standing, TraceFit};
 use serde_json::Value;
 
 /// A model of a comparison.
-pub(in super::super) struct Model<'a> {
+pub(in super::super) struct DampingModel<'a> {
     answer: &'a Answer<'a>,
     comparison: &'a Comparison,
     place: usize,
@@ -19,12 +19,15 @@ pub(in super::super) struct Model<'a> {
 }
 
 /// In the order in which they were tried.
-pub(in super::super) fn models<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<Model<'a>> {
+pub(in super::super) fn models<'a>(
+    answer: &'a Answer<'a>,
+    comparison: &'a Comparison,
+) -> Vec<DampingModel<'a>> {
     let weights = comparison.weights().into_iter().enumerate();
-    weights.map(|(place, weight)| Model { answer, comparison, place, weight }).collect()
+    weights.map(|(place, weight)| DampingModel { answer, comparison, place, weight }).collect()
 }
 
-impl Model<'_> {
+impl DampingModel<'_> {
     fn fit(&self) -> &TraceFit {
         &self.comparison.fits[self.place]
     }
@@ -62,21 +65,26 @@ impl Model<'_> {
 
 const COLUMNS: [&str; 6] = ["damping", "ΔAICc", "weight", "rms residual", "T₀ / s", ""];
 
-pub(in super::super) fn of_model<'a>() -> Fields<Model<'a>> {
-    type Of<'a> = Field<Model<'a>>;
+pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
+    type Of<'a> = Field<DampingModel<'a>>;
     Fields::from([
         Of::value("model", "", "damping of the model", |it| it.fit().damping.to_string().into())
             .words(COLUMNS[0], |it| it.fit().damping.to_string()),
         Of::value("standing", "", "preferred, tied, possible, negative, feeds_energy or excluded", |it| {
             it.comparison.standing(it.place).name().into()
         })
-        .words(COLUMNS[5], Model::remark),
+        .words(COLUMNS[5], DampingModel::remark),
         Of::number("rms_residual", "", "root mean square of the residuals, in rad or rad/s", |it| {
             it.fit().rms
         })
         .numeral(COLUMNS[3], |it| in_unit(it.answer, it.fit().rms, 4)),
-        Of::number("excess_aicc", "1", "Akaike's criterion less the least of all models", Model::excess)
-            .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
+        Of::number(
+            "excess_aicc",
+            "1",
+            "Akaike's criterion less the least of all models",
+            DampingModel::excess,
+        )
+        .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
         Of::number("weight", "1", "weight in the averages", |it| it.weight)
             .numeral(COLUMNS[2], |it| format!("{:.2}", it.weight)),
         Of::number("independent_rows", "1", "rows that were counted as independent", |it| {
@@ -107,13 +115,13 @@ pub(in super::super) fn of_model<'a>() -> Fields<Model<'a>> {
 }
 
 /// For a table to read.
-pub(in super::super) fn shown<'a>() -> Fields<Model<'a>> {
+pub(in super::super) fn shown<'a>() -> Fields<DampingModel<'a>> {
     of_model().for_table(&COLUMNS)
 }
 
 /// The coefficients of each damping side by side.
-pub(in super::super) fn coefficients<'a>() -> Fields<Model<'a>> {
-    type Of<'a> = Field<Model<'a>>;
+pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
+    type Of<'a> = Field<DampingModel<'a>>;
     let [dry, linear, quadratic] = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"];
     Fields::from([
         Of::unnamed().words(COLUMNS[0], |it| it.fit().damping.to_string()),

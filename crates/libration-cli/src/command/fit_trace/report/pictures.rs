@@ -1,7 +1,7 @@
 //! The pictures of the report.
 
 use super::super::answer::Answer;
-use crate::document::{Block, Figure};
+use crate::document::{Block, DocumentFigure};
 use crate::figure::chart::Picture;
 use crate::figure::parameters::found;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
@@ -10,7 +10,7 @@ use libration_lab::fit::trace::TraceFit;
 use libration_lab::measurement::Seen;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
-    Block::Figure(Figure { name: name.to_owned(), caption, picture })
+    Block::Figure(DocumentFigure { name: name.to_owned(), caption, picture })
 }
 
 fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {

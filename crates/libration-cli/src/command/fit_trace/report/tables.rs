@@ -2,14 +2,14 @@
 
 use super::super::answer::Answer;
 use super::super::{fields, sheet};
-use crate::document::{Block, Table};
+use crate::document::{Block, DocumentTable};
 use crate::output;
 use libration_lab::fit::swings::FittedPendulum;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
     let Some(comparison) = &answer.swings.comparison else { return vec![] };
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "The kinds of damping that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
                   the data do not decide, above 10 they do"
             .to_owned(),
@@ -23,7 +23,7 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
     if answer.measured.traces.len() == 1 {
         return vec![];
     }
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "Each trace by itself: the amplitudes of its cycles, and T₀ and β by these alone".to_owned(),
         columns: fields::of_trace().columns(),
         rows: fields::of_trace().rows(&fields::traces(answer)),
@@ -33,7 +33,7 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
 /// Where the uncertainty of gravity comes from.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "The budget of the uncertainty of gravity".to_owned(),
         columns: output::budget::columns(),
         rows: output::budget::rows(budget),
@@ -43,7 +43,7 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
 /// Its inputs one by one.
 pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
     let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "The inputs of gravity with their sensitivity coefficients".to_owned(),
         columns: output::combined::columns(),
         rows: output::combined::rows(&budget.combined),
@@ -59,7 +59,7 @@ pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
     let several = answer.measured.traces.len() > 1;
     let columns = &fields::CYCLE_COLUMNS[..if several { 7 } else { 6 }];
     let shown = fields::of_cycle().for_table(columns);
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "Every cycle by itself, from one passage of the centre to the next in the same direction; they overlap by half. An \
                   asterisk marks those that do not count because their period is far from the law"
             .to_owned(),
@@ -70,7 +70,7 @@ pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
 
 /// The fitted parameters.
 pub(super) fn parameters(answer: &Answer<'_>) -> Vec<Block> {
-    vec![Block::Table(Table {
+    vec![Block::Table(DocumentTable {
         caption: "The fitted parameters with standard uncertainties, and the intervals that hold the truth with 68 % and 95 % \
                   probability by the profile of the likelihood"
             .to_owned(),

@@ -2,7 +2,7 @@
 
 use super::super::answer::Answer;
 use super::super::{sheet, units};
-use crate::document::{Block, Table};
+use crate::document::{Block, DocumentTable};
 use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
 use libration_lab::fit::swings::FittedPendulum;
@@ -26,7 +26,7 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
     if let Some(expanded) = sheet::expanded(answer) {
         rows.insert(3, row("expanded uncertainty of gravity", expanded));
     }
-    let table = Table {
+    let table = DocumentTable {
         caption: "What the measurement gives".to_owned(),
         columns: vec![Column::words("quantity"), Column::words("value")],
         rows,

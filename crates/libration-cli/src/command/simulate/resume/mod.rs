@@ -12,8 +12,8 @@ mod state;
 use super::events::Happening;
 use crate::arguments::{self, Initial, Times};
 use crate::failure::Failure;
+use crate::output::destination::{self, Destination};
 use crate::output::leftover::{self, Leftover};
-use crate::output::place::{self, Place};
 use serde_json::Value;
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -78,8 +78,8 @@ impl Earlier {
     /// Finds what there is of an answer to this question: the file, or what a run that was ended by force has left beside its
     /// place, whichever goes farther.
     pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, Failure> {
-        let target = match place::of(path) {
-            Ok(Place::File(target)) => target,
+        let target = match destination::resolved(path) {
+            Ok(Destination::File(target)) => target,
             _ => path.to_owned(),
         };
         let found = Self::read(&target, question, times);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Where an answer goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Destination {
     /// A file, or none yet, at the end of all symbolic links.
     File(PathBuf),
     /// What takes bytes as they come: the standard output, a FIFO, a device.
@@ -25,23 +25,27 @@ pub(crate) enum Stream {
 const MOST_LINKS: usize = 40;
 
 /// Where the path leads; `-` is the standard output.
-pub(crate) fn of(path: &Path) -> io::Result<Place> {
+pub(crate) fn resolved(path: &Path) -> io::Result<Destination> {
     if path == Path::new("-") {
-        return Ok(Place::Stream(Stream::Output));
+        return Ok(Destination::Stream(Stream::Output));
     }
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {
         if let Some(stream) = open_already(&path) {
-            return Ok(Place::Stream(stream));
+            return Ok(Destination::Stream(stream));
         }
         let kind = match fs::symlink_metadata(&path) {
             Ok(metadata) => metadata.file_type(),
             // What is not there yet is made.
-            Err(_) => return Ok(Place::File(path)),
+            Err(_) => return Ok(Destination::File(path)),
         };
         if !kind.is_symlink() {
             let whole = kind.is_file() || kind.is_dir();
-            return Ok(if whole { Place::File(path) } else { Place::Stream(Stream::Opened(path)) });
+            return Ok(if whole {
+                Destination::File(path)
+            } else {
+                Destination::Stream(Stream::Opened(path))
+            });
         }
         // Relative targets are relative to where the link is.
         let target = fs::read_link(&path)?;
