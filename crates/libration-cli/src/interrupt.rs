@@ -29,7 +29,7 @@ pub(crate) fn go_on() -> ControlFlow<()> {
 /// What is left to be said when an answer was ended early and `what` there was of it is written.
 pub(crate) fn ended_early(what: &str) -> Result<(), Failure> {
     match asked() {
-        true => Err(Failure::Interrupted(format!("interrupted: {what} until then are written"))),
+        true => Err(Failure::Interrupted(format!("interrupted: {what} up to then are written"))),
         false => Ok(()),
     }
 }

@@ -101,9 +101,10 @@ impl Wanted {
         let place = table.describe(column).map_err(refusal)?;
         let said = self.option.and_then(|(option, said)| Some((option, said?)));
         Ok(match (said, written) {
-            (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => {
-                (unit, Some(format!("{place} is taken in {unit} as {option} says, and not in {other}")))
-            }
+            (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => (
+                unit,
+                Some(format!("{place} is read in {unit} ({option}), not in {other} as its header says")),
+            ),
             (Some((_, unit)), _) => (unit, None),
             (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),
             (None, WrittenUnit::Nothing) => (usual, None),

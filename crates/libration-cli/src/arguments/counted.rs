@@ -39,7 +39,7 @@ impl CountedOptions {
                 (
                     count,
                     Some(format!(
-                        "{place} is taken as times of {taken} as {option} says, and not of {}",
+                        "{place} is read as times of {taken} ({option}), not of {} as its header says",
                         periods(other)
                     )),
                 )

@@ -31,7 +31,7 @@ fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<V
     from.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     Ok(match bytes.len() <= limit {
         true => Ok(bytes),
-        false => Err(too_large(path, "goes on", limit)),
+        false => Err(too_large(path, "is longer than that", limit)),
     })
 }
 

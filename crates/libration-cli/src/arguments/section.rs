@@ -113,7 +113,7 @@ impl SectionOptions {
                 let period = period.or_else(|| drive_period(equation));
                 let period =
                     period.map_or_else(|| "a period of the drive".to_owned(), |it| number::seconds(it, 10));
-                format!("once in {period}, at the part {} of it", number::short(*phase, 6))
+                format!("once every {period}, at phase {}", number::short(*phase, 6))
             }
         }
     }

@@ -50,7 +50,7 @@ impl SystemOptions {
         let of_pendulum =
             named.values_of(length, gravity).map_err(|reason| Failure::usage(argument, reason))?;
         if let Some((name, _)) = of_pendulum.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
-            let reason = format!("it says what {name} is, as --set does: give one of them");
+            let reason = format!("it sets {name}, as --set does: give one of them");
             return Err(Failure::usage(argument, reason));
         }
         values.extend(of_pendulum.into_iter().map(|(name, value)| (name.to_owned(), value)));

@@ -102,7 +102,7 @@ impl Derive {
         out.flush()?;
         match is_whole {
             true => Ok(()),
-            false => Err(Failure::Interrupted("interrupted: the steps until then are written".to_owned())),
+            false => Err(Failure::Interrupted("interrupted: the steps up to then are written".to_owned())),
         }
     }
 

@@ -78,7 +78,7 @@ fn document(text: &str) -> Result<Document, String> {
 
 /// Where a claim about numbers holds.
 const HOLDS: &str = "amplitudes, from and to, at which a claim about numbers holds";
-const PARAPHRASE: &str = "whether the formula is ours, where the document has words";
+const PARAPHRASE: &str = "whether the formula is ours, for a statement that the document makes in words";
 
 fn of_statement() -> Fields<Row> {
     type Of = Field<Row>;

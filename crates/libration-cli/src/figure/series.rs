@@ -79,7 +79,7 @@ pub(crate) fn against_terms(lines: &[Line], setting: &SeriesSetting) -> Picture 
         series.push(Series::line(&line.label, style::markers(number), points));
     }
     let last = series.iter().flat_map(|series| &series.points).map(|point| point.x).fold(1.0, f64::max);
-    let x = Axis::linear(&format!("last power of {} kept", setting.abscissa.symbol), 0.0, last + 1.0);
+    let x = Axis::linear(&format!("highest power of {}", setting.abscissa.symbol), 0.0, last + 1.0);
     picture(x.in_units(Units::Whole), series, setting)
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, Str
     let gravity = number::quantity(budget.gravity(), "m/s²");
     let mut lines = vec![("gravity", format!("{gravity}  (length {length})"))];
     lines.push(("expanded", combined::expanded(&budget.combined)));
-    lines.extend(budget.warnings().iter().map(|doubt| ("doubtful", doubt.to_string())));
+    lines.extend(budget.warnings().iter().map(|doubt| ("warning", doubt.to_string())));
     lines
 }
 

@@ -33,7 +33,7 @@ fn dry_friction_ends_it() {
     let turns = answer["turning_points"].as_array().unwrap();
     assert_eq!(turns.len(), 10);
     close(&turns[9]["amplitude_rad"], 0.0457993352786800781089756367415, 1e-13);
-    assert!(text("decay 1rad --dry 0.05 --omega0 1").contains("held by dry friction from 28.905941 s on"));
+    assert!(text("decay 1rad --dry 0.05 --omega0 1").contains("stopped by dry friction after 28.905941 s"));
 }
 
 #[test]

@@ -241,7 +241,7 @@ fn a_motion_around_both_wells_is_not_what_the_series_is_for() {
     let around = json("expand double_well --evaluate 0.42 --order 5");
     close(&around["exact"], 15.084_420_399_954_246 / std::f64::consts::TAU * 2_f64.sqrt(), 1e-13);
     close(&around["encloses"], 0.0, 1e-15);
-    assert!(around["note"].as_str().unwrap().contains("goes around another equilibrium too"));
+    assert!(around["note"].as_str().unwrap().contains("also encloses the equilibrium at"));
     let sheet = text("expand double_well --evaluate 0.42 --order 5");
     assert!(sheet.contains("\nbut ") && sheet.contains("another equilibrium too, at 0"), "{sheet}");
     // sqrt(2) - 1 = 0.41421356... is the barrier.
@@ -264,7 +264,7 @@ fn it_is_seen_where_a_series_stops_helping() {
     let told = text("expand duffing --evaluate 1.5");
     assert!(told.contains("← smallest term") && told.contains("BEYOND"), "{told}");
     let inside = text("expand duffing --evaluate 0.5");
-    assert!(!inside.contains("← smallest term") && inside.contains("this is inside"), "{inside}");
+    assert!(!inside.contains("← smallest term") && inside.contains("this amplitude is inside"), "{inside}");
     let over_the_top = text("expand pendulum --evaluate 200deg");
     assert!(
         over_the_top.contains("none: at the displacement")

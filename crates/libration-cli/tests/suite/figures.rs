@@ -18,7 +18,7 @@ fn each_picture_labels_its_axes() {
         ("phase", ["angle θ / rad", "velocity θ′ / ω₀"]),
         ("spectrum", ["harmonic n", "coefficient |aₙ| / rad"]),
         ("series pendulum", ["amplitude θ₀ / degrees", "radius of convergence, 180°"]),
-        ("series duffing --amplitudes 0.5,1.1", ["last power of A kept", "A = 1.1"]),
+        ("series duffing --amplitudes 0.5,1.1", ["highest power of A", "A = 1.1"]),
         ("series van_der_pol --quantity frequency", ["strength μ", "|error of Ω/ω₀|"]),
     ];
     for (arguments, labels) in cases {

@@ -26,7 +26,7 @@ fn ctrl_c_ends_a_long_list_with_a_whole_answer() {
         out.read_to_end(&mut answer).unwrap();
         let output = running.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(130), "{question}: {}", message(&output));
-        assert!(message(&output).contains("until then are written"), "{}", message(&output));
+        assert!(message(&output).contains("up to then are written"), "{}", message(&output));
         let read: Value = serde_json::from_slice(&answer).unwrap();
         let list = if question.starts_with("motion") { &read["samples"] } else { &read["results"] };
         assert!(!list.as_array().unwrap().is_empty());
@@ -58,7 +58,7 @@ fn ctrl_c_keeps_the_points_of_a_backbone_that_are_done() {
     if amplitudes.is_empty() {
         assert!(message(&output).contains("nothing is written"), "{}", message(&output));
     } else {
-        let told = format!("the points until then are written, {} of 89001", amplitudes.len());
+        let told = format!("the points up to then are written, {} of 89001", amplitudes.len());
         assert!(message(&output).contains(&told), "{}", message(&output));
     }
     assert!(amplitudes.len() < 89_001 && amplitudes.is_sorted());
@@ -135,7 +135,7 @@ fn ctrl_c_keeps_what_of_a_picture_is_known() {
     let picture = directory("interrupted-series").join("series.svg");
     let output = picture.display().to_string();
     let arguments = ["figure", "series", SLOW, "--order", "9", "--amplitudes", "0.1,0.2,20", "-o", &output];
-    assert!(message(&interrupted(&arguments, BETWEEN)).contains("the curves until then are written"));
+    assert!(message(&interrupted(&arguments, BETWEEN)).contains("the curves up to then are written"));
     let drawn = std::fs::read_to_string(picture).unwrap();
     assert!(drawn.contains("A = 0.2") && !drawn.contains("A = 20"));
     let early = interrupted(&["figure", "series", "--order", "999", "-o", &output], BETWEEN);
@@ -147,7 +147,7 @@ fn ctrl_c_keeps_what_of_a_picture_is_known() {
 fn ctrl_c_keeps_the_steps_of_a_derivation() {
     let arguments = ["derive", "--road", "perturbation", SLOW, "--order", "3", "--amplitude", "20"];
     let output = interrupted(&arguments, 3 * BETWEEN);
-    assert!(message(&output).contains("the steps until then are written"), "{}", message(&output));
+    assert!(message(&output).contains("the steps up to then are written"), "{}", message(&output));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.starts_with("# Perturbation theory") && !text.contains("How good it is"), "{text}");
     assert!(text.contains("This derivation was interrupted"), "{text}");

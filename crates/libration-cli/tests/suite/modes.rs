@@ -140,9 +140,9 @@ fn the_backbone_says_where_orbits_are_of_another_family() {
     let [one, both] = answer["points"].as_array().unwrap().as_slice() else { panic!("{answer}") };
     assert!(one["encloses"] == Value::Null && one.get("note").is_none(), "{one}");
     close(&both["encloses"], 0.0, 1e-15);
-    assert!(both["note"].as_str().unwrap().contains("around another equilibrium too"), "{both}");
+    assert!(both["note"].as_str().unwrap().contains("encloses the equilibrium at 0"), "{both}");
     let sheet = text("backbone double_well --amplitudes 0.41,0.42,0.5");
-    assert!(sheet.contains("At 2 of the amplitudes, the first at 0.42, the orbit goes around"), "{sheet}");
+    assert!(sheet.contains("At 2 of the amplitudes, the first at 0.42, the orbit also encloses"), "{sheet}");
     let top = json("backbone pendulum --amplitudes 90deg,180deg");
     let top = &top["points"][1];
     assert!(
@@ -195,13 +195,13 @@ fn amplitudes_count_from_an_equilibrium_without_expansion_and_that_is_said() {
         let table = run(&[&arguments[..], about].concat());
         let table = String::from_utf8(table.stdout).unwrap();
         assert!(
-            table.contains("equilibrium  1.0") && table.contains("which amplitudes count from"),
+            table.contains("equilibrium  1.0") && table.contains("amplitudes are measured from it"),
             "{table}"
         );
     }
     let none = run(&["backbone", "x''=exp(x)", "--amplitudes", "1"]);
     let told = unfolded(&String::from_utf8(none.stdout).unwrap());
-    assert!(told.contains("none found to which the force drives back: amplitudes count from 0"), "{told}");
+    assert!(told.contains("no stable one found: amplitudes are measured from 0"), "{told}");
 }
 
 /// cosh 800 is 10³⁴⁷; in numbers of more bits the motion is followed all the same.

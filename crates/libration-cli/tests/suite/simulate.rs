@@ -79,10 +79,7 @@ fn every_form_has_the_same_numbers() {
     assert_eq!(sample(&answer, 0), [1.1, 0.5, 0.0, 0.0]);
     let sheet = text(question);
     let said = unfolded(&sheet);
-    assert!(
-        said.contains("(r, r', theta' not given and taken at rest)") && said.contains("r' / (m/s)"),
-        "{sheet}"
-    );
+    assert!(said.contains("(r, r', theta' not given, so at rest)") && said.contains("r' / (m/s)"), "{sheet}");
 }
 
 #[test]

@@ -46,7 +46,7 @@ pub(super) fn of_backbone() -> Fields<Answer> {
         Of::value(
             "centre_is_equilibrium",
             "",
-            "whether it is one that the force drives back to; else amplitudes count from 0",
+            "whether it is a stable equilibrium; if not, amplitudes are measured from 0",
             |it| it.curve.has_equilibrium().into(),
         ),
         Of::known("omega0", "rad/s", "angular frequency of small oscillations, or null", |it| {
@@ -96,7 +96,7 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
             "displacement from the centre at the other turning point",
             |it| it.orbit().map(|orbit| orbit.other_side),
         ),
-        Of::present_value("encloses", "", "another equilibrium that the orbit goes around, or null", |it| {
+        Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
             it.orbit().map(|orbit| orbit.encloses.map(json::number).into())
         })
         .only_json(),
@@ -161,9 +161,7 @@ impl Point<'_> {
 
 fn enclosing(point: &Point<'_>) -> Option<String> {
     let place = short(point.encloses()?, 6);
-    Some(format!(
-        "the orbit goes around another equilibrium too, at {place}, and is not of the family that the series is for"
-    ))
+    Some(format!("the orbit also encloses the equilibrium at {place}, so that the series does not apply"))
 }
 
 /// How far the series is from the exact value, or else from the orbit.

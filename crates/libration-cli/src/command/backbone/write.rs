@@ -39,8 +39,7 @@ fn write_enclosing(out: &mut dyn Write, answer: &Answer, points: &[Point<'_>]) -
         points.iter().filter_map(|point| Some((point, point.encloses()?))).collect();
     let Some((first, place)) = enclosing.first() else { return Ok(()) };
     let told = format!(
-        "At {} of the amplitudes, the first at {}, the orbit goes around another equilibrium too, at {}, and is not of the family \
-         that the series is for.",
+        "At {} of the amplitudes, the first at {}, the orbit also encloses the equilibrium at {}, so that the series does not apply.",
         enclosing.len(),
         answer.amplitude_text(first.point.amplitude, 10),
         answer.amplitude_text(*place, 6)
@@ -53,10 +52,10 @@ fn head(answer: &Answer) -> Vec<(&'static str, String)> {
     let mut lines = fields::of_backbone().lines(answer);
     let centre = answer.curve.centre();
     if !answer.curve.has_equilibrium() {
-        let told = "none found to which the force drives back: amplitudes count from 0";
+        let told = "no stable one found: amplitudes are measured from 0";
         lines.push(("equilibrium", told.to_owned()));
     } else if centre != 0.0 {
-        lines.push(("equilibrium", format!("{}, which amplitudes count from", rounded(centre, 13))));
+        lines.push(("equilibrium", format!("{} (amplitudes are measured from it)", rounded(centre, 13))));
     }
     lines.extend(answer.curve.omega0().map(|omega0| ("ω0", rounded(omega0, 13))));
     lines.push(("series", series(answer)));

@@ -83,7 +83,7 @@ impl Diagram<'_> {
 
     fn points_text(&self) -> String {
         let Points { recorded, skipped } = self.points;
-        format!("{recorded} for each value, {}, after {skipped} of the transient", self.place)
+        format!("{recorded} for each value, {}, after discarding {skipped} as transient", self.place)
     }
 
     /// The values for which the motion stopped early, and why.
@@ -115,9 +115,7 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
         Of::value("skipped", "1", "points of the transient that were left out, for each value", |it| {
             it.points.skipped.into()
         }),
-        Of::value("state[]", "", "names of the numbers of the state", |it| {
-            json::list(it.model.state_names())
-        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("complete", "", "whether each sweep has all values", |it| it.is_complete().into()),
         Of::value("stopped[]", "", "values for which the motion stopped early, and why", |it| {
             json::list(it.stopped())
@@ -139,7 +137,7 @@ fn of_row() -> Fields<Row> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
+    const NUMBER: description::Row = ("NAME", "", "state variable of this name");
     let json = [of_diagram().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "bifurcation", option: "", json: json.concat(), csv: csv.concat() }]

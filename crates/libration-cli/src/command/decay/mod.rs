@@ -98,7 +98,7 @@ impl Decay {
         announce(out, self.form.form(), &drawn)?;
         if report.interrupted {
             out.flush()?;
-            return Err(Failure::Interrupted("interrupted: the cycles until then are written".to_owned()));
+            return Err(Failure::Interrupted("interrupted: the cycles up to then are written".to_owned()));
         }
         Ok(())
     }

@@ -118,7 +118,7 @@ impl Answer<'_> {
         let ends = [self.report.turns.first(), self.report.turns.last()];
         let [first, last] = ends.map(|turn| turn.map_or_else(String::new, loss));
         format!(
-            "in a cycle {first} at the first amplitude, {last} at the last; averaging is for small losses, not next to the top"
+            "{first} per cycle at the first amplitude, {last} at the last; averaging is meant for small losses, away from the top"
         )
     }
 
@@ -126,16 +126,16 @@ impl Answer<'_> {
         let amplitude = self.report.turns[number].point.amplitude.radians();
         let part = short(100.0 * error / amplitude, 2);
         let degrees = short(error.to_degrees(), 2);
-        format!("errs by at most {degrees}°, {part} % of the amplitude then, at cycle {}", in_cycles(number))
+        format!("error at most {degrees}° ({part} % of the amplitude), at cycle {}", in_cycles(number))
     }
 
     fn ending(&self) -> String {
         let time = seconds(self.report.turns.last().map_or(f64::NAN, |turn| turn.point.time), 8);
         let sticking = short(self.decay.sticking_amplitude().to_degrees(), 6);
         match self.report.ending {
-            None => "none yet: the pendulum swings on".to_owned(),
+            None => "none yet: the pendulum is still swinging".to_owned(),
             Some(DecayEnding::Sticks) => {
-                format!("held by dry friction from {time} on, as at every amplitude up to {sticking}°")
+                format!("stopped by dry friction after {time}, as at every amplitude up to {sticking}°")
             }
             Some(DecayEnding::Vanishes) => format!("after {time} the amplitude is below 1e-100 rad"),
             Some(_) => format!(

@@ -101,7 +101,7 @@ fn meaning(expansion: &Expansion, symbols: &Symbols<'_>) -> String {
             format!("x to {}, {frequency}; {gauge}; τ = Ωt", power(order))
         }
         ExpansionVariable::Parameter(_) => {
-            format!("the limit cycle to {}; τ = Ωt counts so that there is no sin τ", power(order))
+            format!("the limit cycle to {}; τ = Ωt, with the phase in which there is no sin τ", power(order))
         }
     }
 }
@@ -196,13 +196,13 @@ fn checked(expansion: &Expansion) -> String {
         Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
         Certificate::Potential => {
             "how the frequency depends on the turning points is proven by the reversion of the potential, \
-             the rest is confirmed by two spare primes of 62 bits"
+             the rest is confirmed modulo two further primes of 62 bits"
         }
         Certificate::FirstIntegral => {
             "how the period depends on the amplitude is proven by the first integral, \
-             the rest is confirmed by two spare primes of 62 bits"
+             the rest is confirmed modulo two further primes of 62 bits"
         }
-        Certificate::FreshPrimes => "confirmed by two spare primes of 62 bits, not proven",
+        Certificate::FreshPrimes => "confirmed modulo two further primes of 62 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
     };
     format!("{precision}; {how}")

@@ -31,7 +31,7 @@ impl Answer<'_> {
     fn write_sheet(&self, out: &mut dyn Write) -> io::Result<()> {
         sheet(out, &self.lines())?;
         for finding in &self.findings {
-            write_text(out, "read: ", finding)?;
+            write_text(out, "detected: ", finding)?;
         }
         for warning in &self.fit.warnings {
             write_text(out, "note: ", &warning.to_string())?;
@@ -54,15 +54,17 @@ impl Answer<'_> {
                     number::rounded(fit.part_between, 3)
                 ),
             ),
-            ("timing", format!("{} s, by the scatter", number::rounded(fit.timing, 2))),
+            ("timing", format!("{} s, from the scatter", number::rounded(fit.timing, 2))),
             ("mean period", said(fit.mean_period, "s")),
         ];
         if let Some(first) = fit.first_period {
-            lines
-                .push(("first period", format!("{}  (all, followed back to the release)", said(first, "s"))));
+            lines.push((
+                "first period",
+                format!("{}  (all periods, extrapolated back to the release)", said(first, "s")),
+            ));
         }
         match fit.t0 {
-            Some(t0) => lines.push(("T₀", format!("{}  (by {})", said(t0, "s"), self.source()))),
+            Some(t0) => lines.push(("T₀", format!("{}  (from {})", said(t0, "s"), self.source()))),
             None => lines.push(("T₀", "not known".to_owned())),
         }
         if let Some(amplitude) = fit.amplitude {

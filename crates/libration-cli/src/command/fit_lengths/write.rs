@@ -39,7 +39,7 @@ impl Answer<'_> {
         let best = self.fit.best();
         let dropped = self.table.dropped;
         let incomplete =
-            if dropped > 0 { format!(", {dropped} incomplete ones left out") } else { String::new() };
+            if dropped > 0 { format!(", {dropped} incomplete rows left out") } else { String::new() };
         let mut lines = vec![
             ("rows", format!("{}{incomplete}", self.table.measured.table.len())),
             ("weights", self.weighting().to_owned()),
@@ -54,14 +54,14 @@ impl Answer<'_> {
             lines.insert(1, ("units", self.table.told.join("; ")));
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
-        lines.extend(contradicted.map(|(_, doubt)| ("doubtful", doubt)));
+        lines.extend(contradicted.map(|(_, doubt)| ("warning", doubt)));
         if let Some(offset) = best.offset {
             let millimetres = [offset.value, offset.uncertainty].map(|metres| 1e3 * metres);
             let text = number::with_uncertainty(millimetres[0], millimetres[1], "mm");
             lines.push(("δ, offset", format!("{text}  (to be added to the lengths)")));
         }
         if let Some(correlation) = best.correlation {
-            lines.push(("correlation", format!("{} of g and δ", number::rounded(correlation, 3))));
+            lines.push(("correlation", format!("{} between g and δ", number::rounded(correlation, 3))));
         }
         if let Some(known) = self.fit.known_gyration {
             lines.push(("bob", format!("2r²/5 = {} m² is part of every law", number::rounded(known, 4))));

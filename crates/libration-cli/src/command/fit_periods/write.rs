@@ -46,7 +46,7 @@ impl Answer<'_> {
             ),
             ("β", self.beta_line()),
         ];
-        lines.extend(self.fit.warnings().iter().map(|warning| ("doubtful", warning.to_string())));
+        lines.extend(self.fit.warnings().iter().map(|warning| ("warning", warning.to_string())));
         if !self.measured.told.is_empty() {
             lines.insert(1, ("units", self.measured.told.join("; ")));
         }
@@ -59,11 +59,11 @@ impl Answer<'_> {
     fn rows_line(&self) -> String {
         let mut line = self.fit.table.len().to_string();
         if self.measured.dropped > 0 {
-            line += &format!(", {} incomplete ones left out", self.measured.dropped);
+            line += &format!(", {} incomplete rows left out", self.measured.dropped);
         }
         let outliers = self.outlier_lines();
         if !outliers.is_empty() {
-            let fate = if self.fit.table.len() < self.measured.rows.len() { "left out" } else { "kept" };
+            let fate = if self.fit.table.len() < self.measured.rows.len() { "left out" } else { "included" };
             let shown: Vec<String> = outliers.iter().take(10).map(ToString::to_string).collect();
             let more = if outliers.len() > shown.len() { ", …" } else { "" };
             line += &format!("; {} outliers {fate} (lines {}{more})", outliers.len(), shown.join(", "));

@@ -76,7 +76,7 @@ pub(super) fn model(answer: &Answer<'_>) -> String {
     let chosen = answer.swings.fit.damping.to_string();
     let rivals = answer.swings.rivals();
     match (&answer.swings.comparison, rivals.len()) {
-        (None, _) => format!("{chosen} (as asked)"),
+        (None, _) => format!("{chosen} (as requested)"),
         (Some(_), 0) => format!("{chosen} (preferred by the data)"),
         (Some(_), _) => {
             format!("{chosen} (the data cannot exclude {})", alternatives(&rivals))

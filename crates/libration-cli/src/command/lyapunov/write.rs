@@ -55,9 +55,7 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("state[]", "", "names of the numbers of the state", |it| {
-            json::list(it.model.state_names())
-        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("initial[]", "", "state at the start, in the order of those names", |it| {
             json::numbers(&it.initial)
         }),
@@ -68,9 +66,11 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::number("exponent", "1/s", "largest Lyapunov exponent", |it| it.found.exponent).line_of(
             "largest Lyapunov exponent",
             |it| {
-                let [exponent, uncertainty] = [(it.found.exponent, 5), (it.found.uncertainty, 2)]
-                    .map(|(value, digits)| number::rounded(value, digits));
-                format!("{exponent} ± {uncertainty} 1/s")
+                let exponent = number::rounded(it.found.exponent, 5);
+                match it.found.uncertainty {
+                    known if known.is_finite() => format!("{exponent} ± {} 1/s", number::rounded(known, 2)),
+                    _ => format!("{exponent} 1/s  (uncertainty not known: too few intervals)"),
+                }
             },
         ),
         Of::number(
@@ -91,7 +91,7 @@ fn of_point() -> Fields<(f64, f64)> {
     type Of = Field<(f64, f64)>;
     Fields::from([
         Of::number("time", "s", "time measured so far", |(time, _)| *time).short("measured / s", 8),
-        Of::number("exponent", "1/s", "estimate of the exponent until then", |(_, exponent)| *exponent)
+        Of::number("exponent", "1/s", "estimate of the exponent up to then", |(_, exponent)| *exponent)
             .rounded("exponent / (1/s)", 6),
     ])
 }

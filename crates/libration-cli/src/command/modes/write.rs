@@ -67,7 +67,7 @@ fn summary(mode: &Mode) -> String {
                 None => format!("ω = {frequency}"),
             }
         }
-        Behaviour::Free => "free, no force in proportion to the displacement drives it back".to_owned(),
+        Behaviour::Free => "free, without a linear restoring force".to_owned(),
         Behaviour::Unstable if im > 0.0 => {
             format!("UNSTABLE, growing like exp({rate} t) at the frequency {frequency}")
         }
@@ -88,7 +88,7 @@ fn lines(answer: &Answer, mode: &Mode) -> Vec<(&'static str, String)> {
     if mode.multiplicity > 1 {
         lines.push((
             "",
-            format!("{} modes have this frequency: any mixture of them is one", mode.multiplicity),
+            format!("{} modes have this frequency: any combination of them is a mode too", mode.multiplicity),
         ));
     }
     if mode.behaviour == Behaviour::Oscillating {
@@ -136,7 +136,7 @@ fn shift(names: &[String], mode: &Mode) -> String {
             };
             format!("{law}, where a is the amplitude of {leading}")
         }
-        Err(reason) => format!("no change of the frequency is given: {reason}"),
+        Err(reason) => format!("frequency shift not known: {reason}"),
     }
 }
 
@@ -159,9 +159,7 @@ fn resonance_text(resonance: &Resonance) -> String {
     };
     let consequence = match (exact, other_is_faster) {
         (true, _) => "the two exchange energy at any amplitude if the forces couple them",
-        (false, true) => {
-            "the change above holds only for amplitudes so small that it is less than the detuning"
-        }
+        (false, true) => "the frequency shift above holds only while it is smaller than the detuning",
         (false, false) => "small swings of this mode may feed the other",
     };
     format!("{ratio} with mode {}, {nearness}: {consequence}", other + 1)

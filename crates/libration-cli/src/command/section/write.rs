@@ -67,7 +67,7 @@ impl Answer<'_> {
 
     fn points_text(&self) -> String {
         let count: usize = self.sections.iter().map(|section| section.points.len()).sum();
-        format!("{count}, {}, after {} of the transient", self.place, self.points.skipped)
+        format!("{count}, {}, after discarding {} as transient", self.place, self.points.skipped)
     }
 }
 
@@ -94,9 +94,7 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("skipped", "1", "points of the transient that were left out, for each motion", |it| {
             it.points.skipped.into()
         }),
-        Of::value("state[]", "", "names of the numbers of the state", |it| {
-            json::list(it.model.state_names())
-        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("initial[][]", "", "state at the start of each motion, in the order of the names", |it| {
             json::list(it.starts.clone())
         }),
@@ -119,7 +117,7 @@ fn of_row() -> Fields<Row> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: description::Row = ("NAME", "", "number of the state with this name");
+    const NUMBER: description::Row = ("NAME", "", "state variable of this name");
     let json = [of_answer().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]

@@ -25,9 +25,7 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
             let values = values.map(|(name, value)| (name.as_str(), value.to_f64().unwrap_or(f64::NAN)));
             values.fold(Record::new(), add).into()
         }),
-        Of::value("state[]", "", "names of the numbers of the state", |it| {
-            json::list(it.model.state_names())
-        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
     ])
 }
 
@@ -94,7 +92,7 @@ pub(super) fn of_summary() -> Fields<Summary> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: Row = ("NAME", "", "number of the state with this name");
+    const NUMBER: Row = ("NAME", "", "state variable of this name");
     let json = [
         of_motion().described(""),
         of_sample().described("samples[]."),

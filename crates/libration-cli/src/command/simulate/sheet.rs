@@ -27,7 +27,7 @@ impl AnswerWriter for Sheet {
             writeln!(out, "{}", paragraph("  parameters ", &parameters, 120))?;
         }
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
-        writeln!(out, "  tolerance  {:e} a step", motion.effort.relative)?;
+        writeln!(out, "  tolerance  {:e} per step", motion.effort.relative)?;
         if self.listed {
             writeln!(out)?;
         }
@@ -84,7 +84,7 @@ impl Sheet {
 /// The drift of the energy, with how well it is known where that is worse than roundings.
 fn drift(drift: &Result<[f64; 2], String>) -> String {
     match drift {
-        Ok([drift, _]) if drift.is_nan() => "none, as the energy has no value all along".to_owned(),
+        Ok([drift, _]) if drift.is_nan() => "none: the energy is not defined throughout".to_owned(),
         Ok([drift, uncertainty]) => {
             let known = match *uncertainty > f64::EPSILON {
                 true => {
@@ -94,7 +94,7 @@ fn drift(drift: &Result<[f64; 2], String>) -> String {
             };
             format!("{} of the largest kinetic energy{known}", number::rounded(*drift, 2))
         }
-        Err(reason) => format!("none, as {reason}"),
+        Err(reason) => format!("none: {reason}"),
     }
 }
 
@@ -119,7 +119,9 @@ fn parameters(motion: &SimulatedMotion) -> Option<String> {
     let is_default = motion.model.value_of("omega0").is_some_and(|frequency| (frequency - 1.0).abs() <= 0.0);
     let swings = motion.model.key().is_some_and(|key| key.contains("pendulum"));
     let difference = match swings && is_default {
-        true => " (`libration period` takes 1 m and 9.80665 m/s², with omega0 = 3.13: say --length 1m here)",
+        true => {
+            " (`libration period` assumes 1 m and 9.80665 m/s², so omega0 = 3.13: give --length 1m for the same)"
+        }
         false => "",
     };
     (!values.is_empty()).then(|| values + difference)
@@ -135,6 +137,6 @@ fn start(motion: &SimulatedMotion) -> String {
     let assumed: Vec<&str> = motion.initial.assumed.iter().map(|(name, _)| name.as_str()).collect();
     match assumed.as_slice() {
         [] => given,
-        names => format!("{given} ({} not given and taken at rest)", names.join(", ")),
+        names => format!("{given} ({} not given, so at rest)", names.join(", ")),
     }
 }

@@ -73,7 +73,7 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
             "the other road: elliptic integrals, or integration of the equation of motion",
             |it| it.known().map(|exact| method(exact.method).into()),
         ),
-        Of::present_value("encloses", "", "another equilibrium that the orbit goes around, or null", |it| {
+        Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
             it.known().map(|exact| exact.encloses.map(json::number).into())
         }),
         Of::note(Numbers::other_family),

@@ -106,7 +106,7 @@ impl<'a> Numbers<'a> {
     fn other_family(&self) -> Option<String> {
         let place = self.known()?.encloses?;
         Some(format!(
-            "the motion goes around another equilibrium too, at {}: it is not of the family that the series is for",
+            "the motion also encloses the equilibrium at {}, so that the series does not apply",
             short(place, 6)
         ))
     }

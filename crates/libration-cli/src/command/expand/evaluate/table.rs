@@ -83,7 +83,7 @@ fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
     lines.extend(numbers.other_family().map(|told| ("but", told)));
     lines.push(("convergence", convergence(numbers)));
     if let Some(smallest) = numbers.evaluation.smallest_term() {
-        lines.push(("no help after", after(numbers, smallest)));
+        lines.push(("smallest term", after(numbers, smallest)));
     }
     lines.push(("terms needed", needed(&numbers.evaluation, numbers.needed())));
     lines
@@ -96,7 +96,7 @@ fn exact(numbers: &Numbers<'_>) -> String {
                 Method::Elliptic => "by elliptic integrals",
                 Method::Integration => "by integrating the equation of motion",
             };
-            format!("{}, right to {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
+            format!("{}, error below {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
         }
         Some(Err(reason)) => format!("none: {reason}"),
         None => NOT_REACHED.to_owned(),
@@ -110,7 +110,7 @@ fn convergence(numbers: &Numbers<'_>) -> String {
         None => "too few terms to estimate a radius: give a larger --order".to_owned(),
         Some(Radius::Known(radius)) => {
             let inside = numbers.amplitude.abs() < radius;
-            let place = if inside { "this is inside" } else { "this is BEYOND it" };
+            let place = if inside { "this amplitude is inside" } else { "this amplitude is BEYOND it" };
             format!("for {symbol} below {} (proven); {place}", in_units(numbers, radius, 10))
         }
         Some(Radius::Estimated(found)) if found.at_most.is_infinite() => {
@@ -122,9 +122,9 @@ fn convergence(numbers: &Numbers<'_>) -> String {
         Some(Radius::Estimated(found)) => {
             let (low, high) = (short(found.at_least, 4), short(found.at_most, 4));
             let place = match numbers.amplitude.abs() {
-                inside if inside < found.at_least => "this is inside",
-                beyond if beyond > found.at_most => "this is BEYOND it",
-                _ => "this is too near to tell",
+                inside if inside < found.at_least => "this amplitude is inside",
+                beyond if beyond > found.at_most => "this amplitude is BEYOND it",
+                _ => "this amplitude is too close to tell",
             };
             let radius = in_units(numbers, found.radius, 4);
             format!("for {symbol} below about {radius} (estimated, between {low} and {high}); {place}")
@@ -135,10 +135,10 @@ fn convergence(numbers: &Numbers<'_>) -> String {
 /// Where the series is at its best when its terms grow.
 fn after(numbers: &Numbers<'_>, smallest: &PartialSum) -> String {
     let error = match numbers.error(smallest.sum) {
-        Some(error) => format!(", where the error is {}", rounded(error, 2)),
+        Some(error) => format!("; the error there is {}", rounded(error, 2)),
         None => String::new(),
     };
-    format!("{}{}: from there on the terms grow{error}", symbol(numbers), superscript(smallest.power))
+    format!("{}{}: beyond it the terms grow{error}", symbol(numbers), superscript(smallest.power))
 }
 
 fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
@@ -146,12 +146,12 @@ fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Opti
     let mut counted = vec![];
     for (tolerance, count) in counts {
         let Some(count) = count else {
-            counted.push(format!("more than these {known} for {tolerance:.0e}"));
+            counted.push(format!("more than {known} for {tolerance:.0e}"));
             break;
         };
         counted.push(format!("{count} for {tolerance:.0e}"));
     }
-    format!("after the first: {}", counted.join(", "))
+    format!("beyond the first: {}", counted.join(", "))
 }
 
 fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>, pade: &[Quotient]) -> io::Result<()> {

@@ -47,7 +47,7 @@ impl DampingModel<'_> {
             Standing::Preferred => "preferred",
             Standing::Tied => "tied",
             Standing::Possible => "possible",
-            Standing::Negative => "not believed",
+            Standing::Negative => "implausible",
             Standing::FeedsEnergy => "feeds energy",
             Standing::Excluded => "",
         };

@@ -23,7 +23,7 @@ impl Mark {
     pub(super) fn fields() -> Fields<Self> {
         type Of = Field<Mark>;
         Fields::from([
-            Of::value("time", "s", "time of the checkpoint that --resume goes on from", |it| {
+            Of::value("time", "s", "time of the checkpoint that --resume continues from", |it| {
                 json::number(it.checkpoint.time)
             }),
             Of::value("state[][]", "", "state there, each number as the sum of two", |it| {

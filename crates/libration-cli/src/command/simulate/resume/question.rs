@@ -63,7 +63,7 @@ impl Question {
             Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
                 it.equations.as_str().into()
             }),
-            Of::value("state[]", "", "names of the numbers of the state", |it| json::list(it.state.clone())),
+            Of::value("state[]", "", "names of the state variables", |it| json::list(it.state.clone())),
             Of::value("initial[]", "", "state at t = 0", |it| json::numbers(&it.initial)),
             Of::value("tolerance", "1", "relative error allowed in each step", |it| {
                 json::number(it.tolerance)
