@@ -69,17 +69,18 @@ pub(super) fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
     };
     let step = step.say(
         "The coefficients are power series in a small number {}, which is a measure of the size of the swing and has no \
-         other meaning yet; the coefficient of {} begins with the power {}, because it takes so many factors to make it:",
-        [letter("ε"), cos(letter("k") * letter("τ")), letter("ε").pow(letter("k"))],
+         other meaning yet. Nothing is known of them but that they vanish with it:",
+        [letter("ε")],
     );
     let step = question.harmonics().into_iter().fold(step, |step, k| step.show(harmonic_series(question, k)));
     step.show(frequency_series(question))
 }
 
 fn harmonic_series(question: &Question, k: usize) -> CheckedEquation {
-    let first = if k == 0 { 2 } else { k };
-    let powers = question.powers().into_iter().filter(|n| *n >= first);
-    let terms = powers.map(|n| Formula::from(Name::from(&coefficient_name(k, n))) * power_of_epsilon(n));
+    let terms = question
+        .powers()
+        .into_iter()
+        .map(|n| Formula::from(Name::from(&coefficient_name(k, n))) * power_of_epsilon(n));
     let terms = terms.chain([left_out(question)]).collect();
     CheckedEquation::definition(Statement::equal(harmonic_name(k), sum(terms)))
 }

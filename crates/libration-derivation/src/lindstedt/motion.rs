@@ -2,7 +2,7 @@
 
 use super::super::check::{Check, CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, letter, number};
+use super::super::formula::{Formula, Name, Statement, letter};
 use super::ansatz::{coefficient_name, harmonic_name};
 use super::question::{Question, Solution};
 use super::substitution::{Motion, in_epsilon, solves};
@@ -12,19 +12,14 @@ use libration::perturbation::Gauge;
 pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationError> {
     let unknowns = question.open.unknowns().len();
     let free = question.open.free_constants();
-    let fixed = number(i64::try_from(unknowns - free.len()).unwrap_or(i64::MAX));
+    let count = |number: usize| crate::formula::number(i64::try_from(number).unwrap_or(i64::MAX));
+    let vanishing = question.open.solution().values().filter(|value| value.is_zero()).count();
     let mut step = DerivationStep::new("The gauge")
         .say(
-            "The ansatz has {} coefficients, of which the conditions fix {}. Free are the {} coefficients of the first harmonic: \
-             they say what {} means, since any other measure of the size of the swing would do as well. To choose them is to choose \
-             the gauge. It changes every series in {}, and no relation between quantities that can be measured.",
-            [
-                number(i64::try_from(unknowns).unwrap_or(i64::MAX)),
-                fixed,
-                number(i64::try_from(free.len()).unwrap_or(i64::MAX)),
-                letter("ε"),
-                letter("ε"),
-            ],
+            "The ansatz has {} coefficients. The conditions fix {} of them, of which {} vanish. Free are those of the first harmonic, {} \
+             in number: they say what {} means, since any other measure of the size of the swing would do as well. To choose them is \
+             to choose the gauge. It changes every series in {}, and no relation between quantities that can be measured.",
+            [count(unknowns), count(unknowns - free.len()), count(vanishing), count(free.len()), letter("ε"), letter("ε")],
         )
         .say(meaning(&question.solution.gauge), []);
     for n in question.powers() {

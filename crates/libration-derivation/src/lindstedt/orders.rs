@@ -57,7 +57,7 @@ pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, Der
     let mut steps = Vec::new();
     for order in question.powers() {
         check_order(question, order)?;
-        if (2..=last).contains(&order) {
+        if order <= last {
             steps.push(one_order(question, order));
         }
     }
@@ -70,7 +70,7 @@ pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, Der
 
 fn one_order(question: &Question, order: usize) -> DerivationStep {
     let heading = format!("Order {order}, with the gauge open");
-    let mut step = DerivationStep::new(&heading);
+    let mut step = vanishing(question, order, DerivationStep::new(&heading));
     for condition in question.open.conditions().iter().filter(|condition| is_shown(condition, order)) {
         let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
         let power = letter("ε").pow(i64::from(condition.order));
@@ -88,10 +88,47 @@ fn one_order(question: &Question, order: usize) -> DerivationStep {
     step
 }
 
+/// The coefficients of harmonics that are not made yet.
+fn vanishing(question: &Question, order: usize, step: DerivationStep) -> DerivationStep {
+    let conditions = question.open.conditions().iter();
+    let alone: Vec<&Condition> =
+        conditions.filter(|condition| is_of(condition, order) && is_alone(condition)).collect();
+    let step = if order == 1 {
+        step.say(
+            "In the power {} of the equation of motion stand the coefficients of this power alone. In the factor of {} they cancel, since \
+             a very small swing has the frequency {}.",
+            [letter("ε"), cosine(1), Formula::from(Name::new("ω").index(0))],
+        )
+    } else {
+        step
+    };
+    if alone.is_empty() {
+        return step;
+    }
+    let step = match alone.len() {
+        1 => step.say("In the factor of one harmonic a coefficient stands alone, so that it vanishes: nothing of lower orders makes this \
+                       harmonic.", []),
+        _ => step.say("In the factors of some harmonics a coefficient stands alone, so that it vanishes: nothing of lower orders makes \
+                       these harmonics.", []),
+    };
+    alone.into_iter().fold(step, |step, condition| {
+        let statement = Statement::equal(&condition.polynomial, 0);
+        step.show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }))
+    })
+}
+
+fn is_of(condition: &Condition, order: usize) -> bool {
+    usize::try_from(condition.order) == Ok(order) && !condition.polynomial.is_zero()
+}
+
+/// Whether one coefficient is all there is of it; that of the first harmonic has the factor A₁.
+fn is_alone(condition: &Condition) -> bool {
+    condition.harmonic != 1 && condition.polynomial.terms().count() == 1
+}
+
 /// Conditions that say more than 0 = 0, or that a harmonic not yet made is not there.
 fn is_shown(condition: &Condition, order: usize) -> bool {
-    let this = usize::try_from(condition.order) == Ok(order) && condition.harmonic <= condition.order;
-    this && !condition.polynomial.is_zero() && condition.polynomial.terms().count() > 1
+    is_of(condition, order) && !is_alone(condition)
 }
 
 /// The coefficient that a condition fixes, and its value.

@@ -2,6 +2,7 @@
 
 use super::Released;
 use super::accuracy::{exactly_at, motion as motion_in_numbers};
+use super::ansatz::fundamental_and_harmonics;
 use super::few_harmonics;
 use super::motion::motion;
 use super::question::Question;
@@ -95,4 +96,32 @@ fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     assert_eq!(verdicts("pendulum", 5, 2.967), words(lost));
     assert_eq!(verdicts("pendulum", 2, 0.7), None);
     assert_eq!(verdicts("quadratic", 4, 0.1), None);
+}
+
+/// The ansatz shows every coefficient that the section on the gauge counts, and the conditions every one that vanishes.
+#[test]
+fn as_many_coefficients_are_shown_as_are_counted() {
+    for (key, order) in
+        [("pendulum", 2), ("pendulum", 5), ("pendulum", 7), ("quadratic", 3), ("helmholtz_duffing", 4)]
+    {
+        let question = question(key, order);
+        let ansatz = fundamental_and_harmonics(&question);
+        let names =
+            |formula: &Formula| question.open.unknowns().iter().filter(|it| contains(formula, it)).count();
+        let statements = ansatz.blocks.iter().filter_map(|block| match block {
+            Block::Equation(equation) => Some(equation.statement()),
+            _ => None,
+        });
+        let shown: usize =
+            statements.flat_map(|statement| &statement.rest).map(|(_, formula)| names(formula)).sum();
+        assert_eq!(shown, question.open.unknowns().len(), "{key} to order {order}");
+    }
+}
+
+fn contains(formula: &Formula, unknown: &libration::algebra::Variable) -> bool {
+    match formula {
+        Formula::Name(name) => *name == crate::Name::from(unknown),
+        Formula::Sum(parts) | Formula::Product(parts) => parts.iter().any(|part| contains(part, unknown)),
+        _ => false,
+    }
 }
