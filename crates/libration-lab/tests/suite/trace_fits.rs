@@ -12,6 +12,7 @@ use libration_lab::fit::trace::{
 use libration_lab::measurement::{Seen, Trace};
 
 use crate::random::Random;
+use crate::synthetic_trace::Synthetic;
 
 /// A pendulum and an instrument.
 #[derive(Clone, Debug)]
@@ -236,6 +237,28 @@ fn angular_velocities_do_as_well() {
         fit.parameters[0].estimate.uncertainty < 1e-3
             && fit.parameters.iter().any(|p| p.unit == "rad/s" && p.name == "offset")
     );
+}
+
+/// A gyroscope does not tell how far the pendulum is from the bottom: large swings that die down fast are followed from a start
+/// that the fall of the amplitude does not spoil.
+#[test]
+fn angular_velocities_of_large_damped_swings_are_fitted() {
+    let mut random = Random::seeded(29);
+    for degrees in [120.0_f64, 130.0, 150.0, 160.0] {
+        let case = Synthetic {
+            quadratic: 0.02,
+            linear: 0.03,
+            amplitude: degrees.to_radians(),
+            seen: Seen::AngularVelocity,
+            rows: 600,
+            noise: 0.02,
+            ..Synthetic::USUAL
+        };
+        let traces = [case.trace(&mut random)];
+        let found = fit(&traces, "linear+quadratic".parse().unwrap(), TraceOptions::default());
+        assert!((0.9..1.1).contains(&(found.rms / 0.02)), "{degrees}°: {}", found.rms);
+        assert!(deviation(&found, "omega0", 3.0).abs() < 4.0, "{degrees}°");
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::Warning;
 use crate::fit::cycles::Coefficient;
+use crate::fit::trace::Comparison;
 use crate::fit::{DampingTerm, DampingTerms, alternatives};
 use libration::quantity::rounded;
 
@@ -115,9 +116,14 @@ fn better_model(
         Some(term) => format!("its {} damping is negative", term.name()),
         None => "it feeds energy to the pendulum at some speeds".to_owned(),
     };
+    let how_much = match excess {
+        excess if excess < Comparison::INDISTINGUISHABLE => "slightly better",
+        excess if excess < Comparison::UNSUPPORTED => "better",
+        _ => "much better",
+    };
     write!(
         f,
-        "`{damping}` explains the data better (AICc lower by {}) and is not preferred, since {why}: the pendulum or the instrument \
+        "`{damping}` fits the data {how_much} (AICc lower by {}) but is not preferred, since {why}: the pendulum or the instrument \
          does something that is in no model",
         rounded(excess, 3)
     )

@@ -121,16 +121,26 @@ fn window(times: &[f64], angles: &[f64], centre: f64, half: f64, interval: f64) 
     )
 }
 
-/// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles.
+/// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles, of those
+/// from one turning point to the next on the same side. The amplitude falls, so that the turning points of one side drift upwards
+/// and those of the other downwards: the mean of both does not.
 fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
-    let mean = integral(times, velocities) / (times[times.len() - 1] - times[0]).max(f64::MIN_POSITIVE);
-    let upward: Vec<usize> =
-        (1..times.len()).filter(|&i| velocities[i - 1] < mean && velocities[i] >= mean).collect();
-    let bias = match (upward.first(), upward.last()) {
-        (Some(&first), Some(&last)) if last > first => {
-            integral(&times[first..=last], &velocities[first..=last]) / (times[last] - times[first])
-        }
-        _ => mean,
+    let mean = |from: usize, to: usize| {
+        integral(&times[from..=to], &velocities[from..=to]) / (times[to] - times[from]).max(f64::MIN_POSITIVE)
+    };
+    let whole = mean(0, times.len() - 1);
+    let over_cycles = |rising: bool| {
+        let crosses = |row: &usize| {
+            let [before, after] = [velocities[row - 1] >= whole, velocities[*row] >= whole];
+            before != after && after == rising
+        };
+        let mut crossings = (1..times.len()).filter(crosses);
+        Some(mean(crossings.next()?, crossings.next_back()?))
+    };
+    let bias = match [true, false].map(over_cycles) {
+        [Some(up), Some(down)] => 0.5 * (up + down),
+        [Some(one), None] | [None, Some(one)] => one,
+        [None, None] => whole,
     };
     let mut angle = 0.0;
     let mut angles = vec![0.0];

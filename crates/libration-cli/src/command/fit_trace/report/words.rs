@@ -142,7 +142,7 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
     let verdict = match (rivals.len(), comparison.better().count()) {
         (0, 0) => format!("The simplest description that the data allow is {}.", named(answer)),
         (0, _) => format!(
-            "The simplest description with drag that brakes is {}, and another model explains the data better: see the doubts.",
+            "The simplest description with drag that brakes is {}, and another model fits the data better: see the doubts.",
             named(answer)
         ),
         _ => format!(

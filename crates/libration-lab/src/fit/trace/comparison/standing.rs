@@ -12,7 +12,7 @@ pub enum Standing {
     Tied,
     /// Worse, but the data do not exclude it.
     Possible,
-    /// It explains the data better, by too little to believe in a coefficient that is negative.
+    /// It explains the data as well or better, by too little to believe in a coefficient that is negative.
     Negative,
     /// It feeds energy to the pendulum at some speed, which no friction does.
     FeedsEnergy,
@@ -46,7 +46,9 @@ impl Comparison {
             () if !fit.takes_energy() => Standing::FeedsEnergy,
             () if beyond < Self::INDISTINGUISHABLE => Standing::Tied,
             () if beyond < Self::UNSUPPORTED => Standing::Possible,
-            () if self.is_better(place) => Standing::Negative,
+            () if fit.takes_energy() && self.excess_over_preferred(place) < Self::UNSUPPORTED => {
+                Standing::Negative
+            }
             () => Standing::Excluded,
         }
     }
@@ -75,15 +77,17 @@ impl Comparison {
         self.rivals().into_iter().filter(|&rival| named(rival).is_some_and(moves)).collect()
     }
 
-    /// The models that explain the data better than the preferred one and are not believed, with by how much.
+    /// The models that explain the data better than the preferred one and are not believed, with by how much: a criterion that is
+    /// lower by less than [`Self::SUBSTANTIAL`] is no evidence.
     pub fn better(&self) -> impl Iterator<Item = (&TraceFit, f64)> {
-        let least = self.excess_information[self.preferred];
-        let places = (0..self.fits.len()).filter(|&place| place != self.preferred && self.is_better(place));
-        places.map(move |place| (&self.fits[place], least - self.excess_information[place]))
+        let doubtful =
+            self.fits.iter().enumerate().filter(|(_, fit)| !(fit.takes_energy() && fit.damps_by_each_term()));
+        let with_evidence = doubtful.map(|(place, fit)| (fit, -self.excess_over_preferred(place)));
+        with_evidence.filter(|(_, evidence)| *evidence > Self::SUBSTANTIAL)
     }
 
-    fn is_better(&self, place: usize) -> bool {
-        let possible = self.fits[place].takes_energy() && self.fits[place].damps_by_each_term();
-        !possible && self.excess_information[place] < self.excess_information[self.preferred]
+    /// By how much the criterion is above that of the preferred model.
+    fn excess_over_preferred(&self, place: usize) -> f64 {
+        self.excess_information[place] - self.excess_information[self.preferred]
     }
 }

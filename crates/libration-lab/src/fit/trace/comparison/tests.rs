@@ -92,8 +92,21 @@ fn a_negative_coefficient_is_believed_beyond_twenty_only_and_else_told() {
     assert!(better.len() == 1 && (better[0] - 11.9).abs() < 1e-9, "{better:?}");
     assert_eq!(two(9.0, 0.1, -0.005).standing(1), Standing::Negative);
     assert_eq!(two(19.0, 0.1, -0.005).preferred, 0);
+    // Worse by ten or more it is excluded as any other.
+    assert_eq!(two(-9.9, 0.1, -0.005).standing(1), Standing::Negative);
+    assert_eq!(two(-10.1, 0.1, -0.005).standing(1), Standing::Excluded);
     let believed = two(22.1, 0.1, -0.005);
     assert_eq!((believed.preferred, believed.better().count()), (1, 0));
+}
+
+/// Burnham and Anderson, section 2.6: a criterion that differs by less than two is no evidence.
+#[test]
+fn a_criterion_that_is_hardly_lower_makes_no_model_better() {
+    for (excess, better) in [(0.2, 0), (1.9, 0), (2.1, 1)] {
+        let comparison = two(excess, 0.1, -0.005);
+        assert_eq!((comparison.preferred, comparison.better().count()), (0, better), "{excess}");
+        assert_eq!(comparison.standing(1), Standing::Negative);
+    }
 }
 
 #[test]
