@@ -4,9 +4,10 @@ use super::constant::{Approximation, Constant, PRECISION};
 use super::error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
-use super::roots::{LARGEST_DEGREE, Seen, polynomial_zeros, zeros};
+use super::roots::{LARGEST_DEGREE, Seen, zeros};
 use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
+use crate::roots::polynomial_sign_changes;
 
 /// How far a zero may be from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, and
 /// a hundred of that are left.
@@ -34,7 +35,7 @@ pub(super) struct Candidates {
 pub(super) fn candidates(force: &Force) -> Candidates {
     let at_rest = force.at_rest();
     let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
-    let everywhere = polynomial.and_then(|coefficients| polynomial_zeros(&scaled(&coefficients)));
+    let everywhere = polynomial.and_then(|coefficients| polynomial_sign_changes(&scaled(&coefficients)));
     let (mut near, none) = match (everywhere, Curve::new(&at_rest, &force.x)) {
         (Some(zeros), _) => (zeros, OscillatorError::NoEquilibrium),
         (None, Some(curve)) => {

@@ -9,6 +9,7 @@
 //! | [`bisect`] | a condition that holds at one end | log2(width/tolerance), at most 2100 |
 //! | [`zero_between`] | the values at both ends, of opposite sign | few for smooth functions, at most ten more than bisection |
 //! | [`polynomial_roots`] | the coefficients | some ten of each root |
+//! | [`polynomial_sign_changes`] | the coefficients | some sixty of each real zero of it and its derivatives |
 //!
 //! ```
 //! use libration::roots::{Tolerance, bisect, zero_between};
@@ -26,11 +27,14 @@
 mod bisection;
 mod interpolation;
 mod polynomial;
+mod sign_changes;
 
 pub use bisection::bisect;
 pub use interpolation::zero_between;
 pub(crate) use polynomial::value_and_slope;
 pub use polynomial::{PolynomialRoot, polynomial_roots};
+pub use sign_changes::polynomial_sign_changes;
+pub(crate) use sign_changes::sign_change;
 
 /// How wide a bracket may be in the end: the sum of both parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
