@@ -19,28 +19,22 @@ use libration::watch::Watch;
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
 /// The amplitude when none is given.
-pub(super) const EXAMPLE: f64 = 1.0;
+const EXAMPLE: f64 = 1.0;
 
 pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
     watch: &Watch<'_>,
 ) -> Result<DerivationStep, DerivationError> {
-    let exactly =
-        released.map(|released| released.amplitude.clone()).or_else(|| Displacement::from_f64(EXAMPLE));
-    let exactly = exactly.ok_or(DerivationError::NotAnAmplitude(EXAMPLE))?;
+    let exactly = amplitude_of(released)?;
     let amplitude = exactly.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
-    let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
     let exact = exactly_at(question, &exactly, watch);
     watch.go_on()?;
     let step = DerivationStep::new("How good it is")
-        .say(
-            "At an amplitude of {} the terms of the period are",
-            [Formula::Decimal(Decimal::short(amplitude, unit))],
-        )
+        .say("At an amplitude of {} the terms of the period are", [as_given(question, &exactly)])
         .table(terms(question, amplitude, &exact)?);
     let Some(released) = released else { return Ok(step) };
     Ok(step
@@ -51,6 +45,22 @@ pub(super) fn step(
              the command libration expand tells where it stops converging.",
             [],
         ))
+}
+
+/// An amplitude as it was given: in degrees, radians, or as a plain number.
+pub(super) fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
+    let radians = || match is_angle(question) {
+        true => Decimal::short(amplitude.to_f64(), DecimalUnit::Radian),
+        false => Decimal::short(amplitude.to_f64(), DecimalUnit::One),
+    };
+    let degrees = amplitude.degrees().filter(|_| is_angle(question));
+    Formula::Decimal(degrees.map_or_else(radians, |degrees| Decimal::short(degrees, DecimalUnit::Degree)))
+}
+
+/// The amplitude that was given, or the example.
+pub(super) fn amplitude_of(released: Option<&Released>) -> Result<Displacement, DerivationError> {
+    let given = released.map(|released| released.amplitude.clone());
+    given.or_else(|| Displacement::from_f64(EXAMPLE)).ok_or(DerivationError::NotAnAmplitude(EXAMPLE))
 }
 
 pub(super) fn is_angle(question: &Question) -> bool {

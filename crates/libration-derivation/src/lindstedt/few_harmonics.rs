@@ -2,10 +2,10 @@
 
 use super::super::check::DerivationError;
 use super::super::document::{DerivationStep, DerivationTable};
-use super::super::formula::{Decimal, DecimalUnit, Formula, cos, letter, number, rounded};
+use super::super::formula::{DecimalUnit, cos, letter, number, rounded};
 use super::super::prose::Prose;
 use super::Released;
-use super::accuracy::{EXAMPLE, is_angle};
+use super::accuracy::{amplitude_of, as_given};
 use super::ansatz::harmonic_name;
 use super::question::Question;
 use libration::algebra::Complex;
@@ -23,13 +23,13 @@ pub(super) fn step(
     released: Option<&Released>,
     watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {
-    let amplitude = released.map_or(EXAMPLE, |released| released.amplitude.to_f64());
+    let exactly = amplitude_of(released)?;
+    let amplitude = exactly.to_f64();
     let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
     let Some(solutions) = system.ok().and_then(|system| system.solutions_watched(amplitude, watch).ok())
     else {
         return Ok(None);
     };
-    let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
     let step = DerivationStep::new("The shortcut of two harmonics")
         .say(
             "One can also keep the first two harmonics alone, {} and {}, and of the force the terms up to the cube. Then the \
@@ -40,7 +40,7 @@ pub(super) fn step(
                 harmonic_name(3).into(),
                 cos(letter("τ")),
                 cos(number(3) * letter("τ")),
-                Formula::Decimal(Decimal::short(amplitude, unit)),
+                as_given(question, &exactly),
             ],
         )
         .table(table(&solutions))

@@ -1,7 +1,7 @@
 //! A motion that is no solution is not taken for one.
 
 use super::Released;
-use super::accuracy::{exactly_at, motion as motion_in_numbers};
+use super::accuracy::{as_given, exactly_at, motion as motion_in_numbers};
 use super::ansatz::fundamental_and_harmonics;
 use super::few_harmonics;
 use super::motion::motion;
@@ -124,4 +124,17 @@ fn contains(formula: &Formula, unknown: &libration::algebra::Variable) -> bool {
         Formula::Sum(parts) | Formula::Product(parts) => parts.iter().any(|part| contains(part, unknown)),
         _ => false,
     }
+}
+
+#[test]
+fn an_amplitude_is_shown_as_it_was_given() {
+    let (pendulum, quadratic) = (question("pendulum", 3), question("quadratic", 3));
+    let shown = |question: &Question, text: &str| {
+        let amplitude = Displacement::from_angle_text(text).unwrap();
+        crate::formula_latex(&as_given(question, &amplitude))
+    };
+    assert_eq!(shown(&pendulum, "60deg"), "60^{\\circ}");
+    assert_eq!(shown(&pendulum, "37.3deg"), "37.3^{\\circ}");
+    assert_eq!(shown(&pendulum, "pi-1e-3"), "3.14059265358979\\,\\mathrm{rad}");
+    assert_eq!(shown(&quadratic, "0.1"), "0.1");
 }

@@ -61,6 +61,23 @@ impl Displacement {
         self.0.nearest().unwrap_or(f64::INFINITY)
     }
 
+    /// How many degrees it is, where it is a multiple of π, as what was written in degrees is.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::quantity::Displacement;
+    /// assert_eq!(Displacement::from_angle_text("37.3deg")?.degrees(), Some(37.3));
+    /// assert_eq!(Displacement::from_angle_text("pi/3")?.degrees(), Some(60.0));
+    /// assert_eq!(Displacement::from_angle_text("1.2rad")?.degrees(), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn degrees(&self) -> Option<f64> {
+        let PiCombination { pi_multiple, rest } = &self.0;
+        let is_multiple = rest.is_zero() && !pi_multiple.is_zero();
+        is_multiple.then(|| (pi_multiple * dashu::rational::RBig::from(180)).to_f64().value())
+    }
+
     /// As an angle with its complement, each in two words; `None` when its turns cannot be counted.
     #[must_use]
     pub fn to_angle(&self) -> Option<Angle> {
