@@ -23,7 +23,8 @@ pub enum SwingsError {
     Gravity(#[from] BudgetError),
 }
 
-/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion and may stop the fit.
+/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion, and before the
+/// cycles of each trace, and may stop it all.
 ///
 /// # Errors
 /// No motion could be fitted, or there is no gravity with this apparatus.
@@ -39,8 +40,11 @@ pub fn swings(
             (comparison.best().clone(), Some(comparison))
         }
     };
-    let cycles: Vec<_> =
-        traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
+    let cycles = traces.iter().map(|trace| {
+        watch.go_on().map_err(|_| TraceFitError::Interrupted)?;
+        Ok(cycles::cycles(trace, &cycles::Options::default()))
+    });
+    let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
     let pendulum = pendulum(&fit, small_angle_period(&fit, comparison.as_ref()), &cycles, options)?;
     let beta = beta_of_traces(traces, &cycles);
     let mut found = SwingsFit { fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };

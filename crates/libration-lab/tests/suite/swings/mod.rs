@@ -4,12 +4,14 @@
 mod advice;
 mod warnings;
 
-use libration::watch::Watch;
+use std::cell::Cell;
+use std::ops::ControlFlow;
 
 use libration::quantity::Quantity;
+use libration::watch::Watch;
 use libration_lab::fit::Apparatus;
-use libration_lab::fit::swings::{Advice, SwingsFit, SwingsOptions, Warning, swings};
-use libration_lab::fit::trace::TraceOptions;
+use libration_lab::fit::swings::{Advice, SwingsError, SwingsFit, SwingsOptions, Warning, swings};
+use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use libration_lab::measurement::{Seen, Trace};
 
 use crate::random::Random;
@@ -79,4 +81,25 @@ fn a_good_measurement_is_not_doubted_and_wants_nothing_but_a_length() {
 fn angular_velocities_are_judged_alike() {
     let seen = Synthetic { seen: Seen::AngularVelocity, ..SWING };
     assert_eq!(warnings(&seen, &linear()), []);
+}
+
+#[test]
+fn swings_stop_at_any_question() {
+    let traces = [trace(&SWING)];
+    let stopped_at = |n: usize| {
+        let questions = Cell::new(0);
+        let ask = |_| {
+            questions.set(questions.get() + 1);
+            if questions.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        (swings(&traces, &linear(), &Watch::new(&ask)), questions.get())
+    };
+    let (whole, questions) = stopped_at(usize::MAX);
+    assert!(whole.is_ok() && questions > 3);
+    // The last one is before the cycles.
+    for n in [1, 2, questions / 2, questions - 1, questions] {
+        let (found, asked) = stopped_at(n);
+        let is_interrupted = matches!(found, Err(SwingsError::Motion(TraceFitError::Interrupted)));
+        assert!(is_interrupted && asked == n, "question {n} of {questions}: {asked}");
+    }
 }
