@@ -16,7 +16,7 @@ use libration::systems::Model;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched};
 use std::f64::consts::TAU;
 
-/// Motions of any system in one picture: against time, in the plane of two numbers of the state, or their spectra
+/// Motions of any system in one picture: against time, in the plane of two state variables, or their spectra
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure trajectories pendulum --initial theta=30deg \\
@@ -51,13 +51,13 @@ pub(super) struct Trajectories {
     /// The last time that is drawn
     #[arg(long, value_name = "TIME", default_value = "60", value_parser = arguments::finite_time)]
     until: f64,
-    /// The number of the state that is drawn against time [default: the first coordinate]
+    /// The state variable that is drawn against time [default: the first coordinate]
     #[arg(long, value_name = "NAME", conflicts_with_all = ["axes", "spectrum"])]
     show: Option<String>,
-    /// Draw one number of the state against another, such as theta,theta'
+    /// Draw one state variable against another, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", conflicts_with = "spectrum")]
     axes: Option<String>,
-    /// Draw the spectrum of a number of the state, such as theta
+    /// Draw the spectrum of a state variable, such as theta
     #[arg(long, value_name = "NAME")]
     spectrum: Option<String>,
     #[command(flatten)]

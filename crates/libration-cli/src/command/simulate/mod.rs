@@ -70,7 +70,7 @@ pub(crate) struct Simulate {
     gravity: Option<f64>,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0; negative times run backward
+    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0; negative ones run backward
     #[arg(long, value_parser = arguments::times)]
     times: Times,
     /// The relative error allowed in each step
