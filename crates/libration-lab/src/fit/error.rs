@@ -90,4 +90,12 @@ pub enum FitError {
     /// Lengths that do not tell g from their offset.
     #[error("the lengths are all the same, which leaves their offset open: measure with different lengths")]
     EqualLengths,
+    /// A bob with which no offset explains the periods.
+    #[error(
+        "with a bob of radius {radius:?} m no offset of the lengths explains the periods: check the radius"
+    )]
+    BobRadius {
+        /// In metres.
+        radius: f64,
+    },
 }

@@ -135,6 +135,13 @@ fn tables_that_tell_nothing_are_refused() {
         LengthTable::new(&columns).and_then(|table| lengths(&table, &LengthsOptions::default())).unwrap_err()
     };
     assert_eq!(refuse(&[1.0, 1.0, 1.0], &[2.0, 2.01, 2.02]), FitError::EqualLengths);
+    // A ball of 5 m on strings of 1 m is not lengths that are all the same.
+    let (given, bob) = ([0.4, 0.6, 0.8, 1.0], Quantity { value: 5.0, uncertainty: None });
+    let columns =
+        LengthColumns { lengths: &given, periods: &[1.27, 1.55, 1.79, 2.0], ..LengthColumns::default() };
+    let options = LengthsOptions { bob_radius: Some(bob), ..LengthsOptions::default() };
+    let large = lengths(&LengthTable::new(&columns).unwrap(), &options);
+    assert_eq!(large.unwrap_err(), FitError::BobRadius { radius: 5.0 });
     assert!(matches!(refuse(&[1.0], &[2.0]), FitError::TooFewRows { .. }));
     assert!(matches!(refuse(&[1.0, -1.0], &[2.0, 2.0]), FitError::LengthOfRow { row: 2, .. }));
     assert!(matches!(refuse(&[1.0, 2.0], &[2.0, 0.0]), FitError::Period { row: 2, .. }));

@@ -79,7 +79,11 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "g" });
     }
     if fits.len() == 1 {
-        return Err(FitError::EqualLengths);
+        let differ = table.rows.windows(2).any(|pair| pair[0].length.total_cmp(&pair[1].length).is_ne());
+        return Err(match radius.filter(|_| differ) {
+            Some(radius) => FitError::BobRadius { radius },
+            None => FitError::EqualLengths,
+        });
     }
     // The same that `best` takes.
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
