@@ -133,8 +133,8 @@ fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
             )
         }
         Ok(_) => format!(
-            "cannot read `{shown}` as a position: give a number, such as 0.5 or sqrt(2)/2; angle units are for variables named as \
-             angles are, such as theta"
+            "cannot read `{shown}` as a position: give a number, such as 0.5 or sqrt(2)/2; angle units are for \
+             variables with the name of an angle, such as theta"
         ),
     }))
 }
