@@ -1,7 +1,7 @@
 //! Where an oscillator can rest, and whether it returns there.
 
 use super::constant::{Approximation, Constant, PRECISION};
-use super::error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
+use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
 use super::roots::{LARGEST_DEGREE, Seen, zeros};
@@ -132,29 +132,29 @@ fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
 }
 
 /// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
-pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Refusal> {
+pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, RejectedEquilibrium> {
     match omega0_squared_at(force, &at).and_then(|omega0_squared| {
         refuse_losses(force, &at)?;
         Ok(omega0_squared)
     }) {
         Ok(omega0_squared) => Ok(Equilibrium { at, omega0_squared }),
-        Err(why) => Err(Refusal { at: at.to_string(), why }),
+        Err(reason) => Err(RejectedEquilibrium { at: at.to_string(), reason }),
     }
 }
 
 /// ω0², where the force drives back in proportion to the displacement.
-fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Unfit> {
+fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, RejectionReason> {
     let (at_rest, place) = (force.at_rest(), at.digits());
     let about = Neighbourhood::new(&at_rest, &force.x, at);
-    let found = |passed: bool| match (passed, force.is_reversible()) {
-        (false, _) => EquilibriumSearch::Nowhere,
-        (true, true) => EquilibriumSearch::ByOrbits,
-        (true, false) => EquilibriumSearch::ByMotion,
+    let frequency = |passed: bool| match (passed, force.is_reversible()) {
+        (false, _) => FrequencySource::Nothing,
+        (true, true) => FrequencySource::Orbits,
+        (true, false) => FrequencySource::Motion,
     };
-    let rough = || Unfit::NotAnalytic {
+    let rough = || RejectionReason::NotAnalytic {
         roughness: about.as_ref().map_or(Roughness::Other, Neighbourhood::roughness),
         force: about.as_ref().and_then(Neighbourhood::tendency),
-        found: found(about.as_ref().is_some_and(Neighbourhood::is_analytic_on_both_sides)),
+        frequency: frequency(about.as_ref().is_some_and(Neighbourhood::is_analytic_on_both_sides)),
     };
     if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&place)) {
         return Err(rough());
@@ -165,18 +165,20 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Unfit> {
     }
     if omega0_squared.exact().is_some_and(Rational::is_zero) {
         let force = about.as_ref().and_then(Neighbourhood::tendency);
-        return Err(Unfit::NoLinearPart { force, found: found(true) });
+        return Err(RejectionReason::NoLinearPart { force, frequency: frequency(true) });
     }
-    Err(Unfit::NotRestoring { omega0_squared: omega0_squared.to_string() })
+    Err(RejectionReason::NotRestoring { omega0_squared: omega0_squared.to_string() })
 }
 
 /// Refuses forces that take or give energy.
-fn refuse_losses(force: &Force, at: &Constant) -> Result<(), Unfit> {
+fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
     if force.is_reversible() {
         return Ok(());
     }
     let damping = value_at(force, &force.damping(), at).filter(|it| it.to_f64() != 0.0);
-    Err(damping.map_or(Unfit::Irreversible, |damping| Unfit::Damped { damping: damping.to_string() }))
+    Err(damping.map_or(RejectionReason::Irreversible, |damping| RejectionReason::Damped {
+        damping: damping.to_string(),
+    }))
 }
 
 /// The value of a formula at a constant; one that is zero to its digits is zero.

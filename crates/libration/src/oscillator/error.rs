@@ -73,7 +73,7 @@ pub enum OscillatorError {
     NotFound,
     /// Equilibria, but none that can be expanded about.
     #[error("there is no expansion about any equilibrium: {}", list(.0))]
-    NoStableEquilibrium(Vec<Refusal>),
+    NoStableEquilibrium(Vec<RejectedEquilibrium>),
     /// What is given as the equilibrium is no constant.
     #[error("`{place}` is not a position: {why}")]
     NotAPlace {
@@ -92,18 +92,18 @@ pub enum OscillatorError {
 
 /// Why there are no oscillations about an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("at {at} {why}")]
-pub struct Refusal {
+#[error("at {at} {reason}")]
+pub struct RejectedEquilibrium {
     /// The place.
     pub at: String,
     /// The reason.
-    pub why: Unfit,
+    pub reason: RejectionReason,
 }
 
 /// What is wrong with an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Unfit {
+pub enum RejectionReason {
     /// The force drives away.
     #[error("the force points away from it: omega0^2 is {omega0_squared} and must be positive")]
     NotRestoring {
@@ -111,22 +111,22 @@ pub enum Unfit {
         omega0_squared: String,
     },
     /// The force has no linear part.
-    #[error("{}", without_linear_part(*.force, *.found))]
+    #[error("{}", without_linear_part(*.force, *.frequency))]
     NoLinearPart {
         /// Which way it drives all the same, where that is known.
         force: Option<Tendency>,
         /// What finds a frequency there.
-        found: EquilibriumSearch,
+        frequency: FrequencySource,
     },
     /// The force has no power series there.
-    #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.found))]
+    #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.frequency))]
     NotAnalytic {
         /// What is wrong with it.
         roughness: Roughness,
         /// Which way it drives all the same, where that is known.
         force: Option<Tendency>,
         /// What finds a frequency there.
-        found: EquilibriumSearch,
+        frequency: FrequencySource,
     },
     /// Energy is lost or won in small oscillations.
     #[error(
@@ -147,31 +147,31 @@ pub enum Unfit {
 
 /// What finds the frequency of oscillations that have no expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EquilibriumSearch {
+pub enum FrequencySource {
     /// An orbit for each amplitude.
-    ByOrbits,
+    Orbits,
     /// The motion in time.
-    ByMotion,
+    Motion,
     /// Neither, as integration does not pass the equilibrium.
-    Nowhere,
+    Nothing,
 }
 
-impl EquilibriumSearch {
+impl FrequencySource {
     fn advice(self) -> &'static str {
         match self {
-            Self::ByOrbits => ": the frequency at any amplitude is found without one (libration backbone)",
-            Self::ByMotion => ": the motion is followed without one (libration simulate)",
-            Self::Nowhere => "",
+            Self::Orbits => ": the frequency at any amplitude is found without one (libration backbone)",
+            Self::Motion => ": the motion is followed without one (libration simulate)",
+            Self::Nothing => "",
         }
     }
 }
 
-fn without_linear_part(force: Option<Tendency>, found: EquilibriumSearch) -> String {
+fn without_linear_part(force: Option<Tendency>, frequency: FrequencySource) -> String {
     match force {
         Some(Tendency::Back) => format!(
             "the restoring force has no linear part: omega0^2 is 0, so that the frequency goes to zero with the amplitude and has no \
              expansion{}",
-            found.advice()
+            frequency.advice()
         ),
         Some(Tendency::Away) => "the force points away from it, with omega0^2 = 0".to_owned(),
         Some(Tendency::OneWay) => "the force points the same way on both sides, with omega0^2 = 0".to_owned(),
@@ -180,18 +180,18 @@ fn without_linear_part(force: Option<Tendency>, found: EquilibriumSearch) -> Str
     }
 }
 
-fn without_series(force: Option<Tendency>, found: EquilibriumSearch) -> String {
+fn without_series(force: Option<Tendency>, frequency: FrequencySource) -> String {
     match force {
-        Some(Tendency::Back) => format!("; the force points back to it{}", found.advice()),
+        Some(Tendency::Back) => format!("; the force points back to it{}", frequency.advice()),
         Some(Tendency::Away) => "; the force points away from it".to_owned(),
         Some(Tendency::OneWay) => "; the force points the same way on both sides".to_owned(),
         _ => String::new(),
     }
 }
 
-fn list(refusals: &[Refusal]) -> String {
+fn list(refusals: &[RejectedEquilibrium]) -> String {
     const SHOWN: usize = 5;
-    let shown: Vec<String> = refusals.iter().take(SHOWN).map(Refusal::to_string).collect();
+    let shown: Vec<String> = refusals.iter().take(SHOWN).map(RejectedEquilibrium::to_string).collect();
     let more = refusals.len().saturating_sub(SHOWN);
     let rest = if more > 0 { format!("; and {more} more") } else { String::new() };
     shown.join("; ") + &rest

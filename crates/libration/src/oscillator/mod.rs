@@ -28,7 +28,7 @@ mod model;
 pub use catalogue::catalogue;
 pub use centre::centre_of;
 pub use constant::{Approximation, Constant};
-pub use error::{EquilibriumSearch, OscillatorError, Refusal, Unfit};
+pub use error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
 pub use model::{Kind, Oscillator};
 pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
