@@ -3,6 +3,7 @@
 mod accuracy;
 mod amplitude;
 mod ansatz;
+mod contributions;
 mod few_harmonics;
 mod motion;
 mod orders;

@@ -5,6 +5,7 @@ use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin};
 use super::super::trials::Trials;
 use super::ansatz::{coefficient_name, cosine};
+use super::contributions::{Contributions, vanishes};
 use super::question::Question;
 use super::substitution::{Motion, has_harmonics};
 use libration::algebra::{Polynomial, Rational, Variable};
@@ -54,11 +55,15 @@ fn written_out(question: &Question) -> usize {
 
 pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, DerivationError> {
     let last = written_out(question);
+    let contributions = Contributions::new(question, last);
     let mut steps = Vec::new();
     for order in question.powers() {
         check_order(question, order)?;
         if order <= last {
-            steps.push(one_order(question, order));
+            if let Some(contributions) = &contributions {
+                check_contributions(question, contributions, order)?;
+            }
+            steps.push(one_order(question, contributions.as_ref(), order));
         }
     }
     if let Some(step) = steps.pop() {
@@ -68,15 +73,12 @@ pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, Der
     Ok(steps)
 }
 
-fn one_order(question: &Question, order: usize) -> DerivationStep {
+fn one_order(question: &Question, contributions: Option<&Contributions>, order: usize) -> DerivationStep {
     let heading = format!("Order {order}, with the gauge open");
     let mut step = vanishing(question, order, DerivationStep::new(&heading));
     for condition in question.open.conditions().iter().filter(|condition| is_shown(condition, order)) {
-        let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
-        let power = letter("ε").pow(i64::from(condition.order));
         let statement = Statement::equal(&condition.polynomial, 0);
-        step = step
-            .say("The factor of {} in the power {} gives", [cosine(k), power])
+        step = led_to(step, contributions, condition)
             .show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }));
         if let Some((unknown, value)) = solved(question, condition) {
             let statement = Statement::equal(Name::from(&unknown), value);
@@ -86,6 +88,27 @@ fn one_order(question: &Question, order: usize) -> DerivationStep {
         }
     }
     step
+}
+
+/// How a condition comes about.
+fn led_to(
+    step: DerivationStep,
+    contributions: Option<&Contributions>,
+    condition: &Condition,
+) -> DerivationStep {
+    let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
+    let power = letter("ε").pow(i64::from(condition.order));
+    let Some(contributions) = contributions else {
+        return step.say("The factor of {} in the power {} gives", [cosine(k), power]);
+    };
+    let inserted = contributions.sum(condition.order, condition.harmonic) != condition.polynomial;
+    let step = step
+        .say("The factor of {} in the power {} has the parts", [cosine(k), power])
+        .table(contributions.table(condition));
+    match inserted {
+        true => step.say("With what lower orders have found, their sum becomes the condition", []),
+        false => step.say("Their sum is the condition", []),
+    }
 }
 
 /// The coefficients of harmonics that are not made yet.
@@ -159,9 +182,34 @@ fn check_order(question: &Question, order: usize) -> Result<(), DerivationError>
     Ok(())
 }
 
+/// Puts fractions for all letters into the ansatz, such as solve nothing, and compares what the equation of motion then is with the sums
+/// of the contributions.
+fn check_contributions(
+    question: &Question,
+    contributions: &Contributions,
+    order: usize,
+) -> Result<(), DerivationError> {
+    for choice in 0..CHOICES {
+        let any = |variable: &Variable| match vanishes(question, variable) {
+            true => Rational::from(0),
+            false => fraction_for(variable, choice),
+        };
+        let of_order = question.open.conditions().iter().filter(|it| usize::try_from(it.order) == Ok(order));
+        let expected = of_order.filter_map(|condition| {
+            let sum = contributions.sum(condition.order, condition.harmonic);
+            Some((usize::try_from(condition.harmonic).ok()?, sum.value(|variable| Some(any(variable)))?))
+        });
+        let expected: Vec<(usize, Rational)> = expected.collect();
+        has_harmonics(question, &motion(question, order, &any, Newest::AllOpen), order, &expected)?;
+    }
+    Ok(())
+}
+
 /// What the coefficients of the highest order are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Newest {
+    /// Any fractions, and so are those of lower orders.
+    AllOpen,
     /// Any fractions.
     Open,
     /// The solution.
@@ -172,7 +220,11 @@ enum Newest {
 fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational, newest: Newest) -> Motion {
     let value = |variable: Variable, n: usize| {
         let found = question.open.solution().get(&variable);
-        let found = found.filter(|_| n < order || newest == Newest::Solved);
+        let found = found.filter(|_| match newest {
+            Newest::AllOpen => false,
+            Newest::Open => n < order,
+            Newest::Solved => true,
+        });
         found
             .and_then(|polynomial| polynomial.value(|free| Some(any(free))))
             .unwrap_or_else(|| any(&variable))

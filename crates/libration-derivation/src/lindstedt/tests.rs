@@ -3,12 +3,13 @@
 use super::Released;
 use super::accuracy::{as_given, exactly_at, motion as motion_in_numbers};
 use super::ansatz::fundamental_and_harmonics;
+use super::contributions::Contributions;
 use super::few_harmonics;
 use super::motion::motion;
 use super::question::Question;
 use super::substitution::{has_harmonics, solves};
 use crate::{Block, Formula, Prose, Span};
-use libration::algebra::Rational;
+use libration::algebra::{Rational, Variable};
 use libration::oscillator::NamedOscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
@@ -118,7 +119,7 @@ fn as_many_coefficients_are_shown_as_are_counted() {
     }
 }
 
-fn contains(formula: &Formula, unknown: &libration::algebra::Variable) -> bool {
+fn contains(formula: &Formula, unknown: &Variable) -> bool {
     match formula {
         Formula::Name(name) => *name == crate::Name::from(unknown),
         Formula::Sum(parts) | Formula::Product(parts) => parts.iter().any(|part| contains(part, unknown)),
@@ -137,4 +138,27 @@ fn an_amplitude_is_shown_as_it_was_given() {
     assert_eq!(shown(&pendulum, "37.3deg"), "37.3^{\\circ}");
     assert_eq!(shown(&pendulum, "pi-1e-3"), "3.14059265358979\\,\\mathrm{rad}");
     assert_eq!(shown(&quadratic, "0.1"), "0.1");
+}
+
+/// The parts of a condition, with what lower orders have found put in, are the condition.
+#[test]
+fn contributions_become_the_conditions() {
+    for (key, order) in [("pendulum", 5), ("quadratic", 3), ("helmholtz_duffing", 3), ("cubic_quintic", 5)] {
+        let question = question(key, order);
+        let contributions = Contributions::new(&question, order).unwrap();
+        for condition in question.open.conditions() {
+            let lower = |unknown: &Variable| {
+                let own = unknown.letters() == "d" && unknown.index() == condition.order.checked_sub(1);
+                let own = own || unknown.letters() != "d" && unknown.index() == Some(condition.order);
+                if own { None } else { question.open.solution().get(unknown) }
+            };
+            let sum = contributions.sum(condition.order, condition.harmonic);
+            let found = sum.variables().into_iter().filter_map(|it| Some((lower(&it)?.clone(), it)));
+            let inserted = found.fold(sum.clone(), |sum, (value, it)| sum.substitute(&it, &value));
+            let alone = condition.polynomial.terms().count() == 1 && condition.harmonic != 1;
+            let expected =
+                if alone { libration::algebra::Polynomial::zero() } else { condition.polynomial.clone() };
+            assert_eq!(inserted, expected, "{key} {} {}", condition.order, condition.harmonic);
+        }
+    }
 }
