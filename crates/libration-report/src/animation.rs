@@ -50,8 +50,10 @@ impl Stage {
     /// Bodies in front of what holds them, all of it as large as the square allows.
     fn plane(&self, bodies: &[Hanging]) -> Vec<Moving> {
         let places = || bodies.iter().flat_map(|body| body.places.iter().chain(&body.held));
-        let (right, up) =
-            (Extent::of(places().map(|place| place.0)), Extent::of(places().map(|place| place.1)));
+        let (right, up) = (
+            Extent::enclosing(places().map(|place| place.0)),
+            Extent::enclosing(places().map(|place| place.1)),
+        );
         let scale = right.scale_to(self.reach).min(up.scale_to(self.reach));
         let on_canvas = |(x, y): &Place| self.place(scale * (x - right.middle), scale * (y - up.middle));
         let rods = bodies.iter().map(|body| {
@@ -68,7 +70,7 @@ impl Stage {
 
     /// Bodies on level rails, all to the same scale.
     fn rails(&self, places: &[Vec<f64>]) -> Vec<Moving> {
-        let extent = Extent::of(places.iter().flatten().copied());
+        let extent = Extent::enclosing(places.iter().flatten().copied());
         let scale = extent.scale_to(self.reach);
         let above = 0.5 * RAIL * u32::try_from(places.len().saturating_sub(1)).map_or(0.0, f64::from);
         let heights = (0_u32..).map(|number| above - RAIL * f64::from(number));
@@ -88,7 +90,7 @@ struct Extent {
 }
 
 impl Extent {
-    fn of(numbers: impl Iterator<Item = f64>) -> Self {
+    fn enclosing(numbers: impl Iterator<Item = f64>) -> Self {
         let ends = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), number| {
             (low.min(number), high.max(number))
         });

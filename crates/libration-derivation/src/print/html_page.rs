@@ -4,7 +4,8 @@ use super::super::check::CheckedEquation;
 use super::super::document::{Block, Derivation, DerivationTable};
 use super::super::prose::Prose;
 use super::super::typeset::escape::html;
-use super::super::typeset::layout::{self, Layout, Lines, Style};
+use super::super::typeset::layout::{Layout, Style};
+use super::super::typeset::lines::{self, Lines};
 use super::super::typeset::mathml;
 use super::{sentence, write_blocks};
 
@@ -64,7 +65,7 @@ fn prose(prose: &Prose) -> String {
 }
 
 fn equation(equation: &CheckedEquation) -> String {
-    let Lines { left, right } = layout::statement(equation.statement());
+    let Lines { left, right } = lines::statement(equation.statement());
     let inside = match right.as_slice() {
         [] => mathml(&left),
         [line] => format!("<mrow>{}{}</mrow>", mathml(&left), mathml(line)),

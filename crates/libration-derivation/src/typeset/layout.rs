@@ -1,6 +1,6 @@
 //! Formulas laid out: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
 
-use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
+use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Subscript};
 use super::place::{Place, place};
 use libration::algebra::{Function, Rational};
 
@@ -51,85 +51,6 @@ pub(crate) enum Style {
     Display,
     /// Within a sentence: fractions have a slash.
     Inline,
-}
-
-/// A statement in lines: what stands left of the first relation, and the lines right of it, each with its sign.
-pub(crate) struct Lines {
-    pub(crate) left: Layout,
-    pub(crate) right: Vec<Layout>,
-}
-
-/// Characters that a line has room for.
-const ROOM: usize = 66;
-
-/// A chain of more than two formulas has a line for each, a sum that is too long several.
-pub(crate) fn statement(statement: &Statement) -> Lines {
-    let mut right = Vec::new();
-    for (relation, formula) in &statement.rest {
-        let mut sign = Some(sign_of(*relation));
-        for line in broken(formula) {
-            right.push(Layout::Row(vec![sign.take().unwrap_or(Layout::Indent), line]));
-        }
-    }
-    let first = broken(&statement.first);
-    if first.len() > 1 {
-        return Lines { left: Layout::Row(vec![]), right: first.into_iter().chain(right).collect() };
-    }
-    Lines { left: Layout::Row(first), right }
-}
-
-/// A sum in as many lines as it needs.
-fn broken(formula: &Formula) -> Vec<Layout> {
-    let Layout::Row(parts) = Style::Display.formula(formula) else {
-        return vec![Style::Display.formula(formula)];
-    };
-    if !matches!(formula, Formula::Sum(_)) {
-        return vec![Layout::Row(parts)];
-    }
-    let mut lines = vec![vec![]];
-    let mut used = 0;
-    for part in parts {
-        let width = width(&part);
-        if matches!(part, Layout::Sign(_)) && used > ROOM - 12 {
-            lines.push(vec![]);
-            used = 0;
-        }
-        used += width;
-        if let Some(line) = lines.last_mut() {
-            line.push(part);
-        }
-    }
-    lines.into_iter().map(Layout::Row).collect()
-}
-
-/// About how many characters wide it is.
-fn width(layout: &Layout) -> usize {
-    match layout {
-        Layout::Row(parts) => parts.iter().map(width).sum(),
-        Layout::Letter(_) | Layout::Prefix(_) | Layout::Comma => 1,
-        Layout::Word(text) => text.chars().count(),
-        Layout::Digits(text) => text.len(),
-        Layout::Suffix(text) => text.chars().count(),
-        Layout::Sign(_) | Layout::Indent => 3,
-        Layout::ThinSpace | Layout::Application => 0,
-        Layout::Fraction(over, under) => width(over).max(width(under)),
-        Layout::Root(inner) | Layout::Primed(inner, _) => 1 + width(inner),
-        Layout::Scripts { base, below, above } => {
-            let script = |part: &Option<Box<Layout>>| part.as_ref().map_or(0, |part| width(part));
-            width(base) + script(below).max(script(above)).div_ceil(2)
-        }
-        Layout::Large { from, to, .. } => width(from).max(width(to)).max(2),
-        Layout::Brackets(inner) | Layout::Bars(inner) => 2 + width(inner),
-    }
-}
-
-fn sign_of(relation: Relation) -> Layout {
-    Layout::Sign(match relation {
-        Relation::Equal => '=',
-        Relation::Defined => '≔',
-        Relation::Rounded => '≈',
-        Relation::Less => '<',
-    })
 }
 
 impl Style {

@@ -2,6 +2,7 @@
 
 pub(super) mod escape;
 pub(super) mod layout;
+pub(super) mod lines;
 mod place;
 
 mod latex;
@@ -10,7 +11,8 @@ mod mathml;
 pub(super) use mathml::mathml;
 
 use super::formula::{Formula, Statement};
-use layout::{Lines, Style};
+use layout::Style;
+use lines::Lines;
 
 /// The formula in LaTeX, for mathematics mode.
 #[must_use]
@@ -21,7 +23,7 @@ pub fn formula_latex(formula: &Formula) -> String {
 /// The statement in LaTeX, for a display; what needs several lines is aligned.
 #[must_use]
 pub fn statement_latex(statement: &Statement) -> String {
-    let Lines { left, right } = layout::statement(statement);
+    let Lines { left, right } = lines::statement(statement);
     let lines: Vec<String> = right.iter().map(latex::latex).collect();
     match lines.as_slice() {
         [] | [_] => format!("{}{}", latex::latex(&left), lines.concat()).trim_end().to_owned(),

@@ -1,17 +1,18 @@
 //! Equations with the checks they have passed. An equation that fails its check cannot be made.
 
+mod error;
+mod words;
+
+pub use error::DerivationError;
+
 use std::ops::RangeInclusive;
 
-use super::evaluate::{Analysis, NoEvaluation, Values, evaluate};
-use super::formula::{Decimal, DecimalUnit, Formula, Name, Statement, rounded};
+use super::evaluate::{Analysis, Values, evaluate};
+use super::formula::{Decimal, Formula, Name, Statement};
 use super::numbers::Coefficients;
-use super::prose::Prose;
 use super::typeset::statement_latex;
 use libration::algebra::{Rationals, Ring};
-use libration::pendulum::PendulumError;
-use libration::perturbation::{ExpansionError, OpenGaugeError};
 use libration::series::PowerSeries;
-use libration::watch::Interrupted;
 
 /// A statement that has passed a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,67 +117,6 @@ pub enum Against {
     OtherSide,
     /// The library's exact motion or period, in double precision.
     Library,
-}
-
-/// Why a derivation cannot be given.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum DerivationError {
-    /// A formula that does not hold: an error of this program.
-    #[error("the formula {formula} fails its check: {reason}")]
-    Failed {
-        /// The formula in LaTeX.
-        formula: String,
-        /// How it fails.
-        reason: String,
-    },
-    /// A formula that cannot be evaluated.
-    #[error("the formula {formula} cannot be checked: {reason}")]
-    Unchecked {
-        /// The formula in LaTeX.
-        formula: String,
-        /// Why.
-        reason: NoEvaluation,
-    },
-    /// An amplitude at which the steps cannot be shown with their numbers.
-    #[error(
-        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees; `libration period` answers for all"
-    )]
-    Amplitude {
-        /// The amplitude in degrees.
-        degrees: f64,
-    },
-    /// An order that is not derived step by step.
-    #[error("order {order} is not derived step by step: give 2 to 9; `libration expand` goes on")]
-    Order {
-        /// What was asked for.
-        order: usize,
-    },
-    /// An acceleration that depends on the velocity.
-    #[error(
-        "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
-    )]
-    Velocity,
-    /// Numbers that are no fractions.
-    #[error(
-        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"
-    )]
-    NoFractions,
-    /// No expansion.
-    #[error(transparent)]
-    Expansion(#[from] ExpansionError),
-    /// No equations with the gauge left open.
-    #[error(transparent)]
-    OpenGauge(#[from] OpenGaugeError),
-    /// An amplitude that is none.
-    #[error("an amplitude of {0:?} is not positive and finite")]
-    NotAnAmplitude(f64),
-    /// A pendulum that cannot be.
-    #[error(transparent)]
-    Pendulum(#[from] PendulumError),
-    /// The watch said so before the first step.
-    #[error(transparent)]
-    Interrupted(#[from] Interrupted),
 }
 
 impl CheckedEquation {
@@ -328,90 +268,4 @@ pub(super) fn side<R: Analysis>(
 
 pub(super) fn failed(statement: &Statement, reason: String) -> DerivationError {
     DerivationError::Failed { formula: statement_latex(statement), reason }
-}
-
-impl Check {
-    /// Whether there was something to check, and it was computed.
-    pub(super) fn is_computed(&self) -> bool {
-        !matches!(self, Self::Definition | Self::Premise | Self::Given)
-    }
-
-    /// The check in words.
-    pub(super) fn to_prose(&self) -> Prose {
-        match self {
-            Self::Definition => Prose::text("definition"),
-            Self::Premise => Prose::text("the starting point"),
-            Self::Below => Prose::text("checked with the equation of motion, below"),
-            Self::Given => Prose::text("as given"),
-            Self::Series { variable, coefficients } => Prose::new(
-                "checked: the same power series in {}, exactly, through {}",
-                [variable.into(), last_power(variable, *coefficients)],
-            ),
-            Self::Rationals { index, first, last } => Prose::new(
-                "checked: the same fractions, exactly, for {} = {} ",
-                [index.into(), (*first).into()],
-            )
-            .and(Prose::new("to {}", [(*last).into()])),
-            Self::Fraction => Prose::text("checked: the same fraction, exactly"),
-            Self::Catalogued { key } => Prose::text(format!(
-                "definition; checked: it has the values of the formula {key} in the catalogue"
-            )),
-            Self::Phases { variable, order, phases } => Prose::new(
-                &format!(
-                    "checked: put into the equation of motion with exact fractions, through {{}}, at {phases} phases, which are enough to decide for all"
-                ),
-                [last_power(variable, order + 1)],
-            ),
-            Self::Substituted { choices } => Prose::text(format!(
-                "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
-            )),
-            Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
-            Self::Digits { place, value, difference, against } => {
-                place.to_prose().and(agreement(value, *difference, *against))
-            }
-        }
-    }
-}
-
-impl ComparedAt {
-    fn to_prose(&self) -> Prose {
-        match self {
-            Self::Everywhere => Prose::text("checked: "),
-            Self::Cases { index, first, last } => {
-                Prose::new("checked for {} = {}", [index.into(), Formula::from(*first)])
-                    .and(Prose::new(" to {}; for the first ", [Formula::from(*last)]))
-            }
-            Self::Amplitudes { at, amplitudes } => {
-                let mut prose = Prose::new("checked at {} = ", [Name::new("θ").index(0).into()]);
-                for (n, amplitude) in amplitudes.iter().enumerate() {
-                    let comma = match n {
-                        0 => "",
-                        n if n + 1 == amplitudes.len() => " and ",
-                        _ => ", ",
-                    };
-                    prose = prose
-                        .and(Prose::text(comma))
-                        .and(Prose::formula(Formula::Decimal(amplitude.clone())));
-                }
-                prose.and(Prose::new("; at {} ", [Formula::Decimal(at.clone())]))
-            }
-        }
-    }
-}
-
-fn last_power(variable: &Name, coefficients: usize) -> Formula {
-    Formula::from(variable).pow(i64::try_from(coefficients.saturating_sub(1)).unwrap_or(i64::MAX))
-}
-
-fn agreement(value: &Decimal, difference: f64, against: Against) -> Prose {
-    let value = Formula::Decimal(value.clone());
-    let sides = Prose::new("both sides are {}", [value]);
-    let sides = match against {
-        Against::OtherSide => sides,
-        Against::Library => sides.and(Prose::text(", one of them from the exact motion in double precision")),
-    };
-    if difference == 0.0 {
-        return sides.and(Prose::text("; equal in all digits"));
-    }
-    sides.and(Prose::new("; largest relative difference {}", [rounded(difference, 1, DecimalUnit::One)]))
 }

@@ -1,0 +1,67 @@
+//! Why there is no derivation.
+
+use super::super::evaluate::NoEvaluation;
+use libration::pendulum::PendulumError;
+use libration::perturbation::{ExpansionError, OpenGaugeError};
+use libration::watch::Interrupted;
+
+/// Why a derivation cannot be given.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DerivationError {
+    /// A formula that does not hold: an error of this program.
+    #[error("the formula {formula} fails its check: {reason}")]
+    Failed {
+        /// The formula in LaTeX.
+        formula: String,
+        /// How it fails.
+        reason: String,
+    },
+    /// A formula that cannot be evaluated.
+    #[error("the formula {formula} cannot be checked: {reason}")]
+    Unchecked {
+        /// The formula in LaTeX.
+        formula: String,
+        /// Why.
+        reason: NoEvaluation,
+    },
+    /// An amplitude at which the steps cannot be shown with their numbers.
+    #[error(
+        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees; `libration period` answers for all"
+    )]
+    Amplitude {
+        /// The amplitude in degrees.
+        degrees: f64,
+    },
+    /// An order that is not derived step by step.
+    #[error("order {order} is not derived step by step: give 2 to 9; `libration expand` goes on")]
+    Order {
+        /// What was asked for.
+        order: usize,
+    },
+    /// An acceleration that depends on the velocity.
+    #[error(
+        "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
+    )]
+    Velocity,
+    /// Numbers that are no fractions.
+    #[error(
+        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"
+    )]
+    NoFractions,
+    /// No expansion.
+    #[error(transparent)]
+    Expansion(#[from] ExpansionError),
+    /// No equations with the gauge left open.
+    #[error(transparent)]
+    OpenGauge(#[from] OpenGaugeError),
+    /// An amplitude that is none.
+    #[error("an amplitude of {0:?} is not positive and finite")]
+    NotAnAmplitude(f64),
+    /// A pendulum that cannot be.
+    #[error(transparent)]
+    Pendulum(#[from] PendulumError),
+    /// The watch said so before the first step.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}

@@ -1,0 +1,91 @@
+//! Checks in words.
+
+use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
+use super::super::prose::Prose;
+use super::{Against, Check, ComparedAt};
+
+impl Check {
+    /// Whether there was something to check, and it was computed.
+    pub(crate) fn is_computed(&self) -> bool {
+        !matches!(self, Self::Definition | Self::Premise | Self::Given)
+    }
+
+    /// The check in words.
+    pub(crate) fn to_prose(&self) -> Prose {
+        match self {
+            Self::Definition => Prose::text("definition"),
+            Self::Premise => Prose::text("the starting point"),
+            Self::Below => Prose::text("checked with the equation of motion, below"),
+            Self::Given => Prose::text("as given"),
+            Self::Series { variable, coefficients } => Prose::new(
+                "checked: the same power series in {}, exactly, through {}",
+                [variable.into(), last_power(variable, *coefficients)],
+            ),
+            Self::Rationals { index, first, last } => Prose::new(
+                "checked: the same fractions, exactly, for {} = {} ",
+                [index.into(), (*first).into()],
+            )
+            .and(Prose::new("to {}", [(*last).into()])),
+            Self::Fraction => Prose::text("checked: the same fraction, exactly"),
+            Self::Catalogued { key } => Prose::text(format!(
+                "definition; checked: it has the values of the formula {key} in the catalogue"
+            )),
+            Self::Phases { variable, order, phases } => Prose::new(
+                &format!(
+                    "checked: put into the equation of motion with exact fractions, through {{}}, at {phases} phases, which are enough to decide for all"
+                ),
+                [last_power(variable, order + 1)],
+            ),
+            Self::Substituted { choices } => Prose::text(format!(
+                "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
+            )),
+            Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
+            Self::Digits { place, value, difference, against } => {
+                place.to_prose().and(agreement(value, *difference, *against))
+            }
+        }
+    }
+}
+
+impl ComparedAt {
+    fn to_prose(&self) -> Prose {
+        match self {
+            Self::Everywhere => Prose::text("checked: "),
+            Self::Cases { index, first, last } => {
+                Prose::new("checked for {} = {}", [index.into(), Formula::from(*first)])
+                    .and(Prose::new(" to {}; for the first ", [Formula::from(*last)]))
+            }
+            Self::Amplitudes { at, amplitudes } => {
+                let mut prose = Prose::new("checked at {} = ", [Name::new("θ").index(0).into()]);
+                for (n, amplitude) in amplitudes.iter().enumerate() {
+                    let comma = match n {
+                        0 => "",
+                        n if n + 1 == amplitudes.len() => " and ",
+                        _ => ", ",
+                    };
+                    prose = prose
+                        .and(Prose::text(comma))
+                        .and(Prose::formula(Formula::Decimal(amplitude.clone())));
+                }
+                prose.and(Prose::new("; at {} ", [Formula::Decimal(at.clone())]))
+            }
+        }
+    }
+}
+
+fn last_power(variable: &Name, coefficients: usize) -> Formula {
+    Formula::from(variable).pow(i64::try_from(coefficients.saturating_sub(1)).unwrap_or(i64::MAX))
+}
+
+fn agreement(value: &Decimal, difference: f64, against: Against) -> Prose {
+    let value = Formula::Decimal(value.clone());
+    let sides = Prose::new("both sides are {}", [value]);
+    let sides = match against {
+        Against::OtherSide => sides,
+        Against::Library => sides.and(Prose::text(", one of them from the exact motion in double precision")),
+    };
+    if difference == 0.0 {
+        return sides.and(Prose::text("; equal in all digits"));
+    }
+    sides.and(Prose::new("; largest relative difference {}", [rounded(difference, 1, DecimalUnit::One)]))
+}
