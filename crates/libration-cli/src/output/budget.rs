@@ -102,7 +102,7 @@ pub(crate) fn columns() -> Vec<Column> {
 pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
     let fields = of_effect().for_table(&COLUMNS);
     let total = number::rounded(budget.uncertainty, 2);
-    let total = ["together", "", &total, "", "", ""].map(str::to_owned).to_vec();
+    let total = ["combined", "", &total, "", "", ""].map(str::to_owned).to_vec();
     budget.rows.iter().map(|row| fields.cells(row)).chain([total]).collect()
 }
 

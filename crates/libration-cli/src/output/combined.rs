@@ -40,7 +40,7 @@ pub(crate) fn rows(combined: &CombinedUncertainty) -> Vec<Vec<String>> {
         rows.push(last_row("correlations", "", &percent(combined.share_of_correlations()), ""));
     }
     let total = number::rounded(combined.standard, 2);
-    rows.push(last_row("together", &total, "", &degrees(combined.degrees_of_freedom)));
+    rows.push(last_row("combined", &total, "", &degrees(combined.degrees_of_freedom)));
     rows
 }
 

@@ -315,7 +315,7 @@ fn bodies_move_as_the_system_has_them_and_long_motions_run_faster() {
 #[test]
 fn what_cannot_move_is_refused() {
     for (question, reason) in [
-        ("motion 60deg --animate --figure a.png", "cannot move: give a name that ends in .svg"),
+        ("motion 60deg --animate --figure a.png", "cannot be animated: give a file name ending in .svg"),
         ("motion 60deg --animate", "--figure"),
         ("simulate pendulum --times 0:1:1 --animate --axes theta,theta' --figure a.svg", "--axes"),
     ] {

@@ -98,7 +98,10 @@ fn units_and_quantities_of_the_header_are_heeded() {
     }
     let wrong = table("fit-header-rad", &renamed("amplitude (rad),T (s),error"));
     let sheet = text(&format!("fit periods {} --columns 1,2,-,3 --amplitude-unit deg", wrong.display()));
-    assert!(unfolded(&sheet).contains("--amplitude-unit says"), "{sheet}");
+    assert!(
+        unfolded(&sheet).contains("is read in deg (--amplitude-unit), not in rad as its header says"),
+        "{sheet}"
+    );
     let swapped = table("fit-header-swapped", "T (s),amplitude (rad)\n2.0,0.1\n2.1,0.9\n2.2,1.2\n");
     let refused = libration(&format!("fit periods {}", swapped.display()));
     assert_eq!(refused.status.code(), Some(1));

@@ -42,7 +42,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
     let period = answer.swings.small_angle_period();
     let mut lines = vec![
-        ("read", read(answer)),
+        ("data", data(answer)),
         ("model", model(answer)),
         ("T₀", number::quantity(period, "s")),
         gravity_or_length(answer),
@@ -60,13 +60,15 @@ pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
     }
 }
 
-fn read(answer: &Answer<'_>) -> String {
+fn data(answer: &Answer<'_>) -> String {
     let traces = &answer.measured.traces;
     let rows = answer.swings.fit.rows();
     let seconds =
         |trace: &libration_lab::measurement::Trace| trace.times()[trace.len() - 1] - trace.times()[0];
     match &traces[..] {
-        [only] => format!("{rows} rows in {} s from {}", rounded(seconds(only), 4), answer.measured.names()),
+        [only] => {
+            format!("{rows} rows over {} s from {}", rounded(seconds(only), 4), answer.measured.names())
+        }
         many => format!("{rows} rows in {} traces from {}", many.len(), answer.measured.names()),
     }
 }
