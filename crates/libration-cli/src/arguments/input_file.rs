@@ -1,14 +1,14 @@
 //! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
 
 use crate::failure::Failure;
-use libration_lab::measurement::Options;
+use libration_lab::measurement::ReadOptions;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 /// The bytes of a file or, for `-`, of the standard input, as many as a table may have.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    read_at_most(path, Options::DEFAULT_SIZE_LIMIT)
+    read_at_most(path, ReadOptions::DEFAULT_SIZE_LIMIT)
 }
 
 /// The same with another limit. A file that says its size is refused before it is read; pipes and devices say none, and are

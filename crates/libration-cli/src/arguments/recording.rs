@@ -3,8 +3,8 @@
 use super::read_bytes;
 use crate::failure::Failure;
 use libration_lab::measurement::{
-    Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, Options, Recording,
-    Stamps, Traces, Unit,
+    Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, ReadOptions,
+    Recording, Stamps, Traces, Unit,
 };
 use std::path::Path;
 
@@ -140,7 +140,7 @@ impl RecordingOptions {
         }
     }
 
-    fn options(&self) -> Options {
+    fn options(&self) -> ReadOptions {
         let delimiter = self.delimiter.map(|separator| match separator {
             Separator::Comma => Delimiter::Comma,
             Separator::Semicolon => Delimiter::Semicolon,
@@ -151,7 +151,7 @@ impl RecordingOptions {
             Mark::Point => DecimalMark::Point,
             Mark::Comma => DecimalMark::Comma,
         });
-        Options { delimiter, decimal, header: self.header, ..Options::default() }
+        ReadOptions { delimiter, decimal, header: self.header, ..ReadOptions::default() }
     }
 }
 

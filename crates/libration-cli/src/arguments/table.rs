@@ -2,7 +2,7 @@
 
 use super::read_bytes;
 use crate::failure::Failure;
-use libration_lab::measurement::{Column, Delimiter, Header, Options, Table, Unit};
+use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
 /// How a table is written, where it is not to be told from the file.
@@ -39,7 +39,7 @@ impl DialectOptions {
             .map_err(|error| Failure::no_answer(&path.display().to_string(), error))
     }
 
-    fn options(self) -> Options {
+    fn options(self) -> ReadOptions {
         let delimiter = self.delimiter.map(|separator| match separator {
             Separator::Comma => Delimiter::Comma,
             Separator::Semicolon => Delimiter::Semicolon,
@@ -51,7 +51,7 @@ impl DialectOptions {
             FirstRow::Present => Header::Present,
             FirstRow::Absent => Header::Absent,
         };
-        Options { delimiter, header, ..Options::default() }
+        ReadOptions { delimiter, header, ..ReadOptions::default() }
     }
 }
 

@@ -51,7 +51,7 @@ pub use lengths::{
 };
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
-pub use periods::{Options, PeriodFit, periods};
+pub use periods::{PeriodFit, PeriodsOptions, periods};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

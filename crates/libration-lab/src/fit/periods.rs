@@ -11,7 +11,7 @@ use super::{FitError, PeriodTable, Weighting};
 
 /// How a table is fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
+pub struct PeriodsOptions {
     /// Leaves out the rows that lie further from the exact law than this many robust standard deviations;
     /// every row is kept when not given, and outliers are only counted.
     pub reject_outliers: Option<f64>,
@@ -24,7 +24,7 @@ pub struct PeriodFit {
     pub table: PeriodTable,
     /// Where the weights come from.
     pub weighting: Weighting,
-    /// The outliers among the rows given, counted from zero, by [`Options::reject_outliers`] or
+    /// The outliers among the rows given, counted from zero, by [`PeriodsOptions::reject_outliers`] or
     /// [`DEFAULT_OUTLIER_THRESHOLD`].
     pub outliers: Vec<usize>,
     /// T0 under the exact law.
@@ -69,7 +69,11 @@ impl PeriodFit {
 ///
 /// # Errors
 /// No rows, or a single one without an uncertainty; also when no more are left without outliers.
-pub fn periods(table: &PeriodTable, others: &[Law<'_>], options: &Options) -> Result<PeriodFit, FitError> {
+pub fn periods(
+    table: &PeriodTable,
+    others: &[Law<'_>],
+    options: &PeriodsOptions,
+) -> Result<PeriodFit, FitError> {
     let exact = Law::exact();
     let outliers = outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
     let table = if options.reject_outliers.is_some() { table.without(&outliers) } else { table.clone() };

@@ -4,12 +4,12 @@ use super::MeasurementError;
 use super::choices::{Choice, Suggestion};
 use super::dialect::{Delimiter, Dialect, SAMPLE};
 use super::number::DecimalMark;
+use super::options::ReadOptions;
 use super::sheet::Sheet;
-use super::table::Options;
 use super::text::is_blank_or_comment;
 
 /// Refuses a text whose commas mean one thing or another, unless it is said which.
-pub(super) fn refuse(text: &str, sheet: &Sheet, options: &Options) -> Result<(), MeasurementError> {
+pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result<(), MeasurementError> {
     let rows: Vec<&str> = text
         .lines()
         .zip(1..)

@@ -22,9 +22,9 @@ impl Table {
     ///
     /// # Examples
     /// ```
-    /// use libration_lab::measurement::{Column, CountedPeriods, Options, Table};
+    /// use libration_lab::measurement::{Column, CountedPeriods, ReadOptions, Table};
     ///
-    /// let table = Table::read(b"L (m),10 T (s)\n0.25,10.0\n0.50,14.2\n", &Options::default())?;
+    /// let table = Table::read(b"L (m),10 T (s)\n0.25,10.0\n0.50,14.2\n", &ReadOptions::default())?;
     /// assert_eq!(table.counted_periods(&Column::Number(2))?, CountedPeriods::Said(10.0));
     /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
     /// ```

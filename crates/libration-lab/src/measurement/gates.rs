@@ -4,7 +4,7 @@ use super::choices::{Choice, Choices, Finding, Suggestion};
 use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
-use super::{MeasurementError, Quantity};
+use super::{MeasurementError, QuantityKind};
 use crate::statistics::lower_median;
 
 /// The times of a photogate.
@@ -76,13 +76,20 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
 fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let is_traced = |place: usize| {
         let heading = &sheet.channels[place].heading;
-        let traced =
-            [Quantity::Angle, Quantity::AngularVelocity, Quantity::X, Quantity::Y, Quantity::Acceleration];
+        let traced = [
+            QuantityKind::Angle,
+            QuantityKind::AngularVelocity,
+            QuantityKind::X,
+            QuantityKind::Y,
+            QuantityKind::Acceleration,
+        ];
         traced.contains(&heading.quantity) && !heading.is_uncertainty
     };
     let is_measured = |place: usize| {
         let channel = &sheet.channels[place];
-        channel.heading.quantity == Quantity::Other && !channel.heading.is_uncertainty && channel.count() > 0
+        channel.heading.quantity == QuantityKind::Other
+            && !channel.heading.is_uncertainty
+            && channel.count() > 0
     };
     let others = (0..sheet.channels.len()).filter(|&place| place != time);
     let is_even = || has_even_steps(&sheet.channels[time].numbers().flatten().collect::<Vec<_>>());
@@ -123,8 +130,9 @@ fn time_column(
     if let Some(column) = &choices.time {
         return sheet.place(column);
     }
-    let named: Vec<usize> =
-        (0..sheet.channels.len()).filter(|&place| sheet.channels[place].heading.is(Quantity::Time)).collect();
+    let named: Vec<usize> = (0..sheet.channels.len())
+        .filter(|&place| sheet.channels[place].heading.is(QuantityKind::Time))
+        .collect();
     let all: Vec<usize> = (0..sheet.channels.len()).collect();
     match (&named[..], &all[..]) {
         ([time], _) | ([], [time]) => {
@@ -152,7 +160,7 @@ fn state_column(
     if let Some(column) = &choices.gate {
         return sheet.place(column).map(Some);
     }
-    let found = (0..sheet.channels.len()).find(|&place| sheet.channels[place].heading.is(Quantity::Gate));
+    let found = (0..sheet.channels.len()).find(|&place| sheet.channels[place].heading.is(QuantityKind::Gate));
     if let Some(place) = found {
         findings
             .push(Finding::new(format!("{} is the state of the gate", sheet.describe(place)), Choice::Gate));

@@ -2,9 +2,9 @@
 
 use super::dialect::{Delimiter, Dialect, Row};
 use super::heading::{Heading, bare};
-use super::table::Header;
+use super::options::Header;
 use super::text::COMMENT;
-use super::{MeasurementError, Quantity, Unit};
+use super::{MeasurementError, QuantityKind, Unit};
 
 /// What the lines above the numbers say.
 pub(super) struct Names {
@@ -75,7 +75,7 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
     let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
     let row = Row { line, cells: row.cells };
     let (cells, beyond) = name_cells(&row, comment, dialect, width).ok()?;
-    let knows = |cell: &String| Heading::read(cell, None, None).quantity != Quantity::Other;
+    let knows = |cell: &String| Heading::read(cell, None, None).quantity != QuantityKind::Other;
     (cells.len() == width && beyond.is_empty() && row.filled() == width && cells.iter().any(knows))
         .then_some(row)
 }
@@ -116,7 +116,7 @@ fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
 
 /// `t_1, θ_1, t_2, θ_2` are two runs, since each has times of its own; `t, θ_1, θ_2` are not.
 fn number_runs(headings: &mut [Heading]) {
-    let of_times = |heading: &Heading| heading.index.clone().filter(|_| heading.is(Quantity::Time));
+    let of_times = |heading: &Heading| heading.index.clone().filter(|_| heading.is(QuantityKind::Time));
     let times: Vec<String> = headings.iter().filter_map(of_times).collect();
     if times.len() < 2 {
         return;

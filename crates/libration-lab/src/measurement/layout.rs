@@ -5,7 +5,7 @@ use super::dialect::{Dialect, Row, SAMPLE};
 use super::header::Names;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
-use super::table::Header;
+use super::options::Header;
 
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;

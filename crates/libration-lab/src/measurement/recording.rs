@@ -4,8 +4,8 @@ use super::ambiguity;
 use super::choices::{Choices, Finding, Suggestion};
 use super::container::{self, Format, Page};
 use super::dialect::Dialect;
+use super::options::ReadOptions;
 use super::sheet::Sheet;
-use super::table::Options;
 use super::{Choice, Column, MeasurementError};
 use libration::quantity::excerpt;
 
@@ -13,10 +13,10 @@ use libration::quantity::excerpt;
 ///
 /// # Examples
 /// ```
-/// use libration_lab::measurement::{Choices, Options, Recording};
+/// use libration_lab::measurement::{Choices, ReadOptions, Recording};
 ///
 /// let file = "Time (s);Angle (deg)\n0,00;30,0\n0,05;29,1\n0,10;26,4\n";
-/// let recording = Recording::read(file.as_bytes(), &Options::default())?;
+/// let recording = Recording::read(file.as_bytes(), &ReadOptions::default())?;
 /// let traces = recording.traces(&Choices::default())?;
 /// assert_eq!(traces.traces[0].times(), [0.0, 0.05, 0.1]);
 /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
@@ -34,7 +34,7 @@ impl Recording {
     ///
     /// # Errors
     /// Too many bytes, not a known kind of file, no rows, rows of different lengths, a dialect that the file does not decide.
-    pub fn read(bytes: &[u8], options: &Options) -> Result<Self, MeasurementError> {
+    pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Self, MeasurementError> {
         let (format, pages) = container::pages(bytes, options.size_limit)?;
         let mut recording = Self { format, sheets: Vec::new(), left_out: Vec::new() };
         for page in pages {
@@ -128,7 +128,7 @@ fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementErr
     }
 }
 
-fn read_page(page: &Page<'_>, options: &Options) -> Result<Sheet, MeasurementError> {
+fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, MeasurementError> {
     if let Some(dialect) = page.dialect {
         return Sheet::read(&page.name, &page.text, dialect, options);
     }

@@ -4,7 +4,7 @@ use super::dialect::{Dialect, Row};
 use super::heading::Heading;
 use super::layout::Layout;
 use super::number::Cell;
-use super::table::Options;
+use super::options::ReadOptions;
 use super::{Column, MeasurementError};
 use libration::quantity::excerpt;
 
@@ -86,7 +86,7 @@ impl Sheet {
         name: &str,
         text: &str,
         dialect: Dialect,
-        options: &Options,
+        options: &ReadOptions,
     ) -> Result<Self, MeasurementError> {
         let layout = Layout::of(text, dialect, options.header)?;
         let channel = |heading| Channel { heading, cells: Vec::new(), words: Vec::new() };

@@ -1,56 +1,18 @@
 //! A table of cells, and the numbers of chosen columns.
 
 use super::dialect::{Delimiter, Dialect};
-use super::number::DecimalMark;
+use super::options::ReadOptions;
 use super::recording::Recording;
 use super::sheet::Sheet;
 use super::{Column, MeasurementError};
-
-/// Whether the first row names the columns.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Header {
-    /// It does when not one of its cells is a number; lines of other kinds above it are left out.
-    #[default]
-    Detect,
-    /// It does.
-    Present,
-    /// It does not.
-    Absent,
-    /// This line does, counted from one; what is above it is left out.
-    Line(u64),
-}
-
-/// How a file is read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// What stands between cells; told from the file when not given.
-    pub delimiter: Option<Delimiter>,
-    /// Decimal point or decimal comma; told from the file when not given.
-    pub decimal: Option<DecimalMark>,
-    /// Whether the first row names the columns.
-    pub header: Header,
-    /// The most bytes that are read.
-    pub size_limit: usize,
-}
-
-impl Options {
-    /// 64 MiB: a million rows of a period table.
-    pub const DEFAULT_SIZE_LIMIT: usize = 64 << 20;
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { delimiter: None, decimal: None, header: Header::Detect, size_limit: Self::DEFAULT_SIZE_LIMIT }
-    }
-}
 
 /// A rectangular table of cells, perhaps with names over its columns.
 ///
 /// # Examples
 /// ```
-/// use libration_lab::measurement::{Column, Options, Table};
+/// use libration_lab::measurement::{Column, ReadOptions, Table};
 ///
-/// let table = Table::read(b"angle;period\n0,5;2,01\n1,0;\n1,5;2,31\n", &Options::default())?;
+/// let table = Table::read(b"angle;period\n0,5;2,01\n1,0;\n1,5;2,31\n", &ReadOptions::default())?;
 /// let chosen = table.select(&[Column::Name("Period".into())])?;
 /// assert_eq!((chosen.columns[0].as_slice(), chosen.dropped), ([2.01, 2.31].as_slice(), 1));
 /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
@@ -77,7 +39,7 @@ impl Table {
     ///
     /// # Errors
     /// Those of [`Recording::read`].
-    pub fn read(bytes: &[u8], options: &Options) -> Result<Self, MeasurementError> {
+    pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Self, MeasurementError> {
         let recording = Recording::read(bytes, options)?;
         let sheet = recording.into_first_sheet();
         let named = sheet.header_line.is_some();

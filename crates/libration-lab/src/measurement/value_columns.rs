@@ -20,9 +20,9 @@ impl Table {
     ///
     /// # Examples
     /// ```
-    /// use libration_lab::measurement::{Column, Options, Table};
+    /// use libration_lab::measurement::{Column, ReadOptions, Table};
     ///
-    /// let table = Table::read(b"L,+-,T,+-\n0.25,0.01,1.00,0.02\n0.50,0.01,1.42,0.02\n", &Options::default())?;
+    /// let table = Table::read(b"L,+-,T,+-\n0.25,0.01,1.00,0.02\n0.50,0.01,1.42,0.02\n", &ReadOptions::default())?;
     /// let columns = table.value_columns().unwrap();
     /// assert_eq!(columns[1].values, Column::Number(3));
     /// assert_eq!(columns[1].uncertainties, Some(Column::Number(4)));
@@ -57,12 +57,13 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Options;
+    use super::super::ReadOptions;
     use super::*;
 
     fn found(header: &str) -> Option<Vec<(usize, Option<usize>)>> {
         let row = vec!["1.5"; header.split(',').count()].join(",");
-        let table = Table::read(format!("{header}\n{row}\n{row}\n").as_bytes(), &Options::default()).unwrap();
+        let table =
+            Table::read(format!("{header}\n{row}\n{row}\n").as_bytes(), &ReadOptions::default()).unwrap();
         let number = |column: &Column| match column {
             Column::Number(number) => *number,
             Column::Name(_) => 0,

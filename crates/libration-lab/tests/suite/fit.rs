@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 use libration_lab::fit::{
-    FitError, Law, Options, PeriodTable, Scatter, ScatterVerdict, Uncertainties, Weighting, excess_scale,
-    outliers, periods, small_angle_period,
+    FitError, Law, PeriodTable, PeriodsOptions, Scatter, ScatterVerdict, Uncertainties, Weighting,
+    excess_scale, outliers, periods, small_angle_period,
 };
-use libration_lab::measurement::{Column, Options as ReadOptions, Table};
+use libration_lab::measurement::{Column, ReadOptions, Table};
 
 const SYNTHETIC: &[u8] = include_bytes!("../../../../examples/period_table_synthetic.csv");
 
@@ -57,7 +57,7 @@ fn close(ours: f64, reference: f64, relative: f64) -> bool {
 /// The reference numbers carry the digits that `reference/fit_periods.py` printed (SciPy 1.17).
 #[test]
 fn the_synthetic_table_gives_what_scipy_gives() {
-    let fit = periods(&synthetic(), &[], &Options::default()).unwrap();
+    let fit = periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
     // SciPy takes the uncertainties as they are stated.
     let stated = |uncertainty: f64, scatter: Option<Scatter>| uncertainty / scatter.unwrap().enlargement();
     assert!(
@@ -80,7 +80,7 @@ fn the_synthetic_table_gives_what_scipy_gives() {
 
 #[test]
 fn the_synthetic_table_gives_its_truth_back() {
-    let fit = periods(&synthetic(), &[], &Options::default()).unwrap();
+    let fit = periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
     assert!((fit.exact.t0.value - 2.0).abs() < 3.0 * fit.exact.t0.uncertainty);
     let beta = fit.beta.unwrap();
     assert!((beta.beta.factor.value - 1.0).abs() < 3.0 * beta.beta.factor.uncertainty);
@@ -91,7 +91,7 @@ fn the_synthetic_table_gives_its_truth_back() {
 fn without_uncertainties_scipy_gives_the_same_too() {
     let columns = synthetic_columns();
     let table = PeriodTable::new(&columns[0], &columns[1], Uncertainties::default()).unwrap();
-    let fit = periods(&table, &[], &Options::default()).unwrap();
+    let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap();
     assert!(
         close(fit.exact.t0.value, 2.003230947, 1e-9) && close(fit.exact.t0.uncertainty, 0.00122301, 1e-5)
     );
@@ -113,7 +113,7 @@ fn periods_that_follow_a_law_are_explained_by_it_alone() {
     let uncertainties = Uncertainties { amplitudes: None, periods: Some(&sigma) };
     let table = PeriodTable::new(&amplitudes, &measured, uncertainties).unwrap();
     let bernoulli = |a: f64| 1.0 + a * a / 16.0;
-    let fit = periods(&table, &[Law::new("bernoulli", &bernoulli)], &Options::default()).unwrap();
+    let fit = periods(&table, &[Law::new("bernoulli", &bernoulli)], &PeriodsOptions::default()).unwrap();
     assert!(close(fit.exact.t0.value, 1.7, 1e-14) && fit.exact.chi2.unwrap() < 1e-20);
     assert!(close(fit.beta.unwrap().beta.factor.value, 1.0, 1e-13));
     let (key, other) = &fit.others[0];
@@ -235,9 +235,9 @@ fn outliers_are_told_and_left_out_only_on_request() {
     let uncertainties = Uncertainties { amplitudes: Some(&columns[2]), periods: Some(&columns[3]) };
     let table = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
     assert_eq!(outliers(&table, &Law::exact(), 5.0).unwrap(), [7, 30]);
-    let kept = periods(&table, &[], &Options::default()).unwrap();
+    let kept = periods(&table, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((kept.outliers.as_slice(), kept.table.len()), (&[7, 30][..], 40));
-    let cleaned = periods(&table, &[], &Options { reject_outliers: Some(5.0) }).unwrap();
+    let cleaned = periods(&table, &[], &PeriodsOptions { reject_outliers: Some(5.0) }).unwrap();
     assert_eq!(cleaned.exact, small_angle_period(&synthetic().without(&[7, 30]), &Law::exact()).unwrap());
     assert_eq!(cleaned.exact.residuals.len(), 38);
 }
@@ -284,27 +284,33 @@ fn a_table_too_poor_for_beta_may_still_give_t0() {
     let sigma = [0.01; 3];
     let weighted = Uncertainties { amplitudes: None, periods: Some(&sigma) };
     let equal = PeriodTable::new(&[0.5, -0.5, 0.5], &[1.0, 1.01, 1.02], weighted).unwrap();
-    let fit = periods(&equal, &[], &Options::default()).unwrap();
+    let fit = periods(&equal, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!(fit.beta, Err(FitError::EqualAmplitudes));
     assert!(close(fit.exact.t0.uncertainty, 0.01 / f64::sqrt(3.0) / ratio(0.5), 1e-12));
 
     let one =
         PeriodTable::new(&[0.5], &[1.0], Uncertainties { amplitudes: None, periods: Some(&sigma[..1]) })
             .unwrap();
-    let fit = periods(&one, &[], &Options::default()).unwrap();
+    let fit = periods(&one, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((fit.exact.dof, fit.exact.chi2_per_dof()), (0, None));
     assert!(matches!(fit.beta, Err(FitError::TooFewRows { found: 1, needed: 2, .. })));
 
     let bare = PeriodTable::new(&[0.5], &[1.0], Uncertainties::default()).unwrap();
-    assert!(matches!(periods(&bare, &[], &Options::default()), Err(FitError::TooFewRows { needed: 2, .. })));
+    assert!(matches!(
+        periods(&bare, &[], &PeriodsOptions::default()),
+        Err(FitError::TooFewRows { needed: 2, .. })
+    ));
     let empty = PeriodTable::new(&[], &[], Uncertainties::default()).unwrap();
-    assert!(matches!(periods(&empty, &[], &Options::default()), Err(FitError::TooFewRows { found: 0, .. })));
+    assert!(matches!(
+        periods(&empty, &[], &PeriodsOptions::default()),
+        Err(FitError::TooFewRows { found: 0, .. })
+    ));
 }
 
 #[test]
 fn a_law_without_a_value_is_reported_beside_the_others() {
     let broken = |a: f64| if a > 1.0 { f64::NAN } else { 1.0 };
-    let fit = periods(&synthetic(), &[Law::new("broken", &broken)], &Options::default()).unwrap();
+    let fit = periods(&synthetic(), &[Law::new("broken", &broken)], &PeriodsOptions::default()).unwrap();
     assert!(
         matches!(&fit.others[0].1, Err(FitError::LawUndefined { key, amplitude }) if key == "broken" && *amplitude > 1.0)
     );

@@ -2,7 +2,8 @@
 
 use libration::pendulum::Pendulum;
 use libration_lab::fit::cycles::{
-    Cycle, Cycles, CyclesError, CyclesWarning, Options, are_radians, beta_of_traces, beyond_a_turn, cycles,
+    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, are_radians, beta_of_traces, beyond_a_turn,
+    cycles,
 };
 use libration_lab::fit::trace::DampingTerm;
 use libration_lab::measurement::{Seen, Trace};
@@ -13,7 +14,7 @@ use crate::synthetic_trace::Synthetic;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 fn found_in(trace: &Trace) -> Cycles {
-    cycles(trace, &Options::default()).unwrap()
+    cycles(trace, &CyclesOptions::default()).unwrap()
 }
 
 fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
@@ -21,7 +22,7 @@ fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
 }
 
 fn refused(trace: &Trace) -> CyclesError {
-    cycles(trace, &Options::default()).unwrap_err()
+    cycles(trace, &CyclesOptions::default()).unwrap_err()
 }
 
 /// Without noise what is left is the bias of the local fits, and what damping does to the period in second order.
@@ -221,7 +222,7 @@ fn amplitudes_that_only_scatter_leave_beta_open() {
     assert!(falling.beta.is_ok());
     // Two steady traces of the same amplitude are as little use as one.
     let traces = [1, 2].map(|seed| steady.trace(&mut Random::seeded(seed)));
-    let cycles = traces.each_ref().map(|trace| cycles(trace, &Options::default()));
+    let cycles = traces.each_ref().map(|trace| cycles(trace, &CyclesOptions::default()));
     let refusal = beta_of_traces(&traces, &cycles).unwrap_err();
     assert!(matches!(refusal, CyclesError::NoisyAmplitudes { .. }), "{refusal}");
 }
@@ -280,7 +281,7 @@ fn exact_swings_have_cycles_however_they_are_sampled() {
                     libm::cos(std::f64::consts::TAU / 1.5 * time)
                 });
                 for (name, trace) in [("swing", swing), ("cosine", cosine)] {
-                    match cycles(&trace, &Options::default()) {
+                    match cycles(&trace, &CyclesOptions::default()) {
                         Ok(found) if found.cycles.len() > 4 => {}
                         other => failures.push(format!(
                             "{name} {degrees} {step} {seconds}: {:?}",

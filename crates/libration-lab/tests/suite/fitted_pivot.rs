@@ -7,7 +7,7 @@ use std::fmt::Write;
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
 use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceFit, TraceOptions, fit_traces};
-use libration_lab::measurement::{Choices, FittedPivot, Options, Recording, Seen, Trace, TraceError};
+use libration_lab::measurement::{Choices, FittedPivot, ReadOptions, Recording, Seen, Trace, TraceError};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -25,7 +25,7 @@ fn positions(amplitude: f64, noise: f64, seed: u64) -> Trace {
         let y = 1.4 - libm::cos(*angle) + noise * random.normal();
         writeln!(text, "{time},{x},{y}").unwrap();
     }
-    let recording = Recording::read(text.as_bytes(), &Options::default()).unwrap();
+    let recording = Recording::read(text.as_bytes(), &ReadOptions::default()).unwrap();
     recording.traces(&Choices::default()).unwrap().traces.remove(0)
 }
 
@@ -36,7 +36,7 @@ fn fitted(trace: &Trace) -> TraceFit {
 }
 
 fn cycles_of(trace: &Trace) -> Cycles {
-    cycles::cycles(trace, &cycles::Options::default()).unwrap()
+    cycles::cycles(trace, &cycles::CyclesOptions::default()).unwrap()
 }
 
 /// Root mean squares of errors over their stated uncertainties: T0 and offset of the fit of the trace, then of its cycles.
@@ -161,7 +161,7 @@ fn three_parts(whole: &Trace) -> Vec<Trace> {
 
 fn beta_of(traces: &[Trace]) -> Beta {
     let cycles: Vec<_> =
-        traces.iter().map(|trace| cycles::cycles(trace, &cycles::Options::default())).collect();
+        traces.iter().map(|trace| cycles::cycles(trace, &cycles::CyclesOptions::default())).collect();
     beta_of_traces(traces, &cycles).unwrap()
 }
 

@@ -1,12 +1,12 @@
 //! Tables as instruments and people write them.
 
 use libration_lab::measurement::{
-    Column, CountedPeriods, Delimiter, Header, MeasurementError, Options, Role, Selection, Table, Unit,
+    Column, CountedPeriods, Delimiter, Header, MeasurementError, ReadOptions, Role, Selection, Table, Unit,
     WrittenUnit,
 };
 
 fn read(text: &str) -> Result<Table, MeasurementError> {
-    Table::read(text.as_bytes(), &Options::default())
+    Table::read(text.as_bytes(), &ReadOptions::default())
 }
 
 fn first_two(text: &str) -> Result<Selection, MeasurementError> {
@@ -85,27 +85,30 @@ fn files_that_are_no_tables_are_told_by_kind() {
         (b"\xff\xfe1", "UTF-16"),
         (b"\xce\xb8 (\xb0)\n1\n", "broken UTF-8"),
     ] {
-        let message = Table::read(bytes, &Options::default()).unwrap_err().to_string();
+        let message = Table::read(bytes, &ReadOptions::default()).unwrap_err().to_string();
         assert!(message.contains(kind), "{message}");
     }
     for text in ["", "\n\n", "# only a comment\n", "A,T\n", "\u{feff}", ",,,\n"] {
         assert_eq!(read(text).unwrap_err(), MeasurementError::Empty, "{text:?}");
     }
-    let small = Options { size_limit: 3, ..Options::default() };
+    let small = ReadOptions { size_limit: 3, ..ReadOptions::default() };
     assert_eq!(Table::read(b"1,2\n", &small).unwrap_err(), MeasurementError::TooLarge { size: 4, limit: 3 });
 }
 
 #[test]
 fn delimiter_and_header_may_be_said() {
-    let options =
-        Options { delimiter: Some(Delimiter::Whitespace), header: Header::Present, ..Options::default() };
+    let options = ReadOptions {
+        delimiter: Some(Delimiter::Whitespace),
+        header: Header::Present,
+        ..ReadOptions::default()
+    };
     let table = Table::read(b"1 2\n0,5 2,01\n", &options).unwrap();
     assert_eq!(
         (table.names(), table.width(), table.delimiter()),
         (&["1".into(), "2".into()][..], 2, Delimiter::Whitespace)
     );
     assert_eq!(table.select(&[Column::Number(1)]).unwrap().columns, [[0.5]]);
-    let absent = Options { header: Header::Absent, ..Options::default() };
+    let absent = ReadOptions { header: Header::Absent, ..ReadOptions::default() };
     let table = Table::read(b"A,T\n1,2\n", &absent).unwrap();
     assert!(matches!(table.select(&[Column::Number(1)]), Err(MeasurementError::NotANumber { line: 1, .. })));
 }

@@ -2,12 +2,12 @@
 
 use libration::quantity::{Angle, Dimension, parse};
 use libration_lab::measurement::{
-    Choices, Column, Format, MeasurementError, Options, Recording, Seen, Stamps, Table, Traces, Unit,
+    Choices, Column, Format, MeasurementError, ReadOptions, Recording, Seen, Stamps, Table, Traces, Unit,
 };
 use std::f64::consts::TAU;
 
 fn recording(file: &[u8]) -> Recording {
-    Recording::read(file, &Options::default()).unwrap()
+    Recording::read(file, &ReadOptions::default()).unwrap()
 }
 
 fn traces(file: &str, choices: &Choices) -> Result<Traces, MeasurementError> {
@@ -251,7 +251,7 @@ fn an_old_workbook_is_read_by_its_sheets() {
     assert_eq!(found.traces[0].values()[..3], [0.5, 0.4375, 0.375]);
     assert_eq!((found.traces[0].len(), found.lines[0][0]), (12, 2));
     assert!(book.findings()[0].text.contains("`Metadata Device` is left out"));
-    let table = Table::read(include_bytes!("../data/workbook.xls"), &Options::default()).unwrap();
+    let table = Table::read(include_bytes!("../data/workbook.xls"), &ReadOptions::default()).unwrap();
     assert_eq!(table.select(&["Time (s)".parse().unwrap()]).unwrap().columns[0][1], 0.125);
 }
 
@@ -609,9 +609,9 @@ fn no_bytes_make_a_reader_panic() {
     for _ in 0..30_000 {
         let length = 12 + next(5);
         let bytes: Vec<u8> = (0..length).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
-        let table = Table::read(&bytes, &Options::default());
+        let table = Table::read(&bytes, &ReadOptions::default());
         tables += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
-        let Ok(recording) = Recording::read(&bytes, &Options::default()) else { continue };
+        let Ok(recording) = Recording::read(&bytes, &ReadOptions::default()) else { continue };
         let found = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
         read += found + usize::from(recording.gate_times(&choices[0]).is_ok());
     }
@@ -623,6 +623,7 @@ fn no_bytes_make_a_reader_panic() {
             let at = next(bytes.len());
             bytes[at] = u8::try_from(next(256)).unwrap();
         }
-        let _ = Recording::read(&bytes, &Options::default()).map(|recording| recording.traces(&choices[0]));
+        let _ =
+            Recording::read(&bytes, &ReadOptions::default()).map(|recording| recording.traces(&choices[0]));
     }
 }

@@ -5,7 +5,7 @@ use libration::pendulum::Pendulum;
 use libration::watch::Watch;
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{DampingTerms, TraceFit, TraceOptions, fit_traces};
-use libration_lab::measurement::{Choices, Options, Recording, Trace};
+use libration_lab::measurement::{Choices, ReadOptions, Recording, Trace};
 use std::f64::consts::TAU;
 
 const OMEGA0: f64 = 4.2;
@@ -22,7 +22,7 @@ fn trace(rate: f64, begin: f64) -> Trace {
     };
     let rows = (0..).take_while(|&row| f64::from(row) / rate < 55.2);
     let file = format!("t (s),theta (rad)\n{}", rows.map(&mut row).collect::<String>());
-    let recording = Recording::read(file.as_bytes(), &Options::default()).unwrap();
+    let recording = Recording::read(file.as_bytes(), &ReadOptions::default()).unwrap();
     recording.traces(&Choices::default()).unwrap().traces.remove(0)
 }
 

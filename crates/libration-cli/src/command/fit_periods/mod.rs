@@ -60,7 +60,7 @@ impl FitPeriods {
             formulas.iter().map(|formula| |amplitude| formula.period_ratio_at(amplitude)).collect();
         let laws: Vec<Law> =
             formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
-        let options = fit::Options { reject_outliers: self.reject_outliers };
+        let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };
         let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
         let correlations = self.apparatus.correlations();
         let period =

@@ -5,7 +5,9 @@ use crate::arguments::what_would_decide;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use libration_lab::measurement::{Channel, Finding, Format, MeasurementError, Quantity, Seen, Sheet, Trace};
+use libration_lab::measurement::{
+    Channel, Finding, Format, MeasurementError, QuantityKind, Seen, Sheet, Trace,
+};
 use serde_json::Value;
 
 /// A column of a table, with its number from 1.
@@ -178,13 +180,13 @@ fn unit(trace: &Trace) -> &'static str {
 
 fn quantity(channel: &Channel) -> String {
     let name = match channel.heading.quantity {
-        Quantity::Time => "time",
-        Quantity::Angle => "angle",
-        Quantity::AngularVelocity => "angular velocity",
-        Quantity::X => "x",
-        Quantity::Y => "y",
-        Quantity::Gate => "gate",
-        Quantity::Run => "run",
+        QuantityKind::Time => "time",
+        QuantityKind::Angle => "angle",
+        QuantityKind::AngularVelocity => "angular velocity",
+        QuantityKind::X => "x",
+        QuantityKind::Y => "y",
+        QuantityKind::Gate => "gate",
+        QuantityKind::Run => "run",
         _ => return "–".to_owned(),
     };
     if channel.heading.is_uncertainty { format!("{name}, uncertainty") } else { name.to_owned() }

@@ -6,7 +6,6 @@ use super::source::Source;
 
 /// Those that are still there: each has one idea in several files, or an idea in the wrong one.
 pub(crate) const REMAINING: &[&str] = &[
-    "libration-lab: measurement: ambiguity container dialect error header layout recording role sheet table text",
 ];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;

@@ -13,7 +13,7 @@ use super::row::{Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::swings::{Swings, swings};
 use super::turning_point::Extreme;
-use super::{Cycle, Cycles, CyclesError, CyclesWarning, HalfSwing, Options};
+use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing};
 use crate::fit::Uncertain;
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;
@@ -28,7 +28,7 @@ const FAINTEST: f64 = 4.0;
 ///
 /// # Errors
 /// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
-pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
+pub fn cycles(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesError> {
     let mut found = about_a_known_pivot(trace, options)?;
     for error in trace.fitted_pivot().iter().flat_map(|pivot| pivot.errors()) {
         let moved = about_a_known_pivot(&trace.shifted(&error), options)?;
@@ -38,7 +38,7 @@ pub fn cycles(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
 }
 
 /// The same as if the values were those of the pendulum's angle.
-fn about_a_known_pivot(trace: &Trace, options: &Options) -> Result<Cycles, CyclesError> {
+fn about_a_known_pivot(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesError> {
     let swings = swings(trace)?;
     let stretches: Vec<Landmarks> =
         swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch)).collect();

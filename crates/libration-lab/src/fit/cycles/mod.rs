@@ -57,12 +57,12 @@ use row::Row;
 
 /// How cycles are analysed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct CyclesOptions {
     /// Cycles whose period is further from the law than this many robust standard deviations do not count.
     pub outlier_threshold: f64,
 }
 
-impl Default for Options {
+impl Default for CyclesOptions {
     fn default() -> Self {
         Self { outlier_threshold: super::DEFAULT_OUTLIER_THRESHOLD }
     }

@@ -21,7 +21,7 @@ pub enum CyclesWarning {
         /// How many.
         cycles: usize,
     },
-    /// Cycles whose period is further from the law than [`outlier_threshold`](super::Options::outlier_threshold) robust standard
+    /// Cycles whose period is further from the law than [`outlier_threshold`](super::CyclesOptions::outlier_threshold) robust standard
     /// deviations.
     FarFromTheLaw {
         /// How many.

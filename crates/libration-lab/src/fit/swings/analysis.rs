@@ -42,7 +42,7 @@ pub fn swings(
     };
     let cycles = traces.iter().map(|trace| {
         watch.go_on().map_err(|_| TraceFitError::Interrupted)?;
-        Ok(cycles::cycles(trace, &cycles::Options::default()))
+        Ok(cycles::cycles(trace, &cycles::CyclesOptions::default()))
     });
     let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
     let pendulum = pendulum(&fit, small_angle_period(&fit, comparison.as_ref()), &cycles, options)?;

@@ -10,7 +10,7 @@ use words::Words;
 /// What the numbers of a column are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Quantity {
+pub enum QuantityKind {
     /// Time.
     Time,
     /// The angle of the pendulum.
@@ -39,7 +39,7 @@ pub struct Heading {
     /// The name without unit and run.
     pub name: String,
     /// What the name and the unit say the numbers are.
-    pub quantity: Quantity,
+    pub quantity: QuantityKind,
     /// Whether the numbers are the uncertainties of the quantity.
     pub is_uncertainty: bool,
     /// The unit, where one is named and known.
@@ -76,7 +76,7 @@ impl Heading {
     }
 
     /// Whether the numbers are this quantity itself.
-    pub(super) fn is(&self, quantity: Quantity) -> bool {
+    pub(super) fn is(&self, quantity: QuantityKind) -> bool {
         self.quantity == quantity && !self.is_uncertainty
     }
 
@@ -111,7 +111,7 @@ fn without_sign_of_uncertainty(text: &str) -> (String, bool) {
     let is_signed = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta("].iter().any(|sign| lower.starts_with(sign));
     let parts = text.split_once('(').and_then(|(_, rest)| rest.split_once(')')).filter(|_| is_signed);
     match parts {
-        Some((of, after)) if !text.starts_with('U') || Words::read(of).quantity != Quantity::Other => {
+        Some((of, after)) if !text.starts_with('U') || Words::read(of).quantity != QuantityKind::Other => {
             (format!("{of}{after}"), true)
         }
         _ => (text, false),
@@ -172,19 +172,24 @@ fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
 }
 
 /// What a name and its unit say; a unit that contradicts the name leaves nothing known.
-fn quantity(named: Quantity, unit: Option<Unit>, unit_text: Option<&str>) -> Quantity {
+fn quantity(named: QuantityKind, unit: Option<Unit>, unit_text: Option<&str>) -> QuantityKind {
     match (unit.map(Unit::measures), named) {
-        (Some(Measures::Time), Quantity::Time) => Quantity::Time,
-        (Some(Measures::Angle), Quantity::Angle | Quantity::Other) => Quantity::Angle,
-        (Some(Measures::AngularVelocity), Quantity::Gate | Quantity::Run | Quantity::Time) => Quantity::Other,
-        (Some(Measures::AngularVelocity), _) => Quantity::AngularVelocity,
-        (Some(Measures::Length), Quantity::X | Quantity::Y) => named,
-        (None, Quantity::Acceleration) => Quantity::Acceleration,
+        (Some(Measures::Time), QuantityKind::Time) => QuantityKind::Time,
+        (Some(Measures::Angle), QuantityKind::Angle | QuantityKind::Other) => QuantityKind::Angle,
+        (Some(Measures::AngularVelocity), QuantityKind::Gate | QuantityKind::Run | QuantityKind::Time) => {
+            QuantityKind::Other
+        }
+        (Some(Measures::AngularVelocity), _) => QuantityKind::AngularVelocity,
+        (Some(Measures::Length), QuantityKind::X | QuantityKind::Y) => named,
+        (None, QuantityKind::Acceleration) => QuantityKind::Acceleration,
         (None, named) if unit_text.is_none() => named,
-        (None, _) if unit_text.is_some_and(words::is_of_acceleration) => Quantity::Acceleration,
+        (None, _) if unit_text.is_some_and(words::is_of_acceleration) => QuantityKind::Acceleration,
         // Of a unit that is not known here it is asked later.
-        (None, Quantity::Angle | Quantity::AngularVelocity | Quantity::Gate | Quantity::Run) => named,
-        _ => Quantity::Other,
+        (
+            None,
+            QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::Gate | QuantityKind::Run,
+        ) => named,
+        _ => QuantityKind::Other,
     }
 }
 
@@ -194,7 +199,7 @@ mod tests {
 
     #[test]
     fn headers_of_instruments_are_understood() {
-        use Quantity::{Acceleration, Angle, AngularVelocity, Gate, Other, Run, Time, X};
+        use QuantityKind::{Acceleration, Angle, AngularVelocity, Gate, Other, Run, Time, X};
         for (text, quantity, unit, run) in [
             ("Time (s)", Time, "s", None),
             ("t [ms]", Time, "ms", None),
@@ -255,8 +260,8 @@ mod tests {
             "+/- (rad)",
         ] {
             let heading = Heading::read(text, None, None);
-            assert!(heading.is_uncertainty && heading.quantity == Quantity::Angle, "{text}: {heading:?}");
-            assert!(!heading.is(Quantity::Angle));
+            assert!(heading.is_uncertainty && heading.quantity == QuantityKind::Angle, "{text}: {heading:?}");
+            assert!(!heading.is(QuantityKind::Angle));
         }
         assert!(!Heading::read("U(V)", None, None).is_uncertainty, "a voltage");
         let bare = |text| Heading::read(text, None, None).is_bare_uncertainty();
@@ -266,7 +271,7 @@ mod tests {
     #[test]
     fn a_line_of_units_and_a_line_of_titles_complete_the_name() {
         let heading = Heading::read("Angle", Some("(deg)"), Some("mass_A"));
-        assert_eq!((heading.quantity, heading.unit), (Quantity::Angle, Some(Unit::Degree)));
+        assert_eq!((heading.quantity, heading.unit), (QuantityKind::Angle, Some(Unit::Degree)));
         assert_eq!(heading.run.as_deref(), Some("mass_A"));
     }
 }

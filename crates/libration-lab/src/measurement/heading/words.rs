@@ -1,12 +1,12 @@
 //! The words that name quantities, in the languages that instruments speak.
 
-use super::Quantity;
+use super::QuantityKind;
 
 /// Names in lower case without units. Of the letters that are angles in equations (`quantity::is_angle_name`) only θ and φ: in a
 /// header α is as often an acceleration, and β and γ are anything.
-const NAMES: [(Quantity, &[&str]); 7] = [
+const NAMES: [(QuantityKind, &[&str]); 7] = [
     (
-        Quantity::Time,
+        QuantityKind::Time,
         &[
             "t",
             "time",
@@ -24,7 +24,7 @@ const NAMES: [(Quantity, &[&str]); 7] = [
         ],
     ),
     (
-        Quantity::Angle,
+        QuantityKind::Angle,
         &[
             "θ",
             "ϑ",
@@ -49,7 +49,7 @@ const NAMES: [(Quantity, &[&str]); 7] = [
         ],
     ),
     (
-        Quantity::AngularVelocity,
+        QuantityKind::AngularVelocity,
         &[
             "ω",
             "omega",
@@ -63,19 +63,22 @@ const NAMES: [(Quantity, &[&str]); 7] = [
             "theta'",
         ],
     ),
-    (Quantity::X, &["x", "x position", "position x", "x pos", "pos x", "horizontal", "horizontal position"]),
-    (Quantity::Y, &["y", "y position", "position y", "y pos", "pos y", "vertical", "vertical position"]),
     (
-        Quantity::Gate,
+        QuantityKind::X,
+        &["x", "x position", "position x", "x pos", "pos x", "horizontal", "horizontal position"],
+    ),
+    (QuantityKind::Y, &["y", "y position", "position y", "y pos", "pos y", "vertical", "vertical position"]),
+    (
+        QuantityKind::Gate,
         &["gatestate", "gate state", "gate", "state", "blocked", "photogate", "photogate state"],
     ),
-    (Quantity::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
+    (QuantityKind::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
 ];
 
 /// What the words of a name say.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Words {
-    pub(super) quantity: Quantity,
+    pub(super) quantity: QuantityKind,
     /// Whether they speak of the uncertainty of it.
     pub(super) is_uncertainty: bool,
     /// The number behind the symbol, as in `t_{1}` or `theta2`.
@@ -87,11 +90,11 @@ impl Words {
         let (plain, is_uncertainty) = without_uncertainty(name);
         let (symbol, index) = without_index(&plain);
         match (named(&plain), named(&symbol)) {
-            (Quantity::Other, Quantity::Other) => match named_as_acceleration(&plain) {
-                true => Self { quantity: Quantity::Acceleration, is_uncertainty, index: None },
-                false => Self { quantity: Quantity::Other, is_uncertainty, index: None },
+            (QuantityKind::Other, QuantityKind::Other) => match named_as_acceleration(&plain) {
+                true => Self { quantity: QuantityKind::Acceleration, is_uncertainty, index: None },
+                false => Self { quantity: QuantityKind::Other, is_uncertainty, index: None },
             },
-            (Quantity::Other, quantity) => Self { quantity, is_uncertainty, index },
+            (QuantityKind::Other, quantity) => Self { quantity, is_uncertainty, index },
             (quantity, _) => Self { quantity, is_uncertainty, index: None },
         }
     }
@@ -141,8 +144,8 @@ fn difference(lower: &str) -> Option<String> {
     let rest = ["δ", "∆", "delta", "u_", "u "].iter().find_map(|sign| lower.strip_prefix(sign))?;
     let of = rest.trim_start_matches([' ', '_']).trim_end();
     let (symbol, _) = without_index(of);
-    let quantity = [of, &symbol].map(named).into_iter().find(|quantity| *quantity != Quantity::Other)?;
-    (quantity != Quantity::Time || lower.starts_with('u')).then(|| of.to_owned())
+    let quantity = [of, &symbol].map(named).into_iter().find(|quantity| *quantity != QuantityKind::Other)?;
+    (quantity != QuantityKind::Time || lower.starts_with('u')).then(|| of.to_owned())
 }
 
 /// `t_{1}`, `theta 1`, `x₂` → the symbol, and the number.
@@ -159,8 +162,11 @@ fn without_index(words: &str) -> (String, Option<String>) {
 }
 
 /// The quantity of this name.
-fn named(words: &str) -> Quantity {
-    NAMES.iter().find(|(_, names)| names.contains(&words)).map_or(Quantity::Other, |(quantity, _)| *quantity)
+fn named(words: &str) -> QuantityKind {
+    NAMES
+        .iter()
+        .find(|(_, names)| names.contains(&words))
+        .map_or(QuantityKind::Other, |(quantity, _)| *quantity)
 }
 
 /// An angular acceleration is none of the accelerometer's.
@@ -184,13 +190,13 @@ mod tests {
     #[test]
     fn numbers_behind_a_symbol_are_no_part_of_it() {
         for (name, quantity, index) in [
-            ("t_{1}", Quantity::Time, Some("1")),
-            ("$t_1$", Quantity::Time, Some("1")),
-            ("theta2", Quantity::Angle, Some("2")),
-            ("\\theta_{12}", Quantity::Angle, Some("12")),
-            ("x₃", Quantity::X, Some("3")),
-            ("t", Quantity::Time, None),
-            ("Kanal 1", Quantity::Other, None),
+            ("t_{1}", QuantityKind::Time, Some("1")),
+            ("$t_1$", QuantityKind::Time, Some("1")),
+            ("theta2", QuantityKind::Angle, Some("2")),
+            ("\\theta_{12}", QuantityKind::Angle, Some("12")),
+            ("x₃", QuantityKind::X, Some("3")),
+            ("t", QuantityKind::Time, None),
+            ("Kanal 1", QuantityKind::Other, None),
         ] {
             let words = Words::read(name);
             assert_eq!((words.quantity, words.index.as_deref()), (quantity, index), "{name}");
@@ -200,10 +206,10 @@ mod tests {
     #[test]
     fn accelerations_are_known_by_name_and_unit() {
         for name in ["Acceleration x", "Linear Accelerometer z", "Beschleunigung", "Absolute acceleration"] {
-            assert_eq!(Words::read(name).quantity, Quantity::Acceleration, "{name}");
+            assert_eq!(Words::read(name).quantity, QuantityKind::Acceleration, "{name}");
         }
         for name in ["Angular acceleration", "Winkelbeschleunigung", "a"] {
-            assert_eq!(Words::read(name).quantity, Quantity::Other, "{name}");
+            assert_eq!(Words::read(name).quantity, QuantityKind::Other, "{name}");
         }
         assert!(is_of_acceleration("m/s^2") && is_of_acceleration("m / s²") && !is_of_acceleration("g"));
     }

@@ -3,7 +3,7 @@
 use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
-use super::super::{Column, MeasurementError, Quantity, Seen};
+use super::super::{Column, MeasurementError, QuantityKind, Seen};
 use super::gyroscope;
 use super::runs::Group;
 use super::value::Value;
@@ -58,15 +58,15 @@ impl Group<'_> {
         let time = self.time(choices, findings)?;
         let value = self.value(time, choices, findings)?;
         let uncertainty = self.uncertainty(value, choices, findings)?;
-        let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, Quantity::Run));
+        let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, QuantityKind::Run));
         Ok(Columns { run: self.run.clone(), time, value, uncertainty, numbering })
     }
 
-    fn heading_is(&self, place: usize, quantity: Quantity) -> bool {
+    fn heading_is(&self, place: usize, quantity: QuantityKind) -> bool {
         self.sheet.channels[place].heading.is(quantity)
     }
 
-    fn all_of(&self, quantity: Quantity) -> Vec<usize> {
+    fn all_of(&self, quantity: QuantityKind) -> Vec<usize> {
         self.members.iter().copied().filter(|&place| self.heading_is(place, quantity)).collect()
     }
 
@@ -88,11 +88,11 @@ impl Group<'_> {
         if let Some(time) = self.chosen(choices.time.as_ref())? {
             return Ok(time);
         }
-        if let [time] = self.all_of(Quantity::Time)[..] {
+        if let [time] = self.all_of(QuantityKind::Time)[..] {
             findings.push(Finding::new(format!("{} is the time", self.sheet.describe(time)), Choice::Time));
             return Ok(time);
         }
-        let named = self.all_of(Quantity::Time);
+        let named = self.all_of(QuantityKind::Time);
         if !named.is_empty() {
             return Err(self.undecided("several columns are times: {}", Choice::Time, &named));
         }
@@ -102,7 +102,7 @@ impl Group<'_> {
     /// Where no column is named a time: the only one that increases throughout, which no swing does.
     fn increasing(&self, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
         let may = |place: &usize| {
-            !self.heading_is(*place, Quantity::Run) && self.sheet.channels[*place].increases()
+            !self.heading_is(*place, QuantityKind::Run) && self.sheet.channels[*place].increases()
         };
         let increasing: Vec<usize> = self.members.iter().copied().filter(may).collect();
         match increasing[..] {
@@ -136,8 +136,8 @@ impl Group<'_> {
         if choices.x.is_some() || choices.y.is_some() {
             return self.positions(time, choices);
         }
-        let angles = self.all_of(Quantity::Angle);
-        let has_positions = [Quantity::X, Quantity::Y]
+        let angles = self.all_of(QuantityKind::Angle);
+        let has_positions = [QuantityKind::X, QuantityKind::Y]
             .iter()
             .all(|&axis| self.all_of(axis).iter().any(|&place| place != time));
         match angles[..] {
@@ -155,7 +155,7 @@ impl Group<'_> {
     }
 
     fn no_acceleration(&self, place: usize) -> Result<(), MeasurementError> {
-        match self.heading_is(place, Quantity::Acceleration) {
+        match self.heading_is(place, QuantityKind::Acceleration) {
             true => Err(MeasurementError::Accelerations { column: self.sheet.describe(place) }),
             false => Ok(()),
         }
@@ -172,8 +172,8 @@ impl Group<'_> {
                 }
             }
         };
-        let x = axis(choices.x.as_ref(), Quantity::X, Choice::X)?;
-        let y = axis(choices.y.as_ref(), Quantity::Y, Choice::Y)?;
+        let x = axis(choices.x.as_ref(), QuantityKind::X, Choice::X)?;
+        let y = axis(choices.y.as_ref(), QuantityKind::Y, Choice::Y)?;
         Ok(Value::Positions { x, y })
     }
 
@@ -183,7 +183,7 @@ impl Group<'_> {
         choices: &Choices,
         findings: &mut Vec<Finding>,
     ) -> Result<Value, MeasurementError> {
-        let mut velocities = self.all_of(Quantity::AngularVelocity);
+        let mut velocities = self.all_of(QuantityKind::AngularVelocity);
         // The absolute value has lost the sign.
         velocities.retain(|&place| !self.sheet.channels[place].heading.name.to_lowercase().contains("abs"));
         let (value, why) = match velocities[..] {
@@ -220,7 +220,7 @@ impl Group<'_> {
         let may = |place: &usize| {
             let channel = &self.sheet.channels[*place];
             *place != time
-                && matches!(channel.heading.quantity, Quantity::Other | Quantity::X | Quantity::Y)
+                && matches!(channel.heading.quantity, QuantityKind::Other | QuantityKind::X | QuantityKind::Y)
                 && !channel.heading.is_uncertainty
                 && channel.heading.unit_text.is_none()
                 && channel.count() > 0
@@ -255,10 +255,10 @@ impl Group<'_> {
 
     /// No column may be an angle without a word: what the others can be.
     fn nothing_known(&self, time: usize) -> MeasurementError {
-        if let Some(place) = self.all_of(Quantity::Acceleration).first() {
+        if let Some(place) = self.all_of(QuantityKind::Acceleration).first() {
             return MeasurementError::Accelerations { column: self.sheet.describe(*place) };
         }
-        let may_be = |&place: &usize| place != time && !self.heading_is(place, Quantity::Gate);
+        let may_be = |&place: &usize| place != time && !self.heading_is(place, QuantityKind::Gate);
         let others: Vec<usize> = self.members.iter().copied().filter(may_be).collect();
         let is_length = |place: &usize| {
             let unit = self.sheet.channels[*place].heading.unit;
@@ -307,7 +307,7 @@ impl Group<'_> {
         let quantity = self.sheet.channels[place].heading.quantity;
         let belongs = |other: &usize| {
             let heading = &self.sheet.channels[*other].heading;
-            let is_of_it = heading.quantity == quantity && quantity != Quantity::Other;
+            let is_of_it = heading.quantity == quantity && quantity != QuantityKind::Other;
             let follows = *other == place + 1 && heading.is_bare_uncertainty();
             heading.is_uncertainty && (is_of_it || follows) && self.sheet.channels[*other].count() > 0
         };

@@ -2,7 +2,7 @@
 
 use super::super::choices::Choices;
 use super::super::sheet::Sheet;
-use super::super::{MeasurementError, Quantity};
+use super::super::{MeasurementError, QuantityKind};
 
 /// The columns that may belong to a run.
 pub(super) struct Group<'a> {
@@ -20,7 +20,7 @@ impl<'a> Group<'a> {
             let run = &sheet.channels[sheet.place(column)?].heading.run;
             runs.retain(|other| other == run);
         }
-        let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(Quantity::Run));
+        let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(QuantityKind::Run));
         // Where nothing names runs they may be told by a clock that is set back, which is seen later.
         if let Some(asked) = choices.run.as_deref().filter(|_| !is_numbered && !runs.is_empty()) {
             let available: Vec<String> = runs.iter().flatten().map(|run| format!("`{run}`")).collect();

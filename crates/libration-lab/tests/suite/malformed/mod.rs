@@ -5,7 +5,7 @@ mod packed;
 mod single;
 mod style;
 
-use libration_lab::measurement::{Choices, MeasurementError, Options, Recording, Traces};
+use libration_lab::measurement::{Choices, MeasurementError, ReadOptions, Recording, Traces};
 
 /// What must become of a file.
 pub(crate) enum Expected {
@@ -64,7 +64,7 @@ impl Case {
 }
 
 fn traces(bytes: &[u8]) -> Result<Traces, MeasurementError> {
-    let options = Options { size_limit: 1 << 20, ..Options::default() };
+    let options = ReadOptions { size_limit: 1 << 20, ..ReadOptions::default() };
     Recording::read(bytes, &options)?.traces(&Choices::default())
 }
 

@@ -1,0 +1,57 @@
+//! The units that are written over the columns of a table.
+
+use super::role::{Role, WrittenUnit};
+use super::sheet::Sheet;
+use super::table::Table;
+use super::{Column, MeasurementError};
+
+impl Table {
+    /// The unit that is written over a column of such values.
+    ///
+    /// # Errors
+    /// No such column; a heading that says that the column holds something else, or uncertainties.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::measurement::{Column, ReadOptions, Role, Table, Unit, WrittenUnit};
+    ///
+    /// let table = Table::read(b"L (cm),T (s)\n25,1.0\n50,1.4\n", &ReadOptions::default())?;
+    /// assert_eq!(table.unit(&Column::Number(1), Role::Lengths)?, WrittenUnit::Known(Unit::Centimetre));
+    /// assert!(table.unit(&Column::Number(1), Role::Times).is_err());
+    /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
+    /// ```
+    pub fn unit(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
+        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
+        let heading = &sheet.channels[place].heading;
+        match role.contradicted_by(heading) {
+            _ if heading.is_uncertainty => Err(holds_other(sheet, place, "uncertainties", role)),
+            Some(other) => Err(holds_other(sheet, place, other, role)),
+            None => Ok(role.unit_written_in(heading)),
+        }
+    }
+
+    /// The unit that is written over a column of uncertainties of such values.
+    ///
+    /// # Errors
+    /// No such column; a heading with a unit or a name of something else.
+    pub fn unit_of_uncertainty(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
+        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
+        let heading = &sheet.channels[place].heading;
+        match role.contradicted_by(heading) {
+            Some(other) => Err(holds_other(sheet, place, other, role)),
+            None => Ok(role.unit_written_in(heading)),
+        }
+    }
+
+    /// `` column 2 (`Angle`) ``, as messages name it.
+    ///
+    /// # Errors
+    /// No such column.
+    pub fn describe(&self, column: &Column) -> Result<String, MeasurementError> {
+        self.sheet().place(column).map(|place| self.sheet().describe(place))
+    }
+}
+
+fn holds_other(sheet: &Sheet, place: usize, found: &'static str, role: Role) -> MeasurementError {
+    MeasurementError::HoldsOther { column: sheet.describe(place), found, expected: role }
+}
