@@ -111,7 +111,7 @@ impl Wanted {
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {
                     return Err(format!(
-                        "{place}: `{text}` is no unit of {} that is known here: say which with {option}",
+                        "{place}: `{text}` is not a known unit of {}: say which with {option}",
                         self.role
                     ));
                 }

@@ -64,7 +64,7 @@ pub struct DampingTerms([bool; 3]);
 
 /// A name of no kind of damping.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no damping: give undamped, or dry, linear, quadratic and sums of them as dry+linear")]
+#[error("`{0}` is not a damping model: give undamped, dry, linear, quadratic, or a sum such as dry+linear")]
 pub struct DampingTermsError(String);
 
 impl DampingTerms {

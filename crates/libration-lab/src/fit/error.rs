@@ -53,10 +53,10 @@ pub enum FitError {
         parameters: &'static str,
     },
     /// All amplitudes have the same period ratio.
-    #[error("all amplitudes are the same, which leaves beta open: measure at different amplitudes")]
+    #[error("all amplitudes are the same, which does not determine beta: measure at different amplitudes")]
     EqualAmplitudes,
     /// A law that has no positive finite value at a measured amplitude.
-    #[error("the law `{key}` has no value at the amplitude {amplitude:?} rad: leave it out or the row")]
+    #[error("the law `{key}` has no value at the amplitude {amplitude:?} rad: leave out the law or the row")]
     LawUndefined {
         /// Of the law.
         key: String,
@@ -64,7 +64,9 @@ pub enum FitError {
         amplitude: f64,
     },
     /// The weights did not settle.
-    #[error("the weights of {0} did not settle: check the uncertainties of the amplitudes")]
+    #[error(
+        "the iteration of the weights of {0} did not converge: check the uncertainties of the amplitudes"
+    )]
     NoConvergence(&'static str),
     /// A length or its uncertainty that is none.
     #[error(
@@ -88,7 +90,9 @@ pub enum FitError {
     #[error("a relative uncertainty of the clock of {0} is not usable: give a finite number of zero or more")]
     Clock(f64),
     /// Lengths that do not tell g from their offset.
-    #[error("the lengths are all the same, which leaves their offset open: measure with different lengths")]
+    #[error(
+        "the lengths are all the same, which does not determine their offset: measure with different lengths"
+    )]
     EqualLengths,
     /// A bob with which no offset explains the periods.
     #[error(

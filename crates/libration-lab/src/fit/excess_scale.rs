@@ -33,7 +33,7 @@ impl ExcessScaleFit {
     /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::of(self.chi2, self.dof)
+        Scatter::new(self.chi2, self.dof)
     }
 }
 

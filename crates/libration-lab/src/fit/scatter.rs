@@ -108,7 +108,7 @@ pub struct Scatter {
 impl Scatter {
     /// Of rows with uncertainties; none without them, or without a degree of freedom.
     #[must_use]
-    pub fn of(chi2: Option<f64>, dof: usize) -> Option<Self> {
+    pub fn new(chi2: Option<f64>, dof: usize) -> Option<Self> {
         chi2.filter(|chi2| dof > 0 && chi2.is_finite()).map(|chi2| Self { chi2, dof })
     }
 
@@ -172,14 +172,14 @@ impl Scatter {
 
 /// The factor on the uncertainties of a fit with this χ², where there is one.
 pub(super) fn enlargement(chi2: Option<f64>, dof: usize) -> f64 {
-    Scatter::of(chi2, dof).map_or(1.0, Scatter::enlargement)
+    Scatter::new(chi2, dof).map_or(1.0, Scatter::enlargement)
 }
 
 /// The degrees of freedom of the uncertainties of a fit: of the scatter where they come from it, and infinite where stated ones
 /// explain it.
 pub(super) fn degrees_of_freedom(chi2: Option<f64>, dof: usize) -> f64 {
     match chi2 {
-        Some(_) => Scatter::of(chi2, dof).map_or(f64::INFINITY, Scatter::degrees_of_freedom),
+        Some(_) => Scatter::new(chi2, dof).map_or(f64::INFINITY, Scatter::degrees_of_freedom),
         None => count(dof),
     }
 }
@@ -192,14 +192,14 @@ mod tests {
     /// 26.8).
     #[test]
     fn chance_decides_at_one_table_in_a_hundred() {
-        let verdict = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap().verdict();
+        let verdict = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap().verdict();
         assert_eq!([23.20, 23.22].map(verdict), [ScatterVerdict::AsStated, ScatterVerdict::More]);
         assert_eq!([2.55, 2.57].map(verdict), [ScatterVerdict::Less, ScatterVerdict::AsStated]);
     }
 
     #[test]
     fn uncertainties_become_larger_and_never_smaller() {
-        let of = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap();
+        let of = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap();
         assert!((of(199.0).enlargement() - 19.9_f64.sqrt()).abs() < 1e-15);
         let unity = |factor: f64| (factor - 1.0).abs() < 1e-15;
         assert!(unity(of(10.0).enlargement()) && unity(of(1.0).enlargement()));
@@ -207,12 +207,12 @@ mod tests {
         let ten = of(199.0).degrees_of_freedom();
         assert!((ten - 10.0).abs() < 1e-15 && of(11.0).degrees_of_freedom().is_infinite());
         assert!((degrees_of_freedom(None, 7) - 7.0).abs() < 1e-15);
-        assert_eq!((Scatter::of(None, 3), Scatter::of(Some(1.0), 0)), (None, None));
+        assert_eq!((Scatter::new(None, 3), Scatter::new(Some(1.0), 0)), (None, None));
     }
 
     #[test]
     fn only_what_chance_does_not_explain_is_told() {
-        let warning = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap().warning("the offset");
+        let warning = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap().warning("the offset");
         assert!(warning(199.0).unwrap().to_string().contains("4.46 times"));
         assert!(warning(1.0).unwrap().to_string().contains("belong to the offset"));
         assert_eq!(warning(12.0), None);
@@ -224,7 +224,7 @@ mod tests {
     /// √1.03 = 1.0149 is what chance makes of ten rows more often than not.
     #[test]
     fn an_enlargement_is_not_blamed_on_rows_that_scatter_as_stated() {
-        let enlarged = |chi2: f64| Scatter::of(Some(chi2), 10).unwrap().enlarged();
+        let enlarged = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap().enlarged();
         let within = enlarged(10.3).unwrap();
         assert!(matches!(within, Enlargement::WithinChance(_)));
         let text = within.to_string();

@@ -50,14 +50,14 @@ pub enum MeasurementError {
     },
     /// Numbers above the first good row.
     #[error(
-        "line {line} is neither a header nor a row of numbers like those below it: mend it, or say which line is the header"
+        "line {line} is neither a header nor a row of numbers like those below it: correct it, or say which line is the header"
     )]
     NeitherHeaderNorNumbers {
         /// Counted from one.
         line: u64,
     },
     /// A cell over several lines.
-    #[error("line {line} begins a quoted cell that goes on over the next lines: close the quote")]
+    #[error("line {line} begins a quoted cell that is not closed on the same line: close the quote")]
     UnclosedQuote {
         /// Counted from one.
         line: u64,
@@ -105,7 +105,7 @@ pub enum MeasurementError {
     #[error("none of the {0} rows has a number in every column asked for: ask for other columns")]
     NothingComplete(usize),
     /// More than any measurement has.
-    #[error("{place} has {count} {what}, the limit is {limit}: give a part of them")]
+    #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
     TooMany {
         /// Of what.
         what: &'static str,
@@ -137,7 +137,7 @@ pub enum MeasurementError {
         after: f64,
     },
     /// A number that is no state of a photogate.
-    #[error("line {line}: {found} is no state of a photogate: give 1 or blocked, 0 or unblocked")]
+    #[error("line {line}: {found} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
     NotAState {
         /// Counted from one.
         line: u64,
@@ -175,7 +175,7 @@ pub enum MeasurementError {
     OnlyTimes(String),
     /// Times that go back again and again.
     #[error(
-        "{goes_back} of {rows} times are less than the one before: these are no times of a photogate; are they periods?"
+        "{goes_back} of {rows} times are less than the one before: they are not times of a photogate; are they periods?"
     )]
     NotGateTimes {
         /// How many.
@@ -195,7 +195,7 @@ pub enum MeasurementError {
     },
     /// Times so coarse that rows share them, and that are no roundings of even ones.
     #[error(
-        "{run}the times have {digits} significant digits, so that rows share them, and no even times round to them, as where rows \
+        "{run}the times have {digits} significant digits, so several rows share one time, and no evenly spaced times round to them, as where rows \
          are missing: export the times with more digits"
     )]
     CoarseTimes {
@@ -205,15 +205,13 @@ pub enum MeasurementError {
         digits: usize,
     },
     /// Times that are no roundings of even ones.
-    #[error("{run}the times are not rounded ones of even intervals: take them as they are written")]
+    #[error("{run}the times are not evenly spaced times that were rounded: use them as written")]
     NotEven {
         /// Whose they are, with a colon, or nothing.
         run: String,
     },
     /// No row between the times that are asked for.
-    #[error(
-        "{run}no row is left between the times that are asked for: its times are from {first} to {last} s"
-    )]
+    #[error("{run}no row lies between the times asked for: the times run from {first} to {last} s")]
     NothingBetween {
         /// Whose they are, with a colon, or nothing.
         run: String,
@@ -223,7 +221,7 @@ pub enum MeasurementError {
         last: f64,
     },
     /// A unit that does not fit what it is said of.
-    #[error("{unit} is no unit of {of}: give one such as {examples}")]
+    #[error("{unit} is not a unit of {of}: give one such as {examples}")]
     WrongUnit {
         /// As said.
         unit: super::Unit,

@@ -144,7 +144,7 @@ fn time_column(
         }
         (several, all) => {
             let open = if several.is_empty() { all } else { several };
-            let question = "nothing says which column holds the times of the gate".to_owned();
+            let question = "it is not clear which column holds the times of the gate".to_owned();
             let choices =
                 open.iter().map(|place| Suggestion::new(Choice::Time, (place + 1).to_string())).collect();
             Err(MeasurementError::Undecided { question, choices })
@@ -184,7 +184,7 @@ fn unit(
             (Unit::Second, "since no unit is written")
         }
         (None, None, Some(text)) => {
-            return Err(which_unit(format!("`{text}` is no unit of time that is known here")));
+            return Err(which_unit(format!("`{text}` is not a known unit of time")));
         }
     };
     findings.push(Finding::new(format!("times are in {unit}, {why}"), Choice::TimeUnit));
@@ -207,7 +207,7 @@ fn refuse_unlikely_seconds(sheet: &Sheet, place: usize) -> Result<(), Measuremen
     steps.sort_by(f64::total_cmp);
     match steps.get(3 * steps.len() / 4) {
         Some(step) if !HALF_PERIODS.contains(step) => Err(which_unit(format!(
-            "nothing says the unit of time of {}, and half periods of {step} s are not likely",
+            "the unit of time of {} is not given, and half periods of {step} s are not likely",
             sheet.describe(place)
         ))),
         _ => Ok(()),

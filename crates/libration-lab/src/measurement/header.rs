@@ -16,7 +16,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn of(
+    pub(super) fn read(
         text: &str,
         mut above: Vec<Row>,
         width: usize,

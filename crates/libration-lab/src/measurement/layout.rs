@@ -26,10 +26,10 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub(super) fn of(text: &str, dialect: Dialect, header: Header) -> Result<Self, MeasurementError> {
+    pub(super) fn read(text: &str, dialect: Dialect, header: Header) -> Result<Self, MeasurementError> {
         let mut above: Vec<Row> = dialect.rows(text).take(SAMPLE).collect();
         refuse_long_cells(&above)?;
-        let Extent { filled, length } = Extent::of(&above, dialect.mark)?;
+        let Extent { filled, length } = Extent::new(&above, dialect.mark)?;
         let body = match header {
             Header::Detect => first_of_numbers(&above, filled, dialect.mark),
             Header::Absent => Some(0),
@@ -45,7 +45,7 @@ impl Layout {
         // A column may be named and have no numbers.
         let named = above.iter().rev().take(3).map(Row::filled).filter(|&names| names <= length).max();
         let width = named.unwrap_or(0).max(filled).max(1);
-        let names = Names::of(text, above, width, dialect, header, first_line)?;
+        let names = Names::read(text, above, width, dialect, header, first_line)?;
         Ok(Self {
             headings: names.headings,
             header_line: names.line,
@@ -86,7 +86,7 @@ struct Extent {
 }
 
 impl Extent {
-    fn of(rows: &[Row], mark: DecimalMark) -> Result<Self, MeasurementError> {
+    fn new(rows: &[Row], mark: DecimalMark) -> Result<Self, MeasurementError> {
         let rows: Vec<&Row> = rows.iter().filter(|row| row.numbers(mark) > 0).collect();
         let count = |length: usize| rows.iter().filter(|row| row.cells.len() == length).count();
         let mut lengths: Vec<usize> = rows.iter().map(|row| row.cells.len()).collect();

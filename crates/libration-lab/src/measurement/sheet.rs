@@ -88,7 +88,7 @@ impl Sheet {
         dialect: Dialect,
         options: &ReadOptions,
     ) -> Result<Self, MeasurementError> {
-        let layout = Layout::of(text, dialect, options.header)?;
+        let layout = Layout::read(text, dialect, options.header)?;
         let channel = |heading| Channel { heading, cells: Vec::new(), words: Vec::new() };
         let mut sheet = Self {
             name: name.into(),

@@ -65,7 +65,7 @@ fn utf8_or_windows(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measurement
     // These five bytes mean nothing in Windows-1252.
     let means_nothing = |byte: &u8| [0x81, 0x8d, 0x8f, 0x90, 0x9d].contains(byte);
     if has_letters || bytes.iter().any(means_nothing) {
-        return Err(MeasurementError::NotText("broken UTF-8, or in an encoding not known here"));
+        return Err(MeasurementError::NotText("broken UTF-8, or in an unknown encoding"));
     }
     let (text, _) = WINDOWS_1252.decode_without_bom_handling(bytes);
     Ok((text, Encoding::Windows1252))

@@ -7,7 +7,7 @@ use super::FittedPivot;
 #[non_exhaustive]
 pub enum TraceError {
     /// Columns of different lengths, or none.
-    #[error("columns of {0:?} rows are no trace: give as many values as times, and at least one")]
+    #[error("columns of {0:?} rows do not make a trace: give as many values as times, and at least one")]
     Lengths(Vec<usize>),
     /// A number that is not finite.
     #[error("{0:?} is not a finite number: leave the row out")]

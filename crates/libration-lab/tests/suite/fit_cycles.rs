@@ -192,7 +192,7 @@ fn a_short_trace_cannot_separate_the_laws_of_damping() {
     let case = Synthetic { noise: 0.01, rows: 700, linear: 0.01, ..Synthetic::USUAL };
     let envelope = of(&case, 6).envelope.unwrap();
     assert!(envelope.not_separated().count() >= 2, "{}", envelope.verdict());
-    assert!(envelope.verdict().contains("cannot separate"));
+    assert!(envelope.verdict().contains("cannot be distinguished"));
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn a_line_gives_its_g_and_its_offset_back() {
     let best = fit.best();
     assert!((best.g.value / G - 1.0).abs() < 1e-12 && (best.offset.unwrap().value + 0.0086).abs() < 1e-12);
     // Without an offset g is wrong, and that is said.
-    assert!((fit.of(LengthModel::Plain).unwrap().g.value / G - 1.0).abs() > 3e-3);
+    assert!((fit.law(LengthModel::Plain).unwrap().g.value / G - 1.0).abs() > 3e-3);
     assert!(fit.warnings.contains(&LengthsWarning::OffsetNeeded), "{:?}", fit.warnings);
 }
 
@@ -56,7 +56,7 @@ fn a_large_bob_bends_the_line_and_is_told_by_it() {
     assert!((known.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", known.best());
     assert!((known.best().offset.unwrap().value - 0.02).abs() < 1e-9);
     let free = fitted(&given, &periods, None);
-    let bent = free.of(LengthModel::OffsetAndGyration).unwrap();
+    let bent = free.law(LengthModel::OffsetAndGyration).unwrap();
     assert!((bent.gyration.unwrap().value / (0.4 * radius * radius) - 1.0).abs() < 1e-6, "{bent:?}");
     assert!((bent.g.value / G - 1.0).abs() < 1e-7);
     let bends = free.warnings.iter().find(|warning| matches!(warning, LengthsWarning::Bent { .. })).unwrap();
@@ -122,7 +122,7 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
         let noisy = |length: &f64| period(*length, 0.0, 0.0) + 0.003 * normal(&mut random);
         let periods: Vec<f64> = given.iter().map(noisy).collect();
         let fit = lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
-        needed += u32::from(fit.of(LengthModel::Offset).unwrap().chance.unwrap() < 0.05);
+        needed += u32::from(fit.law(LengthModel::Offset).unwrap().chance.unwrap() < 0.05);
     }
     // 5 % of 200 are 10, with a standard deviation of 3.
     assert!((2..=20).contains(&needed), "{needed}");

@@ -145,7 +145,7 @@ fn counts_become_turns_and_jumps_are_taken_out() {
     let refused = traces(&file, &Choices::default()).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        "nothing says the unit of column 3 (`angle`): say unit=rad or deg or counts-per-turn=4000"
+        "the unit of column 3 (`angle`) is not given: say unit=rad or deg or counts-per-turn=4000"
     );
     let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
     let values = found.traces[0].values();
@@ -206,7 +206,7 @@ fn every_guess_can_be_overridden() {
     let found = traces(file, &Choices { unit: None, ..chosen.clone() }).unwrap();
     assert_eq!((found.traces[0].times()[1], found.traces[0].values()[0]), (3000.0, radians(30.0)));
     let wrong = traces(file, &Choices { unit: Some(Unit::Metre), ..chosen }).unwrap_err();
-    assert_eq!(wrong.to_string(), "m is no unit of an angle: give one such as rad, deg");
+    assert_eq!(wrong.to_string(), "m is not a unit of an angle: give one such as rad, deg");
 }
 
 #[test]
@@ -221,7 +221,7 @@ fn a_file_without_a_header_says_what_must_be_said() {
     let found = traces(file, &chosen).unwrap();
     assert_eq!(found.traces[0].values(), [-1.148, -1.159, -1.204]);
     assert!(
-        told(&found).contains("only it increases throughout") && told(&found).contains("no unit is written")
+        told(&found).contains("only it increases throughout") && told(&found).contains("no unit is given")
     );
 }
 
@@ -240,7 +240,7 @@ fn a_photogate_gives_its_times_and_states() {
     let alone = recording(b"0.512\n1.034\n1.556\n").gate_times(&Choices::default()).unwrap();
     assert_eq!((alone.times, alone.blocked), (vec![0.512, 1.034, 1.556], None));
     let odd = recording(b"t (s),gate\n1,2\n").gate_times(&Choices::default()).unwrap_err();
-    assert_eq!(odd.to_string(), "line 2: 2 is no state of a photogate: give 1 or blocked, 0 or unblocked");
+    assert_eq!(odd.to_string(), "line 2: 2 is not a state of a photogate: give 1 or blocked, 0 or unblocked");
 }
 
 #[test]

@@ -59,7 +59,7 @@ fn about_a_known_pivot(trace: &Trace, options: &CyclesOptions) -> Result<Cycles,
     let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
     let law = period_law::exact(&kept).ok_or(too_short)?;
     let cycles =
-        rows.iter().enumerate().map(|(k, row)| Cycle::of(row, law.scatter, outliers.contains(&k))).collect();
+        rows.iter().enumerate().map(|(k, row)| Cycle::new(row, law.scatter, outliers.contains(&k))).collect();
     let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
@@ -173,7 +173,7 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
 }
 
 impl Cycle {
-    fn of(row: &Row, scatter: Scatter, outlier: bool) -> Self {
+    fn new(row: &Row, scatter: Scatter, outlier: bool) -> Self {
         let [begin, end] = row.passages.map(|passage| passage.1);
         let [one, two] = row.sides;
         Self {

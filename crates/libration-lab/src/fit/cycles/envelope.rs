@@ -90,9 +90,9 @@ impl Envelope {
         let preferred = named(self.preferred().damping);
         let others: Vec<String> = self.not_separated().map(|fit| named(fit.damping)).collect();
         match &others[..] {
-            [] => format!("the falling amplitude prefers {preferred}"),
+            [] => format!("the decay of the amplitude fits {preferred} best"),
             others => format!(
-                "the falling amplitude prefers {preferred}, but cannot separate it from {} (AICc within {SEPARATED})",
+                "the decay of the amplitude fits {preferred} best, but that cannot be distinguished from {} (AICc within {SEPARATED})",
                 others.join(", ")
             ),
         }

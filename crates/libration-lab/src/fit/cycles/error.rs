@@ -37,7 +37,7 @@ pub enum CyclesError {
     OnlyRotations,
     /// Cycles whose amplitudes are all the same, or fewer than three of them.
     #[error(
-        "{} of nearly the same amplitude cannot tell beta: record until the amplitude has fallen, or \
+        "{} of nearly the same amplitude do not determine beta: record until the amplitude has fallen, or \
          begin with a larger one",
         counted(*cycles, "cycle")
     )]
@@ -56,7 +56,7 @@ pub enum CyclesError {
         noise_part: f64,
     },
     /// Too few extremes to tell how the amplitude falls.
-    #[error("{} cannot tell the damping: record at least {needed}", counted(*found, "turning point"))]
+    #[error("{} are too few to determine the damping: record at least {needed}", counted(*found, "turning point"))]
     TooFewHalfSwings {
         /// How many there are.
         found: usize,

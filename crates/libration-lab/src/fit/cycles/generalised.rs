@@ -124,7 +124,7 @@ impl Equations<'_> {
     }
 
     fn solve(&self, ratio: f64) -> Option<Solution> {
-        let factor = Factor::of(&self.noise, &self.fluctuation, ratio)?;
+        let factor = Factor::new(&self.noise, &self.fluctuation, ratio)?;
         let columns: Vec<DVector<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();
         let periods: Vec<f64> = self.rows.iter().map(|row| row.period).collect();
         let fit = least_squares(&DMatrix::from_columns(&columns), &factor.whitened(&periods)).ok()?;
@@ -141,7 +141,7 @@ struct Factor(Bands);
 
 impl Factor {
     /// Of the first matrix and `ratio` times the second.
-    fn of(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
+    fn new(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
         let mut factor: Bands = Vec::with_capacity(noise.len());
         for (n, (noise, fluctuation)) in noise.iter().zip(fluctuation).enumerate() {
             let [second, first, own] = [0, 1, 2].map(|k| noise[k] + ratio * fluctuation[k]);
@@ -187,7 +187,7 @@ mod tests {
         let entries = |n: usize| [if n > 1 { -0.3 } else { 0.0 }, if n > 0 { 0.2 } else { 0.0 }, 1.5];
         let noise: Bands = (0..6).map(entries).collect();
         let none = vec![[0.0; 3]; 6];
-        let factor = Factor::of(&noise, &none, 1.0).unwrap();
+        let factor = Factor::new(&noise, &none, 1.0).unwrap();
         let matrix = DMatrix::from_fn(6, 6, |i: usize, j: usize| match i.abs_diff(j) {
             0 => 1.5,
             1 => 0.2,

@@ -24,7 +24,7 @@ const BETA_OF_A_PENDULUM: f64 = 0.15;
     if *in_degrees {
         "these angles are degrees, not radians: give their unit as deg"
     } else {
-        "check the unit of the angles, or leave out what is no free swing"
+        "check the unit of the angles, or leave out whatever is not a free swing"
     }
 )]
 pub struct BeyondATurn {

@@ -5,9 +5,7 @@
 #[non_exhaustive]
 pub enum GatesError {
     /// Columns of different lengths.
-    #[error(
-        "{times} times and {states} states of the gate do not belong together: give one state for each time"
-    )]
+    #[error("there are {times} times but {states} states of the gate: give one state for each time")]
     Lengths {
         /// Times.
         times: usize,

@@ -65,26 +65,26 @@ impl fmt::Display for GatesWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::UnpairedEdges { edges } => {
-                write!(f, "edges of the gate without the other edge, left out: {edges}")
+                write!(f, "unpaired edges of the gate, left out: {edges}")
             }
             Self::DoubleTriggers { passages } => {
-                write!(f, "passages that fit no pendulum (double triggers), left out: {passages}")
+                write!(f, "passages that do not fit the period (double triggers), left out: {passages}")
             }
             Self::MissedPassages { passages } => {
-                write!(f, "passages that are missing; periods across them are left out: {passages}")
+                write!(f, "missed passages, with the periods across them left out: {passages}")
             }
             Self::WidthOfNoUse { edges: true } => f.write_str(
-                "the width of the bob is of no use: the speeds at the gate lead over the top; check the width of the bob",
+                "the width of the bob cannot be used: by the speeds at the gate the pendulum would go over the top; check the width of the bob",
             ),
             Self::WidthOfNoUse { edges: false } => f.write_str(
-                "the width of the bob is of no use: the speeds at the gate are not known, since the times are not edges",
+                "the width of the bob cannot be used: the times are not edges of the gate, so the speeds are not known",
             ),
             Self::NoAmplitude => f.write_str(
                 "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
             ),
             Self::PeriodBelowT0 { last, t0 } => write!(
                 f,
-                "the last period, {} s, is below T0, {} s, which no pendulum has: check the amplitude or the width",
+                "the last period, {} s, is below T0, {} s, which is impossible for a pendulum: check the amplitude or the width",
                 rounded(last, 5),
                 rounded(t0, 5)
             ),

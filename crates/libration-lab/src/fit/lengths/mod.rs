@@ -44,7 +44,7 @@ impl LengthsFit {
     /// The law with an offset, or without one where the rows do not determine it: what the lengths are worth.
     #[must_use]
     pub fn best(&self) -> &LengthFit {
-        self.of(LengthModel::Offset).unwrap_or(&self.fits[0])
+        self.law(LengthModel::Offset).unwrap_or(&self.fits[0])
     }
 
     /// The best g with all of its uncertainty, in m/s².
@@ -55,7 +55,7 @@ impl LengthsFit {
 
     /// The fit of a law, where the rows determine it.
     #[must_use]
-    pub fn of(&self, model: LengthModel) -> Option<&LengthFit> {
+    pub fn law(&self, model: LengthModel) -> Option<&LengthFit> {
         self.fits.iter().find(|fit| fit.model == model)
     }
 }

@@ -100,7 +100,7 @@ impl fmt::Display for LengthsWarning {
 
 /// In the order in which the laws are compared, gravity last.
 pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
-    let of = |model| fit.of(model);
+    let of = |model| fit.law(model);
     let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
     let offset = of(LengthModel::Offset);
     let bent = of(LengthModel::OffsetAndGyration);
@@ -128,7 +128,7 @@ fn radius_of(gyration: f64) -> f64 {
 }
 
 fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
-    let offset = fit.of(LengthModel::Offset)?.offset?.value;
+    let offset = fit.law(LengthModel::Offset)?.offset?.value;
     let radius = radius_of(fit.known_gyration?);
     (offset.abs() > RADII_OF_OFFSET * radius).then_some(LengthsWarning::OffsetLargerThanBob)
 }

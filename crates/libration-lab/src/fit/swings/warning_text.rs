@@ -12,7 +12,7 @@ impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotConverged => {
-                f.write_str("the fit did not converge to a minimum: its numbers are not to be trusted")
+                f.write_str("the fit did not converge to a minimum: its results are unreliable")
             }
             Self::AnglesAreRadians { beta } => write!(
                 f,
@@ -29,7 +29,7 @@ impl fmt::Display for Warning {
             ),
             Self::FeedsEnergy { damping } => write!(
                 f,
-                "the model `{damping}` feeds energy to the pendulum at some speeds, which no friction does: choose another"
+                "the model `{damping}` feeds energy to the pendulum at some speeds, which friction cannot do: choose another model"
             ),
             Self::NegativeDamping { coefficients } => negative_damping(f, coefficients),
             Self::BetterModelNotBelieved { damping, excess, negative } => {
@@ -84,13 +84,13 @@ impl fmt::Display for Warning {
                 f,
                 "{rows} rows are outliers, further than five robust standard deviations from the motion"
             ),
-            Self::Cycles { trace, warning } => write!(f, "cycles{}: {warning}", of(trace)),
-            Self::NoCycles { trace, error } => write!(f, "cycles{}: {error}", of(trace)),
+            Self::Cycles { trace, warning } => write!(f, "cycles{}: {warning}", named(trace)),
+            Self::NoCycles { trace, error } => write!(f, "cycles{}: {error}", named(trace)),
         }
     }
 }
 
-fn of(trace: &Option<String>) -> String {
+fn named(trace: &Option<String>) -> String {
     trace.as_ref().map_or(String::new(), |name| format!(" of {name}"))
 }
 

@@ -21,7 +21,7 @@ const LONGEST_LAG: usize = 1000;
 impl Autocorrelation {
     /// Of some series of residuals, each by itself.
     #[must_use]
-    pub fn of(series: &[Vec<f64>]) -> Self {
+    pub fn of_series(series: &[Vec<f64>]) -> Self {
         let rows: usize = series.iter().map(Vec::len).sum();
         let sum = |lag: usize| -> f64 {
             let products = series.iter().flat_map(|one| one.iter().zip(one.iter().skip(lag)));
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn noise_is_noise() {
-        let found = Autocorrelation::of(&[noise(2000)]);
+        let found = Autocorrelation::of_series(&[noise(2000)]);
         assert!(found.is_noise() && found.time < 1.2, "{found:?}");
     }
 
@@ -76,7 +76,7 @@ mod tests {
     fn a_moving_average_is_not() {
         let noise = noise(4000);
         let smooth: Vec<f64> = noise.windows(4).map(|four| four.iter().sum()).collect();
-        let found = Autocorrelation::of(&[smooth]);
+        let found = Autocorrelation::of_series(&[smooth]);
         // Triangular correlations 3/4, 1/2, 1/4.
         assert!(!found.is_noise() && (found.time - 4.0).abs() < 0.8, "{}", found.time);
         assert!((found.correlations[1] - 0.75).abs() < 0.05);
@@ -84,8 +84,8 @@ mod tests {
 
     #[test]
     fn little_is_no_reason_to_doubt() {
-        assert!(Autocorrelation::of(&[]).is_noise());
-        assert!(Autocorrelation::of(&[vec![0.0; 30]]).is_noise());
-        assert!(Autocorrelation::of(&[vec![1.0, -1.0]]).is_noise());
+        assert!(Autocorrelation::of_series(&[]).is_noise());
+        assert!(Autocorrelation::of_series(&[vec![0.0; 30]]).is_noise());
+        assert!(Autocorrelation::of_series(&[vec![1.0, -1.0]]).is_noise());
     }
 }

@@ -40,7 +40,7 @@ pub enum TraceFitError {
     /// The best motion is not what was seen.
     #[error(
         "the best motion of the model leaves {percent:.0} % of the variance of the data unexplained: choose another \
-         model, leave out what is no free swing, or check the columns and the units of angle and time"
+         model, leave out whatever is not a free swing, or check the columns and the units of angle and time"
     )]
     Unexplained {
         /// Of the variance.

@@ -22,7 +22,7 @@ pub(super) fn fit(
     let traces = problem.data.traces;
     let residuals = minimum.standard_residuals(traces);
     let scatter = Scatter::new(problem, &residuals);
-    let autocorrelation = Autocorrelation::of(&split(&residuals, traces));
+    let autocorrelation = Autocorrelation::of_series(&split(&residuals, traces));
     let block = (!autocorrelation.is_noise()).then(|| bootstrap::block(&autocorrelation, minimum, traces));
     let mut parameters = described(problem, minimum);
     let response = Response::new(minimum, &parameters)?;

@@ -31,7 +31,7 @@ pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>
     }
     let pages: Vec<Page> = parts.into_iter().filter(is_table).map(page).collect::<Result<_, _>>()?;
     if pages.is_empty() {
-        return Err(MeasurementError::NotText("a ZIP archive without a workbook or a text file"));
+        return Err(MeasurementError::NotText("a ZIP archive without a workbook or text file"));
     }
     Ok((Format::Zip, pages))
 }

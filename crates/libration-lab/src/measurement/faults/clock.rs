@@ -49,7 +49,7 @@ const NEGLIGIBLE_ROUNDING: f64 = 0.01;
 
 impl Clock {
     /// The clock of these times, of which the kept rows increase.
-    pub(super) fn of(times: &[f64], kept: &[usize]) -> Option<Self> {
+    pub(super) fn new(times: &[f64], kept: &[usize]) -> Option<Self> {
         let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
         let interval = usual_interval(&increasing)?;
         let resolution = resolution(times);
@@ -57,7 +57,7 @@ impl Clock {
         let jitter = root_mean_square(within.map(|length| length - interval));
         // Where times are written more coarsely than they follow each other, each row is one step.
         let shares_times = times.len() - kept.len() > times.len() / 10 + 1;
-        let digits = SignificantDigits::of(times, resolution);
+        let digits = SignificantDigits::detect(times, resolution);
         let by_digits = digits.and_then(|digits| grid_of_digits(times, digits, interval));
         let significant_digits =
             digits.filter(|_| by_digits.is_some() || shares_times).map(|digits| digits.count);

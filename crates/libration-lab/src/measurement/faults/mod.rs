@@ -81,7 +81,7 @@ impl Faults {
         let values_of: Vec<f64> = kept.iter().map(|&row| values[row]).collect();
         self.wraps = place(wraps(&values_of, turn));
         let smooth = turn.map_or_else(|| values_of.clone(), |turn| unwrapped(&values_of, turn));
-        self.clock = Clock::of(times, &kept);
+        self.clock = Clock::new(times, &kept);
         self.rounding_noise = self.clock.as_ref().and_then(|clock| clock.rounding_noise(&kept, &smooth));
         let runs = |found: Vec<Run>| {
             found.into_iter().map(|run| Run { first: kept[run.first], ..run }).collect::<Vec<_>>()

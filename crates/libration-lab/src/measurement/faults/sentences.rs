@@ -85,7 +85,7 @@ fn of_rounding(clock: &Clock, noise: Option<f64>, unit: &str) -> Option<String> 
 fn of_coarse_times(clock: &Clock) -> Option<String> {
     let digits = clock.significant_digits.filter(|_| clock.grid.is_none())?;
     Some(format!(
-        "the times have {digits} significant digits, so that rows share them, and no even times round to them: export more digits"
+        "the times have {digits} significant digits, so several rows share one time, and no evenly spaced times round to them: export more digits"
     ))
 }
 

@@ -13,7 +13,7 @@ pub(super) struct SignificantDigits {
 
 impl SignificantDigits {
     /// The fewest that write all times, if they leave the largest time a coarser step than the decimal one that all have.
-    pub(super) fn of(times: &[f64], resolution: Option<f64>) -> Option<Self> {
+    pub(super) fn detect(times: &[f64], resolution: Option<f64>) -> Option<Self> {
         let sizes = || times.iter().map(|time| time.abs()).filter(|&time| time > 0.0);
         let (smallest, largest) = (sizes().reduce(f64::min)?, sizes().reduce(f64::max)?);
         let count = (1..=MOST).find(|&count| times.iter().all(|&time| is_written_with(count, time)))?;
@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn steps_grow_with_the_decade() {
         let times = [0.0, 0.0333, 0.0667, 0.1, 9.97, 10.0, 10.1, 100.0];
-        let digits = SignificantDigits::of(&times, Some(1e-4)).unwrap();
+        let digits = SignificantDigits::detect(&times, Some(1e-4)).unwrap();
         assert_eq!(digits.count, 3);
         for (time, step) in
             [(0.0, 1e-4), (0.0333, 1e-4), (0.1, 1e-3), (0.999, 1e-3), (1.0, 0.01), (-10.0, 0.1)]
@@ -58,8 +58,8 @@ mod tests {
 
     #[test]
     fn a_decimal_step_is_no_number_of_digits() {
-        assert_eq!(SignificantDigits::of(&[0.05, 0.1, 9.95], Some(0.01)), None);
-        assert_eq!(SignificantDigits::of(&[0.0, 0.0], Some(1.0)), None);
-        assert_eq!(SignificantDigits::of(&[0.033333333, 1.5], None), None);
+        assert_eq!(SignificantDigits::detect(&[0.05, 0.1, 9.95], Some(0.01)), None);
+        assert_eq!(SignificantDigits::detect(&[0.0, 0.0], Some(1.0)), None);
+        assert_eq!(SignificantDigits::detect(&[0.033333333, 1.5], None), None);
     }
 }

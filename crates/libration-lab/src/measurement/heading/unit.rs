@@ -150,7 +150,7 @@ impl fmt::Display for Unit {
 
 /// No unit that is known here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("it is none of the units known here: give one such as s, ms, us, rad, deg, rad/s, deg/s")]
+#[error("it is not a known unit: give one such as s, ms, us, rad, deg, rad/s, deg/s")]
 pub struct UnknownUnit;
 
 impl FromStr for Unit {

@@ -245,7 +245,7 @@ impl Group<'_> {
                 Ok(Value::Column(place, if is_velocity { Seen::AngularVelocity } else { Seen::Angle }))
             }
             [place] => {
-                let question = format!("nothing says what {} holds", self.sheet.describe(place));
+                let question = format!("it is not clear what {} holds", self.sheet.describe(place));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
             [] => Err(self.nothing_known(time)),
@@ -270,7 +270,7 @@ impl Group<'_> {
                 let [first, second] = [x, y].map(|place| self.sheet.describe(place));
                 MeasurementError::Undecided {
                     question: format!(
-                        "nothing says which of {first} and {second} is the horizontal position"
+                        "it is not clear which of {first} and {second} is the horizontal position"
                     ),
                     choices: vec![at(Choice::X, x), at(Choice::Y, y)],
                 }
@@ -283,7 +283,7 @@ impl Group<'_> {
     }
 
     fn which_and_in_which_unit(&self, open: &[usize]) -> MeasurementError {
-        let question = "nothing says which of these is the angle, nor in which unit: {}";
+        let question = "it is not clear which of these is the angle, nor in which unit: {}";
         let mut error = self.undecided(question, Choice::Angle, open);
         if let MeasurementError::Undecided { choices, .. } = &mut error {
             choices.extend(["rad", "deg"].map(|unit| Suggestion::new(Choice::Unit, unit)));

@@ -190,7 +190,7 @@ impl Rows {
     }
 
     fn sequence(&self, sheet: &Sheet) -> Result<Sequence, MeasurementError> {
-        Sequence::of(&self.times).map_err(|row| MeasurementError::TimeGoesBack {
+        Sequence::new(&self.times).map_err(|row| MeasurementError::TimeGoesBack {
             line: sheet.lines[self.rows[row]],
             before: self.times[row - 1],
             after: self.times[row],
@@ -288,10 +288,10 @@ impl Rows {
             }
         };
         let scale = units::of_value(&self.values, sheet, place, seen, choices, tell)?;
-        self.values.iter_mut().for_each(|value| *value = scale.of(*value));
+        self.values.iter_mut().for_each(|value| *value = scale.to_si(*value));
         if let Some(place) = columns.uncertainty {
             let scale = units::of_uncertainty(sheet, place, scale, choices);
-            self.uncertainties.iter_mut().for_each(|value| *value = scale.of(*value));
+            self.uncertainties.iter_mut().for_each(|value| *value = scale.to_si(*value));
         }
         Ok(seen)
     }

@@ -24,7 +24,7 @@ pub(super) struct Sequence {
 
 impl Sequence {
     /// The order of these times; or the first row that goes back, where so many do that they are no times.
-    pub(super) fn of(times: &[f64]) -> Result<Self, usize> {
+    pub(super) fn new(times: &[f64]) -> Result<Self, usize> {
         let back: Vec<usize> = (1..times.len()).filter(|&row| times[row] < times[row - 1]).collect();
         let Some(&first) = back.first() else {
             return Ok(Self { pieces: vec![(0..times.len()).collect()], ..Self::default() });
@@ -97,7 +97,7 @@ mod tests {
         let mut times = even(100);
         times.swap(40, 41);
         times[70] = 300.0;
-        let sequence = Sequence::of(&times).unwrap();
+        let sequence = Sequence::new(&times).unwrap();
         assert_eq!((sequence.moved.as_slice(), sequence.left_out.as_slice()), (&[40][..], &[70][..]));
         assert_eq!(sequence.pieces[0].len(), 99);
         assert!(sequence.pieces[0].windows(2).all(|pair| times[pair[0]] < times[pair[1]]));
@@ -107,7 +107,7 @@ mod tests {
     fn a_clock_that_is_set_back_cuts_the_run() {
         let mut times = even(100);
         times[60..].iter_mut().for_each(|time| *time -= 0.2);
-        let sequence = Sequence::of(&times).unwrap();
+        let sequence = Sequence::new(&times).unwrap();
         assert_eq!(sequence.cuts, [60]);
         assert_eq!(sequence.pieces.iter().map(Vec::len).collect::<Vec<_>>(), [60, 40]);
         assert!(sequence.moved.is_empty() && sequence.left_out.is_empty());
@@ -118,7 +118,7 @@ mod tests {
         let mut times = even(40);
         times.swap(10, 11);
         times.swap(30, 31);
-        assert!(Sequence::of(&times).is_ok());
-        assert_eq!(Sequence::of(&times[..39]), Err(11));
+        assert!(Sequence::new(&times).is_ok());
+        assert_eq!(Sequence::new(&times[..39]), Err(11));
     }
 }

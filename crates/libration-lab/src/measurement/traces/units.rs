@@ -17,7 +17,7 @@ pub(super) enum Scale {
 }
 
 impl Scale {
-    pub(super) fn of(self, value: f64) -> f64 {
+    pub(super) fn to_si(self, value: f64) -> f64 {
         match self {
             Self::Unit(unit) => unit.to_si(value),
             Self::Counts(in_a_turn) => value * TAU / in_a_turn,
@@ -41,14 +41,14 @@ pub(super) fn of_times(
             unit
         }
         (None, None, None) if can_be_seconds(times) => {
-            tell(Finding::new("times are taken as seconds, since no unit is written", Choice::TimeUnit));
+            tell(Finding::new("times are taken as seconds, since no unit is given", Choice::TimeUnit));
             Unit::Second
         }
         (_, _, text) => {
             let question = match text {
-                Some(text) => format!("`{text}` is no unit of time that is known here"),
+                Some(text) => format!("`{text}` is not a known unit of time"),
                 None => format!(
-                    "nothing says the unit of time of {}, and steps of {} s are not likely",
+                    "the unit of time of {} is not given, and steps of {} s are not likely",
                     sheet.describe(place),
                     median_step(times)
                 ),
@@ -110,8 +110,8 @@ pub(super) fn of_value(
         return Ok(Scale::Unit(Unit::Degree));
     }
     let question = match &heading.unit_text {
-        Some(text) => format!("`{text}` is no unit of {} that is known here", name(seen)),
-        None => format!("nothing says the unit of {}", sheet.describe(place)),
+        Some(text) => format!("`{text}` is not a known unit of {}", name(seen)),
+        None => format!("the unit of {} is not given", sheet.describe(place)),
     };
     let fits = |suggestion: &Suggestion| suggestion.value.ends_with("/s") == (seen == Seen::AngularVelocity);
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
@@ -144,8 +144,10 @@ pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choi
 fn in_unit(unit: Unit, sheet: &Sheet, place: usize, seen: Seen) -> Result<Scale, MeasurementError> {
     match (unit.measures(), seen) {
         (Measures::Angle, Seen::Angle) if unit == Unit::Count => {
-            let question =
-                format!("{} is in counts, and nothing says how many make a turn", sheet.describe(place));
+            let question = format!(
+                "{} is in counts, and the number of counts per turn is not given",
+                sheet.describe(place)
+            );
             Err(MeasurementError::Undecided {
                 question,
                 choices: vec![Suggestion::new(Choice::CountsPerTurn, "4000")],

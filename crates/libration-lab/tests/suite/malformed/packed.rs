@@ -133,7 +133,7 @@ fn archives() -> Vec<Case> {
         Case::refused(
             "pictures only",
             archive(&[("a.png", b"\x89PNG")]),
-            &["without a workbook or a text file"],
+            &["without a workbook or text file"],
         ),
         Case::refused("OpenDocument", archive(&[("content.xml", b"<office/>")]), &["OpenDocument"]),
         Case::refused("more than it seems", archive(&[("a.csv", &bomb)]), &["limit"]),

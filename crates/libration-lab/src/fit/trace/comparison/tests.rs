@@ -29,7 +29,7 @@ fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFi
         chi2_per_dof: None,
         rms: residual,
         unexplained: 0.0,
-        autocorrelation: Autocorrelation::of(&[]),
+        autocorrelation: Autocorrelation::of_series(&[]),
         bootstrap_block: None,
         converged: true,
         standard_residuals: vec![residual; 100],

@@ -33,7 +33,7 @@ struct Workbook {
 /// The worksheets as text.
 pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<Vec<Page<'static>>, MeasurementError> {
     let stream = compound_file::stream(bytes, "Workbook")
-        .ok_or_else(|| damaged("it has no workbook that can be read here"))?;
+        .ok_or_else(|| damaged("it contains no workbook in a known format"))?;
     let workbook = Workbook::read(&stream)?;
     let mut left = limit;
     let mut pages = Vec::new();
