@@ -15,7 +15,7 @@
 mod beta;
 mod budget;
 pub mod cycles;
-mod damping_terms;
+mod damping_model;
 mod effective_weights;
 mod error;
 mod excess_scale;
@@ -40,7 +40,7 @@ pub use budget::{
     CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
     budget,
 };
-pub use damping_terms::{DampingTerm, DampingTerms, DampingTermsError, alternatives};
+pub use damping_model::{DampingModel, DampingModelError, alternatives};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
@@ -49,6 +49,7 @@ pub use lengths::{
     CountedAs, LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions,
     LengthsWarning, lengths,
 };
+pub use libration::decay::DampingKind;
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, periods};

@@ -5,7 +5,7 @@ use libration_lab::fit::cycles::{
     Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, are_radians, beta_of_traces, beyond_a_turn,
     cycles,
 };
-use libration_lab::fit::trace::DampingTerm;
+use libration_lab::fit::trace::DampingKind;
 use libration_lab::measurement::{Seen, Trace};
 
 use crate::random::Random;
@@ -165,9 +165,9 @@ fn swings_over_the_top_are_left_out_and_said() {
 fn the_envelope_tells_the_damping() {
     let base = Synthetic { linear: 0.0, noise: 0.002, ..Synthetic::USUAL };
     for (term, case) in [
-        (DampingTerm::Dry, Synthetic { dry: 0.05, ..base }),
-        (DampingTerm::Linear, Synthetic { linear: 0.05, ..base }),
-        (DampingTerm::Quadratic, Synthetic { quadratic: 0.08, ..base }),
+        (DampingKind::Dry, Synthetic { dry: 0.05, ..base }),
+        (DampingKind::Linear, Synthetic { linear: 0.05, ..base }),
+        (DampingKind::Quadratic, Synthetic { quadratic: 0.08, ..base }),
     ] {
         let envelope = of(&case, 4).envelope.unwrap();
         let preferred = envelope.preferred();

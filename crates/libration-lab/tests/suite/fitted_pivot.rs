@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
-use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceFit, TraceOptions, fit_traces};
+use libration_lab::fit::trace::{DampingKind, DampingModel, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, FittedPivot, ReadOptions, Recording, Seen, Trace, TraceError};
 
 use crate::random::Random;
@@ -30,7 +30,7 @@ fn positions(amplitude: f64, noise: f64, seed: u64) -> Trace {
 }
 
 fn fitted(trace: &Trace) -> TraceFit {
-    let linear = DampingTerms::only(DampingTerm::Linear);
+    let linear = DampingModel::only(DampingKind::Linear);
     let options = TraceOptions::default();
     fit_traces(std::slice::from_ref(trace), linear, &options, &Watch::none()).unwrap()
 }
@@ -93,7 +93,7 @@ fn a_fitted_pivot_makes_the_offset_uncertain() {
 fn parts_about_one_pivot_share_its_error() {
     let whole = positions(10.0 * DEGREE, 5e-4, 2);
     let parts = [0, 1].map(|part| whole.only(|row| row / 180 == part).unwrap());
-    let linear = DampingTerms::only(DampingTerm::Linear);
+    let linear = DampingModel::only(DampingKind::Linear);
     let go_on = &Watch::none();
     let together = fit_traces(&parts, linear, &TraceOptions::default(), go_on).unwrap();
     let offsets: Vec<usize> =
@@ -208,7 +208,7 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
         .trace(&mut Random::seeded(1));
     let mut random = Random::seeded(4);
     let coefficient = |trace: &Trace| {
-        let only = DampingTerms::only(DampingTerm::Dry);
+        let only = DampingModel::only(DampingKind::Dry);
         let fits = cycles_of(trace).envelope.unwrap().fits;
         fits.into_iter().find(|fit| fit.damping == only).unwrap().coefficients[0]
     };

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::trace::{
-    DampingTerm, DampingTerms, Parameter, TraceFit, TraceFitError, TraceOptions, compare, fit_traces,
+    DampingKind, DampingModel, Parameter, TraceFit, TraceFitError, TraceOptions, compare, fit_traces,
 };
 use libration_lab::measurement::{Seen, Trace};
 
@@ -83,10 +83,10 @@ impl Truth {
         }
     }
 
-    fn terms(&self) -> DampingTerms {
-        let names = DampingTerm::ALL.into_iter().zip(self.damping).filter(|(_, value)| *value > 0.0);
+    fn terms(&self) -> DampingModel {
+        let names = DampingKind::ALL.into_iter().zip(self.damping).filter(|(_, value)| *value > 0.0);
         let names: Vec<&str> = names.map(|(term, _)| term.name()).collect();
-        if names.is_empty() { DampingTerms::UNDAMPED } else { names.join("+").parse().unwrap() }
+        if names.is_empty() { DampingModel::UNDAMPED } else { names.join("+").parse().unwrap() }
     }
 
     fn trace(&self, random: &mut Random) -> Trace {
@@ -128,7 +128,7 @@ impl Truth {
     }
 }
 
-fn fit(traces: &[Trace], terms: DampingTerms, options: TraceOptions) -> TraceFit {
+fn fit(traces: &[Trace], terms: DampingModel, options: TraceOptions) -> TraceFit {
     fit_traces(traces, terms, &options, &Watch::none()).unwrap()
 }
 
@@ -365,9 +365,9 @@ fn damping_that_pushes_is_told_from_friction_that_falls_with_the_speed() {
     // (dry, linear), what is negative, whether energy is taken at all speeds up to the greatest, 2·3·sin(0.525) = 3.0 rad/s.
     for ([dry, linear], negative, takes) in [
         ([0.1, 0.02], &[][..], true),
-        ([0.1, -0.02], &[DampingTerm::Linear], true),
-        ([0.05, -0.03], &[DampingTerm::Linear], false),
-        ([0.0, -0.03], &[DampingTerm::Linear], false),
+        ([0.1, -0.02], &[DampingKind::Linear], true),
+        ([0.05, -0.03], &[DampingKind::Linear], false),
+        ([0.0, -0.03], &[DampingKind::Linear], false),
     ] {
         let truth = Truth { damping: [dry, linear, 0.0], noise: 1e-4, ..Truth::plain() };
         let terms = "dry+linear".parse().unwrap();
@@ -470,7 +470,7 @@ fn a_cosine_of_constant_period_leaves_no_noise() {
     let times: Vec<f64> = (0..400).map(|row| 0.05 * f64::from(row)).collect();
     let values = times.iter().map(|&time| 1.4 * libm::cos(TAU / 1.5 * time)).collect();
     let cosine = Trace::new("cosine", Seen::Angle, times, values, None).unwrap();
-    let fit = fit(&[cosine], DampingTerms::UNDAMPED, TraceOptions::default());
+    let fit = fit(&[cosine], DampingModel::UNDAMPED, TraceOptions::default());
     assert!(!fit.autocorrelation.is_noise(), "{:?}", fit.autocorrelation);
 }
 
@@ -520,7 +520,7 @@ fn stated_uncertainties_are_not_made_smaller() {
 
 #[test]
 fn what_cannot_be_fitted_is_refused() {
-    let linear = DampingTerms::only(DampingTerm::Linear);
+    let linear = DampingModel::only(DampingKind::Linear);
     let options = TraceOptions::default();
     assert_eq!(fit_traces(&[], linear, &options, &Watch::none()), Err(TraceFitError::NoTrace));
     let trace = |rows: u32, value: fn(f64) -> f64| {

@@ -25,6 +25,7 @@
 mod error;
 
 mod damping;
+mod kind;
 
 mod cycle;
 
@@ -45,6 +46,7 @@ pub use damping::{Damping, PowerLawTerm};
 pub use ending::DecayEnding;
 pub use envelope::{DecayEnvelope, EnvelopeLaw};
 pub use error::DecayError;
+pub use kind::DampingKind;
 pub use swings::{Swings, TurningPoint};
 
 /// A damped pendulum that is released from rest.

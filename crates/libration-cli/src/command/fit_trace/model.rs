@@ -1,6 +1,6 @@
 //! Which damping is fitted.
 
-use libration_lab::fit::{DampingTerms, DampingTermsError};
+use libration_lab::fit::{DampingModel, DampingModelError};
 use std::str::FromStr;
 
 /// The damping that is fitted.
@@ -9,11 +9,11 @@ pub(super) enum DampingChoice {
     /// All combinations, of which the data choose.
     Auto,
     /// This one.
-    Given(DampingTerms),
+    Given(DampingModel),
 }
 
 impl FromStr for DampingChoice {
-    type Err = DampingTermsError;
+    type Err = DampingModelError;
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text.trim() {
             "auto" => Ok(Self::Auto),

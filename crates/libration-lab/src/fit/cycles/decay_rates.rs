@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::fit::trace::DampingTerm;
+use crate::fit::trace::DampingKind;
 use crate::statistics::count;
 use libration::decay::{cycle_integral, small_cycle_integral};
 use libration::pendulum::{Amplitude, period_ratio};
@@ -31,12 +31,12 @@ impl DecayRates {
     }
 
     /// φₙ at this amplitude; for amplitudes beyond the table that of its end.
-    pub(super) fn at(&self, term: DampingTerm, amplitude: f64) -> f64 {
+    pub(super) fn at(&self, term: DampingKind, amplitude: f64) -> f64 {
         let amplitude = amplitude.max(0.0);
         match term {
-            DampingTerm::Dry => 2.0 / (PI * self.omega0) * self.interpolated(0, amplitude),
-            DampingTerm::Linear => 0.5 * amplitude * self.interpolated(1, amplitude),
-            DampingTerm::Quadratic => {
+            DampingKind::Dry => 2.0 / (PI * self.omega0) * self.interpolated(0, amplitude),
+            DampingKind::Linear => 0.5 * amplitude * self.interpolated(1, amplitude),
+            DampingKind::Quadratic => {
                 4.0 / (3.0 * PI) * self.omega0 * amplitude * amplitude * self.interpolated(2, amplitude)
             }
         }
@@ -78,9 +78,9 @@ mod tests {
         let (omega0, start) = (2.0, 2.5);
         let rates = DecayRates::new(omega0, start);
         for (term, exponent, coefficient) in [
-            (DampingTerm::Dry, 0.0, 0.1),
-            (DampingTerm::Linear, 1.0, 0.1),
-            (DampingTerm::Quadratic, 2.0, 0.05),
+            (DampingKind::Dry, 0.0, 0.1),
+            (DampingKind::Linear, 1.0, 0.1),
+            (DampingKind::Quadratic, 2.0, 0.05),
         ] {
             let pendulum = Pendulum::from_angular_frequency(omega0).unwrap();
             let damping = Damping::of_degree(exponent, coefficient).unwrap();

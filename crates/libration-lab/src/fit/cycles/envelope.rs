@@ -12,7 +12,7 @@ use std::fmt;
 use super::fall::{Curve, Fall};
 use super::{CyclesError, HalfSwing};
 use crate::fit::Uncertain;
-use crate::fit::trace::{DampingTerm, DampingTerms};
+use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::{akaike, count};
 use libration::quantity::with_uncertainty;
 
@@ -25,7 +25,7 @@ const FEWEST: usize = 5;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
     /// Of which kind; it says the unit.
-    pub term: DampingTerm,
+    pub term: DampingKind,
     /// In the unit of the term; uncertain by the scatter of the extremes, which may be correlated, and by the pivot where it was
     /// fitted.
     pub estimate: Uncertain,
@@ -46,7 +46,7 @@ impl fmt::Display for Coefficient {
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvelopeFit {
     /// Which kinds of damping it has.
-    pub damping: DampingTerms,
+    pub damping: DampingModel,
     /// At the time of the first half swing, in radians.
     pub amplitude: f64,
     /// In the order of the terms.
@@ -99,8 +99,8 @@ impl Envelope {
     }
 }
 
-fn named(damping: DampingTerms) -> String {
-    if damping == DampingTerms::UNDAMPED { "no damping".to_owned() } else { format!("{damping} damping") }
+fn named(damping: DampingModel) -> String {
+    if damping == DampingModel::UNDAMPED { "no damping".to_owned() } else { format!("{damping} damping") }
 }
 
 /// The laws through these half swings of a pendulum of this ω0.
@@ -109,9 +109,9 @@ pub(super) fn envelope(half_swings: &[HalfSwing], omega0: f64) -> Result<Envelop
         return Err(CyclesError::TooFewHalfSwings { found: half_swings.len(), needed: FEWEST });
     }
     let mut fall = Fall::new(half_swings, omega0);
-    let full = DampingTerms::all().into_iter().max_by_key(|terms| terms.count()).unwrap_or_default();
+    let full = DampingModel::all().into_iter().max_by_key(|terms| terms.count()).unwrap_or_default();
     let outliers = fall.drop_outliers(full);
-    let curves: Vec<Curve> = DampingTerms::all().into_iter().filter_map(|terms| fall.fit(terms)).collect();
+    let curves: Vec<Curve> = DampingModel::all().into_iter().filter_map(|terms| fall.fit(terms)).collect();
     let physical = |curve: &Curve| curve.parameters[1..].iter().all(|&coefficient| coefficient >= 0.0);
     let best = curves.iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let counted = fall.weights.iter().filter(|&&weight| weight > 0.0).count();

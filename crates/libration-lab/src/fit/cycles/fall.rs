@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HalfSwing;
 use super::decay_rates::DecayRates;
-use crate::fit::trace::{DampingTerm, DampingTerms};
+use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
 use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
 
@@ -31,7 +31,7 @@ pub(super) struct Fall<'a> {
 
 /// A law with its parameters: the first amplitude, then the coefficients.
 pub(super) struct Curve {
-    pub(super) terms: DampingTerms,
+    pub(super) terms: DampingModel,
     pub(super) parameters: Vec<f64>,
     /// Of the weighted residuals.
     pub(super) covariance: DMatrix<f64>,
@@ -58,7 +58,7 @@ impl<'a> Fall<'a> {
 impl Fall<'_> {
     /// The parameters by least squares, beginning with those of a linear equation; none where the data are too few or leave one
     /// open.
-    pub(super) fn fit(&self, terms: DampingTerms) -> Option<Curve> {
+    pub(super) fn fit(&self, terms: DampingModel) -> Option<Curve> {
         let found =
             minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
         let covariance = Design::new(&found.linearised.jacobian, EXACTNESS).ok()?.covariance();
@@ -69,7 +69,7 @@ impl Fall<'_> {
     }
 
     /// A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.
-    fn guess(&self, terms: DampingTerms) -> Option<DVector<f64>> {
+    fn guess(&self, terms: DampingModel) -> Option<DVector<f64>> {
         let used = self.weights.iter().filter(|&&weight| weight > 0.0).count();
         if used < terms.count() + 2 {
             return None;
@@ -91,7 +91,7 @@ impl Fall<'_> {
     }
 
     /// What the law says less the amplitudes, over their uncertainties, with its derivatives by differences.
-    fn linearised(&self, terms: DampingTerms, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
+    fn linearised(&self, terms: DampingModel, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
         let fitted = self.amplitudes(terms, parameters.as_slice());
         let residuals = -DVector::from_vec(self.residuals(&fitted));
         let mut jacobian = DMatrix::zeros(fitted.len(), parameters.len());
@@ -108,14 +108,14 @@ impl Fall<'_> {
     }
 
     /// The coefficient with which a kind of damping alone would halve the amplitude in this time.
-    fn typical(&self, terms: DampingTerms, parameter: usize) -> f64 {
+    fn typical(&self, terms: DampingModel, parameter: usize) -> f64 {
         let (first, last) = (self.half_swings[0], self.half_swings[self.half_swings.len() - 1]);
-        let term = terms.iter().nth(parameter - 1).unwrap_or(DampingTerm::Linear);
+        let term = terms.iter().nth(parameter - 1).unwrap_or(DampingKind::Linear);
         0.5 * first.amplitude.value / (self.rates.at(term, first.amplitude.value) * (last.time - first.time))
     }
 
     /// The amplitudes at the half swings, by the rule of Runge and Kutta.
-    fn amplitudes(&self, terms: DampingTerms, parameters: &[f64]) -> Vec<f64> {
+    fn amplitudes(&self, terms: DampingModel, parameters: &[f64]) -> Vec<f64> {
         let rate = |amplitude: f64| -> f64 {
             terms.iter().zip(&parameters[1..]).map(|(term, c)| -c * self.rates.at(term, amplitude)).sum()
         };
@@ -144,7 +144,7 @@ impl Fall<'_> {
     }
 
     /// Takes the weight from extremes far from the law with all kinds of damping, and says how many they are.
-    pub(super) fn drop_outliers(&mut self, full: DampingTerms) -> usize {
+    pub(super) fn drop_outliers(&mut self, full: DampingModel) -> usize {
         let mut dropped = 0;
         for _ in 0..5 {
             let Some(curve) = self.fit(full) else { break };

@@ -4,7 +4,7 @@ use super::{FittedPendulum, SwingsFit, Warning};
 use crate::fit::SIGNIFICANT;
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
-use crate::fit::trace::{Comparison, DampingTerm, TraceFit};
+use crate::fit::trace::{Comparison, DampingKind, TraceFit};
 use crate::measurement::Trace;
 
 /// The warnings, the gravest first.
@@ -41,7 +41,7 @@ fn radians(found: &SwingsFit) -> Option<Warning> {
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {
     let coefficient =
-        |term: DampingTerm| Some(Coefficient { term, estimate: fit.parameter(term.name())?.estimate });
+        |term: DampingKind| Some(Coefficient { term, estimate: fit.parameter(term.name())?.estimate });
     let coefficients: Vec<Coefficient> = fit.negative_terms().into_iter().filter_map(coefficient).collect();
     (!coefficients.is_empty()).then_some(Warning::NegativeDamping { coefficients })
 }

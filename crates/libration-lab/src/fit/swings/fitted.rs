@@ -3,7 +3,7 @@
 use super::{Advice, FittedPendulum, Warning};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, TraceFit};
-use crate::fit::{Beta, DampingTerms, SIGNIFICANT, Uncertain};
+use crate::fit::{Beta, DampingModel, SIGNIFICANT, Uncertain};
 
 /// Everything that recordings of swings say.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl SwingsFit {
 
     /// The models that the data leave and that contradict the preferred one.
     #[must_use]
-    pub fn rivals(&self) -> Vec<DampingTerms> {
+    pub fn rivals(&self) -> Vec<DampingModel> {
         self.comparison.as_ref().map(Comparison::contradicting).unwrap_or_default()
     }
 

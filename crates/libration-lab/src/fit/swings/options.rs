@@ -1,6 +1,6 @@
 //! What is known of swings besides the recordings.
 
-use crate::fit::DampingTerms;
+use crate::fit::DampingModel;
 use crate::fit::budget::{Apparatus, Correlation};
 use crate::fit::trace::TraceOptions;
 
@@ -8,7 +8,7 @@ use crate::fit::trace::TraceOptions;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SwingsOptions<'a> {
     /// The kinds of damping of the model; none to compare all.
-    pub damping: Option<DampingTerms>,
+    pub damping: Option<DampingModel>,
     /// How the motion is fitted.
     pub trace: TraceOptions,
     /// The pendulum, of which gravity is found; none to find the length.

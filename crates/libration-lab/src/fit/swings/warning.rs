@@ -2,7 +2,7 @@
 
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, CyclesError, CyclesWarning};
-use crate::fit::{DampingTerm, DampingTerms};
+use crate::fit::{DampingKind, DampingModel};
 
 /// What is doubtful about what swings say.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub enum Warning {
     /// The damping [feeds energy](crate::fit::trace::TraceFit::takes_energy) at some speeds, by more than two uncertainties.
     FeedsEnergy {
         /// Of the model.
-        damping: DampingTerms,
+        damping: DampingModel,
     },
     /// Coefficients of the damping are negative by more than two uncertainties, which the data ask for
     /// [strongly enough](crate::fit::trace::Comparison::DECISIVE) or which was asked for.
@@ -36,18 +36,18 @@ pub enum Warning {
     /// A model explains the data better and is [not believed](crate::fit::trace::Comparison::better).
     BetterModelNotBelieved {
         /// Of that model.
-        damping: DampingTerms,
+        damping: DampingModel,
         /// By how much its criterion is lower.
         excess: f64,
         /// Whose coefficient is negative; none where it is that it feeds energy.
-        negative: Option<DampingTerm>,
+        negative: Option<DampingKind>,
     },
     /// Models are left that [contradict](crate::fit::trace::Comparison::contradicting) the preferred one.
     DampingNotSeparated {
         /// The preferred one.
-        preferred: DampingTerms,
+        preferred: DampingModel,
         /// At least one.
-        rivals: Vec<DampingTerms>,
+        rivals: Vec<DampingModel>,
     },
     /// The residuals are [no noise](crate::fit::trace::Autocorrelation::is_noise): among noise one trace in some ten thousand is
     /// told so.

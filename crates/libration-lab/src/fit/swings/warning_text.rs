@@ -5,7 +5,7 @@ use std::fmt;
 use super::Warning;
 use crate::fit::cycles::Coefficient;
 use crate::fit::trace::Comparison;
-use crate::fit::{DampingTerm, DampingTerms, alternatives};
+use crate::fit::{DampingKind, DampingModel, alternatives};
 use libration::quantity::rounded;
 
 impl fmt::Display for Warning {
@@ -108,9 +108,9 @@ fn negative_damping(f: &mut fmt::Formatter<'_>, coefficients: &[Coefficient]) ->
 
 fn better_model(
     f: &mut fmt::Formatter<'_>,
-    damping: DampingTerms,
+    damping: DampingModel,
     excess: f64,
-    negative: Option<DampingTerm>,
+    negative: Option<DampingKind>,
 ) -> fmt::Result {
     let why = match negative {
         Some(term) => format!("its {} damping is negative", term.name()),

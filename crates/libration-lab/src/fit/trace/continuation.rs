@@ -1,11 +1,11 @@
-//! A fitted swing that goes on after its last row, as [`decay`] describes it.
+//! A fitted swing that goes on after its last row, as [`libration::decay`] describes it.
 
 use std::f64::consts::{PI, TAU};
 
 use super::swing::{Swing, turning_point};
-use super::{DampingTerm, TraceFit};
+use super::{DampingKind, TraceFit};
 use crate::fit::Uncertain;
-use libration::decay::{self, Damping, Decay, DecayError, TurningPoint};
+use libration::decay::{Damping, Decay, DecayError, TurningPoint};
 use libration::pendulum::{Pendulum, PendulumError};
 use libration::quantity::Angle;
 
@@ -56,7 +56,7 @@ const LONGEST: f64 = 100.0;
 const STEP: f64 = 0.1;
 
 impl TraceFit {
-    /// The fitted damping as [`decay`] takes it.
+    /// The fitted damping as [`libration::decay`] takes it.
     ///
     /// # Errors
     /// No damping in the model, or a coefficient below zero.
@@ -164,7 +164,7 @@ fn change(turns: &[[f64; 2]], [time, amplitude]: [f64; 2], apart: f64) -> Option
 
 /// ω0, the coefficients of the damping, the first angle and the first velocity of a trace.
 struct MotionParameters {
-    terms: Vec<DampingTerm>,
+    terms: Vec<DampingKind>,
     /// Where they stand among the parameters of the fit.
     places: Vec<usize>,
     values: Vec<f64>,
@@ -182,10 +182,7 @@ impl MotionParameters {
     }
 
     fn damping(&self) -> Result<Damping, DecayError> {
-        let term = |(term, &coefficient): (&DampingTerm, &f64)| decay::PowerLawTerm {
-            exponent: term.exponent(),
-            coefficient,
-        };
+        let term = |(kind, &coefficient): (&DampingKind, &f64)| kind.term(coefficient);
         Damping::new(&self.terms.iter().zip(self.coefficients()).map(term).collect::<Vec<_>>())
     }
 

@@ -3,7 +3,7 @@
 use crate::statistics::count;
 use std::f64::consts::PI;
 
-use super::{Autocorrelation, DampingTerm, DampingTerms};
+use super::{Autocorrelation, DampingKind, DampingModel};
 use crate::fit::Uncertain;
 
 /// A fitted number with its uncertainty.
@@ -53,7 +53,7 @@ impl FittedTrace {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TraceFit {
     /// The kinds of damping of the model.
-    pub damping: DampingTerms,
+    pub damping: DampingModel,
     /// Those that all traces share, then those of each trace. A scale that was not free is not among them.
     pub parameters: Vec<Parameter>,
     /// Of the parameters, in their order.
@@ -115,8 +115,8 @@ impl TraceFit {
 
     /// The kinds of damping whose coefficient is negative by more than two standard uncertainties.
     #[must_use]
-    pub fn negative_terms(&self) -> Vec<DampingTerm> {
-        let negative = |term: &DampingTerm| {
+    pub fn negative_terms(&self) -> Vec<DampingKind> {
+        let negative = |term: &DampingKind| {
             self.parameter(term.name()).is_some_and(|it| it.estimate.value < -2.0 * it.estimate.uncertainty)
         };
         self.damping.iter().filter(negative).collect()

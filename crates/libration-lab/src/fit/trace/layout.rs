@@ -1,13 +1,13 @@
 //! Where each parameter of a fit stands.
 
-use super::{DampingTerms, Parameter};
+use super::{DampingModel, Parameter};
 use crate::measurement::{Seen, Trace};
 
 /// The places of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
 /// first angle and first velocity of each trace.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
-    terms: DampingTerms,
+    terms: DampingModel,
     traces: usize,
 }
 
@@ -15,11 +15,11 @@ impl Layout {
     pub(super) const OMEGA0: usize = 0;
     const OWN: usize = 3;
 
-    pub(super) fn new(terms: DampingTerms, traces: usize) -> Self {
+    pub(super) fn new(terms: DampingModel, traces: usize) -> Self {
         Self { terms, traces }
     }
 
-    pub(super) fn terms(&self) -> DampingTerms {
+    pub(super) fn terms(&self) -> DampingModel {
         self.terms
     }
 
@@ -51,7 +51,7 @@ impl Layout {
     }
 
     /// The parameters of a model that is a part of this one, with coefficients that are zero for the rest.
-    pub(super) fn with_terms_of(&self, part: DampingTerms, parameters: &[f64]) -> Vec<f64> {
+    pub(super) fn with_terms_of(&self, part: DampingModel, parameters: &[f64]) -> Vec<f64> {
         let given: Vec<_> = part.iter().zip(&parameters[1..]).collect();
         let coefficient =
             |term| given.iter().find(|(other, _)| *other == term).map_or(0.0, |(_, value)| **value);

@@ -45,7 +45,7 @@ mod information;
 
 mod continuation;
 
-pub use super::{DampingTerm, DampingTerms, DampingTermsError};
+pub use super::{DampingKind, DampingModel, DampingModelError};
 pub use autocorrelation::Autocorrelation;
 pub use comparison::{Averaged, Comparison, Standing, compare};
 pub use continuation::{ContinuationError, FittedDecay, FittedTurningPoint};
@@ -66,7 +66,7 @@ use problem::Problem;
 ///
 /// # Examples
 /// ```
-/// use libration_lab::fit::trace::{DampingTerm, DampingTerms, TraceOptions, fit_traces};
+/// use libration_lab::fit::trace::{DampingKind, DampingModel, TraceOptions, fit_traces};
 /// use libration_lab::measurement::{Seen, Trace};
 /// use libration::pendulum::Pendulum;
 /// use libration::watch::Watch;
@@ -75,14 +75,14 @@ use problem::Problem;
 /// let times: Vec<f64> = (0..300).map(|row| 0.02 * f64::from(row)).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
-/// let linear = DampingTerms::only(DampingTerm::Linear);
+/// let linear = DampingModel::only(DampingKind::Linear);
 /// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Watch::none())?;
 /// assert!((fit.parameters[0].value - 3.0).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fit_traces(
     traces: &[Trace],
-    damping: DampingTerms,
+    damping: DampingModel,
     options: &TraceOptions,
     watch: &Watch<'_>,
 ) -> Result<TraceFit, TraceFitError> {

@@ -1,6 +1,6 @@
 //! What a pendulum with some kinds of damping should have shown.
 
-use super::DampingTerms;
+use super::DampingModel;
 use super::data::Data;
 use super::layout::Layout;
 use super::swing::{Sample, Swing};
@@ -22,7 +22,7 @@ type Predicted = (f64, Vec<(usize, f64)>);
 
 impl Model {
     /// Of so many traces; the scale of the angles is one if it is not free.
-    pub(super) fn new(terms: DampingTerms, traces: usize, free_scale: bool) -> Self {
+    pub(super) fn new(terms: DampingModel, traces: usize, free_scale: bool) -> Self {
         Self { layout: Layout::new(terms, traces), swing: Swing::new(terms), free_scale }
     }
 

@@ -6,7 +6,7 @@ use super::data::Data;
 use super::minimum::{Minimum, Start, minimum};
 use super::model::Model;
 use super::weights::Weights;
-use super::{DampingTerms, TraceFitError, TraceOptions};
+use super::{DampingModel, TraceFitError, TraceOptions};
 use crate::measurement::Trace;
 
 /// Traces and a model of them.
@@ -31,7 +31,7 @@ impl<'a> Problem<'a> {
     /// Traces with rows enough for these kinds of damping.
     pub(super) fn new(
         traces: &'a [Trace],
-        terms: DampingTerms,
+        terms: DampingModel,
         options: TraceOptions,
     ) -> Result<Self, TraceFitError> {
         let model = Model::new(terms, traces.len(), options.free_scale);
@@ -40,7 +40,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The same traces with other kinds of damping.
-    pub(super) fn with_terms(&self, terms: DampingTerms) -> Self {
+    pub(super) fn with_terms(&self, terms: DampingModel) -> Self {
         let model = Model::new(terms, self.data.traces.len(), self.options.free_scale);
         Self { model, ..*self }
     }

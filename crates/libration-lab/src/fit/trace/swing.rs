@@ -6,7 +6,7 @@
 //! ∂θ′ is multiplied by a₊/a₋ (M. A. Aizerman and F. R. Gantmakher, Q. J. Mech. Appl. Math. 11, 225 (1958),
 //! doi:10.1093/qjmam/11.2.225).
 
-use super::{DampingTerm, DampingTerms};
+use super::{DampingKind, DampingModel};
 use libration::expression::{Equation, Expression, Symbol};
 use libration::taylor::{
     Contact, Direction, Effort, Event, Moment, Solution, System, Trajectory, with_sensitivities,
@@ -16,7 +16,7 @@ use libration::taylor::{
 #[derive(Clone, Debug)]
 pub(super) struct Swing {
     system: System,
-    terms: DampingTerms,
+    terms: DampingModel,
 }
 
 /// Angle and velocity, and their derivatives by ω0, the coefficients, the first angle and the first velocity.
@@ -29,11 +29,11 @@ pub(super) struct Sample {
 const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
 
 impl Swing {
-    pub(super) fn new(terms: DampingTerms) -> Self {
+    pub(super) fn new(terms: DampingModel) -> Self {
         let names: Vec<&str> = ["k"].into_iter().chain(terms.iter().map(symbol)).collect();
         let equation = with_sensitivities(&equation(terms), &names, 2);
         let system = System::with_parameters(&equation, &names).expect("all parameters are open");
-        let system = if terms.has(DampingTerm::Dry) { until_it_turns(system) } else { system };
+        let system = if terms.has(DampingKind::Dry) { until_it_turns(system) } else { system };
         Self { system, terms }
     }
 
@@ -75,7 +75,7 @@ impl Swing {
 
     fn dry(&self, coefficients: &[f64]) -> f64 {
         let mut all = self.terms.iter().zip(coefficients);
-        all.find(|(term, _)| *term == DampingTerm::Dry).map_or(0.0, |(_, &value)| value)
+        all.find(|(term, _)| *term == DampingKind::Dry).map_or(0.0, |(_, &value)| value)
     }
 
     /// How many deviations there are: by k, the coefficients, the first angle and the first velocity.
@@ -122,7 +122,7 @@ impl Swing {
 /// When, and at which angle, a pendulum with this damping turns that is at this angle with this velocity at zero time; nothing where
 /// it does not within that time, or cannot be followed.
 pub(super) fn turning_point(
-    terms: DampingTerms,
+    terms: DampingModel,
     omega0: f64,
     coefficients: &[f64],
     start: [f64; 2],
@@ -147,20 +147,20 @@ fn until_it_turns(system: System) -> System {
 }
 
 /// The equation of motion with these kinds of damping.
-fn equation(terms: DampingTerms) -> Equation {
+fn equation(terms: DampingModel) -> Equation {
     let all = "theta'' = -k*sin(theta) - d*sign(theta') - b*theta' - c*theta'*abs(theta')";
     let all: Equation = all.parse().expect("this can be read");
-    let kinds = [DampingTerm::Dry, DampingTerm::Linear, DampingTerm::Quadratic];
+    let kinds = [DampingKind::Dry, DampingKind::Linear, DampingKind::Quadratic];
     let absent = kinds.into_iter().filter(|&term| !terms.has(term));
     let zeros: Vec<_> = absent.map(|term| (symbol(term), Expression::from(0))).collect();
     all.with(&zeros).expect("these are parameters, and zero leaves the acceleration")
 }
 
-fn symbol(term: DampingTerm) -> &'static str {
+fn symbol(term: DampingKind) -> &'static str {
     match term {
-        DampingTerm::Dry => "d",
-        DampingTerm::Linear => "b",
-        DampingTerm::Quadratic => "c",
+        DampingKind::Dry => "d",
+        DampingKind::Linear => "b",
+        DampingKind::Quadratic => "c",
     }
 }
 
@@ -176,12 +176,12 @@ mod tests {
 
     #[test]
     fn derivatives_are_the_limit_of_differences() {
-        for terms in DampingTerms::all() {
+        for terms in DampingModel::all() {
             let swing = Swing::new(terms);
             let coefficients = terms.iter().map(|term| match term {
-                DampingTerm::Dry => 0.05,
-                DampingTerm::Linear => 0.03,
-                DampingTerm::Quadratic => 0.04,
+                DampingKind::Dry => 0.05,
+                DampingKind::Linear => 0.03,
+                DampingKind::Quadratic => 0.04,
             });
             let all: Vec<f64> = [2.0].into_iter().chain(coefficients).chain([1.2, -0.4]).collect();
             let sample = end(&swing, &all, 9.0);
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn dry_friction_holds_the_pendulum_in_the_end() {
-        let swing = Swing::new(DampingTerms::only(DampingTerm::Dry));
+        let swing = Swing::new(DampingModel::only(DampingKind::Dry));
         let times: Vec<f64> = (0..100).map(f64::from).collect();
         let samples = swing.samples(1.0, &[0.1], [1.0, 0.0], &times).unwrap();
         let [angle, velocity] = samples[99].state;

@@ -1,7 +1,7 @@
 //! The warnings.
 
 use libration_lab::fit::BudgetWarning;
-use libration_lab::fit::DampingTerm;
+use libration_lab::fit::DampingKind;
 use libration_lab::fit::cycles::{CyclesError, CyclesWarning};
 use libration_lab::fit::swings::{SwingsOptions, Warning};
 use libration_lab::measurement::Trace;
@@ -63,7 +63,7 @@ fn drag_that_pushes_is_told() {
     let Some(Warning::NegativeDamping { coefficients }) = named(&said, "negative_damping") else {
         panic!("{said:?}")
     };
-    assert_eq!(coefficients[0].term, DampingTerm::Linear);
+    assert_eq!(coefficients[0].term, DampingKind::Linear);
     assert!((coefficients[0].estimate.value + 0.02).abs() < 4.0 * coefficients[0].estimate.uncertainty);
     let steady = warnings(&Synthetic { linear: 0.0, ..growing }, &linear());
     assert!(named(&steady, "feeds_energy").is_none() && named(&steady, "negative_damping").is_none());

@@ -6,7 +6,7 @@ use super::parameter::{Row, of_parameter};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::number::with_uncertainty;
-use libration_lab::fit::DampingTerm;
+use libration_lab::fit::DampingKind;
 use libration_lab::fit::trace::{Averaged, Comparison, Standing, TraceFit};
 use serde_json::Value;
 
@@ -56,7 +56,7 @@ impl DampingModel<'_> {
         words.collect::<Vec<_>>().join(", ")
     }
 
-    fn coefficient(&self, term: DampingTerm) -> String {
+    fn coefficient(&self, term: DampingKind) -> String {
         let parameter = self.fit().parameter(term.name());
         parameter
             .map_or("–".to_owned(), |it| with_uncertainty(it.estimate.value, it.estimate.uncertainty, ""))
@@ -104,7 +104,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
             |it| it.fit().takes_energy().into(),
         ),
         Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {
-            json::list(it.fit().negative_terms().into_iter().map(DampingTerm::name))
+            json::list(it.fit().negative_terms().into_iter().map(DampingKind::name))
         }),
         Of::nested("coefficients[].", &of_parameter(), |it| {
             let terms = it.fit().damping.iter().filter_map(|term| it.fit().parameter(term.name()));
@@ -125,16 +125,16 @@ pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
     let [dry, linear, quadratic] = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"];
     Fields::from([
         Of::unnamed().words(COLUMNS[0], |it| it.fit().damping.to_string()),
-        Of::unnamed().numeral(dry, |it| it.coefficient(DampingTerm::Dry)),
-        Of::unnamed().numeral(linear, |it| it.coefficient(DampingTerm::Linear)),
-        Of::unnamed().numeral(quadratic, |it| it.coefficient(DampingTerm::Quadratic)),
+        Of::unnamed().numeral(dry, |it| it.coefficient(DampingKind::Dry)),
+        Of::unnamed().numeral(linear, |it| it.coefficient(DampingKind::Linear)),
+        Of::unnamed().numeral(quadratic, |it| it.coefficient(DampingKind::Quadratic)),
     ])
 }
 
 /// Over the models by their weights.
 pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
-    let names = ["omega0"].into_iter().chain(DampingTerm::ALL.map(DampingTerm::name));
+    let names = ["omega0"].into_iter().chain(DampingKind::ALL.map(DampingKind::name));
     let known = names.filter_map(|name| Some((name, comparison.parameter(name)?)));
     known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
 }

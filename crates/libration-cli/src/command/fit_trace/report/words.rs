@@ -6,7 +6,7 @@ use crate::document::{Block, DocumentTable};
 use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
 use libration_lab::fit::swings::FittedPendulum;
-use libration_lab::fit::{DampingTerm, Uncertain, alternatives};
+use libration_lab::fit::{DampingKind, Uncertain, alternatives};
 
 /// The few numbers that were asked for.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
@@ -158,12 +158,12 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
 
 /// `linear damping (b = 0.030 ± 0.001 1/s)`.
 fn named(answer: &Answer<'_>) -> String {
-    let letter = |term: DampingTerm| match term {
-        DampingTerm::Dry => "d",
-        DampingTerm::Linear => "b",
-        DampingTerm::Quadratic => "c",
+    let letter = |term: DampingKind| match term {
+        DampingKind::Dry => "d",
+        DampingKind::Linear => "b",
+        DampingKind::Quadratic => "c",
     };
-    let coefficient = |term: DampingTerm| {
+    let coefficient = |term: DampingKind| {
         let parameter = answer.swings.fit.parameter(term.name())?;
         let unit = units::unit(term.unit());
         Some(format!(

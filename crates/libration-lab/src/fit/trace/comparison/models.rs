@@ -6,7 +6,7 @@ use super::Comparison;
 use crate::fit::trace::minimum::{Minimum, deeper};
 use crate::fit::trace::problem::{PATIENCE, Problem};
 use crate::fit::trace::{
-    DampingTerms, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
+    DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
 };
 use crate::measurement::Trace;
 
@@ -21,9 +21,9 @@ pub fn compare(
 ) -> Result<Comparison, TraceFitError> {
     // The profile is of interest for the preferred model alone.
     let plain = TraceOptions { profile: false, ..*options };
-    let undamped = Problem::new(traces, DampingTerms::UNDAMPED, plain)?;
+    let undamped = Problem::new(traces, DampingModel::UNDAMPED, plain)?;
     let mut candidates: Vec<Candidate<'_>> = vec![];
-    for terms in DampingTerms::all() {
+    for terms in DampingModel::all() {
         let candidate = Candidate::new(undamped.with_terms(terms), &candidates, watch)?;
         candidates.push(candidate);
     }
@@ -66,7 +66,7 @@ impl<'a> Candidate<'a> {
         }
     }
 
-    fn terms(&self) -> DampingTerms {
+    fn terms(&self) -> DampingModel {
         self.problem.model.layout.terms()
     }
 

@@ -1,7 +1,7 @@
 //! How models stand beside the one that the data prefer.
 
 use super::Comparison;
-use crate::fit::trace::{DampingTerms, TraceFit};
+use crate::fit::trace::{DampingModel, TraceFit};
 
 /// How a model stands beside the preferred one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl Comparison {
 
     /// The other models that the data do not exclude.
     #[must_use]
-    pub fn rivals(&self) -> Vec<DampingTerms> {
+    pub fn rivals(&self) -> Vec<DampingModel> {
         let left = |place: &usize| matches!(self.standing(*place), Standing::Tied | Standing::Possible);
         (0..self.fits.len()).filter(left).map(|place| self.fits[place].damping).collect()
     }
@@ -63,7 +63,7 @@ impl Comparison {
     /// Those of the rivals that contradict the preferred model: they lack a kind of damping that it has, or with what they add to
     /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states.
     #[must_use]
-    pub fn contradicting(&self) -> Vec<DampingTerms> {
+    pub fn contradicting(&self) -> Vec<DampingModel> {
         let preferred = self.best();
         let moves = |rival: &TraceFit| {
             preferred.damping.iter().any(|term| {
@@ -73,7 +73,7 @@ impl Comparison {
                 })
             })
         };
-        let named = |terms: DampingTerms| self.fits.iter().find(|fit| fit.damping == terms);
+        let named = |terms: DampingModel| self.fits.iter().find(|fit| fit.damping == terms);
         self.rivals().into_iter().filter(|&rival| named(rival).is_some_and(moves)).collect()
     }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::fit::Uncertain;
-use crate::fit::trace::{Autocorrelation, DampingTerm, DampingTerms, FittedTrace, Parameter};
+use crate::fit::trace::{Autocorrelation, DampingKind, DampingModel, FittedTrace, Parameter};
 
 fn coefficient(name: &'static str, value: f64) -> Parameter {
     let estimate = Uncertain { value, uncertainty: 0.001 };
@@ -11,8 +11,8 @@ fn coefficient(name: &'static str, value: f64) -> Parameter {
 
 /// A model of a pendulum with ω0 and these coefficients that leaves residuals of this size in 100 rows.
 fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFit {
-    let damping: DampingTerms = terms.parse().unwrap();
-    let names = damping.iter().map(DampingTerm::name);
+    let damping: DampingModel = terms.parse().unwrap();
+    let names = damping.iter().map(DampingKind::name);
     let of_damping = names.zip(coefficients).map(|(name, &value)| coefficient(name, value));
     let speed = Parameter { trace: Some(0), ..coefficient("velocity0", 2.0) };
     let parameters: Vec<Parameter> =

@@ -1,0 +1,55 @@
+//! The kinds of damping that have names.
+
+use super::PowerLawTerm;
+
+/// A kind of damping that has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DampingKind {
+    /// Dry friction: d·sign θ′, with d in rad/s².
+    Dry,
+    /// Drag by a viscous fluid: b·θ′, with b in 1/s.
+    Linear,
+    /// Drag by a turbulent fluid: c·θ′·|θ′|, with c without a unit.
+    Quadratic,
+}
+
+impl DampingKind {
+    /// All, in the order of the power of the velocity.
+    pub const ALL: [Self; 3] = [Self::Dry, Self::Linear, Self::Quadratic];
+
+    /// `dry`, `linear`, `quadratic`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Dry => "dry",
+            Self::Linear => "linear",
+            Self::Quadratic => "quadratic",
+        }
+    }
+
+    /// Of the velocity, as [`PowerLawTerm`] counts it.
+    #[must_use]
+    pub fn exponent(self) -> f64 {
+        match self {
+            Self::Dry => 0.0,
+            Self::Linear => 1.0,
+            Self::Quadratic => 2.0,
+        }
+    }
+
+    /// With a coefficient, in its unit.
+    #[must_use]
+    pub fn term(self, coefficient: f64) -> PowerLawTerm {
+        PowerLawTerm { exponent: self.exponent(), coefficient }
+    }
+
+    /// Of its coefficient; `1` where there is none.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Dry => "rad/s^2",
+            Self::Linear => "1/s",
+            Self::Quadratic => "1",
+        }
+    }
+}
