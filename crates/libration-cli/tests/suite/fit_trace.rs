@@ -465,7 +465,7 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
     let usual = kinds(&format!("fit trace {usual_swing} --model linear"));
     let narrow =
         Released { degrees: 3.0, seconds: 5, error: 0.03, ..Released::USUAL }.write("fit-trace-narrow");
-    let slippery = Released { dry: 0.1, drag: -0.01, ..Released::USUAL }.write("fit-trace-slippery");
+    let slippery = Released { dry: 0.1, drag: -0.03, ..Released::USUAL }.write("fit-trace-slippery");
     let growing = Released { drag: -0.02, degrees: 40.0, ..Released::USUAL }.write("fit-trace-growing");
     let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy");
     let cosine = swing_by("fit-trace-cosine", |time, _| 80.0 * f64::cos(std::f64::consts::TAU / 1.5 * time));
