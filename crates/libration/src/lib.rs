@@ -122,4 +122,4 @@ mod elementary;
 mod dispatch;
 
 #[cfg(feature = "serde")]
-mod serialize;
+pub mod serialize;

@@ -1,4 +1,6 @@
-//! How answers are serialised where deriving does not tell.
+//! How answers are serialised where deriving does not tell, with the feature `serde`.
+
+use std::fmt;
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -46,28 +48,71 @@ impl Serialize for Damping {
     }
 }
 
-/// The value, or an object whose `error` says why there is none.
-pub(crate) fn outcome<T: Serialize, E: std::fmt::Display, S: Serializer>(
-    outcome: &Result<T, E>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    match outcome {
-        Ok(value) => value.serialize(serializer),
-        Err(error) => {
-            let mut fields = serializer.serialize_struct("Error", 1)?;
-            fields.serialize_field("error", &error.to_string())?;
-            fields.end()
+/// What was found or why nothing was: the value, or an object whose `error` says the reason.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<'a, T, E>(pub &'a Result<T, E>);
+
+impl<T: Serialize, E: fmt::Display> Serialize for Outcome<'_, T, E> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Ok(value) => value.serialize(serializer),
+            Err(error) => {
+                let mut fields = serializer.serialize_struct("Error", 1)?;
+                fields.serialize_field("error", &error.to_string())?;
+                fields.end()
+            }
         }
     }
 }
 
-/// As [`outcome`], where even the question may be missing.
-pub(crate) fn optional_outcome<T: Serialize, E: std::fmt::Display, S: Serializer>(
+/// An [`Outcome`], for fields: `serialize_with`.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn outcome<T: Serialize, E: fmt::Display, S: Serializer>(
+    outcome: &Result<T, E>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    Outcome(outcome).serialize(serializer)
+}
+
+/// An [`Outcome`] where even the question may be missing, for fields.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn optional_outcome<T: Serialize, E: fmt::Display, S: Serializer>(
     optional: &Option<Result<T, E>>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    match optional {
-        Some(found) => outcome(found, serializer),
-        None => serializer.serialize_none(),
-    }
+    optional.as_ref().map(Outcome).serialize(serializer)
+}
+
+/// The outcomes, for fields.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn outcomes<T: Serialize, E: fmt::Display, S: Serializer>(
+    outcomes: &[Result<T, E>],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(outcomes.iter().map(Outcome))
+}
+
+/// Outcomes by their names, for fields.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn named_outcomes<T: Serialize, E: fmt::Display, S: Serializer>(
+    outcomes: &[(String, Result<T, E>)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(outcomes.iter().map(|(name, found)| (name, Outcome(found))))
+}
+
+/// As text, for fields.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn text<T: fmt::Display, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(value)
 }

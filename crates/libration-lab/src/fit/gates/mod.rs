@@ -54,6 +54,7 @@ pub struct GateOptions {
 
 /// A period.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GateCycle {
     /// Of its middle, in seconds.
     pub time: f64,
@@ -67,6 +68,7 @@ pub struct GateCycle {
 
 /// Where T0 comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum T0Source {
     /// Every period with its amplitude.
     Speeds,
@@ -76,6 +78,7 @@ pub enum T0Source {
 
 /// What the times of a gate say.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GatesFit {
     /// Passages of the bob.
     pub passages: usize,

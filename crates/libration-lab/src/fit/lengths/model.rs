@@ -15,6 +15,7 @@ const ROUNDS: usize = 20;
 
 /// What is left free besides g.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum LengthModel {
     /// T² = 4π²R²L/g.
     Plain,
@@ -50,6 +51,7 @@ impl LengthModel {
 
 /// g and what else a law leaves free.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LengthFit {
     /// The law.
     pub model: LengthModel,

@@ -2,6 +2,8 @@
 //! that just do not.
 
 mod advice;
+#[cfg(feature = "serde")]
+mod serialize;
 mod warnings;
 
 use std::cell::Cell;
