@@ -77,7 +77,7 @@ use problem::Problem;
 /// let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
 /// let linear = DampingModel::only(DampingKind::Linear);
 /// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Watch::none())?;
-/// assert!((fit.parameters[0].value - 3.0).abs() < 1e-8);
+/// assert!((fit.parameters[0].estimate.value - 3.0).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fit_traces(
