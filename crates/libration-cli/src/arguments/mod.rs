@@ -43,11 +43,11 @@ pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told, what_would_decide};
 pub(crate) use section::{SectionOptions, place_in_state, places_in_state, section_failure};
-pub(crate) use system::SystemOptions;
+pub(crate) use system::{PendulumSystemOptions, SystemOptions};
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
-    angle, angular_velocity, count, displacement, finite_time, gravity, length, length_with_uncertainty,
-    not_negative, part, positive,
+    angle, angular_velocity, count, displacement, finite_time, length_with_uncertainty, not_negative, part,
+    positive,
 };
 pub(crate) use times::{TimeOptions, Times, times};

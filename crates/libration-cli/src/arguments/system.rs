@@ -1,5 +1,6 @@
 //! Which system is meant: a key of a catalogue or equations of motion, with values for their parameters.
 
+use super::text::{gravity, length};
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::Failure;
 use libration::expression::{EquationError, Expression};
@@ -16,59 +17,43 @@ pub(crate) struct SystemOptions {
     set: Vec<String>,
 }
 
+/// A system that may be a pendulum of some length, under some gravity.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct PendulumSystemOptions {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration systems` says]
+    #[arg(long, value_parser = length)]
+    length: Option<f64>,
+    /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
+    #[arg(long, value_parser = gravity)]
+    gravity: Option<f64>,
+}
+
 impl SystemOptions {
     /// The model with a value for each parameter.
     pub(crate) fn model(&self) -> Result<Model, Failure> {
         self.model_with_open(&[])
     }
 
-    /// The model of a pendulum of this length under this gravity, where they are given.
-    pub(crate) fn model_of(&self, length: Option<f64>, gravity: Option<f64>) -> Result<Model, Failure> {
-        self.model_over(length, gravity, None)
-    }
-
-    /// The same with one more parameter that has a value.
-    pub(crate) fn model_over(
-        &self,
-        length: Option<f64>,
-        gravity: Option<f64>,
-        parameter: Option<(&str, f64)>,
-    ) -> Result<Model, Failure> {
-        let mut values = values(&self.set)?;
-        if let Some((name, value)) = parameter {
-            let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
-            values.push((name.to_owned(), value));
-        }
-        if length.is_none() && gravity.is_none() {
-            return self.model_with(&values, &[]);
-        }
-        let argument = if length.is_some() { "--length" } else { "--gravity" };
-        let named = NamedSystem::by_key(self.system.trim()).map_err(|_| {
-            let reason = "only the pendulums of `libration systems` take it, such as damped_pendulum";
-            Failure::usage(argument, reason)
-        })?;
-        let of_pendulum =
-            named.values_of(length, gravity).map_err(|reason| Failure::usage(argument, reason))?;
-        if let Some((name, _)) = of_pendulum.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
-            let reason = format!("it sets {name}, as --set does: give one of them");
-            return Err(Failure::usage(argument, reason));
-        }
-        values.extend(of_pendulum.into_iter().map(|(name, value)| (name.to_owned(), value)));
-        self.model_with(&values, &[])
-    }
-
     /// The model with these parameters left open.
     pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
-        self.model_with(&values(&self.set)?, open)
+        self.model_with(&values(&self.set)?, open, open.first().copied())
     }
 
-    fn model_with(&self, values: &[(String, Expression)], open: &[&str]) -> Result<Model, Failure> {
+    /// The model with these values and open parameters, one of which `--over` varies.
+    fn model_with(
+        &self,
+        values: &[(String, Expression)],
+        open: &[&str],
+        varied: Option<&str>,
+    ) -> Result<Model, Failure> {
         let (name, values) = (self.system.trim(), borrowed(values));
         let model = match is_like_a_key(name) {
             true => Model::by_key(name, &values, open),
             false => Model::typed(name, &values, open),
         };
-        let model = model.map_err(failure)?;
+        let model = model.map_err(|error| failure(error, varied))?;
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
             Some(name) => Err(Failure::usage(
                 "--set",
@@ -79,14 +64,61 @@ impl SystemOptions {
     }
 }
 
-fn failure(error: ModelError) -> Failure {
-    let argument = match &error {
+impl PendulumSystemOptions {
+    /// The model with a value for each parameter.
+    pub(crate) fn model(&self) -> Result<Model, Failure> {
+        self.model_over(None)
+    }
+
+    /// The same with one more parameter that has a value.
+    pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, Failure> {
+        let mut values = values(&self.system.set)?;
+        if let Some((name, value)) = parameter {
+            let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
+            values.push((name.to_owned(), value));
+        }
+        let apparatus = self.apparatus()?;
+        if let Some((argument, (name, _))) =
+            apparatus.iter().find(|(_, (name, _))| values.iter().any(|it| it.0 == *name))
+        {
+            let other = if parameter.is_some_and(|it| it.0 == *name) { "--over" } else { "--set" };
+            let reason = format!("it sets {name}, as {other} does: give one of them");
+            return Err(Failure::usage(argument, reason));
+        }
+        values.extend(apparatus.into_iter().map(|(_, (name, value))| (name.to_owned(), value)));
+        self.system.model_with(&values, &[], parameter.map(|it| it.0))
+    }
+
+    /// What length and gravity, where they are given, say of the parameters, and the option that says it.
+    fn apparatus(&self) -> Result<Vec<(&'static str, (&'static str, Expression))>, Failure> {
+        let argument = match (self.length, self.gravity) {
+            (None, None) => return Ok(vec![]),
+            (Some(_), _) => "--length",
+            _ => "--gravity",
+        };
+        let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
+            let reason = "only the pendulums of `libration systems` take it, such as damped_pendulum";
+            Failure::usage(argument, reason)
+        })?;
+        let values =
+            named.values_of(self.length, self.gravity).map_err(|reason| Failure::usage(argument, reason))?;
+        Ok(values.into_iter().map(|value| (argument, value)).collect())
+    }
+}
+
+/// Which option the failure is about: the one that gave the parameter, or the system itself.
+fn failure(error: ModelError, varied: Option<&str>) -> Failure {
+    let parameter = match &error {
         ModelError::Equation(
-            EquationError::UnknownParameter { .. }
-            | EquationError::SetTwice(_)
-            | EquationError::NotConstant { .. }
-            | EquationError::DropsOut(_),
-        ) => "--set",
+            EquationError::UnknownParameter { name, .. }
+            | EquationError::SetTwice(name)
+            | EquationError::NotConstant { name, .. },
+        ) => Some(name.as_str()),
+        _ => None,
+    };
+    let argument = match (parameter, &error) {
+        (Some(name), _) if varied == Some(name) => "--over",
+        (Some(_), _) | (_, ModelError::Equation(EquationError::DropsOut(_))) => "--set",
         _ => "SYSTEM|EQUATION",
     };
     Failure::usage(argument, error)

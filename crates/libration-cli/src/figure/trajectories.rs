@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Picture, Series};
 use super::names::subject;
 use super::section::StateAxis;
 use super::style;
-use libration::spectrum::{NoSpectrum, Spectrum};
+use libration::spectrum::Spectrum;
 use libration::systems::Model;
 
 /// Points of a curve of a spectrum, which is drawn by its peaks.
@@ -44,23 +44,20 @@ pub(crate) fn in_plane(model: &Model, motions: &[Sampled], [across, up]: &[State
     Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]) }
 }
 
-/// The spectra of one number of the state, from frequency zero to where all of them have fallen to what a line leaves far from it.
-pub(crate) fn spectra(model: &Model, motions: &[Sampled], shown: &StateAxis) -> Result<Picture, NoSpectrum> {
-    let spectrum = |motion: &Sampled| {
-        let interval =
-            (motion.times[motion.times.len() - 1] - motion.times[0]) / count(motion.times.len() - 1);
-        Spectrum::new(&motion.values(shown).collect::<Vec<_>>(), interval)
-    };
-    let spectra = motions.iter().map(spectrum).collect::<Result<Vec<_>, _>>()?;
-    let points = || spectra.iter().flat_map(Spectrum::points);
+/// Spectra of one number of the state, from frequency zero to where all of them have fallen to what a line leaves far from it.
+pub(crate) fn spectra(model: &Model, spectra: &[(String, Spectrum)], shown: &StateAxis) -> Picture {
+    let points = || spectra.iter().flat_map(|(_, spectrum)| spectrum.points());
     let highest = points().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
     // Nothing moves where all of it is zero.
     let highest = if highest > 0.0 { highest } else { 1.0 };
     let lowest = highest * Spectrum::SIDE_LOBES;
     let last = points().filter(|(_, amplitude)| *amplitude > 2.0 * lowest).map(|(frequency, _)| frequency);
-    let last = 1.1 * last.fold(spectra[0].resolution(), f64::max);
-    let mut drawn = spectra.iter().map(|spectrum| peaks(spectrum, last, 1e-3 * lowest));
-    let series = curves(motions, |_| drawn.next().unwrap_or_default());
+    let widths = spectra.iter().map(|(_, spectrum)| spectrum.resolution());
+    let last = 1.1 * last.chain(widths).fold(0.0, f64::max);
+    let curve = |(number, (label, spectrum)): (usize, &(String, Spectrum))| {
+        Series::line(label, style::curve(number), peaks(spectrum, last, 1e-3 * lowest))
+    };
+    let series = spectra.iter().enumerate().map(curve).collect();
     let panel = Panel {
         x: Axis::linear("angular frequency ω / (rad/s)", 0.0, last),
         y: Axis::logarithmic(&format!("amplitude of {}", shown.label()), lowest, 3.0 * highest),
@@ -68,7 +65,7 @@ pub(crate) fn spectra(model: &Model, motions: &[Sampled], shown: &StateAxis) -> 
         share: 1.0,
     };
     let title = format!("Spectrum of {}: {}", subject(model), shown.name());
-    Ok(Picture::new(&title, vec![panel]))
+    Picture::new(&title, vec![panel])
 }
 
 /// The points up to a frequency, of neighbours that are too many only the largest; a logarithmic axis has no zero.
@@ -80,15 +77,11 @@ fn peaks(spectrum: &Spectrum, last: f64, lowest: f64) -> Vec<(f64, f64)> {
     peaks.map(|(frequency, amplitude)| (frequency, amplitude.max(lowest))).collect()
 }
 
-fn curves(motions: &[Sampled], mut points: impl FnMut(&Sampled) -> Vec<(f64, f64)>) -> Vec<Series> {
+fn curves(motions: &[Sampled], points: impl Fn(&Sampled) -> Vec<(f64, f64)>) -> Vec<Series> {
     let numbered = motions.iter().enumerate();
     numbered.map(|(number, it)| Series::line(&it.label, style::curve(number), points(it))).collect()
 }
 
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
-}
-
-fn count(number: usize) -> f64 {
-    crate::output::number::count(number)
 }

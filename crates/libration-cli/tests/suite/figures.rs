@@ -182,6 +182,27 @@ fn what_grows_without_bound_has_no_spectrum() {
     let question = "figure trajectories pendulum --initial theta'=3 --until 100 --spectrum";
     let output = libration(&format!("{question} theta --output {file}"));
     assert_eq!(output.status.code(), Some(1));
-    assert!(message(&output).contains("θ turns over and grows without bound"), "{}", message(&output));
+    // 41.44 turns of 2kK(k) with k = 2/3.
+    let reason = "θ goes from 0 to 260.4 and swings little about that: draw the spectrum of θ′";
+    assert!(message(&output).contains(reason), "{}", message(&output));
     text(&format!("{question} theta' --output {file}"));
+}
+
+/// A parameter that is not there is the fault of the option that names it.
+#[test]
+fn a_parameter_is_refused_in_the_name_of_its_option() {
+    let file = directory("varied").join("figure.svg").display().to_string();
+    let picture = format!("figure trajectories driven_pendulum --output {file}");
+    for question in [&picture[..], "bifurcation driven_pendulum --points 3"] {
+        for (values, option) in [
+            ("--over cc=1,2", "--over"),
+            ("--set cc=1 --over c=1,2", "--set"),
+            ("--set c=1 --over c=1,2", "--over"),
+        ] {
+            let output = libration(&format!("{question} {values}"));
+            assert_eq!(output.status.code(), Some(2));
+            let found = message(&output);
+            assert!(found.starts_with(&format!("error: {option}: ")), "{question} {values}: {found}");
+        }
+    }
 }

@@ -18,7 +18,7 @@ type Factors = BTreeMap<(u32, u32), Polynomial>;
 
 /// Parts of the equation of motion with what each gives to the conditions; coefficients that vanish are left out.
 pub(super) struct Contributions {
-    parts: Vec<(Formula, Factors)>,
+    pub(super) parts: Vec<(Formula, Factors)>,
 }
 
 impl Contributions {

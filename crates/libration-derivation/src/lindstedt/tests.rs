@@ -6,10 +6,11 @@ use super::ansatz::fundamental_and_harmonics;
 use super::contributions::Contributions;
 use super::few_harmonics;
 use super::motion::motion;
+use super::orders::check_contributions;
 use super::question::Question;
 use super::substitution::{has_harmonics, solves};
 use crate::{Block, Formula, Prose, Span};
-use libration::algebra::{Rational, Variable};
+use libration::algebra::{Polynomial, Rational, Variable};
 use libration::oscillator::NamedOscillator;
 use libration::perturbation::Gauge;
 use libration::quantity::Displacement;
@@ -156,9 +157,28 @@ fn contributions_become_the_conditions() {
             let found = sum.variables().into_iter().filter_map(|it| Some((lower(&it)?.clone(), it)));
             let inserted = found.fold(sum.clone(), |sum, (value, it)| sum.substitute(&it, &value));
             let alone = condition.polynomial.terms().count() == 1 && condition.harmonic != 1;
-            let expected =
-                if alone { libration::algebra::Polynomial::zero() } else { condition.polynomial.clone() };
+            let expected = if alone { Polynomial::zero() } else { condition.polynomial.clone() };
             assert_eq!(inserted, expected, "{key} {} {}", condition.order, condition.harmonic);
+        }
+    }
+}
+
+/// A part that is not what the equation of motion leaves would be refused.
+#[test]
+fn every_contribution_is_checked() {
+    for (key, order) in [("pendulum", 5), ("quadratic", 3)] {
+        let question = question(key, order);
+        let right = Contributions::new(&question, order).unwrap();
+        let keys: Vec<(usize, (u32, u32))> = (right.parts.iter().enumerate())
+            .flat_map(|(part, (_, factors))| factors.keys().map(move |key| (part, *key)))
+            .collect();
+        for (part, (power, harmonic)) in keys {
+            let mut wrong = Contributions::new(&question, order).unwrap();
+            let factor = wrong.parts[part].1.get_mut(&(power, harmonic)).unwrap();
+            *factor = factor.clone() + Polynomial::constant(Rational::new(1, 1_000_000).unwrap());
+            let at = usize::try_from(power).unwrap();
+            assert!(check_contributions(&question, &right, at).is_ok(), "{key} {power}");
+            assert!(check_contributions(&question, &wrong, at).is_err(), "{key} {part} {power} {harmonic}");
         }
     }
 }

@@ -18,6 +18,7 @@ mod fourier;
 mod window;
 
 use crate::algebra::Complex;
+use crate::taylor::DenseSolution;
 use std::f64::consts::TAU;
 
 /// The amplitude of the oscillations of each frequency in a motion.
@@ -46,6 +47,29 @@ pub enum NoSpectrum {
     /// An interval of time that cannot be.
     #[error("the interval between the values is {0:?} s: give one above zero")]
     Interval(f64),
+    /// Times at which the motion is not known.
+    #[error(
+        "the motion is not known from {from:?} s to {until:?} s: give times within it, the earlier one first"
+    )]
+    NotKnown {
+        /// The first time asked for.
+        from: f64,
+        /// The last.
+        until: f64,
+    },
+    /// Values that move from one end to the other more than they swing, such as the angle of a rotation.
+    #[error(
+        "the values go from {first:?} to {last:?} and swing little about that: take their rate of change"
+    )]
+    Trend {
+        /// The first value.
+        first: f64,
+        /// The last.
+        last: f64,
+    },
+    /// Oscillations that are faster than the values can show.
+    #[error("{0} values do not show the fastest oscillations: give a shorter time")]
+    NotResolved(usize),
 }
 
 impl Spectrum {
@@ -54,6 +78,9 @@ impl Spectrum {
 
     /// Fewer values have no spectrum.
     pub const FEWEST: usize = 16;
+
+    /// More values are never taken of a motion.
+    pub const MOST: usize = 1 << 20;
 
     /// The spectrum of values at times `interval` (in seconds) from each other.
     ///
@@ -73,6 +100,57 @@ impl Spectrum {
         let transform = fourier::transform(&padded(&weighted));
         let amplitudes = transform[..=transform.len() / 2].iter().map(|z| 2.0 * z.abs()).collect::<Vec<_>>();
         Ok(Self { weighted, interval, amplitudes: halved_at_zero(amplitudes) })
+    }
+
+    /// The spectrum of one number of the state (a coordinate or, after these, a velocity) of a motion between two times, from
+    /// as many values as it needs: at least two for each step of the integration, and twice as many until the amplitudes at
+    /// the highest frequencies are no more than side lobes.
+    ///
+    /// # Errors
+    /// Times that the motion does not reach, values that grow, or that oscillate faster than [`Self::MOST`] of them show.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::spectrum::Spectrum;
+    /// use libration::taylor::{Effort, System, integrate_dense};
+    /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;
+    /// // Fast enough to turn over: the angle grows, its velocity swings.
+    /// let start = system.start(&[("theta'", 3.0)])?;
+    /// let motion = integrate_dense(&system, &start, 100.0, &Effort::to_tolerance(1e-12))?;
+    /// assert!(Spectrum::of_motion(&motion, 0, [0.0, 100.0]).is_err());
+    /// assert!(Spectrum::of_motion(&motion, 1, [0.0, 100.0]).is_ok());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_motion(
+        motion: &DenseSolution,
+        number: usize,
+        [from, until]: [f64; 2],
+    ) -> Result<Self, NoSpectrum> {
+        let mut count = (2 * motion.steps().len()).clamp(FEWEST_OF_MOTION, Self::MOST);
+        loop {
+            let interval = (until - from) / float(count - 1);
+            // The last time is the one that was given, not the sum of roundings.
+            let time = |place: usize| if place + 1 == count { until } else { from + interval * float(place) };
+            let value = |place| motion.state_at(time(place))?.get(number).copied();
+            let values: Option<Vec<f64>> = (0..count).map(value).collect();
+            let values = values.filter(|_| from < until).ok_or(NoSpectrum::NotKnown { from, until })?;
+            check_trend(&values)?;
+            let spectrum = Self::new(&values, interval)?;
+            if spectrum.is_resolved() {
+                return Ok(spectrum);
+            }
+            count *= 2;
+            if count > Self::MOST {
+                return Err(NoSpectrum::NotResolved(values.len()));
+            }
+        }
+    }
+
+    /// Whether the amplitudes have fallen to what lines leave far from them before the last eighth of the frequencies.
+    fn is_resolved(&self) -> bool {
+        let largest = |amplitudes: &[f64]| amplitudes.iter().copied().fold(0.0, f64::max);
+        let (lower, highest) = self.amplitudes.split_at(self.amplitudes.len() / 8 * 7);
+        largest(highest) <= 2.0 * Self::SIDE_LOBES * largest(lower)
     }
 
     /// Angular frequencies (in rad/s, from zero to the highest that the values show) and amplitudes (in the unit of the values),
@@ -107,6 +185,19 @@ impl Spectrum {
     pub fn resolution(&self) -> f64 {
         window::half_width() * TAU / (self.interval * float(self.weighted.len()))
     }
+}
+
+/// Fewer values make a spectrum of few points.
+const FEWEST_OF_MOTION: usize = 4096;
+
+/// Refuses values whose departure from the line between their ends is less than half of the way between these. Whatever swings
+/// about a mean, at any phases of its ends, departs by at least as much.
+fn check_trend(values: &[f64]) -> Result<(), NoSpectrum> {
+    let (Some(&first), Some(&last)) = (values.first(), values.last()) else { return Ok(()) };
+    let slope = (last - first) / float(values.len() - 1);
+    let departures = values.iter().enumerate().map(|(place, value)| value - first - slope * float(place));
+    let (low, high) = departures.fold((0.0, 0.0), |(low, high): (f64, f64), it| (low.min(it), high.max(it)));
+    if high - low < 0.5 * (last - first).abs() { Err(NoSpectrum::Trend { first, last }) } else { Ok(()) }
 }
 
 /// A mean value is its own mirror image.

@@ -2,7 +2,7 @@
 
 use super::PictureOptions;
 use crate::arguments::{
-    self, ParameterRange, SeveralInitialOptions, SystemOptions, parameter_range, place_in_state,
+    self, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range, place_in_state,
     places_in_state,
 };
 use crate::failure::Failure;
@@ -11,10 +11,12 @@ use crate::figure::parameters::{Angles, of_model, of_start, said};
 use crate::figure::section::StateAxis;
 use crate::figure::trajectories::{Sampled, against_time, in_plane, spectra};
 use crate::interrupt;
-use crate::output::number::count;
+use crate::output::number::{count, short};
+use libration::spectrum::{NoSpectrum, Spectrum};
 use libration::systems::Model;
-use libration::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched};
-use std::f64::consts::TAU;
+use libration::taylor::{
+    Cause, DenseSolution, Effort, IntegrationError, Moment, Step, System, integrate_watched,
+};
 
 /// Motions of any system in one picture: against time, in the plane of two state variables, or their spectra
 #[derive(Debug, clap::Args)]
@@ -33,13 +35,7 @@ Motions begin at t = 0. A spectrum has a line for each frequency of the motion,
 as high as its amplitude; a motion of seven or more periods separates them.")]
 pub(super) struct Trajectories {
     #[command(flatten)]
-    system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration systems` says]
-    #[arg(long, value_parser = arguments::length)]
-    length: Option<f64>,
-    /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
-    #[arg(long, value_parser = arguments::gravity)]
-    gravity: Option<f64>,
+    system: PendulumSystemOptions,
     #[command(flatten)]
     initial: SeveralInitialOptions,
     /// A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1
@@ -68,16 +64,11 @@ pub(super) struct Trajectories {
 const MOST_MOTIONS: usize = 12;
 /// Points of a curve.
 const POINTS: usize = 6000;
-/// Values of a spectrum for each step of the integration. A step is at most the e²-th part of the distance ρ to a singularity of the
-/// motion, and the amplitudes at the frequency ω of an analytic motion fall like e^(−ωρ): at the highest frequency of four values
-/// to a step, 4π/step, to e^(−93).
-const VALUES_IN_STEP: usize = 4;
-const FEWEST_VALUES: usize = 4096;
 /// Motions of more steps are too long for a spectrum, as they would take gigabytes.
 const MOST_STEPS: usize = 200_000;
 
-/// The relative error of a step, far below what a picture shows.
-const TOLERANCE: f64 = 1e-12;
+/// The relative error of a step is far below what a picture shows.
+const EFFORT: Effort = Effort::to_tolerance(1e-12);
 
 /// A motion to be integrated.
 struct Run {
@@ -105,14 +96,10 @@ impl Trajectories {
         let axes = self.axes.as_deref().map(|names| places_in_state(model, "--axes", names)).transpose()?;
         let (of_spectrum, show) = (one("--spectrum", &self.spectrum)?, one("--show", &self.show)?);
         interrupt::listen()?;
-        let motions = self.motions(&runs)?;
         let picture = match (axes, &of_spectrum) {
-            (Some(axes), _) => in_plane(model, &motions, &axes.map(axis)),
-            (_, Some(of)) => {
-                bounded(&motions, of)?;
-                spectra(model, &motions, of).map_err(|error| Failure::no_answer("--spectrum", error))?
-            }
-            _ => against_time(model, &motions, &show.unwrap_or_else(|| axis(0))),
+            (Some(axes), _) => in_plane(model, &self.sampled(&runs)?, &axes.map(axis)),
+            (_, Some(shown)) => spectra(model, &self.spectra(&runs, shown)?, shown),
+            _ => against_time(model, &self.sampled(&runs)?, &show.unwrap_or_else(|| axis(0))),
         };
         Ok(picture.with_parameters(common(&runs.iter().map(Run::made_with).collect::<Vec<_>>())))
     }
@@ -124,7 +111,7 @@ impl Trajectories {
         });
         let mut runs = vec![];
         for value in values.into_iter().take(MOST_MOTIONS + 1) {
-            let model = self.system.model_over(self.length, self.gravity, value)?;
+            let model = self.system.model_over(value)?;
             let system = model.system().map_err(|error| Failure::usage("--set", error))?;
             let label = value.map_or_else(String::new, |(name, value)| said(name, value, ""));
             for initial in self.initial.read(&model)? {
@@ -142,55 +129,81 @@ impl Trajectories {
     }
 
     /// The motions that are done before somebody presses Ctrl-C.
-    fn motions(&self, runs: &[Run]) -> Result<Vec<Sampled>, Failure> {
-        let mut motions = vec![];
-        for run in runs {
-            match self.sampled(run) {
-                Ok(motion) => motions.push(motion),
-                Err(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) if !motions.is_empty() => {
-                    break;
+    fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, Failure> {
+        let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(POINTS - 1));
+        done(runs, |run| {
+            let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
+            run.integrate(self.until, &EFFORT, |step| {
+                while sampled.times.len() < POINTS && time(sampled.times.len()) <= step.end() {
+                    let now = time(sampled.times.len());
+                    sampled.times.push(now);
+                    sampled.states.push(step.state_at(now));
                 }
-                Err(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-                    return Err(Failure::Interrupted("interrupted before a motion was done".to_owned()));
-                }
-                Err(error) => return Err(Failure::no_answer("figure trajectories", error)),
-            }
-        }
-        Ok(motions)
+            })?;
+            Ok(sampled)
+        })
     }
 
-    fn sampled(&self, run: &Run) -> Result<Sampled, IntegrationError> {
-        let (system, start, effort) = (&run.system, &run.start, Effort::to_tolerance(TOLERANCE));
-        let number = match self.spectrum {
-            Some(_) => (VALUES_IN_STEP * self.steps(run, &effort)?).max(FEWEST_VALUES),
-            None => POINTS,
-        };
-        let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(number - 1));
-        let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
-        integrate_watched(system, start, &[self.until], &effort, |step| {
-            while sampled.times.len() < number && time(sampled.times.len()) <= step.end() {
-                let now = time(sampled.times.len());
-                sampled.times.push(now);
-                sampled.states.push(step.state_at(now));
-            }
-            interrupt::go_on()
-        })?;
-        Ok(sampled)
-    }
-
-    /// How many steps there are in what is drawn.
-    fn steps(&self, run: &Run, effort: &Effort) -> Result<usize, IntegrationError> {
-        let mut steps = 0;
-        let effort = Effort { most_steps: MOST_STEPS, ..*effort };
-        integrate_watched(&run.system, &run.start, &[self.until], &effort, |step| {
-            steps += usize::from(step.end() > self.from);
-            interrupt::go_on()
-        })?;
-        Ok(steps)
+    /// The spectra of the motions that are done before somebody presses Ctrl-C.
+    fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, Failure> {
+        done(runs, |run| {
+            let mut motion = DenseSolution::default();
+            run.integrate(self.until, &Effort { most_steps: MOST_STEPS, ..EFFORT }, |step| {
+                if step.end() > self.from {
+                    motion.push(step);
+                }
+            })?;
+            let spectrum = Spectrum::of_motion(&motion, shown.place, [self.from, self.until]);
+            Ok((run.label.clone(), spectrum.map_err(|error| no_spectrum(&error, run, shown))?))
+        })
     }
 }
 
+/// What is done with each run before somebody presses Ctrl-C: at least with one.
+fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, Failure>) -> Result<Vec<T>, Failure> {
+    let mut done = vec![];
+    for run in runs {
+        match each(run) {
+            Err(Failure::Interrupted(_)) if !done.is_empty() => break,
+            other => done.push(other?),
+        }
+    }
+    Ok(done)
+}
+
+/// A coordinate that grows has a velocity that may not.
+fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> Failure {
+    let (names, place) = (run.model.state_names(), shown.place);
+    let reason = match (error, names.get(place + run.system.coordinates())) {
+        (NoSpectrum::Trend { first, last }, Some(_)) => {
+            let name = shown.name();
+            format!(
+                "{name} goes from {} to {} and swings little about that: draw the spectrum of {name}′",
+                short(*first, 4),
+                short(*last, 4)
+            )
+        }
+        _ => error.to_string(),
+    };
+    Failure::no_answer("--spectrum", reason)
+}
+
 impl Run {
+    /// Integrates from the start to a time and shows each step.
+    fn integrate(&self, until: f64, effort: &Effort, mut see: impl FnMut(&Step<'_>)) -> Result<(), Failure> {
+        let integrated = integrate_watched(&self.system, &self.start, &[until], effort, |step| {
+            see(step);
+            interrupt::go_on()
+        });
+        match integrated {
+            Ok(_) => Ok(()),
+            Err(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
+                Err(Failure::Interrupted("interrupted before a motion was done".to_owned()))
+            }
+            Err(error) => Err(Failure::no_answer("figure trajectories", error)),
+        }
+    }
+
     /// What it is made with: its parameters and its start.
     fn made_with(&self) -> Vec<String> {
         [of_model(&self.model), self.numbers_of_start()].concat()
@@ -199,21 +212,6 @@ impl Run {
     fn numbers_of_start(&self) -> Vec<String> {
         of_start(&self.model, &self.start.state, Angles::Degrees)
     }
-}
-
-/// An angle that turns over again and again grows without bound, and then all frequencies are in it.
-fn bounded(motions: &[Sampled], of: &StateAxis) -> Result<(), Failure> {
-    let moved = |motion: &Sampled| {
-        let (first, last) = (motion.states.first()?[of.place], motion.states.last()?[of.place]);
-        Some((last - first).abs())
-    };
-    if of.is_angle && motions.iter().filter_map(moved).any(|moved| moved > 2.0 * TAU) {
-        let name = of.name();
-        let reason =
-            format!("{name} turns over and grows without bound: draw the spectrum of its velocity, {name}′");
-        return Err(Failure::no_answer("--spectrum", reason));
-    }
-    Ok(())
 }
 
 /// Adds to each label the numbers of its start that are not those of all.

@@ -13,7 +13,7 @@ mod sheet;
 mod tally;
 mod watch;
 
-use crate::arguments::{self, InitialOptions, SystemOptions, Times};
+use crate::arguments::{self, InitialOptions, PendulumSystemOptions, Times};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
@@ -61,13 +61,7 @@ byte. With long.csv comes long.csv.state, which records the system and where the
 integration stands; --resume needs it, and also finds what a killed run has left.")]
 pub(crate) struct Simulate {
     #[command(flatten)]
-    system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration systems` says]
-    #[arg(long, value_parser = arguments::length)]
-    length: Option<f64>,
-    /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
-    #[arg(long, value_parser = arguments::gravity)]
-    gravity: Option<f64>,
+    system: PendulumSystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0; negative ones run backward
@@ -103,7 +97,7 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let model = self.system.model_of(self.length, self.gravity)?;
+        let model = self.system.model()?;
         let watched = Watched::read(&self.events, &model)?;
         let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
         let (initial, earlier) = match &self.resume {
