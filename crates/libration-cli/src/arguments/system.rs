@@ -77,32 +77,27 @@ impl PendulumSystemOptions {
             let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
             values.push((name.to_owned(), value));
         }
-        let apparatus = self.apparatus()?;
-        if let Some((argument, (name, _))) =
-            apparatus.iter().find(|(_, (name, _))| values.iter().any(|it| it.0 == *name))
-        {
+        let argument = if self.length.is_some() { "--length" } else { "--gravity" };
+        let apparatus = self.apparatus(argument)?;
+        if let Some((name, _)) = apparatus.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
             let other = if parameter.is_some_and(|it| it.0 == *name) { "--over" } else { "--set" };
             let reason = format!("it sets {name}, as {other} does: give one of them");
             return Err(Failure::usage(argument, reason));
         }
-        values.extend(apparatus.into_iter().map(|(_, (name, value))| (name.to_owned(), value)));
+        values.extend(apparatus.into_iter().map(|(name, value)| (name.to_owned(), value)));
         self.system.model_with(&values, &[], parameter.map(|it| it.0))
     }
 
-    /// What length and gravity, where they are given, say of the parameters, and the option that says it.
-    fn apparatus(&self) -> Result<Vec<(&'static str, (&'static str, Expression))>, Failure> {
-        let argument = match (self.length, self.gravity) {
-            (None, None) => return Ok(vec![]),
-            (Some(_), _) => "--length",
-            _ => "--gravity",
-        };
+    /// What length and gravity, where they are given, say of the parameters; `argument` is the option to blame.
+    fn apparatus(&self, argument: &str) -> Result<Vec<(&'static str, Expression)>, Failure> {
+        if self.length.is_none() && self.gravity.is_none() {
+            return Ok(vec![]);
+        }
         let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
             let reason = "only the pendulums of `libration systems` take it, such as damped_pendulum";
             Failure::usage(argument, reason)
         })?;
-        let values =
-            named.values_of(self.length, self.gravity).map_err(|reason| Failure::usage(argument, reason))?;
-        Ok(values.into_iter().map(|value| (argument, value)).collect())
+        named.values_of(self.length, self.gravity).map_err(|reason| Failure::usage(argument, reason))
     }
 }
 
