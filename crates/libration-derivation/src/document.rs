@@ -1,7 +1,7 @@
 //! A derivation as data: steps of sentences, checked formulas and tables.
 
 use super::check::CheckedEquation;
-use super::formula::Formula;
+use super::formula::{Formula, Statement};
 use super::prose::Prose;
 
 /// A worked derivation.
@@ -13,6 +13,8 @@ pub struct Derivation {
     pub introduction: Vec<Block>,
     /// The steps in order.
     pub steps: Vec<DerivationStep>,
+    /// What [`exercises`](Self::exercises) leave out, each in its step; empty for a derivation that leaves out nothing.
+    pub answers: Vec<DerivationStep>,
 }
 
 impl Derivation {
@@ -28,6 +30,8 @@ impl Derivation {
 /// A step of a derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivationStep {
+    /// What it is linked by. It stays the same when other steps come and go.
+    pub id: String,
     /// What it does.
     pub heading: String,
     /// How.
@@ -42,9 +46,28 @@ pub enum Block {
     /// An aside: a common error, a limit of what was said.
     Remark(Prose),
     /// A formula with its check.
-    Equation(CheckedEquation),
-    /// Numbers in rows.
+    Equation {
+        /// It is the first, second, … formula of its step.
+        number: usize,
+        /// The formula.
+        equation: CheckedEquation,
+    },
+    /// A formula whose result the reader is to find.
+    Exercise {
+        /// The number of the formula in its step.
+        number: usize,
+        /// The formula with a question mark for the result.
+        statement: Statement,
+    },
+    /// Numbers or formulas in rows.
     Table(DerivationTable),
+    /// What folds away until a reader wants it.
+    Details {
+        /// What is found there.
+        summary: String,
+        /// The parts.
+        blocks: Vec<Block>,
+    },
 }
 
 /// What a reader wants to see.
@@ -56,9 +79,11 @@ pub(super) enum Wanted {
     Numbers,
 }
 
-/// Numbers in rows.
+/// Numbers or formulas in rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivationTable {
+    /// What its cells are.
+    pub cells: Cells,
     /// The titles of the columns.
     pub head: Vec<Prose>,
     /// The cells, row by row.
@@ -67,9 +92,24 @@ pub struct DerivationTable {
     pub note: Prose,
 }
 
+/// What the cells of a table are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cells {
+    /// Numbers that were computed.
+    Numbers,
+    /// What each row stands for, and formulas that a reader can find, of any length.
+    Formulas,
+}
+
+impl DerivationTable {
+    pub(super) fn numbers(head: Vec<Prose>, rows: Vec<Vec<Prose>>, note: Prose) -> Self {
+        Self { cells: Cells::Numbers, head, rows, note }
+    }
+}
+
 impl DerivationStep {
-    pub(super) fn new(heading: &str) -> Self {
-        Self { heading: heading.to_owned(), blocks: Vec::new() }
+    pub(super) fn new(id: &str, heading: &str) -> Self {
+        Self { id: id.to_owned(), heading: heading.to_owned(), blocks: Vec::new() }
     }
 
     /// A paragraph, each `{}` of which is the next formula.
@@ -97,7 +137,8 @@ impl DerivationStep {
 
     /// A checked formula.
     pub(super) fn show(self, equation: CheckedEquation) -> Self {
-        self.with(Block::Equation(equation))
+        let number = formulas_in(&self.blocks) + 1;
+        self.with(Block::Equation { number, equation })
     }
 
     /// Checked formulas.
@@ -110,8 +151,26 @@ impl DerivationStep {
         self.with(Block::Table(table))
     }
 
+    /// What is added folds away.
+    pub(super) fn fold(mut self, summary: &str, add: impl FnOnce(Self) -> Self) -> Self {
+        let before = self.blocks.len();
+        self = add(self);
+        let blocks = self.blocks.split_off(before.min(self.blocks.len()));
+        self.with(Block::Details { summary: summary.to_owned(), blocks })
+    }
+
     fn with(mut self, block: Block) -> Self {
         self.blocks.push(block);
         self
     }
+}
+
+/// How many formulas have a number.
+fn formulas_in(blocks: &[Block]) -> usize {
+    let formulas = |block: &Block| match block {
+        Block::Equation { .. } | Block::Exercise { .. } => 1,
+        Block::Details { blocks, .. } => formulas_in(blocks),
+        Block::Paragraph(_) | Block::Remark(_) | Block::Table(_) => 0,
+    };
+    blocks.iter().map(formulas).sum()
 }

@@ -27,6 +27,7 @@ mod elliptic;
 mod lindstedt;
 mod published;
 
+mod exercises;
 mod print;
 
 pub mod paper;
@@ -35,7 +36,7 @@ pub mod paper;
 mod tests;
 
 pub use check::{Against, Check, CheckedEquation, DerivationError};
-pub use document::{Block, Derivation, DerivationStep, DerivationTable};
+pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
 pub use evaluate::NoEvaluation;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};

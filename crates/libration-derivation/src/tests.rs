@@ -16,10 +16,88 @@ fn swing(degrees: f64) -> Swing {
 }
 
 fn equations(derivation: &Derivation) -> Vec<&CheckedEquation> {
-    let blocks = derivation.steps.iter().flat_map(|step| &step.blocks);
-    blocks
-        .filter_map(|block| if let Block::Equation(equation) = block { Some(equation) } else { None })
-        .collect()
+    numbered(&derivation.steps).into_iter().map(|(_, equation)| equation).collect()
+}
+
+/// The formulas of steps with their numbers, those that fold away too.
+fn numbered(steps: &[DerivationStep]) -> Vec<(String, &CheckedEquation)> {
+    fn in_blocks<'a>(id: &str, blocks: &'a [Block], found: &mut Vec<(String, &'a CheckedEquation)>) {
+        for block in blocks {
+            match block {
+                Block::Equation { number, equation } => found.push((format!("{id}.{number}"), equation)),
+                Block::Details { blocks, .. } => in_blocks(id, blocks, found),
+                _ => {}
+            }
+        }
+    }
+    let mut found = vec![];
+    steps.iter().for_each(|step| in_blocks(&step.id, &step.blocks, &mut found));
+    found
+}
+
+fn every_road() -> Vec<Derivation> {
+    let swing = swing(40.0);
+    let perturbation = |key, order, gauge| derived(key, order, gauge).unwrap();
+    vec![
+        elliptic(Some(&swing)).unwrap(),
+        formulas(Some(&swing)).unwrap(),
+        perturbation("pendulum", 7, "fundamental"),
+        perturbation("pendulum", 4, "A1=1,A2=1/2"),
+        perturbation("helmholtz_duffing", 5, "energy"),
+    ]
+}
+
+#[test]
+fn steps_and_formulas_are_numbered_and_linked_by_ids_of_their_own() {
+    for derivation in every_road() {
+        for step in &derivation.steps {
+            let numbers: Vec<String> =
+                numbered(std::slice::from_ref(step)).into_iter().map(|(id, _)| id).collect();
+            let expected: Vec<String> = (1..=numbers.len()).map(|n| format!("{}.{n}", step.id)).collect();
+            assert_eq!(numbers, expected);
+        }
+        for page in [to_html(&derivation), to_html(&derivation.clone().exercises())] {
+            let ids: Vec<&str> =
+                page.split(" id=\"").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]).collect();
+            let links = page.split(" href=\"#").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]);
+            let distinct: std::collections::BTreeSet<&&str> = ids.iter().collect();
+            assert_eq!(distinct.len(), ids.len(), "{}", derivation.title);
+            assert!(links.clone().count() > 20);
+            links.for_each(|link| assert!(ids.contains(&link), "{link}"));
+        }
+    }
+}
+
+/// What is asked for is not told before the answers, and every result is asked for or told.
+#[test]
+fn exercises_leave_out_the_results_and_answer_them_at_the_end() {
+    for derivation in every_road() {
+        let exercises = derivation.clone().exercises();
+        let (told, answers) = (numbered(&exercises.steps), numbered(&exercises.answers));
+        let mut all: Vec<_> = told.iter().chain(&answers).cloned().collect();
+        let mut expected = numbered(&derivation.steps);
+        all.sort_by(|a, b| a.0.cmp(&b.0));
+        expected.sort_by(|a, b| a.0.cmp(&b.0));
+        assert_eq!(all, expected);
+        for (id, equation) in &told {
+            let is_result = equation.check().is_computed()
+                && !matches!(equation.check(), Check::Catalogued { .. } | Check::Phases { .. });
+            assert!(!is_result, "{id} is told");
+        }
+        let without = Derivation { answers: vec![], ..exercises.clone() };
+        let (page, whole) = (to_markdown(&without), to_markdown(&exercises));
+        for (id, equation) in &answers {
+            let result = equation.statement().rest.last().map(|(_, side)| formula_latex(side)).unwrap();
+            let (shown, number) = (statement_latex(equation.statement()), id.rsplit('.').next().unwrap());
+            assert!(!page.contains(&format!("{shown}\n\\tag{{")), "{shown}");
+            assert!(whole.contains(&format!("{shown}\n\\tag{{")), "{shown}");
+            assert!(whole.matches(&format!(".{number}}}")).count() >= 2);
+            // A fraction with a large denominator stands nowhere else.
+            if result.contains("{1835008}") {
+                assert!(!page.contains("1835008"), "{result}");
+            }
+        }
+    }
 }
 
 fn fraction(numerator: i64, denominator: i64) -> Formula {
@@ -129,6 +207,7 @@ fn text_is_harmless_in_every_form() {
         title: hostile.to_owned(),
         introduction: vec![Block::Paragraph(Prose(vec![Span::Text(hostile.to_owned())]))],
         steps: vec![],
+        answers: vec![],
     };
     assert!(!to_html(&derivation).contains("<b>"));
     assert!(!to_latex(&derivation).contains("\\frac"));

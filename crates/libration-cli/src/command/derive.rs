@@ -27,6 +27,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --road perturbation --order 7 --amplitude 60deg \\
     --format html --output series.html
   libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
+  libration derive --road elliptic --exercises --format html \
+    --output exercises.html
   libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
     /// Which derivation
@@ -39,6 +41,9 @@ pub(crate) struct Derive {
     amplitude: Option<Displacement>,
     #[command(flatten)]
     pendulum: PendulumOptions,
+    /// Leave out the results, as exercises, and give them as answers at the end
+    #[arg(long)]
+    exercises: bool,
     /// How the derivation is written
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
@@ -90,6 +95,7 @@ enum Format {
 impl Derive {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let (derivation, is_whole) = self.derivation()?;
+        let derivation = if self.exercises { derivation.exercises() } else { derivation };
         let derivation = if is_whole { derivation } else { derivation.broken_off() };
         let text = self.format.write(&derivation);
         match &self.output {

@@ -118,3 +118,16 @@ fn other_oscillators_and_gauges_are_derived() {
         assert!(derivation.contains("enough to decide for all"), "{arguments}");
     }
 }
+
+/// A page of exercises in every form, with its answers on a page of their own.
+#[test]
+fn exercises_have_their_answers_at_the_end() {
+    let question = "derive --road perturbation --order 3 --exercises --format";
+    for (form, answers) in
+        [("markdown", "## Answers"), ("latex", "\\part*{Answers}"), ("html", "id=\"answers\"")]
+    {
+        let page = text(&format!("{question} {form}"));
+        let (asked, answered) = page.split_once(answers).unwrap();
+        assert!(!asked.contains("192") && answered.contains("192"), "{form}");
+    }
+}

@@ -40,7 +40,7 @@ pub(super) fn equation_of_motion(trials: &mut Trials) -> Result<DerivationStep, 
         (omega_0(), 11, DecimalUnit::RadianPerSecond),
         (small_swing_period(), 11, DecimalUnit::Second),
     ])?;
-    Ok(DerivationStep::new("The equation of motion")
+    Ok(DerivationStep::new("equation-of-motion", "The equation of motion")
         .say(
             "A small heavy body hangs from a pivot by a rod of length {}, without friction, and swings in a vertical \
              plane under the acceleration of free fall {}. Its angle from the downward vertical is {}, in radians; a prime \
@@ -65,7 +65,7 @@ pub(super) fn conservation(trials: &Trials) -> Result<DerivationStep, Derivation
     let conserved = Statement::equal(energy(), -(omega_0().squared() * cos(theta_0())));
     let rising = Statement::equal(velocity(), omega_0() * speed());
     let fastest = number(2) * omega_0() * sin_half_amplitude();
-    Ok(DerivationStep::new("The energy")
+    Ok(DerivationStep::new("energy", "The energy")
         .say("For any motion whatever,", [])
         .show(any_motion.compare(identity)?)
         .say(
@@ -88,7 +88,7 @@ pub(super) fn conservation(trials: &Trials) -> Result<DerivationStep, Derivation
 
 pub(super) fn quarter_period(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let quarter = integral("θ", 0, theta_0(), number(1) / (omega_0() * speed()));
-    Ok(DerivationStep::new("Separating the variables")
+    Ok(DerivationStep::new("separation", "Separating the variables")
         .say(
             "A small step {} takes the time {}. The angle and the time now stand apart, and adding up the \
              steps from the bottom to the turning point gives a quarter of the period {}:",

@@ -71,7 +71,7 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<DerivationStep, Derivati
         (x().squared() + a() * b()).squared() / (4 * x().squared()),
     );
     let invariant = Statement::equal(gauss(a(), b()), gauss((a() + b()) / 2, sqrt(a() * b())));
-    Ok(DerivationStep::new("The integral as a mean")
+    Ok(DerivationStep::new("mean", "The integral as a mean")
         .say("Gauss found a shorter way. Let", [])
         .show(definition)
         .say("Because the squares of sine and cosine add up to one, the integral of the pendulum is", [])
@@ -126,7 +126,7 @@ pub(super) fn iteration(trials: &Trials) -> Result<DerivationStep, DerivationErr
     let error =
         Statement::equal(limit.clone() / a_n.clone(), number(1) / apply("ϑ", [power.clone()]).squared());
     let small = theta_squared()?;
-    Ok(DerivationStep::new("The period in a few steps")
+    Ok(DerivationStep::new("few-steps", "The period in a few steps")
         .say("Repeat the two means, beginning with", [])
         .show_all(starts.into())
         .show(arithmetic)
@@ -199,5 +199,5 @@ fn iterates(trials: &Trials) -> Result<DerivationTable, DerivationError> {
         Prose::text("error of ").and(Prose::formula(over("a"))),
         Prose::text("error of ").and(Prose::formula(over("b"))),
     ];
-    Ok(DerivationTable { head, rows, note: Prose::text("computed with 77 digits; errors are relative") })
+    Ok(DerivationTable::numbers(head, rows, Prose::text("computed with 77 digits; errors are relative")))
 }

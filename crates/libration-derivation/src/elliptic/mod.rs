@@ -37,6 +37,7 @@ pub fn elliptic(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         title: "The period of a pendulum at any amplitude".to_owned(),
         introduction: introduction(),
         steps,
+        answers: vec![],
     })
 }
 

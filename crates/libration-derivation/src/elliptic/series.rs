@@ -46,7 +46,7 @@ pub(super) fn binomial(trials: &Trials) -> Result<DerivationStep, DerivationErro
     let explicit = polynomial(&first, &x) + order(x.clone().pow(5));
     let integrand = number(1) / sqrt(number(1) - letter("m") * sin(psi()).squared());
     let term = coefficient() * letter("m").pow(n()) * sin(psi()).pow(2 * n());
-    Ok(DerivationStep::new("The binomial series")
+    Ok(DerivationStep::new("binomial-series", "The binomial series")
         .say("One over a square root is a power series, which converges while {} is below one in size:", [x])
         .show(same_series(&Name::new("x"), COMPARED, Statement::equal(root.clone(), sum))?)
         .show(same_series(&Name::new("x"), first.len(), Statement::equal(root, explicit))?)
@@ -87,7 +87,7 @@ pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<DerivationStep, 
         recurrence * (double_factorial(2 * n() - 3) / double_factorial(2 * n() - 2)),
     );
     let closed = Statement::equal(i(n()), coefficient() * (Formula::Pi / 2));
-    Ok(DerivationStep::new("The integrals of the powers of the sine")
+    Ok(DerivationStep::new("wallis", "The integrals of the powers of the sine")
         .say("What remains are the integrals", [])
         .show(definition)
         .say("The first is plain, because a power zero is one:", [])
@@ -118,7 +118,7 @@ pub(super) fn period(trials: &Trials) -> Result<DerivationStep, DerivationError>
     terms.extend(coefficients.iter().enumerate().skip(1).map(|(n, c)| Formula::from(c.clone()) * sine(n)));
     terms.push(order(theta_0().pow(8)));
     let in_sines = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
-    Ok(DerivationStep::new("The period as a series")
+    Ok(DerivationStep::new("period-series", "The period as a series")
         .say(
             "The coefficient enters twice, once from the binomial series and once from the integral. What multiplies the \
              period of small swings is",
@@ -161,7 +161,7 @@ fn partial_sums(trials: &Trials) -> Result<DerivationTable, DerivationError> {
     ];
     let note =
         Prose::new("the error is relative to {} from the mean of two numbers, below", [period_ratio()]);
-    Ok(DerivationTable { head: titles.into(), rows, note })
+    Ok(DerivationTable::numbers(titles.into(), rows, note))
 }
 
 pub(super) fn in_the_amplitude() -> Result<DerivationStep, DerivationError> {
@@ -170,7 +170,7 @@ pub(super) fn in_the_amplitude() -> Result<DerivationStep, DerivationError> {
         coefficients.iter().enumerate().map(|(n, c)| monomial(c, &theta_0(), 2 * n)).collect();
     terms.push(order(theta_0().pow(8)));
     let expanded = Statement::equal(period_series(sin_half_amplitude().pow(2 * n())), Formula::Sum(terms));
-    Ok(DerivationStep::new("In powers of the amplitude")
+    Ok(DerivationStep::new("powers-of-the-amplitude", "In powers of the amplitude")
         .say("With the power series of the sine itself the same sum becomes a series in the amplitude, in radians:", [])
         .show(same_series(&amplitude(), 8, expanded)?)
         .remark(

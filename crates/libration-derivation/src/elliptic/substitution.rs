@@ -33,7 +33,7 @@ pub(super) fn half_angles(trials: &mut Trials) -> Result<DerivationStep, Derivat
     let definition = trials.define(&Name::new("k"), sin_half_amplitude())?;
     let squares = modulus().squared() - sin(theta() / 2).squared();
     let difference = Statement::equal(cos(theta()) - cos(theta_0()), number(2) * squares);
-    Ok(DerivationStep::new("Half angles")
+    Ok(DerivationStep::new("half-angles", "Half angles")
         .say("Every cosine is one minus twice the square of the sine of half its angle. With", [])
         .show(definition)
         .show_all(trials.numbers(&[(modulus(), 11, DecimalUnit::One)])?)
@@ -52,7 +52,7 @@ pub(super) fn new_variable(trials: &mut Trials) -> Result<DerivationStep, Deriva
     let arc = number(2) * call(Function::Asin, modulus() * sin(psi()));
     let slope = number(2) * modulus() * cos(psi()) / root();
     let cancelled = Statement::equal(number(1) / speed() * (slope.clone()), number(1) / root());
-    Ok(DerivationStep::new("A new variable")
+    Ok(DerivationStep::new("new-variable", "A new variable")
         .say(
             "While {} rises from zero to {}, the sine of its half rises from zero to {}. So there is an angle {} between \
              zero and a right angle with",
@@ -77,7 +77,7 @@ pub(super) fn complete_integral(trials: &mut Trials) -> Result<DerivationStep, D
     let same = Statement::equal(over_angle, k_of(parameter.clone()));
     let whole = Statement::equal(period(), number(4) / omega_0() * k_of(parameter.clone()));
     let ratio = Statement::equal(period_ratio(), number(2) / Formula::Pi * k_of(parameter.clone()));
-    Ok(DerivationStep::new("The complete elliptic integral")
+    Ok(DerivationStep::new("elliptic-integral", "The complete elliptic integral")
         .say(
             "The limits have become zero and a right angle for every amplitude, which now enters in one place \
              only. The integral has a name, the complete elliptic integral of the first kind of the parameter {}:",

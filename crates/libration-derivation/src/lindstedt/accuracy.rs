@@ -33,7 +33,7 @@ pub(super) fn step(
     }
     let exact = exactly_at(question, &exactly, watch);
     watch.go_on()?;
-    let step = DerivationStep::new("How good it is")
+    let step = DerivationStep::new("accuracy", "How good it is")
         .say("At an amplitude of {} the terms of the period are", [as_given(question, &exactly)])
         .table(terms(question, amplitude, &exact)?);
     let Some(released) = released else { return Ok(step) };
@@ -113,7 +113,7 @@ fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Deriva
     } else {
         format!("the rest is estimated from the terms to the power {LONGER}")
     };
-    Ok(DerivationTable { head, rows, note: note(&basis, &found) })
+    Ok(DerivationTable::numbers(head, rows, note(&basis, &found)))
 }
 
 /// What the rests and the errors rest on.
@@ -185,7 +185,7 @@ pub(super) fn motion(
     let note = Prose::text(
         "series to the order derived; exact: by elliptic functions for the pendulum, else the equation of motion integrated in time",
     );
-    Ok(DerivationTable { head, rows: rows.into_iter().map(row).collect(), note })
+    Ok(DerivationTable::numbers(head, rows.into_iter().map(row).collect(), note))
 }
 
 /// The motion without the series: in closed form for the pendulum, for all else by integration in time.

@@ -43,7 +43,7 @@ pub(super) fn iteration(question: &Question) -> Result<DerivationStep, Derivatio
         .and_equal(in_epsilon(sum_of_harmonics, question.order + 1));
     let mut given = harmonics_in_epsilon(question, &question.solution);
     given.push(Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))));
-    let step = DerivationStep::new("From the amplitude to the expansion parameter")
+    let step = DerivationStep::new("amplitude", "From the amplitude to the expansion parameter")
         .say(
             "What is known of a swing is its largest displacement {}, at {} = 0, where all cosines are one:",
             [question.amplitude().into(), letter("τ")],
@@ -82,9 +82,15 @@ fn passes(
     let rest: Vec<Rational> = sum_of_harmonics.iter().enumerate().map(beyond).collect();
     let function = polynomial(&rest, &letter("z"));
     let start = monomial(&scale, &amplitude, 1);
+    let other_side = Statement::equal(apply("F", [letter("ε")]), letter("ε") - start.clone())
+        .and_equal(in_epsilon(&rest, question.order + 1));
+    let given = [
+        Given::Function("F", "z", function.clone()),
+        Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))),
+    ];
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
-        .show(CheckedEquation::definition(Statement::defined(apply("F", [letter("z")]), function.clone())))
+        .show(same_series_where(&Name::new("ε"), question.order + 1, &given, other_side)?)
         .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
         .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
@@ -117,7 +123,7 @@ fn passes(
 }
 
 pub(super) fn physical_relations(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let step = DerivationStep::new("The period and the harmonics").say(
+    let step = DerivationStep::new("period", "The period and the harmonics").say(
         "Put in the place of {}, this gives what can be measured: the frequency and the period over those of very small \
          swings, and the harmonics.",
         [letter("ε")],

@@ -47,7 +47,7 @@ pub(super) fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
         k => Formula::from(harmonic_name(k)) * cosine(k),
     });
     let ansatz = Statement::equal(question.u(), sum(cosines.collect()));
-    let step = DerivationStep::new("The ansatz")
+    let step = DerivationStep::new("ansatz", "The ansatz")
         .say(
             "The motion is periodic with a frequency {} that is not known yet. So time is counted in such a way that the period \
              becomes a fixed number,",
@@ -107,7 +107,7 @@ pub(super) fn projection() -> Result<DerivationStep, DerivationError> {
     let whole = |integrand| number(1) / Formula::Pi * integral("τ", 0, 2 * Formula::Pi, integrand);
     let same = Statement::equal(whole(cos(k() * tau()).squared()), 1);
     let cube = Statement::equal(cos(tau()).pow(3), (3 * cos(tau()) + cos(3 * tau())) / 4);
-    Ok(DerivationStep::new("Projection on the harmonics")
+    Ok(DerivationStep::new("projection", "Projection on the harmonics")
         .say("Powers of the sum are sums of cosines again, because a product of two is half the sum of two others:", [])
         .show(trials.compare_cases("k", 1..=5, product)?)
         .say("for example", [])

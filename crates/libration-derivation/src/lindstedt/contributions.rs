@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::super::document::DerivationTable;
-use super::super::formula::{Formula, letter, monomial};
+use super::super::document::{Cells, DerivationTable};
+use super::super::formula::{Formula, letter, monomial, sum};
 use super::super::prose::Prose;
-use super::ansatz::cosine;
+use super::ansatz::{coefficient_name, cosine};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
-use libration::perturbation::{Condition, EpsilonPowers, OpenGauge};
+use libration::perturbation::Condition;
 
 /// The letter of the frequency's corrections.
 const FREQUENCY: &str = "d";
@@ -22,28 +22,18 @@ pub(super) struct Contributions {
 }
 
 impl Contributions {
-    /// Those up to an order; `None` where they have too many terms.
-    pub(super) fn new(question: &Question, order: usize) -> Option<Self> {
-        let force: Vec<Rational> = question.force.iter().take(order).cloned().collect();
-        let whole = |powers: &[(usize, Rational)]| whole(question, order, powers);
-        let minus = Rational::from(-1);
-        // An even power is always there where the force has one, since the ansatz depends on that.
-        let even = (1..=force.len()).find(|power| power % 2 == 0 && !force[power - 1].is_zero());
-        let one: Vec<(usize, Rational)> = even.map(|power| (power, Rational::from(1))).into_iter().collect();
-        let two: Vec<(usize, Rational)> = even.map(|power| (power, Rational::from(2))).into_iter().collect();
-        let base = whole(&one)?;
-        let even_part = combined(&whole(&two)?, &base, &minus);
-        let linear = combined(&base, &even_part, &minus);
-        let mut parts = vec![(linear_part(question), linear)];
-        for (place, factor) in force.iter().enumerate().skip(1).filter(|(_, factor)| !factor.is_zero()) {
-            let power = place + 1;
-            let factors = match even == Some(power) {
-                true => even_part.iter().map(|(key, it)| (*key, it.scaled(factor))).collect(),
-                false => combined(&whole(&[&one[..], &[(power, factor.clone())]].concat())?, &base, &minus),
-            };
-            parts.push((monomial(factor, &question.u(), power), factors));
+    pub(super) fn new(question: &Question) -> Self {
+        let displacement = displacement(question);
+        let mut parts = vec![(linear_part(question), linear(question, &displacement))];
+        let mut power = displacement.clone();
+        for (place, factor) in question.force.iter().enumerate().skip(1) {
+            power = product(&power, &displacement, question.order);
+            if !factor.is_zero() {
+                let factors = power.iter().map(|(key, it)| (*key, it.scaled(factor))).collect();
+                parts.push((monomial(factor, &question.u(), place + 1), factors));
+            }
         }
-        Some(Self { parts })
+        Self { parts }
     }
 
     /// The factor of a harmonic in a power, of all parts together.
@@ -57,18 +47,39 @@ impl Contributions {
         let key = (condition.order, condition.harmonic);
         let given = self.parts.iter().filter_map(|(part, factors)| Some((part, factors.get(&key)?)));
         let rows = given.filter(|(_, factor)| !factor.is_zero());
-        let rows = rows.map(|(part, factor)| vec![part.clone(), Formula::from(factor)]);
+        let rows = rows.map(|(part, factor)| vec![Prose::formula(part.clone()), in_groups(factor)]);
         let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
         let power = letter("ε").pow(i64::from(condition.order));
         let head = vec![Prose::text("part"), Prose::new("its factor of {} in {}", [cosine(k), power])];
         DerivationTable {
+            cells: Cells::Formulas,
             head,
-            rows: rows.map(|row| row.into_iter().map(Prose::formula).collect()).collect(),
+            rows: rows.collect(),
             note: Prose::text(
                 "checked: their sum is what the equation of motion leaves, with exact fractions for all letters, also such as solve nothing",
             ),
         }
     }
+}
+
+/// A sum in pieces, between which a line may end.
+fn in_groups(polynomial: &Polynomial) -> Prose {
+    const GROUP: usize = 3;
+    let terms = match Formula::from(polynomial) {
+        Formula::Sum(terms) => terms,
+        term => return Prose::formula(term),
+    };
+    let negative: Vec<bool> = polynomial.terms().map(|(_, factor)| *factor < Rational::from(0)).collect();
+    let groups = terms.chunks(GROUP).zip(negative.iter().step_by(GROUP)).enumerate();
+    groups.fold(Prose(vec![]), |prose, (place, (group, is_negative))| {
+        let mut group = group.to_vec();
+        if *is_negative && place > 0 {
+            group[0] = group[0].clone().negated();
+        }
+        let sign = if *is_negative { " − " } else { " + " };
+        let prose = if place > 0 { prose.and(Prose::text(sign)) } else { prose };
+        prose.and(Prose::formula(sum(group)))
+    })
 }
 
 /// Δ²u″ + u.
@@ -77,31 +88,62 @@ fn linear_part(question: &Question) -> Formula {
     letter("Δ").squared() * Formula::Name(second) + question.u()
 }
 
-/// The conditions of a force u + Σ fₚuᵖ, with nothing inserted but the coefficients that vanish.
-fn whole(question: &Question, order: usize, powers: &[(usize, Rational)]) -> Option<Factors> {
-    let mut force = vec![Rational::from(0); order.max(1)];
-    force[0] = Rational::from(1);
-    for (power, factor) in powers {
-        *force.get_mut(power - 1)? = factor.clone();
+/// The coefficients of u.
+fn displacement(question: &Question) -> Factors {
+    let all =
+        question.harmonics().into_iter().flat_map(|k| question.powers().into_iter().map(move |n| (n, k)));
+    let present =
+        all.map(|(n, k)| (key(n, k), coefficient_name(k, n))).filter(|(_, it)| !vanishes(question, it));
+    present.map(|(key, it)| (key, Polynomial::variable(it))).collect()
+}
+
+/// Those of Δ²u″ + u.
+fn linear(question: &Question, displacement: &Factors) -> Factors {
+    let one = Polynomial::constant(Rational::from(1));
+    let corrections = question.powers().into_iter().filter(|n| *n > 1).map(|n| {
+        let (n, _) = key(n - 1, 0);
+        ((n, 0), Polynomial::variable(Variable::indexed(FREQUENCY, n)))
+    });
+    let ratio: Factors = [((0, 0), one)].into_iter().chain(corrections).collect();
+    let second = displacement.iter().map(|((n, k), it)| {
+        let factor = -i64::from(*k) * i64::from(*k);
+        ((*n, *k), it.scaled(&Rational::from(factor)))
+    });
+    let squared = product(&ratio, &ratio, question.order);
+    let mut sum = product(&squared, &second.collect(), question.order);
+    for (key, it) in displacement {
+        add(&mut sum, *key, it.clone());
     }
-    let parity = if question.powers().contains(&2) { EpsilonPowers::All } else { EpsilonPowers::OneParity };
-    let conditions = OpenGauge::new(&force, u32::try_from(order).ok()?, parity).ok()?.whole_system()?;
-    let vanishing: Vec<&Variable> =
-        question.open.solution().keys().filter(|it| vanishes(question, it)).collect();
-    let left = |polynomial: Polynomial| {
-        vanishing.iter().fold(polynomial, |left, unknown| left.substitute(unknown, &Polynomial::zero()))
-    };
-    Some(conditions.into_iter().map(|it| ((it.order, it.harmonic), left(it.polynomial))).collect())
+    sum
+}
+
+/// The product of two sums of cosines up to a power of ε.
+fn product(a: &Factors, b: &Factors, order: usize) -> Factors {
+    let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
+    let mut sum = Factors::new();
+    for ((n, j), left) in a {
+        for ((m, k), right) in b.iter().filter(|((m, _), _)| n + m <= key(order, 0).0) {
+            let each = (left.clone() * right.clone()).scaled(&half);
+            add(&mut sum, (n + m, j.abs_diff(*k)), each.clone());
+            add(&mut sum, (n + m, j + k), each);
+        }
+    }
+    sum
+}
+
+fn add(sum: &mut Factors, key: (u32, u32), polynomial: Polynomial) {
+    let entry = sum.entry(key).or_insert_with(Polynomial::zero);
+    *entry = std::mem::replace(entry, Polynomial::zero()) + polynomial;
+}
+
+/// The place of ε^n cos kτ.
+fn key(n: usize, k: usize) -> (u32, u32) {
+    let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    (small(n), small(k))
 }
 
 /// Whether it is a coefficient of a harmonic that is not made at this order.
 pub(super) fn vanishes(question: &Question, unknown: &Variable) -> bool {
     let value = question.open.solution().get(unknown);
     unknown.letters() != FREQUENCY && value.is_some_and(Polynomial::is_zero)
-}
-
-/// a + factor·b.
-fn combined(a: &Factors, b: &Factors, factor: &Rational) -> Factors {
-    let other = |key| b.get(key).map_or_else(Polynomial::zero, |it| it.scaled(factor));
-    a.iter().map(|(key, it)| (*key, it.clone() + other(key))).collect()
 }

@@ -30,7 +30,7 @@ pub(super) fn step(
     else {
         return Ok(None);
     };
-    let step = DerivationStep::new("The shortcut of two harmonics")
+    let step = DerivationStep::new("two-harmonics", "The shortcut of two harmonics")
         .say(
             "One can also keep the first two harmonics alone, {} and {}, and of the force the terms up to the cube. Then the \
              conditions for {} and {}, and that the two add up to the amplitude, are three equations for \
@@ -73,7 +73,7 @@ fn table(solutions: &[TruncatedSolution]) -> DerivationTable {
         "rest: what the equation of motion with the force to the order derived leaves, its root mean square over a period; \
          not a small swing: real, but not connected with one; nothing oscillates: the square of the frequency is not positive",
     );
-    DerivationTable { head, rows: solutions.iter().map(row).collect(), note }
+    DerivationTable::numbers(head, solutions.iter().map(row).collect(), note)
 }
 
 const fn word(verdict: SolutionVerdict) -> &'static str {

@@ -66,7 +66,7 @@ pub fn perturbation_watched(
 ) -> Result<Derivation, DerivationError> {
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
-    let mut derivation = Derivation { title, introduction: introduction(), steps: vec![] };
+    let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
     let question = match Question::new(oscillator, order, gauge, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         question => question?,

@@ -14,7 +14,7 @@ pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationErr
     let free = question.open.free_constants();
     let count = |number: usize| crate::formula::number(i64::try_from(number).unwrap_or(i64::MAX));
     let vanishing = question.open.solution().values().filter(|value| value.is_zero()).count();
-    let mut step = DerivationStep::new("The gauge")
+    let mut step = DerivationStep::new("gauge", "The gauge")
         .say(
             "The ansatz has {} coefficients. The conditions fix {} of them, of which {} vanish. Free are those of the first harmonic, {} \
              in number: they say what {} means, since any other measure of the size of the swing would do as well. To choose them is \
@@ -52,7 +52,7 @@ fn meaning(gauge: &Gauge) -> &'static str {
 
 pub(super) fn solution(question: &Question) -> Result<DerivationStep, DerivationError> {
     agrees_with_open_gauge(question, &question.solution)?;
-    let step = DerivationStep::new("The solution")
+    let step = DerivationStep::new("solution", "The solution")
         .say("With these the coefficients are numbers, and the motion is", []);
     let step = (series(question, &question.solution).into_iter()).fold(step, DerivationStep::show);
     Ok(step

@@ -8,7 +8,7 @@ use super::ansatz::{coefficient_name, cosine};
 use super::contributions::{Contributions, vanishes};
 use super::question::Question;
 use super::substitution::{Motion, has_harmonics};
-use libration::algebra::{Polynomial, Rational, Variable};
+use libration::algebra::{Rational, Variable};
 use libration::perturbation::Condition;
 
 /// Choices of fractions for the letters that a condition is checked with.
@@ -22,7 +22,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
     let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
-    Ok(DerivationStep::new("What each condition decides")
+    Ok(DerivationStep::new("secular-terms", "What each condition decides")
         .say(
             "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
              this is not zero, and the condition fixes that coefficient.",
@@ -48,67 +48,58 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         ))
 }
 
-/// The orders whose conditions are written out: they grow fast.
-fn written_out(question: &Question) -> usize {
-    question.order.min(if question.is_odd() { 5 } else { 3 })
+/// Up to this order the way to each coefficient is open to the reader, beyond it folds away: it grows fast.
+fn open_to_read(question: &Question) -> usize {
+    if question.is_odd() { 5 } else { 3 }
 }
 
 pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, DerivationError> {
-    let last = written_out(question);
-    let contributions = Contributions::new(question, last);
-    let mut steps = Vec::new();
-    for order in question.powers() {
+    let contributions = Contributions::new(question);
+    let step = |order| {
         check_order(question, order)?;
-        if order <= last {
-            if let Some(contributions) = &contributions {
-                check_contributions(question, contributions, order)?;
-            }
-            steps.push(one_order(question, contributions.as_ref(), order));
-        }
-    }
-    if let Some(step) = steps.pop() {
-        let more = "The conditions of the following orders are longer and no different; they were checked in the same way.";
-        steps.push(if question.order > last { step.say(more, []) } else { step });
-    }
-    Ok(steps)
+        check_contributions(question, &contributions, order)?;
+        Ok(one_order(question, &contributions, order))
+    };
+    question.powers().into_iter().map(step).collect()
 }
 
-fn one_order(question: &Question, contributions: Option<&Contributions>, order: usize) -> DerivationStep {
-    let heading = format!("Order {order}, with the gauge open");
-    let mut step = vanishing(question, order, DerivationStep::new(&heading));
-    for condition in question.open.conditions().iter().filter(|condition| is_shown(condition, order)) {
-        let statement = Statement::equal(&condition.polynomial, 0);
-        step = led_to(step, contributions, condition)
-            .show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }));
-        if let Some((unknown, value)) = solved(question, condition) {
-            let statement = Statement::equal(Name::from(&unknown), value);
-            step = step
-                .say("so that", [])
-                .show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }));
+fn one_order(question: &Question, contributions: &Contributions, order: usize) -> DerivationStep {
+    let step = DerivationStep::new(&format!("order-{order}"), &format!("Order {order}, with the gauge open"));
+    let shown = question.open.conditions().iter().filter(|condition| is_shown(condition, order));
+    shown.fold(vanishing(question, order, step), |step, condition| {
+        let way = |step: DerivationStep| way_to(step, contributions, condition);
+        match solved(question, condition) {
+            None => way(step),
+            Some(solution) if order <= open_to_read(question) => way(step).say("so that", []).show(solution),
+            Some(solution) => {
+                let step = step.say("The factor of {} in the power {} leads to", factor_of(condition));
+                step.show(solution).fold("How it comes about", way)
+            }
         }
-    }
-    step
+    })
+}
+
+/// cos kτ and εⁿ.
+fn factor_of(condition: &Condition) -> [Formula; 2] {
+    let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
+    [cosine(k), letter("ε").pow(i64::from(condition.order))]
 }
 
 /// How a condition comes about.
-fn led_to(
-    step: DerivationStep,
-    contributions: Option<&Contributions>,
-    condition: &Condition,
-) -> DerivationStep {
-    let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
-    let power = letter("ε").pow(i64::from(condition.order));
-    let Some(contributions) = contributions else {
-        return step.say("The factor of {} in the power {} gives", [cosine(k), power]);
-    };
-    let inserted = contributions.sum(condition.order, condition.harmonic) != condition.polynomial;
+fn way_to(step: DerivationStep, contributions: &Contributions, condition: &Condition) -> DerivationStep {
     let step = step
-        .say("The factor of {} in the power {} has the parts", [cosine(k), power])
+        .say("The factor of {} in the power {} has the parts", factor_of(condition))
         .table(contributions.table(condition));
-    match inserted {
+    let inserted = contributions.sum(condition.order, condition.harmonic) != condition.polynomial;
+    let step = match inserted {
         true => step.say("With what lower orders have found, their sum becomes the condition", []),
         false => step.say("Their sum is the condition", []),
-    }
+    };
+    step.show(substituted(Statement::equal(&condition.polynomial, 0)))
+}
+
+fn substituted(statement: Statement) -> CheckedEquation {
+    CheckedEquation::new(statement, Check::Substituted { choices: CHOICES })
 }
 
 /// The coefficients of harmonics that are not made yet.
@@ -134,10 +125,9 @@ fn vanishing(question: &Question, order: usize, step: DerivationStep) -> Derivat
         _ => step.say("In the factors of some harmonics a coefficient stands alone, so that it vanishes: nothing of lower orders makes \
                        these harmonics.", []),
     };
-    alone.into_iter().fold(step, |step, condition| {
-        let statement = Statement::equal(&condition.polynomial, 0);
-        step.show(CheckedEquation::new(statement, Check::Substituted { choices: CHOICES }))
-    })
+    alone
+        .into_iter()
+        .fold(step, |step, condition| step.show(substituted(Statement::equal(&condition.polynomial, 0))))
 }
 
 fn is_of(condition: &Condition, order: usize) -> bool {
@@ -154,14 +144,14 @@ fn is_shown(condition: &Condition, order: usize) -> bool {
     is_of(condition, order) && !is_alone(condition)
 }
 
-/// The coefficient that a condition fixes, and its value.
-fn solved<'a>(question: &'a Question, condition: &Condition) -> Option<(Variable, &'a Polynomial)> {
+/// The coefficient that a condition fixes, with its value.
+fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation> {
     let unknown = match condition.harmonic {
         1 => Variable::indexed("d", condition.order.checked_sub(1)?),
         k => coefficient_name(usize::try_from(k).ok()?, usize::try_from(condition.order).ok()?),
     };
     let value = question.open.solution().get(&unknown)?;
-    Some((unknown, value))
+    Some(substituted(Statement::equal(Name::from(&unknown), value)))
 }
 
 /// Puts fractions for all letters into the ansatz, with the orders below as they were found, and compares what the equation

@@ -21,7 +21,7 @@ fn other(question: &Question) -> Gauge {
 
 pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
     let other = Solution::new(&question.oscillator, question.order, &other(question), &Watch::none())?;
-    let mut step = DerivationStep::new("A second gauge")
+    let mut step = DerivationStep::new("second-gauge", "A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {
         let name = Name::from(&coefficient_name(1, n));

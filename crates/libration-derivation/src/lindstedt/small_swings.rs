@@ -9,7 +9,7 @@ use libration::algebra::Rational;
 pub(super) fn equation_of_motion(question: &Question) -> Result<DerivationStep, DerivationError> {
     let variable = Formula::from(&question.variable);
     let acceleration = Formula::from(question.variable.clone().prime().prime());
-    let mut step = DerivationStep::new("The equation of motion")
+    let mut step = DerivationStep::new("equation-of-motion", "The equation of motion")
         .say(
             "The oscillator is given by its equation of motion, with a prime for a derivative with respect to the time {}:",
             [letter("t")],
@@ -57,7 +57,7 @@ pub(super) fn taylor(question: &Question) -> Result<DerivationStep, DerivationEr
     }
     let statement = Statement::equal(question.restoring_force(), series);
     let equation = same_series_where(&question.displacement, with_linear.len(), &given, statement)?;
-    let mut step = DerivationStep::new("The Taylor step")
+    let mut step = DerivationStep::new("taylor", "The Taylor step")
         .say(
             "Perturbation theory needs the force as a power series. Up to the order at which the derivation stops, the restoring \
              force over the square of {} is",

@@ -1,13 +1,14 @@
 //! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
 
 use super::super::check::CheckedEquation;
-use super::super::document::{Block, Derivation, DerivationTable};
+use super::super::document::{Block, Cells, Derivation, DerivationTable};
+use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::html;
 use super::super::typeset::layout::{Layout, Style};
 use super::super::typeset::lines::{self, Lines};
 use super::super::typeset::mathml;
-use super::{sentence, write_blocks};
+use super::{Place, sentence, write_blocks};
 
 const STYLE: &str = "
 :root { color-scheme: light dark; --ink: #1c1c1c; --paper: #fdfcf9; --soft: #6b6b6b; --line: #d9d5cb; --tick: #2c7a3f }
@@ -19,7 +20,11 @@ body { max-width: 44rem; margin: 3rem auto; padding: 0 1.2rem; color: var(--ink)
 h1 { font-size: 1.7rem; line-height: 1.25 }
 h2 { font-size: 1.2rem; margin-top: 2.4rem; border-top: 1px solid var(--line); padding-top: 1rem }
 math { font-size: 1.06em }
-.formula { overflow-x: auto; overflow-y: hidden; padding: .3rem 0; text-align: center }
+.formula { display: flex; align-items: center; padding: .3rem 0 }
+.formula math { flex: 1; overflow-x: auto; overflow-y: hidden }
+.number, h2 a { color: var(--soft); text-decoration: none }
+.number { font-size: .82rem; padding-left: .6rem }
+.number:hover, h2 a:hover, .formula:target .number { color: var(--tick) }
 .formula mtd { padding: .25em .1em }
 .formula mtd:first-child { text-align: right }
 .formula mtd + mtd { text-align: left }
@@ -31,6 +36,10 @@ table { border-collapse: collapse; margin: 1rem auto .4rem; font-size: .92rem; f
 th, td { padding: .2rem .7rem; text-align: right; white-space: nowrap }
 thead th { border-bottom: 1px solid var(--ink); font-weight: normal }
 tbody tr + tr td { border-top: 1px solid var(--line) }
+.formulas td + td, .formulas th { text-align: left; white-space: normal }
+details { border-left: 3px solid var(--line); padding-left: 1rem; margin: .5rem 0 }
+summary { color: var(--soft); font-size: .92rem; cursor: pointer }
+.answers { break-before: page; margin-top: 5rem }
 ";
 
 /// The derivation as a page that stands alone.
@@ -42,21 +51,37 @@ pub fn to_html(derivation: &Derivation) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
     );
-    write_blocks(&mut page, "", &derivation.introduction, block);
-    for (n, step) in derivation.steps.iter().enumerate() {
-        page.push_str(&format!("<h2>{}. {}</h2>\n", n + 1, html(&step.heading)));
-        write_blocks(&mut page, "", &step.blocks, block);
+    write_blocks(&mut page, "", Place::INTRODUCTION, &derivation.introduction, block);
+    let mut answers = "<h1 class=\"answers\" id=\"answers\">Answers</h1>\n";
+    for (place, step) in Place::steps(derivation) {
+        let Place { id, step: number, is_answer } = place;
+        if is_answer {
+            page.push_str(std::mem::take(&mut answers));
+        }
+        let own = if is_answer { format!("answers-{id}") } else { id.to_owned() };
+        let heading = html(&step.heading);
+        page.push_str(&format!(
+            "<section id=\"{own}\">\n<h2><a href=\"#{id}\">{number}.</a> {heading}</h2>\n"
+        ));
+        write_blocks(&mut page, "", place, &step.blocks, block);
+        page.push_str("</section>\n");
     }
     page.push_str("</body>\n</html>\n");
     page
 }
 
-fn block(block: &Block) -> String {
+fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
         Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
-        Block::Equation(it) => equation(it),
+        Block::Equation { number, equation: it } => equation(place, *number, it),
+        Block::Exercise { number, statement: it } => formula(place, *number, it),
         Block::Table(it) => table(it),
+        Block::Details { summary, blocks } => {
+            let mut inside = String::new();
+            write_blocks(&mut inside, "", place, blocks, self::block);
+            format!("<details>\n<summary>{}</summary>\n{inside}</details>", html(summary))
+        }
     }
 }
 
@@ -64,17 +89,24 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
 }
 
-fn equation(equation: &CheckedEquation) -> String {
-    let Lines { left, right } = lines::statement(equation.statement());
+fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> String {
+    let class = if equation.check().is_computed() { "check computed" } else { "check" };
+    let check = prose(&equation.check().to_prose());
+    format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement()))
+}
+
+/// A displayed formula with its number, which is a link to it.
+fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+    let Lines { left, right } = lines::statement(statement);
     let inside = match right.as_slice() {
         [] => mathml(&left),
         [line] => format!("<mrow>{}{}</mrow>", mathml(&left), mathml(line)),
         lines => aligned(&left, lines),
     };
-    let class = if equation.check().is_computed() { "check computed" } else { "check" };
+    let (id, numeral) = (format!("{}.{number}", place.id), place.number(number));
+    let own = if place.is_answer { String::new() } else { format!(" id=\"{id}\"") };
     format!(
-        "<div class=\"formula\"><math display=\"block\">{inside}</math></div>\n<p class=\"{class}\">{}</p>",
-        prose(&equation.check().to_prose())
+        "<div class=\"formula\"{own}><math display=\"block\">{inside}</math><a class=\"number\" href=\"#{id}\">({numeral})</a></div>"
     )
 }
 
@@ -93,7 +125,8 @@ fn table(table: &DerivationTable) -> String {
     };
     let rows: String = table.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", row))).collect();
     format!(
-        "<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n<p class=\"check\">{}</p>",
+        "<div class=\"wide\"><table{}>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n<p class=\"check\">{}</p>",
+        if table.cells == Cells::Formulas { " class=\"formulas\"" } else { "" },
         cells("th", &table.head),
         prose(&table.note)
     )

@@ -1,13 +1,15 @@
-//! Derivations as a LaTeX document that needs amsmath alone.
+//! Derivations as a LaTeX document that needs amsmath and array alone.
 
-use super::super::document::{Block, Derivation, DerivationTable};
+use super::super::document::{Block, Cells, Derivation, DerivationTable};
+use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::latex_text;
 use super::super::typeset::{inline_latex, statement_latex};
-use super::{sentence, write_blocks};
+use super::{Place, sentence, write_blocks};
 
 const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
 \\usepackage{amsmath}
+\\usepackage{array}
 \\setlength{\\parindent}{0pt}
 \\setlength{\\parskip}{0.6em}
 \\setlength{\\textwidth}{15cm}
@@ -25,26 +27,43 @@ pub fn to_latex(derivation: &Derivation) -> String {
     let mut text = HEAD.to_owned();
     text.push_str(&format!("\\title{{{}}}\n\\author{{}}\n\\date{{}}\n", latex_text(&derivation.title)));
     text.push_str("\\begin{document}\n\\maketitle\n");
-    write_blocks(&mut text, "\n", &derivation.introduction, block);
-    for step in &derivation.steps {
-        text.push_str(&format!("\n\\section{{{}}}\n", latex_text(&step.heading)));
-        write_blocks(&mut text, "\n", &step.blocks, block);
+    write_blocks(&mut text, "\n", Place::INTRODUCTION, &derivation.introduction, block);
+    let mut answers = "\n\\clearpage\n\\part*{Answers}\n";
+    for (place, step) in Place::steps(derivation) {
+        if place.is_answer {
+            text.push_str(std::mem::take(&mut answers));
+            text.push_str(&format!("\n\\section*{{{}\\quad {}}}\n", place.step, latex_text(&step.heading)));
+        } else {
+            text.push_str(&format!("\n\\section{{{}}}\n", latex_text(&step.heading)));
+        }
+        write_blocks(&mut text, "\n", place, &step.blocks, block);
     }
     text.push_str("\n\\end{document}\n");
     text
 }
 
-fn block(block: &Block) -> String {
+fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
-        Block::Equation(equation) => format!(
-            "\\[\n{}\n\\]\n\\checked{{{}}}",
-            statement_latex(equation.statement()),
+        Block::Equation { number, equation } => format!(
+            "{}\n\\checked{{{}}}",
+            formula(place, *number, equation.statement()),
             prose(&equation.check().to_prose())
         ),
+        Block::Exercise { number, statement } => formula(place, *number, statement),
         Block::Table(it) => table(it),
+        Block::Details { summary, blocks } => {
+            let mut inside = format!("\\emph{{{}.}}\n", latex_text(summary));
+            write_blocks(&mut inside, "\n", place, blocks, self::block);
+            inside
+        }
     }
+}
+
+/// A displayed formula with its number.
+fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+    format!("\\[\n{}\n\\tag{{{}}}\n\\]", statement_latex(statement), place.number(number))
 }
 
 fn prose(prose: &Prose) -> String {
@@ -56,7 +75,10 @@ fn table(table: &DerivationTable) -> String {
     let rows: String = table.rows.iter().map(|row| line(row)).collect();
     format!(
         "\\begin{{center}}\n\\small\n\\begin{{tabular}}{{{}}}\n{}\\hline\n{rows}\\end{{tabular}}\n\\end{{center}}\n\\checked{{{}}}",
-        "r".repeat(table.head.len()),
+        match table.cells {
+            Cells::Numbers => "r".repeat(table.head.len()),
+            Cells::Formulas => "r>{\\raggedright\\arraybackslash}p{0.72\\textwidth}".to_owned(),
+        },
         line(&table.head),
         prose(&table.note),
     )

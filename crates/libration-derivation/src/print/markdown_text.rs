@@ -2,37 +2,53 @@
 
 use super::super::check::CheckedEquation;
 use super::super::document::{Block, Derivation, DerivationTable};
+use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::markdown;
 use super::super::typeset::{inline_latex, statement_latex};
-use super::{sentence, write_blocks};
+use super::{Place, sentence, write_blocks};
 
 /// The derivation in Markdown: displayed formulas in `math` fences, others between dollars.
 #[must_use]
 pub fn to_markdown(derivation: &Derivation) -> String {
     let mut text = format!("# {}\n", markdown(&derivation.title));
-    write_blocks(&mut text, "\n", &derivation.introduction, block);
-    for (n, step) in derivation.steps.iter().enumerate() {
-        text.push_str(&format!("\n## {}. {}\n", n + 1, markdown(&step.heading)));
-        write_blocks(&mut text, "\n", &step.blocks, block);
+    write_blocks(&mut text, "\n", Place::INTRODUCTION, &derivation.introduction, block);
+    let mut answers = "\n---\n\n## Answers\n";
+    for (place, step) in Place::steps(derivation) {
+        let level = if place.is_answer { "###" } else { "##" };
+        if place.is_answer {
+            text.push_str(std::mem::take(&mut answers));
+        }
+        text.push_str(&format!("\n{level} {}. {}\n", place.step, markdown(&step.heading)));
+        write_blocks(&mut text, "\n", place, &step.blocks, block);
     }
     text
 }
 
-fn block(block: &Block) -> String {
+fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("> {}", prose(it)),
-        Block::Equation(it) => equation(it),
+        Block::Equation { number, equation: it } => equation(place, *number, it),
+        Block::Exercise { number, statement } => formula(place, *number, statement),
         Block::Table(it) => table(it),
+        Block::Details { summary, blocks } => {
+            let mut inside = format!("<details>\n<summary>{}</summary>\n", markdown(summary));
+            write_blocks(&mut inside, "\n", place, blocks, self::block);
+            format!("{inside}\n</details>")
+        }
     }
 }
 
-fn equation(equation: &CheckedEquation) -> String {
+fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> String {
     let check = equation.check();
     let tick = if check.is_computed() { "✓ " } else { "" };
-    let statement = statement_latex(equation.statement());
-    format!("```math\n{statement}\n```\n{tick}{}", prose(&check.to_prose()))
+    format!("{}\n{tick}{}", formula(place, number, equation.statement()), prose(&check.to_prose()))
+}
+
+/// A displayed formula with its number.
+fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+    format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), place.number(number))
 }
 
 fn prose(prose: &Prose) -> String {

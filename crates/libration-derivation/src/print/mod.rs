@@ -8,9 +8,41 @@ pub use html_page::to_html;
 pub use latex_document::to_latex;
 pub use markdown_text::to_markdown;
 
-use super::document::Block;
+use super::document::{Block, Derivation, DerivationStep};
 use super::formula::Formula;
 use super::prose::{Prose, Span};
+
+/// Where a block stands.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    /// The id of its step, or of what it answers.
+    id: &'a str,
+    /// The number of the step; none in the introduction.
+    step: usize,
+    /// Whether it is an answer, and its formulas are to be found elsewhere.
+    is_answer: bool,
+}
+
+impl<'a> Place<'a> {
+    const INTRODUCTION: Self = Self { id: "introduction", step: 0, is_answer: false };
+
+    /// The places of the steps.
+    fn steps(derivation: &'a Derivation) -> impl Iterator<Item = (Self, &'a DerivationStep)> {
+        let place = |is_answer| {
+            move |(n, step): (usize, &'a DerivationStep)| {
+                (Self { id: &step.id, step: n + 1, is_answer }, step)
+            }
+        };
+        let (steps, answers) = (derivation.steps.iter(), derivation.answers.iter());
+        let answers = answers.enumerate().map(place(true)).filter(|(_, step)| !step.blocks.is_empty());
+        steps.enumerate().map(place(false)).chain(answers)
+    }
+
+    /// The number of a formula.
+    fn number(&self, formula: usize) -> String {
+        format!("{}.{formula}", self.step)
+    }
+}
 
 /// A sentence, its texts and its formulas written each in their way.
 fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> String) -> String {
@@ -22,10 +54,16 @@ fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> St
 }
 
 /// Each block on lines of its own, behind this separator.
-fn write_blocks(page: &mut String, separator: &str, blocks: &[Block], written: fn(&Block) -> String) {
+fn write_blocks(
+    page: &mut String,
+    separator: &str,
+    place: Place<'_>,
+    blocks: &[Block],
+    written: fn(Place<'_>, &Block) -> String,
+) {
     for block in blocks {
         page.push_str(separator);
-        page.push_str(&written(block));
+        page.push_str(&written(place, block));
         page.push('\n');
     }
 }

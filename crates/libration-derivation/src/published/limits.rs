@@ -26,7 +26,7 @@ pub(super) fn exact_ratio(trials: &Trials) -> Result<DerivationStep, DerivationE
     let period_series = Statement::equal(ratio(), in_even_powers(&period_in_amplitude(3)));
     let frequency_series =
         Statement::equal(agm(1, cos_half_amplitude()), in_even_powers(&frequency_in_amplitude(3)));
-    Ok(DerivationStep::new("What is approximated")
+    Ok(DerivationStep::new("approximated", "What is approximated")
         .say(
             "The exact ratio is one over the arithmetic–geometric mean of one and the cosine of half the amplitude: the \
              common limit of the two numbers when they are replaced, again and again, by their arithmetic and their geometric \
@@ -42,7 +42,7 @@ pub(super) fn exact_ratio(trials: &Trials) -> Result<DerivationStep, DerivationE
 
 pub(super) fn small_angle_and_bernoulli(trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let bernoulli = number(1) + theta_0().squared() / 16;
-    Ok(DerivationStep::new("Small swings, and Bernoulli")
+    Ok(DerivationStep::new("bernoulli", "Small swings, and Bernoulli")
         .say(
             "With nothing but the first term the period does not depend on the amplitude. What is lost is nearly the next \
              term:",
@@ -74,7 +74,7 @@ pub(super) fn molina(trials: &Trials) -> Result<DerivationStep, DerivationError>
         fraction(7, 15360),
     );
     let formula = quotient().pow(fraction(3, 8));
-    let step = DerivationStep::new("Molina: an exponent from the first term")
+    let step = DerivationStep::new("molina", "Molina: an exponent from the first term")
         .say(
             "Write the force as {} times {}. The second factor is one at the bottom and smallest at the turning point, where \
              it is {}. Replace it, all along the swing, by a power of this smallest value: then the motion is \

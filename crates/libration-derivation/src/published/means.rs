@@ -42,7 +42,7 @@ pub(super) fn kidd_fogg_and_carvalhaes_suppes(
         definitions.push(trials.define(&Name::new(name).index(n), value)?);
     }
     let second = Statement::equal(mean("a", 2), ((number(1) + root()) / 2).squared());
-    Ok(DerivationStep::new("Kidd and Fogg, Carvalhaes and Suppes: steps of the mean")
+    Ok(DerivationStep::new("steps-of-the-mean", "Kidd and Fogg, Carvalhaes and Suppes: steps of the mean")
         .say("The first steps towards the mean are", [])
         .show_all(definitions)
         .say(
@@ -81,7 +81,7 @@ pub(super) fn errors_of_means(trials: &mut Trials) -> Result<DerivationStep, Der
         let length = usize::try_from(2 * power).unwrap_or(0);
         same_series_where(&Name::new("q"), length, &[Given::Function("ϑ", "q", theta_series())], statement)
     };
-    Ok(DerivationStep::new("The errors of the two, exactly")
+    Ok(DerivationStep::new("errors-of-the-mean", "The errors of the two, exactly")
         .say("How far these two are from the exact ratio can be said exactly. With the complete elliptic integral", [])
         .show(integral)
         .show(parameter)
@@ -116,7 +116,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<DerivationStep, Derivation
     let after = Statement::equal(exact_ratio(), rest);
     let formula = number(64) / (16 * (number(1) + root()).squared() - (number(1) - root()).pow(4));
     let collected = Statement::equal(number(1) / (a.clone() - c.clone().squared() / 4), formula.clone());
-    Ok(DerivationStep::new("Bélendez and others: a mean and a series")
+    Ok(DerivationStep::new("belendez", "Bélendez and others: a mean and a series")
         .say("Two steps of the mean leave a gap between the two numbers that is itself small and a square:", [])
         .show(gap)
         .show(trials.compare(as_square)?)

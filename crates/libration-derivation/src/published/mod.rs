@@ -37,6 +37,7 @@ pub fn formulas(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         title: "Where the formulas for the period come from".to_owned(),
         introduction: introduction(),
         steps,
+        answers: vec![],
     })
 }
 

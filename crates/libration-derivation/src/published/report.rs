@@ -93,12 +93,12 @@ pub(super) fn all_at_one_amplitude(trials: &Trials) -> Result<DerivationStep, De
     let note = Prose::text(
         "errors here from the catalogue of formulas, which computes them in as many digits as it takes",
     );
-    Ok(DerivationStep::new("Side by side")
+    Ok(DerivationStep::new("side-by-side", "Side by side")
         .say("All of them at an amplitude of {}, where the exact ratio is {}:", [
             trials.amplitude(),
             rounded(trials.value(&exact_ratio())?.to_f64(), 11, DecimalUnit::One),
         ])
-        .table(DerivationTable { head: head.into(), rows, note })
+        .table(DerivationTable::numbers(head.into(), rows, note))
         .remark(
             "Two steps of the mean, with one square root, are better than any formula with a polynomial here at almost every \
              amplitude; a third step costs another root and is exact to many digits.",

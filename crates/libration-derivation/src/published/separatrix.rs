@@ -36,7 +36,7 @@ pub(super) fn butikov(trials: &Trials) -> Result<DerivationStep, DerivationError
         ln(number(4) / distance()) + ln(2 * distance() / letter("δ")),
         ln(number(8) / letter("δ")),
     );
-    Ok(DerivationStep::new("Butikov: from the separatrix")
+    Ok(DerivationStep::new("butikov", "Butikov: from the separatrix")
         .say(
             "Released just below the upright position, a pendulum spends nearly all its time there. Let {} be its \
              distance from the upright position at the release, {}, and {} that distance later. Over most of the circle it moves \
@@ -100,7 +100,7 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<DerivationStep, Deri
         Prose::text("error"),
         Prose::text("expected"),
     ];
-    Ok(DerivationStep::new("How good it is near the top")
+    Ok(DerivationStep::new("near-the-top", "How good it is near the top")
         .say(
             "The corrections are of the order of the square of {}. The next terms of the elliptic integral near the top give \
              an error of about {}, with {} for the logarithm:",
@@ -110,6 +110,6 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<DerivationStep, Deri
                 letter("L"),
             ],
         )
-        .table(DerivationTable { head, rows, note: Prose::text("computed with 77 digits") })
+        .table(DerivationTable::numbers(head, rows, Prose::text("computed with 77 digits")))
         .remark("At small swings the formula is 40 % too low: it knows the upright position and nothing else.", []))
 }

@@ -28,7 +28,7 @@ pub(super) fn black_vel(trials: &Trials) -> Result<DerivationStep, DerivationErr
         number(1) + theta_0().squared() / 16 + theta_0().pow(4) / 256 + order(theta_0().pow(6)),
     );
     let excess = Statement::equal(fraction(1, 256) - fraction(11, 3072), fraction(1, 3072));
-    Ok(DerivationStep::new("Black and Vel’s one term: a Padé approximant")
+    Ok(DerivationStep::new("black-vel", "Black and Vel’s one term: a Padé approximant")
         .say(
             "Perturbation theory gives the frequency as a series, and the period as one over it. With one correction this \
              is",
@@ -52,7 +52,7 @@ pub(super) fn black_vel(trials: &Trials) -> Result<DerivationStep, DerivationErr
 }
 
 pub(super) fn three_terms(trials: &Trials) -> Result<DerivationStep, DerivationError> {
-    let mut step = DerivationStep::new("More terms").say(
+    let mut step = DerivationStep::new("more-terms", "More terms").say(
         "With more terms of the frequency the error at small amplitudes falls by two powers of {} each time,",
         [theta_0()],
     );
