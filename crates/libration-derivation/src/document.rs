@@ -66,7 +66,7 @@ pub enum Block {
         /// What is found there.
         summary: String,
         /// The parts.
-        blocks: Vec<Block>,
+        blocks: Vec<Self>,
     },
 }
 

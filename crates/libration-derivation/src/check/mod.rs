@@ -72,6 +72,10 @@ pub enum Check {
         /// How many choices.
         choices: usize,
     },
+    /// The same polynomial comes out another way.
+    Polynomials,
+    /// A solution that is put into its equation, below.
+    PutIn,
     /// The digits printed are those of the exact value.
     RoundedDigits,
     /// All sides have the same value, in many digits.

@@ -2,7 +2,7 @@
 
 use super::super::check::DerivationError;
 use super::super::document::{DerivationStep, DerivationTable};
-use super::super::formula::{DecimalUnit, cos, letter, number, rounded};
+use super::super::formula::{DecimalUnit, letter, rounded};
 use super::super::prose::Prose;
 use super::Released;
 use super::accuracy::{amplitude_of, as_given};
@@ -13,8 +13,8 @@ use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSyste
 use libration::watch::Watch;
 
 /// cos Ωt and cos 3Ωt, with the cube of the displacement.
-const HARMONICS: u32 = 2;
-const DEGREE: usize = 3;
+pub(super) const HARMONICS: u32 = 2;
+pub(super) const DEGREE: usize = 3;
 
 /// All solutions for two harmonics, with what is to be thought of each; nothing for a force without a cube, or one
 /// that is not odd, or at an amplitude where solutions coincide.
@@ -30,17 +30,14 @@ pub(super) fn step(
     else {
         return Ok(None);
     };
-    let step = DerivationStep::new("two-harmonics", "The shortcut of two harmonics")
+    let step = DerivationStep::new("two-harmonics", "All solutions for two harmonics")
         .say(
-            "One can also keep the first two harmonics alone, {} and {}, and of the force the terms up to the cube. Then the \
-             conditions for {} and {}, and that the two add up to the amplitude, are three equations for \
-             three unknowns. At the amplitude {} they have the solutions",
+            "At the amplitude {} the three equations for {}, {} and {} have the solutions",
             [
+                as_given(question, &exactly),
                 harmonic_name(1).into(),
                 harmonic_name(3).into(),
-                cos(letter("τ")),
-                cos(number(3) * letter("τ")),
-                as_given(question, &exactly),
+                letter("Δ").squared(),
             ],
         )
         .table(table(&solutions))

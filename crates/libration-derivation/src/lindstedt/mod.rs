@@ -11,6 +11,8 @@ mod question;
 mod second_gauge;
 mod small_swings;
 mod substitution;
+mod three_harmonics;
+mod truncated;
 
 #[cfg(test)]
 mod tests;
@@ -89,7 +91,7 @@ pub fn perturbation_watched(
 type Part = fn(&Question, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
 
 /// All of them, in their order.
-const PARTS: [Part; 8] = [
+const PARTS: [Part; 9] = [
     |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
     |question, _, _| {
         Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?, orders::secular_terms()?])
@@ -98,6 +100,11 @@ const PARTS: [Part; 8] = [
     |question, _, _| Ok(vec![motion::gauge(question)?, motion::solution(question)?]),
     |question, _, _| Ok(vec![amplitude::iteration(question)?, amplitude::physical_relations(question)?]),
     |question, _, _| Ok(vec![second_gauge::comparison(question)?]),
+    |question, _, _| {
+        let step = truncated::step(question)?;
+        let step = step.map(|step| three_harmonics::after(question, step)).transpose()?;
+        Ok(step.into_iter().collect())
+    },
     |question, released, watch| Ok(few_harmonics::step(question, released, watch)?.into_iter().collect()),
     |question, released, watch| Ok(vec![accuracy::step(question, released, watch)?]),
 ];

@@ -12,7 +12,7 @@ use libration::algebra::{Rational, Variable};
 use libration::perturbation::Condition;
 
 /// Choices of fractions for the letters that a condition is checked with.
-const CHOICES: usize = 3;
+pub(super) const CHOICES: usize = 3;
 
 pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let tau = || letter("τ");
@@ -239,7 +239,7 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
 }
 
 /// A small fraction that differs from letter to letter, and is not zero.
-fn fraction_for(variable: &Variable, choice: usize) -> Rational {
+pub(super) fn fraction_for(variable: &Variable, choice: usize) -> Rational {
     let seed = variable.letters().bytes().map(i64::from).sum::<i64>() * 31
         + variable.index().map_or(0, i64::from) * 17;
     let mixed = (seed + i64::try_from(choice).unwrap_or(0) * 7919) % 1009;

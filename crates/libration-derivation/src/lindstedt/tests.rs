@@ -9,10 +9,12 @@ use super::motion::motion;
 use super::orders::check_contributions;
 use super::question::Question;
 use super::substitution::{has_harmonics, solves};
+use super::three_harmonics;
+use super::truncated::Elimination;
 use crate::{Block, Formula, Prose, Span};
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::oscillator::NamedOscillator;
-use libration::perturbation::Gauge;
+use libration::perturbation::{Gauge, TruncatedSystem};
 use libration::quantity::Displacement;
 use libration::watch::Watch;
 
@@ -179,6 +181,39 @@ fn every_contribution_is_checked() {
             let at = usize::try_from(power).unwrap();
             assert!(check_contributions(&question, &right, at).is_ok(), "{key} {power}");
             assert!(check_contributions(&question, &wrong, at).is_err(), "{key} {part} {power} {harmonic}");
+        }
+    }
+}
+
+/// Equations (22) and (23) of the first document, and what they lead to, are compared with the cube of two harmonics.
+#[test]
+fn the_elimination_of_two_harmonics_is_checked() {
+    let question = question("pendulum", 5);
+    let right = || Elimination::new(&question).unwrap();
+    assert!(right().check().is_ok());
+    assert_eq!(right().conditions[0].to_string(), "-8 + a1^2 + a1*a3 + 2*a3^2 + 8*Delta^2");
+    let off = || Polynomial::variable("a3").scaled(&Rational::new(1, 1_000_000).unwrap());
+    let wrong = |change: fn(&mut Elimination, Polynomial)| {
+        let mut elimination = right();
+        change(&mut elimination, off());
+        assert!(elimination.check().is_err());
+    };
+    wrong(|it, off| it.conditions[0] = it.conditions[0].clone() + off);
+    wrong(|it, off| it.conditions[1] = it.conditions[1].clone() + off);
+    wrong(|it, off| it.ratio_squared = it.ratio_squared.clone() + off);
+    wrong(|it, off| it.left = it.left.clone() + off);
+}
+
+#[test]
+fn the_equations_of_three_harmonics_are_checked() {
+    for key in ["pendulum", "duffing", "cubic_quintic"] {
+        let question = question(key, 5);
+        let conditions = TruncatedSystem::new(&question.force, 3, 5).unwrap().conditions();
+        assert!(three_harmonics::check(&question, &conditions).is_ok(), "{key}");
+        for place in 0..3 {
+            let mut wrong = conditions.clone();
+            wrong[place] = wrong[place].clone() + Polynomial::variable("a5");
+            assert!(three_harmonics::check(&question, &wrong).is_err(), "{key} {place}");
         }
     }
 }
