@@ -65,16 +65,23 @@ pub enum Doubt {
     },
 }
 
+// What is said of measured motions is of a damped driven pendulum (A from 0.5 to 1.5), an undamped one driven weakly and strongly, the
+// Hénon–Heiles system at E = 1/12, 1/8 and 1/6, driven Duffing oscillators and coupled quartic ones: 48 starts, of which 27 were
+// regular with 100, 300 and 1000 intervals alike (6 converged), and with 1000 18 chaotic and 3, weakly chaotic ones, undecided.
+
 /// A deviation that grows in proportion to the time doubles, ln 2 = 0.7, in twice the time; next to a resonance it may grow
-/// like the time squared.
+/// like the time squared. Of the regular ones that do not converge the larger rise was at most 1.20 (0.56 to 0.91 with 1000
+/// intervals), of the others at least 13.6 with 100 intervals and 69 with 1000.
 const SLOW_RISE: f64 = 1.5;
 /// Passing once as near to an unstable motion as numbers can be makes e³⁷, and growth in proportion to the time adds
-/// little to that.
+/// little to that. Of the 21 that are not regular 20 had grown by less than e¹⁰⁰ with 100 intervals, 2 with 300, none with 1000; the
+/// regular ones by e^4.1 at most.
 const EXPONENTIAL_GROWTH: f64 = 100.0;
-/// So many standard errors above zero: of the mean of ten blocks Student's t exceeds it by chance in 4 of 10 000 cases.
+/// So many standard errors above zero: of the mean of ten blocks Student's t exceeds it by chance in 4 of 10 000 cases. Of the
+/// regular ones the exponent was up to 4.9 of them above zero, since it falls to zero as (ln t)/t.
 const CERTAIN: f64 = 5.0;
 /// A motion that goes farther than its first half by this factor is not bounded: a steady drift makes two, a motion that has shown all of
-/// itself one.
+/// itself one. Of the bounded ones it was up to 1.44 with 100 intervals, 1.34 with 300 and 1.05 with 1000.
 const WIDER: f64 = 1.5;
 
 /// One measured motion.
