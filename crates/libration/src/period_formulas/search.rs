@@ -7,7 +7,8 @@ use super::maximum::maximum_between;
 use super::swing::SwingAmplitude;
 use crate::quantity::Angle;
 use crate::roots::{Tolerance, zero_between};
-use crate::watch::{Stage, Watch};
+use crate::watch::{Interrupted, Stage, Watch};
+use std::convert::Infallible;
 
 /// To this distance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
 const COORDINATE_TOLERANCE: Tolerance = Tolerance::absolute(4e-15);
@@ -56,18 +57,37 @@ impl ErrorTable {
     /// The table of these formulas; about 20 ms each.
     #[must_use]
     pub fn new(formulas: &[PeriodFormula]) -> Self {
+        let Ok(table) = Self::filled(formulas, |_| Ok::<(), Infallible>(()));
+        table
+    }
+
+    /// [`new`](Self::new), asking `watch` after each of the amplitudes.
+    ///
+    /// # Errors
+    /// It was stopped.
+    pub fn new_watched(formulas: &[PeriodFormula], watch: &Watch<'_>) -> Result<Self, Interrupted> {
+        watch.begin(Stage::Whole, Some(grid::points().len()));
+        Self::filled(formulas, |done| watch.reached(done))
+    }
+
+    /// Asks whether to go on when so many amplitudes are done.
+    fn filled<E>(
+        formulas: &[PeriodFormula],
+        mut go_on: impl FnMut(usize) -> Result<(), E>,
+    ) -> Result<Self, E> {
         let points = grid::points();
         let mut curves: Vec<Curve> =
             formulas.iter().map(|formula| Curve { formula: formula.clone(), errors: Vec::new() }).collect();
-        for &u in &points {
+        for (done, &u) in (1..).zip(&points) {
             let amplitude = amplitude_at(u);
             let mut exact = Exact::new(amplitude);
             for curve in &mut curves {
                 let error = curve.formula.error_beside(amplitude, &mut exact);
                 curve.errors.push(error);
             }
+            go_on(done)?;
         }
-        Self { points, curves }
+        Ok(Self { points, curves })
     }
 
     /// The formulas of the table, in its order.

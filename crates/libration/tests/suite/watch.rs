@@ -9,6 +9,7 @@ use libration::expression::Equation;
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration::oscillator::Oscillator;
+use libration::period_formulas::{ErrorTable, catalogue};
 use libration::perturbation::{
     EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, TruncatedSystem, TruncatedSystemError,
     expand, expand_watched, restoring_force,
@@ -196,5 +197,14 @@ fn lyapunov_exponents_stop_with_the_intervals_until_then() {
             (Err(LyapunovError::Nothing(_) | LyapunovError::Integration(_)), _) => true,
             _ => false,
         },
+    );
+}
+
+#[test]
+fn tables_of_errors_stop_at_any_question() {
+    let formulas = &catalogue()[..2];
+    stops(
+        |watch| ErrorTable::new_watched(formulas, watch).map(|table| table.crossovers(0, 1)),
+        |found, _| *found == Err(Interrupted),
     );
 }

@@ -1,5 +1,6 @@
 //! Which formula overtakes which, and at which amplitude.
 
+use super::error_table::error_table;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::description::Answers;
@@ -8,7 +9,7 @@ use crate::output::json::{self, Record};
 use crate::output::progress::ProgressLine;
 use crate::output::table::Table;
 use crate::output::{Form, csv, number};
-use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
+use libration::period_formulas::{Crossover, PeriodFormula};
 use libration::watch::{Progress, Watch};
 use std::cell::RefCell;
 use std::io::Write;
@@ -17,13 +18,13 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     if formulas.len() < 2 {
         return Err(Failure::usage("--formulas", "crossovers are between formulas: name at least two"));
     }
-    interrupt::listen()?;
+    let table = error_table(formulas)?;
     let line = RefCell::new(ProgressLine::new());
     let ask = |Progress { done, of, .. }: Progress| {
         line.borrow_mut().show(|| format!("{done} of {} pairs of formulas", of.unwrap_or(done)));
         interrupt::go_on()
     };
-    let mut crossovers = ErrorTable::new(formulas).all_crossovers_watched(&Watch::new(&ask));
+    let mut crossovers = table.all_crossovers_watched(&Watch::new(&ask));
     drop(line);
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
     let fields = of_crossover();
