@@ -295,3 +295,41 @@ fn times_of_a_gate_are_no_trace() {
         assert!(refused.contains("libration fit gates"), "{refused}");
     }
 }
+
+#[test]
+fn what_an_option_got_wrong_is_not_blamed_on_the_file() {
+    let (lengths, gate) = (example("lengths_synthetic.csv"), example("gate_synthetic.csv"));
+    for (question, blamed, reason) in [
+        (format!("fit lengths {lengths} --amplitude 200deg"), "--amplitude: ", "not below pi"),
+        (format!("fit gates {gate} --amplitude 200deg"), "--amplitude: ", "not below pi"),
+        (format!("fit gates {gate} --amplitude 0"), "--amplitude: ", "above zero"),
+        (format!("fit gates {gate} --length 1m --diameter 3m"), "gate: ", "would reach the pivot"),
+        (format!("fit gates {gate} --length 1m --bob-radius 1m"), "gate: ", "would reach the pivot"),
+        (
+            format!("fit gates {gate} --length 1m --bob-radius 1cm --gate-distance 40m"),
+            "gate: ",
+            "does not pass",
+        ),
+    ] {
+        let refused = libration(&question);
+        assert_eq!(refused.status.code(), Some(1), "{question}");
+        let message = message(&refused);
+        assert!(message.contains(&format!("error: {blamed}")) && message.contains(reason), "{message}");
+    }
+    let bob = message(&libration(&format!("fit lengths {lengths} --bob-radius 0.25m")));
+    assert!(bob.contains("reaches the pivot"), "{bob}");
+}
+
+#[test]
+fn nothing_counts_twice() {
+    let swing = example("swing_synthetic.csv");
+    let model = libration(&format!("fit trace {swing} --model dry+linear+dry"));
+    assert_eq!(model.status.code(), Some(2));
+    assert!(message(&model).contains("dry damping is in the sum twice"), "{}", message(&model));
+    let file = message(&libration(&format!("fit trace {swing} {swing} --model linear")));
+    assert!(file.contains("the same rows"), "{file}");
+    let pair = "--correlation length,rod-mass=0.9 --correlation rod-mass,length=-0.9";
+    let rod = "--length 1.0(1)m --bob-mass 1kg --rod-mass 5(1)g";
+    let twice = message(&libration(&format!("fit trace {swing} --model linear {rod} {pair}")));
+    assert!(twice.contains("two correlations of rod mass and length"), "{twice}");
+}

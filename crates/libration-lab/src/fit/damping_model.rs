@@ -18,10 +18,19 @@ use libration::decay::DampingKind;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DampingModel([bool; 3]);
 
-/// A name of no kind of damping.
+/// Why a text is not a damping model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is not a damping model: give undamped, dry, linear, quadratic, or a sum such as dry+linear")]
-pub struct DampingModelError(String);
+#[non_exhaustive]
+pub enum DampingModelError {
+    /// A name of no kind of damping.
+    #[error(
+        "`{0}` is not a damping model: give undamped, dry, linear, quadratic, or a sum such as dry+linear"
+    )]
+    Unknown(String),
+    /// A kind that the sum has twice.
+    #[error("{} damping is in the sum twice: name each kind once, such as dry+linear", .0.name())]
+    Repeated(DampingKind),
+}
 
 impl DampingModel {
     /// No damping at all.
@@ -100,7 +109,11 @@ impl FromStr for DampingModel {
         let mut terms = Self::UNDAMPED;
         for name in text.split('+').map(str::trim) {
             let place = DampingKind::ALL.iter().position(|term| term.name().eq_ignore_ascii_case(name));
-            let place = place.ok_or_else(|| DampingModelError(libration::quantity::excerpt(name)))?;
+            let place =
+                place.ok_or_else(|| DampingModelError::Unknown(libration::quantity::excerpt(name)))?;
+            if terms.0[place] {
+                return Err(DampingModelError::Repeated(DampingKind::ALL[place]));
+            }
             terms.0[place] = true;
         }
         Ok(terms)
@@ -118,6 +131,18 @@ impl serde::Serialize for DampingModel {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_kind_is_named_once() {
+        let read = |text: &str| text.parse::<DampingModel>();
+        assert_eq!(read("dry+Dry"), Err(DampingModelError::Repeated(DampingKind::Dry)));
+        assert_eq!(
+            read("quadratic+linear+quadratic"),
+            Err(DampingModelError::Repeated(DampingKind::Quadratic))
+        );
+        assert_eq!(read("dry+"), Err(DampingModelError::Unknown(String::new())));
+        assert_eq!(read("quadratic+dry+linear").map(DampingModel::count), Ok(3));
+    }
 
     #[test]
     fn models_are_listed_as_alternatives() {

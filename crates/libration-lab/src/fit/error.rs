@@ -94,6 +94,17 @@ pub enum FitError {
         "the lengths are all the same, which does not determine their offset: measure with different lengths"
     )]
     EqualLengths,
+    /// A bob that reaches to the pivot where the lengths, with their offset, are shortest.
+    #[error(
+        "a bob of radius {radius:?} m reaches the pivot of the shortest pendulum, whose centre the periods put {distance:.4} m \
+         below it: check the radius and the unit of the lengths"
+    )]
+    BobTooLarge {
+        /// In metres.
+        radius: f64,
+        /// From the pivot to the centre of the bob, in metres.
+        distance: f64,
+    },
     /// A bob with which no offset explains the periods.
     #[error(
         "with a bob of radius {radius:?} m no offset of the lengths explains the periods: check the radius"

@@ -1,15 +1,18 @@
 //! Cycles of traces with known truth: made by the integrator, with noise, quantised, sampled coarsely, with outliers and gaps.
 
 use libration::pendulum::Pendulum;
+use libration::watch::{Interrupted, Progress, Watch};
 use libration_lab::fit::cycles::{
-    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, are_radians, beta_of_traces, beyond_a_turn,
-    cycles,
+    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, are_radians, beta_of_traces,
+    beta_of_traces_watched, beyond_a_turn, cycles, cycles_watched,
 };
 use libration_lab::fit::trace::DampingKind;
 use libration_lab::measurement::{Seen, Trace};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
+use std::cell::Cell;
+use std::ops::ControlFlow;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -421,4 +424,31 @@ fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
     assert!(!counts.in_degrees, "{counts}");
     let velocities = Synthetic { seen: Seen::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
     assert_eq!(beyond_a_turn(&velocities.trace(&mut Random::seeded(1))), None);
+}
+
+/// At the first question, at the last, and between: of passages and extremes, and of the fits.
+#[test]
+fn cycles_stop_at_any_question() {
+    let trace = Synthetic { noise: 0.002, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
+    let asked_until = |last: usize| {
+        let questions = Cell::new(0);
+        let ask = |_: Progress| {
+            questions.set(questions.get() + 1);
+            if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = cycles_watched(&trace, &CyclesOptions::default(), &Watch::new(&ask));
+        (found, questions.get())
+    };
+    let (whole, questions) = asked_until(usize::MAX);
+    assert!(questions > 100, "{questions}");
+    assert_eq!(whole.unwrap().cycles, found_in(&trace).cycles);
+    for last in [1, 2, questions / 4, questions / 2, questions - 1, questions] {
+        let (found, asked) = asked_until(last);
+        assert_eq!((found.err(), asked), (Some(CyclesError::Interrupted(Interrupted)), last));
+    }
+    let traces = [trace.clone(), trace];
+    let all = traces.each_ref().map(|trace| cycles(trace, &CyclesOptions::default()));
+    let ask = |_: Progress| ControlFlow::Break(());
+    let beta = beta_of_traces_watched(&traces, &all, &Watch::new(&ask));
+    assert_eq!(beta, Err(CyclesError::Interrupted(Interrupted)));
 }

@@ -3,7 +3,8 @@
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 use libration_lab::fit::gates::{
-    GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source, gates,
+    GateGeometry, GateGeometryError, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source,
+    gates,
 };
 use libration_lab::fit::{Apparatus, BudgetInput};
 
@@ -22,6 +23,11 @@ fn exactly(value: f64) -> Quantity {
 
 /// When the bob blocks and frees a gate at this angle, and whether it blocks it, for 60 s.
 fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
+    edges_from(RELEASE, gate, jitter)
+}
+
+/// The same from another release.
+fn edges_from(release: f64, gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     let equation = format!("theta'' = -{:e}*sin(theta) - 0.02*theta'", OMEGA0 * OMEGA0);
     let event = |edge: f64| Event {
         formula: format!("theta - ({edge:e})").parse().unwrap(),
@@ -31,7 +37,7 @@ fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     let (low, high) = (gate - 0.5 * WIDTH, gate + 0.5 * WIDTH);
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let system = system.with_events(&[event(low), event(high)]).unwrap();
-    let start = Moment { time: 0.0, state: vec![RELEASE, 0.0] };
+    let start = Moment { time: 0.0, state: vec![release, 0.0] };
     let effort = Effort::to_tolerance(1e-12);
     let motion = integrate(&system, &start, &[60.0], &effort).unwrap();
     let mut random = Random::seeded(7);
@@ -136,7 +142,8 @@ fn without_an_amplitude_t0_is_not_known_and_said() {
     let wrong = GateOptions { amplitude: Some(exactly(0.01)), ..GateOptions::default() };
     let fit = gates(&middles(&edges(0.0, 1e-5)), None, &wrong).unwrap();
     assert!(matches!(fit.warnings[..], [GatesWarning::PeriodBelowT0 { .. }]), "{:?}", fit.warnings);
-    let last = fit.cycles.last().unwrap().period;
+    let cycles = &fit.cycles[fit.cycles.len() - 2..];
+    let last = 0.5 * (cycles[0].period + cycles[1].period);
     assert!(fit.warnings[0].to_string().contains(&format!("{last:.3}")), "{}", fit.warnings[0]);
 }
 
@@ -213,14 +220,14 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let about = |value: f64, part: f64| Quantity { value, uncertainty: Some(part * value) };
     let length = about(1.0, 0.004);
     let bob = Apparatus { bob_radius: Some(about(0.0125, 0.003)), ..Apparatus::of_length(length) };
-    let geometry = GateGeometry { apparatus: bob, diameter: None, distance: None };
+    let geometry = GateGeometry::new(bob, None, None).unwrap();
     let width = geometry.width().unwrap();
     assert!(
         (width.value - 0.025).abs() < 1e-15 && (width.uncertainty.unwrap() - 0.025 * 0.005).abs() < 1e-15
     );
-    let nearer = GateGeometry { distance: Some(exactly(0.5)), diameter: Some(exactly(0.02)), ..geometry };
+    let nearer = GateGeometry::new(bob, Some(exactly(0.02)), Some(exactly(0.5))).unwrap();
     assert_eq!(nearer.width(), Some(Quantity { value: 0.04, uncertainty: Some(0.0) }));
-    let unknown = GateGeometry { apparatus: Apparatus::of_length(length), ..geometry };
+    let unknown = GateGeometry::new(Apparatus::of_length(length), None, None).unwrap();
     assert_eq!(unknown.width(), None);
     // T0 has in common with length and radius what they do to the width; with a diameter and a distance of their own, nothing.
     let (times, blocked) = split(&edges(0.0, 1e-5));
@@ -232,4 +239,72 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     // Opposite signs, in the proportion of the uncertainties.
     assert!((by_length / by_radius + 4.0 / 3.0).abs() < 1e-9, "{by_length} {by_radius}");
     assert_eq!(fit.correlations(&nearer), []);
+}
+
+#[test]
+fn what_blocks_the_gate_is_below_the_pivot_and_reaches_the_gate() {
+    let apparatus = |radius: Option<f64>| Apparatus {
+        bob_radius: radius.map(exactly),
+        ..Apparatus::of_length(exactly(1.0))
+    };
+    let tried = |radius: Option<f64>, diameter: Option<f64>, distance: Option<f64>| {
+        GateGeometry::new(apparatus(radius), diameter.map(exactly), distance.map(exactly)).map(|_| ())
+    };
+    for (diameter, distance) in [(2.0, None), (0.025, Some(0.0125))] {
+        let refused = tried(None, Some(diameter), distance);
+        let distance = distance.unwrap_or(1.0);
+        assert_eq!(refused, Err(GateGeometryError::ReachesPivot { diameter, distance }));
+        assert_eq!(tried(None, Some(diameter.next_down()), Some(distance)), Ok(()));
+    }
+    assert_eq!(
+        tried(Some(1.5), None, None),
+        Err(GateGeometryError::ReachesPivot { diameter: 3.0, distance: 1.0 })
+    );
+    for distance in [40.0, 1.25, 0.75] {
+        let refused = tried(Some(0.25), None, Some(distance));
+        assert_eq!(refused, Err(GateGeometryError::BobMissesGate { radius: 0.25, length: 1.0, distance }));
+        // A flag above or below the bob is what blocks it.
+        assert_eq!(tried(Some(0.25), Some(0.01), Some(distance)), Ok(()));
+    }
+    assert_eq!(tried(Some(0.25), None, Some(1.25_f64.next_down())), Ok(()));
+    assert_eq!(tried(Some(0.25), None, Some(0.75_f64.next_up())), Ok(()));
+}
+
+/// From 132°, where the period is 1.6 times that of small swings, which most passages have in the end.
+#[test]
+fn passages_of_large_amplitudes_are_no_double_triggers() {
+    let (times, blocked) = split(&edges_from(2.3, 0.0, 1e-6));
+    let fit = gates(&times, Some(&blocked), &with_width()).unwrap();
+    assert_eq!((fit.double_triggers, fit.missed, fit.warnings.len()), (0, 0, 0), "{:?}", fit.warnings);
+    assert!(fit.cycles[0].amplitude.unwrap() > 2.1);
+    agrees(&fit, 1e-3);
+}
+
+/// A gate near the turning point: there the passages of one side come later and later as the amplitude falls, and its periods are
+/// too long, those of the other side too short.
+#[test]
+fn periods_of_one_side_below_t0_are_no_error() {
+    let (times, blocked) = split(&edges_from(0.3, 0.14, 1e-6));
+    let fit = gates(&times, Some(&blocked), &with_width()).unwrap();
+    let t0 = fit.t0.unwrap();
+    let below = |period: f64| t0.value - 3.0 * t0.uncertainty > period + 6.0 * fit.timing;
+    assert!(fit.cycles.iter().any(|cycle| below(cycle.period)), "no period of one side is below {t0:?}");
+    assert_eq!(fit.warnings, []);
+}
+
+#[test]
+fn a_width_that_contradicts_the_exact_law_is_doubted() {
+    let (times, blocked) = split(&edges(0.1, 1e-5));
+    let warned = |factor: f64| {
+        let options = GateOptions { width: Some(exactly(factor * WIDTH)), ..GateOptions::default() };
+        gates(&times, Some(&blocked), &options).unwrap().warnings
+    };
+    assert_eq!(warned(1.0), []);
+    // Below a fortieth nothing is said, though β is many of its uncertainties from 1.
+    assert_eq!(warned(1.02), []);
+    let wide = warned(1.05);
+    let [GatesWarning::BetaNotOne { width_error: Some(part), .. }] = wide[..] else { panic!("{wide:?}") };
+    assert!((part / 0.05 - 1.0).abs() < 0.25, "{part}");
+    let far = warned(0.4);
+    assert!(matches!(far[..], [GatesWarning::BetaNotOne { width_error: None, .. }, ..]), "{far:?}");
 }

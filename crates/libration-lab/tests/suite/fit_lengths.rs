@@ -271,3 +271,20 @@ fn a_bend_the_other_way_is_no_bob() {
     assert!(found.contains(&LengthsWarning::Bent { radius: None }), "{found:?}");
     assert!(found.iter().any(|warning| warning.to_string().contains("bends the other way")));
 }
+
+/// Strings with a ball of 25 mm, which is called one of 20 cm: an offset explains the periods, and puts the ball about the pivot.
+#[test]
+fn a_bob_about_its_pivot_is_refused() {
+    let given = [0.15, 0.25, 0.35, 0.45, 0.55];
+    let periods = given.map(|length: f64| TAU * ((length + 0.025) / 9.81).sqrt());
+    let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
+    let table = LengthTable::new(&columns).unwrap();
+    let found = |radius: f64| {
+        let bob_radius = Some(Quantity { value: radius, uncertainty: None });
+        lengths(&table, &LengthsOptions { bob_radius, ..LengthsOptions::default() })
+    };
+    assert!(found(0.025).is_ok());
+    let refused = found(0.2);
+    let Err(FitError::BobTooLarge { radius, distance }) = refused else { panic!("{refused:?}") };
+    assert!(radius > distance && distance < 0.15, "{refused:?}");
+}

@@ -3,14 +3,14 @@
 mod fields;
 mod write;
 
-use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, told};
+use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, one_amplitude, told};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
 use fields::Answer;
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::Budget;
-use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesFit, gates};
+use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -70,9 +70,11 @@ impl FitGates {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let read = self.reading.gate_times(&self.file)?;
         let name = self.file.display().to_string();
-        let fit = gates(&read.times, read.blocked.as_deref(), &self.options());
-        let fit = fit.map_err(|error| Failure::no_answer(&name, error))?;
-        let budget = self.budget(&fit)?;
+        let geometry = self.geometry()?;
+        let options = self.options(geometry.as_ref())?;
+        let fit = gates(&read.times, read.blocked.as_deref(), &options);
+        let fit = fit.map_err(|error| Failure::no_answer(option(&error).unwrap_or(&name), error))?;
+        let budget = self.budget(&fit, geometry.as_ref())?;
         let drawn = match &self.figure {
             Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?],
             None => vec![],
@@ -84,27 +86,33 @@ impl FitGates {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn options(&self) -> GateOptions {
+    fn options(&self, geometry: Option<&GateGeometry>) -> Result<GateOptions, Failure> {
         let signals = self.signals.map(|signals| match signals {
             Signals::Edges => GateSignals::Edges,
             Signals::Passages => GateSignals::Passages,
         });
-        let amplitude =
-            self.amplitude.map(|angle| Quantity { value: angle.abs().radians(), uncertainty: None });
-        GateOptions { signals, width: self.geometry().and_then(|geometry| geometry.width()), amplitude }
+        let amplitude = self.amplitude.as_ref().map(one_amplitude).transpose()?;
+        let amplitude = amplitude.map(|it| Quantity { value: it.angle().radians(), uncertainty: None });
+        Ok(GateOptions { signals, width: geometry.and_then(GateGeometry::width), amplitude })
     }
 
     /// None without a length.
-    fn geometry(&self) -> Option<GateGeometry> {
-        let apparatus = self.apparatus.apparatus()?;
-        Some(GateGeometry { apparatus, diameter: self.diameter, distance: self.gate_distance })
+    fn geometry(&self) -> Result<Option<GateGeometry>, Failure> {
+        let Some(apparatus) = self.apparatus.apparatus() else { return Ok(None) };
+        let geometry = GateGeometry::new(apparatus, self.diameter, self.gate_distance);
+        geometry.map(Some).map_err(|error| Failure::no_answer("gate", error))
     }
 
-    fn budget(&self, fit: &GatesFit) -> Result<Option<Budget>, Failure> {
-        let Some(geometry) = self.geometry() else { return Ok(None) };
+    fn budget(&self, fit: &GatesFit, geometry: Option<&GateGeometry>) -> Result<Option<Budget>, Failure> {
+        let Some(geometry) = geometry else { return Ok(None) };
         let (angle_scale, clock) = (self.apparatus.angle_scale(), self.apparatus.clock());
         let correlations = self.apparatus.correlations();
-        fit.gravity(&geometry, angle_scale, clock, self.damping.damping(), correlations)
+        fit.gravity(geometry, angle_scale, clock, self.damping.damping(), correlations)
             .map_err(|error| Failure::no_answer("gravity", error))
     }
+}
+
+/// Which option is to blame, and not the file.
+fn option(error: &GatesError) -> Option<&'static str> {
+    matches!(error, GatesError::NotUsable { name: "amplitude", .. }).then_some("--amplitude")
 }

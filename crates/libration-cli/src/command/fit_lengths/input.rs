@@ -2,6 +2,7 @@
 
 use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
+    one_amplitude,
 };
 use crate::failure::Failure;
 use crate::figure::lengths::Measured;
@@ -86,7 +87,10 @@ impl Input {
                 "a column of amplitudes is given too: leave out one of them",
             )),
             (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
-            (None, amplitude) => Ok(amplitude.map(|angle| exactly(angle.radians())).into_iter().collect()),
+            (None, amplitude) => {
+                let amplitude = amplitude.as_ref().map(one_amplitude).transpose()?;
+                Ok(amplitude.map(|it| exactly(it.angle().radians())).into_iter().collect())
+            }
         }
     }
 

@@ -2,12 +2,13 @@
 
 mod catalogue;
 mod crossovers;
+mod error_table;
 
 use crate::arguments::{self, FormulaChoice};
 use crate::failure::Failure;
 use crate::output::FormOptions;
 use crate::output::description::Answers;
-use libration::period_formulas::{ErrorTable, PeriodFormula};
+use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 use std::io::Write;
 
@@ -53,11 +54,11 @@ impl Formulas {
         formulas: &[PeriodFormula],
         tolerance: f64,
     ) -> Result<Vec<catalogue::Entry>, Failure> {
-        let table = ErrorTable::new(formulas);
+        let table = error_table::error_table(formulas)?;
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
         let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
         let chosen: Vec<&PeriodFormula> = match &self.amplitude {
-            Some(amplitude) => table.simplest(&checked(amplitude)?, tolerance),
+            Some(amplitude) => table.simplest(&arguments::one_amplitude(amplitude)?.angle(), tolerance),
             None => formulas.iter().collect(),
         };
         if chosen.is_empty() {
@@ -71,11 +72,6 @@ impl Formulas {
             .map(|formula| catalogue::Entry::new(formula, holds_to(formula.key())))
             .collect())
     }
-}
-
-fn checked(amplitude: &Angle) -> Result<Angle, Failure> {
-    let amplitude = libration::pendulum::Amplitude::new(*amplitude);
-    amplitude.map(|amplitude| amplitude.angle()).map_err(|error| Failure::no_answer("--amplitude", error))
 }
 
 pub(crate) fn answers() -> Vec<Answers> {

@@ -144,6 +144,10 @@ fn matrix(contributions: &[Contribution], correlations: &[Correlation]) -> Resul
         if row == column || !(-1.0..=1.0).contains(&coefficient) {
             return Err(BudgetError::Correlation { coefficient });
         }
+        if matrix[(row, column)] != 0.0 {
+            let [first, second] = between.map(BudgetInput::name);
+            return Err(BudgetError::CorrelationRepeated { first, second });
+        }
         matrix[(row, column)] = coefficient;
         matrix[(column, row)] = coefficient;
     }
@@ -173,6 +177,18 @@ mod tests {
         assert!((found.standard - 1.03).abs() < 5e-3 && (found.degrees_of_freedom - 19.0).abs() < 0.05);
         // 18.98, cut down to 18 (the Guide, table G.2, 95 %).
         assert!((found.coverage_factor() - 2.10).abs() < 5e-3, "{}", found.coverage_factor());
+    }
+
+    #[test]
+    fn a_pair_has_one_correlation() {
+        let inputs = [BudgetInput::Length, BudgetInput::Period, BudgetInput::Clock];
+        let contributions = inputs.map(|input| Contribution::judged(input, 1.0, Some(1.0), 1.0));
+        let both = |a: usize, b: usize| Correlation { between: [inputs[a], inputs[b]], coefficient: 0.5 };
+        let found =
+            |pairs: &[Correlation]| CombinedUncertainty::new(contributions.to_vec(), pairs).map(|_| ());
+        let repeated = BudgetError::CorrelationRepeated { first: inputs[1].name(), second: inputs[0].name() };
+        assert_eq!(found(&[both(0, 1), both(1, 0)]), Err(repeated));
+        assert_eq!(found(&[both(0, 1), both(1, 2), both(0, 2)]), Ok(()));
     }
 
     #[test]

@@ -78,6 +78,17 @@ pub enum BudgetError {
         /// What was got.
         coefficient: f64,
     },
+    /// A pair of inputs with two coefficients.
+    #[error(
+        "there are two correlations of {first} and {second}: give one; that of a period with the sizes it was found with is \
+         computed"
+    )]
+    CorrelationRepeated {
+        /// An input.
+        first: &'static str,
+        /// The other one.
+        second: &'static str,
+    },
     /// Correlations that contradict each other.
     #[error("the correlations contradict each other: no inputs can be correlated like this")]
     Correlations,

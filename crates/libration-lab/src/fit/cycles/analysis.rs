@@ -18,10 +18,12 @@ use crate::fit::Uncertain;
 use crate::measurement::{Seen, Trace};
 use crate::statistics::median;
 use libration::roots::{Tolerance, bisect};
+use libration::watch::{Interrupted, Watch};
 
 /// With fewer rows in a period nothing can be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
-/// Extremes below so many standard deviations of a value end the analysis.
+/// Extremes below so many standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
+/// the noisiest, a swing of three standard deviations, had 25 for none.
 const FAINTEST: f64 = 4.0;
 
 /// The cycles of a trace.
@@ -29,19 +31,44 @@ const FAINTEST: f64 = 4.0;
 /// # Errors
 /// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
 pub fn cycles(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesError> {
-    let mut found = about_a_known_pivot(trace, options)?;
+    cycles_watched(trace, options, &Watch::none())
+}
+
+/// [`cycles`], asking `watch` at each passage and extreme, and at each step of the fits.
+///
+/// # Errors
+/// As [`cycles`], and [`CyclesError::Interrupted`] where it was stopped.
+pub fn cycles_watched(
+    trace: &Trace,
+    options: &CyclesOptions,
+    watch: &Watch<'_>,
+) -> Result<Cycles, CyclesError> {
+    let found = of_pivot_with_errors(trace, options, watch);
+    if watch.is_stopped() { Err(Interrupted.into()) } else { found }
+}
+
+fn of_pivot_with_errors(
+    trace: &Trace,
+    options: &CyclesOptions,
+    watch: &Watch<'_>,
+) -> Result<Cycles, CyclesError> {
+    let mut found = about_a_known_pivot(trace, options, watch)?;
     for error in trace.fitted_pivot().iter().flat_map(|pivot| pivot.errors()) {
-        let moved = about_a_known_pivot(&trace.shifted(&error), options)?;
-        pivot::add(&mut found, moved);
+        let moved = about_a_known_pivot(&trace.shifted(&error), options, watch)?;
+        pivot::add(&mut found, moved, watch);
     }
     Ok(found)
 }
 
 /// The same as if the values were those of the pendulum's angle.
-fn about_a_known_pivot(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesError> {
+fn about_a_known_pivot(
+    trace: &Trace,
+    options: &CyclesOptions,
+    watch: &Watch<'_>,
+) -> Result<Cycles, CyclesError> {
     let swings = swings(trace)?;
     let stretches: Vec<Landmarks> =
-        swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch)).collect();
+        swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch, watch)).collect();
     let turning_points = swings.stretches.iter().map(|stretch| stretch.turns.len().saturating_sub(2)).max();
     let too_short = CyclesError::TooShort { turning_points: turning_points.unwrap_or(0) };
     let longest = stretches.iter().max_by_key(|stretch| stretch.passages.len()).ok_or(too_short.clone())?;
@@ -57,20 +84,20 @@ fn about_a_known_pivot(trace: &Trace, options: &CyclesOptions) -> Result<Cycles,
     }
     let outliers = period_law::outliers(&rows, options.outlier_threshold);
     let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
-    let law = period_law::exact(&kept).ok_or(too_short)?;
+    let law = period_law::exact(&kept, watch).ok_or(too_short)?;
     let cycles =
         rows.iter().enumerate().map(|(k, row)| Cycle::new(row, law.scatter, outliers.contains(&k))).collect();
     let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
-        envelope: envelope(&half_swings, TAU / law.t0.value),
+        envelope: envelope(&half_swings, TAU / law.t0.value, watch),
         half_swings,
         offset: longest.centre.value,
         offset_wander: longest.centre.wander,
         noise: longest.noise,
         t0: law.t0,
         chi2_per_dof: law.chi2_per_dof,
-        beta: period_law::beta(&kept),
+        beta: period_law::beta(&kept, watch),
         warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.seen()),
         rows: kept,
         about_moved_pivot: vec![],

@@ -15,6 +15,7 @@ use crate::fit::Uncertain;
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::{akaike, count};
 use libration::quantity::with_uncertainty;
+use libration::watch::Watch;
 
 /// Laws whose `AICc` differ by less than this are not separated by the data.
 pub const SEPARATED: f64 = 4.0;
@@ -108,11 +109,15 @@ fn named(damping: DampingModel) -> String {
 }
 
 /// The laws through these half swings of a pendulum of this ω0.
-pub(super) fn envelope(half_swings: &[HalfSwing], omega0: f64) -> Result<Envelope, CyclesError> {
+pub(super) fn envelope(
+    half_swings: &[HalfSwing],
+    omega0: f64,
+    watch: &Watch<'_>,
+) -> Result<Envelope, CyclesError> {
     if half_swings.len() < FEWEST {
         return Err(CyclesError::TooFewHalfSwings { found: half_swings.len(), needed: FEWEST });
     }
-    let mut fall = Fall::new(half_swings, omega0);
+    let mut fall = Fall::new(half_swings, omega0, watch);
     let full = DampingModel::all().into_iter().max_by_key(|terms| terms.count()).unwrap_or_default();
     let outliers = fall.drop_outliers(full);
     let curves: Vec<Curve> = DampingModel::all().into_iter().filter_map(|terms| fall.fit(terms)).collect();

@@ -1,5 +1,7 @@
 //! Why a trace has no cycles to measure.
 
+use libration::watch::Interrupted;
+
 /// Why a trace has no cycles to measure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -55,6 +57,9 @@ pub enum CyclesError {
         /// The part of the variance of the T/T0 by the amplitudes that is noise.
         noise_part: f64,
     },
+    /// The callback said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// Too few extremes to tell how the amplitude falls.
     #[error("{} are too few to determine the damping: record at least {needed}", counted(*found, "turning point"))]
     TooFewHalfSwings {

@@ -5,11 +5,16 @@ use super::shape::Shape;
 use super::turning_point::Extreme;
 use super::window::Window;
 
-/// The part of the quarter periods before and after the extreme that is used.
+/// The part of the quarter periods before and after the extreme that is used. With 0.5 amplitudes were less certain by a tenth to a
+/// fifth in 15 of 24 recordings (`mod.rs`), with 0.95 more certain in none.
 const REACH: f64 = 0.75;
-/// From so many points on the swing may be askew, and from so many longer or shorter than the passages say.
+/// From so many points on the swing may be askew: with 2 and 8 nothing changed in any recording.
 const POINTS_FOR_SKEWNESS: usize = 4;
+/// From so many on it may be longer or shorter than the passages say: with 4 the coarsest recording, of ten rows in a period, had
+/// amplitudes and β less certain by a quarter; with 12 β moved by half of its uncertainty in two.
 const POINTS_FOR_LENGTH: usize = 6;
+/// In quarter periods, how far from the middle the extreme may be: with 0.1 and 0.6 nothing changed.
+const FURTHEST: f64 = 0.3;
 
 /// The extreme between the passages at these two times, with the residuals in units of the noise.
 pub(super) fn extreme(
@@ -45,7 +50,7 @@ pub(super) fn extreme(
     // (1 − κx²/2)(a + bx + cx²) is highest at x = b/(κa − 2c).
     let [height, skewness, length] = [0, 1, 2].map(coefficient);
     let bend = shape.curvature() * height - 2.0 * length;
-    let place = if bend * height > 0.0 { (skewness / bend).clamp(-0.3, 0.3) } else { 0.0 };
+    let place = if bend * height > 0.0 { (skewness / bend).clamp(-FURTHEST, FURTHEST) } else { 0.0 };
     let value = shape.near_extreme(place) * (height + place * (skewness + place * length));
     let uncertainty = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt();
     Some((Extreme { time: middle + place * quarter, value, uncertainty }, fit.residuals))

@@ -9,6 +9,7 @@ use super::decay_rates::DecayRates;
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
 use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
+use libration::watch::Watch;
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
@@ -27,6 +28,8 @@ pub(super) struct Fall<'a> {
     pub(super) weights: Vec<f64>,
     /// Steps of the integration are at most this long.
     pub(super) substep: f64,
+    /// Asked at each evaluation of a law.
+    pub(super) watch: &'a Watch<'a>,
 }
 
 /// A law with its parameters: the first amplitude, then the coefficients.
@@ -41,7 +44,7 @@ pub(super) struct Curve {
 
 impl<'a> Fall<'a> {
     /// Of a pendulum of this ω0; no extreme is an outlier.
-    pub(super) fn new(half_swings: &'a [HalfSwing], omega0: f64) -> Self {
+    pub(super) fn new(half_swings: &'a [HalfSwing], omega0: f64, watch: &'a Watch<'a>) -> Self {
         let largest = half_swings.iter().map(|half| half.amplitude.value).fold(0.0, f64::max);
         Self {
             half_swings,
@@ -51,6 +54,7 @@ impl<'a> Fall<'a> {
                 .map(|half| 1.0 / half.amplitude.uncertainty.max(1e-9 * largest))
                 .collect(),
             substep: PI / omega0,
+            watch,
         }
     }
 }
@@ -92,6 +96,7 @@ impl Fall<'_> {
 
     /// What the law says less the amplitudes, over their uncertainties, with its derivatives by differences.
     fn linearised(&self, terms: DampingModel, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
+        self.watch.go_on().map_err(|_| NoResiduals::Stopped)?;
         let fitted = self.amplitudes(terms, parameters.as_slice());
         let residuals = -DVector::from_vec(self.residuals(&fitted));
         let mut jacobian = DMatrix::zeros(fitted.len(), parameters.len());

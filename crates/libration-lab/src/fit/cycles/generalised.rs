@@ -16,6 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::row::Row;
 use crate::statistics::{count, least_squares};
+use libration::watch::Watch;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
@@ -59,7 +60,7 @@ struct Equations<'a> {
 }
 
 /// Coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
-pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Generalised> {
+pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>], watch: &Watch<'_>) -> Option<Generalised> {
     let noise = bands(rows, |one, other| one.noise_with(other, slope));
     let typical = noise.iter().map(|entries| entries[2]).sum::<f64>() / count(rows.len());
     let fluctuation = bands(rows, |one, other| typical * one.half_swings_with(other));
@@ -72,7 +73,10 @@ pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>]) -> Option<Gene
         return Some(equations.described(by_noise, enlarged, chi2_per_dof));
     }
     let ratios = RATIOS.map(|eighths| libm::exp10(f64::from(eighths) / 8.0));
-    let solutions = ratios.filter_map(|ratio| equations.solve(ratio));
+    let solutions = ratios.filter_map(|ratio| {
+        watch.go_on().ok()?;
+        equations.solve(ratio)
+    });
     let best = solutions.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
     match best.filter(|best| best.likelihood > by_noise.likelihood + EVIDENCE) {
         Some(best) => {

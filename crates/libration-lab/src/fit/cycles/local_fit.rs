@@ -3,9 +3,10 @@
 use crate::statistics::{count, weighted_least_squares};
 use nalgebra::{DMatrix, DVector};
 
-/// Rounds of weighting.
+/// Rounds of weighting: with 4 nothing changed in 24 recordings (`mod.rs`), with 16 one uncertainty, by a tenth.
 const ROUNDS: usize = 8;
-/// Points further from the curve than so many standard deviations do not count.
+/// Points further from the curve than so many standard deviations do not count. With 4 β of one recording by an encoder moved by
+/// 0.7 uncertainties and one near the top had an outlier; with 9 one uncertainty changed, by an eighth.
 const CUT: f64 = 6.0;
 
 /// What is fitted: rows of basis functions, the values, and the standard deviation of each.

@@ -6,6 +6,7 @@ use super::generalised::{Generalised, Scatter, fit};
 use super::row::{Row, Side};
 use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::{mean, median, robust_deviation};
+use libration::watch::Watch;
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time.
 const ROUNDS: usize = 5;
@@ -76,15 +77,15 @@ impl Row {
 }
 
 /// T0 under the exact law.
-pub(in crate::fit) fn exact(rows: &[Row]) -> Option<PeriodLaw> {
+pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
-    let found = settled(rows, &columns, 0)?;
+    let found = settled(rows, &columns, 0, watch)?;
     let t0 = Uncertain { value: found.coefficients[0], uncertainty: found.covariance[(0, 0)].sqrt() };
     Some(PeriodLaw { t0, chi2_per_dof: found.chi2_per_dof, scatter: found.scatter })
 }
 
 /// The test of the exact law.
-pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
+pub(in crate::fit) fn beta(rows: &[Row], watch: &Watch<'_>) -> Result<Beta, CyclesError> {
     let excess: Vec<f64> = rows.iter().map(|row| row.ratio - 1.0).collect();
     let high = excess.iter().copied().fold(0.0, f64::max);
     let low = excess.iter().copied().fold(f64::INFINITY, f64::min);
@@ -94,7 +95,7 @@ pub(in crate::fit) fn beta(rows: &[Row]) -> Result<Beta, CyclesError> {
     }
     amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
-    let found = settled(rows, &columns, 1).ok_or(open)?;
+    let found = settled(rows, &columns, 1, watch).ok_or(open)?;
     Ok(Beta::from_line(&found.coefficients, &found.covariance))
 }
 
@@ -109,11 +110,11 @@ fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), Cycle
 }
 
 /// The fit with the weights that belong to one of its coefficients.
-fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize) -> Option<Generalised> {
+fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch<'_>) -> Option<Generalised> {
     let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
     let mut found = None;
     for _ in 0..ROUNDS {
-        let renewed = fit(rows, slope, columns)?;
+        let renewed = fit(rows, slope, columns, watch)?;
         slope = renewed.coefficients[coefficient];
         found = Some(renewed);
     }

@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use super::fall::Fall;
 use super::{Cycles, Envelope, HalfSwing};
+use libration::watch::Watch;
 
 /// Adds the difference to what would be found with the pivot moved by one standard deviation.
-pub(super) fn add(found: &mut Cycles, moved: Cycles) {
+pub(super) fn add(found: &mut Cycles, moved: Cycles, watch: &Watch<'_>) {
     found.t0 = found.t0.with_error(moved.t0.value - found.t0.value);
     found.offset = found.offset.with_error(moved.offset.value - found.offset.value);
     if let (Ok(beta), Ok(moved)) = (&mut found.beta, &moved.beta) {
@@ -14,15 +15,16 @@ pub(super) fn add(found: &mut Cycles, moved: Cycles) {
     }
     if let Ok(envelope) = &mut found.envelope {
         let t0 = moved.t0.value;
-        widen(envelope, &paired(&found.half_swings, &moved.half_swings, 0.25 * t0), TAU / t0);
+        let half_swings = paired(&found.half_swings, &moved.half_swings, 0.25 * t0);
+        widen(envelope, Fall::new(&half_swings, TAU / t0, watch));
     }
     found.about_moved_pivot.push(moved.rows);
 }
 
-/// The coefficients of every law with what they change by when these are the half swings. Which extremes are outliers, and how
+/// The coefficients of every law with what they change by where the amplitude falls like this. Which extremes are outliers, and how
 /// much the others count, stays.
-fn widen(envelope: &mut Envelope, moved: &[HalfSwing], omega0: f64) {
-    let fall = Fall { weights: envelope.weights.clone(), ..Fall::new(moved, omega0) };
+fn widen(envelope: &mut Envelope, moved: Fall<'_>) {
+    let fall = Fall { weights: envelope.weights.clone(), ..moved };
     for fit in &mut envelope.fits {
         let Some(curve) = fall.fit(fit.damping) else { continue };
         for (coefficient, value) in fit.coefficients.iter_mut().zip(&curve.parameters[1..]) {
@@ -31,11 +33,13 @@ fn widen(envelope: &mut Envelope, moved: &[HalfSwing], omega0: f64) {
     }
 }
 
-/// Of each half swing the one of the others at its time; itself where they have none.
+/// Of each half swing the one of the others at its time; itself where they have none. Both are in the order of time.
 fn paired(found: &[HalfSwing], moved: &[HalfSwing], apart: f64) -> Vec<HalfSwing> {
     let distance = |one: &HalfSwing, other: &HalfSwing| (one.time - other.time).abs();
     let pair = |own: &HalfSwing| {
-        let nearest = moved.iter().min_by(|a, b| distance(own, a).total_cmp(&distance(own, b)));
+        let after = moved.partition_point(|half| half.time < own.time);
+        let neighbours = &moved[after.saturating_sub(1)..moved.len().min(after + 1)];
+        let nearest = neighbours.iter().min_by(|a, b| distance(own, a).total_cmp(&distance(own, b)));
         *nearest.filter(|nearest| distance(own, nearest) < apart).unwrap_or(own)
     };
     found.iter().map(pair).collect()

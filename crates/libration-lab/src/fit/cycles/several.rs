@@ -3,6 +3,7 @@
 use super::row::Row;
 use super::{Beta, Cycles, CyclesError, period_law};
 use crate::measurement::{FittedPivot, Trace};
+use libration::watch::{Interrupted, Watch};
 
 /// β and T0 through the cycles of all traces together; those of the only trace where there is one. `cycles` are those of the traces,
 /// one by one.
@@ -14,6 +15,27 @@ use crate::measurement::{FittedPivot, Trace};
 /// That of the first trace where none has cycles; else as for a trace alone: fewer than three cycles, amplitudes that are
 /// all the same or change by too little beside their noise.
 pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) -> Result<Beta, CyclesError> {
+    beta_of_traces_watched(traces, cycles, &Watch::none())
+}
+
+/// [`beta_of_traces`], asking `watch` at each step of the fit.
+///
+/// # Errors
+/// As [`beta_of_traces`], and [`CyclesError::Interrupted`] where it was stopped.
+pub fn beta_of_traces_watched(
+    traces: &[Trace],
+    cycles: &[Result<Cycles, CyclesError>],
+    watch: &Watch<'_>,
+) -> Result<Beta, CyclesError> {
+    let found = of_all_cycles(traces, cycles, watch);
+    if watch.is_stopped() { Err(Interrupted.into()) } else { found }
+}
+
+fn of_all_cycles(
+    traces: &[Trace],
+    cycles: &[Result<Cycles, CyclesError>],
+    watch: &Watch<'_>,
+) -> Result<Beta, CyclesError> {
     let known: Vec<(&Trace, &Cycles)> = traces
         .iter()
         .zip(cycles)
@@ -28,14 +50,14 @@ pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) 
     let rows = |of: &dyn Fn(&Trace, &Cycles) -> Vec<Row>| {
         joined(known.iter().map(|(trace, cycles)| of(trace, cycles)))
     };
-    let found = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()))?;
+    let found = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()), watch)?;
     let errors = pivots(&known).into_iter().flat_map(|pivot| [(pivot, 0), (pivot, 1)]);
     let with_error = |beta: Beta, (pivot, error): (&FittedPivot, usize)| {
         let moved = rows(&|trace, cycles| {
             let own = trace.fitted_pivot().filter(|own| own.is_that_of(pivot));
             own.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
         });
-        period_law::beta(&moved).map_or(beta, |moved| beta.with_error(&moved))
+        period_law::beta(&moved, watch).map_or(beta, |moved| beta.with_error(&moved))
     };
     Ok(errors.fold(found, with_error))
 }

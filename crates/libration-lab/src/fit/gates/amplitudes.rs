@@ -13,6 +13,7 @@ use crate::statistics::median;
 use libration::elliptic::Modulus;
 use libration::quantity::Quantity;
 use libration::roots::{Tolerance, bisect};
+use libration::watch::Watch;
 
 /// What periods with their amplitudes tell.
 pub(super) struct BySpeeds {
@@ -81,8 +82,8 @@ impl Swings {
         /// The width is changed by this part of itself to see what follows it.
         const STEP: f64 = 1e-3;
         let rows = self.rows_by_speeds(amplitudes)?;
-        let law = period_law::exact(&rows)?;
-        let beta = period_law::beta(&rows).ok();
+        let law = period_law::exact(&rows, &Watch::none())?;
+        let beta = period_law::beta(&rows, &Watch::none()).ok();
         let typical = typical_amplitude(rows.iter().map(|row| row.ratio))?;
         // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
         let [below, above] = [1.0 - STEP, 1.0 + STEP]
@@ -91,8 +92,8 @@ impl Swings {
         let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
             Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
         };
-        let t0_by_width = slope(&|rows| Some(period_law::exact(rows)?.t0.value))?;
-        let beta_by_width = slope(&|rows| Some(period_law::beta(rows).ok()?.factor.value));
+        let t0_by_width = slope(&|rows| Some(period_law::exact(rows, &Watch::none())?.t0.value))?;
+        let beta_by_width = slope(&|rows| Some(period_law::beta(rows, &Watch::none()).ok()?.factor.value));
         let spread = width.uncertainty.unwrap_or(0.0);
         let t0 = law.t0.with_error(t0_by_width * spread);
         let part_of_scatter = law.t0.uncertainty * law.t0.uncertainty / (t0.uncertainty * t0.uncertainty);

@@ -108,7 +108,7 @@ impl Swings {
             beta: by_speeds.and_then(|speeds| speeds.beta),
             warnings: vec![],
         };
-        fit.warnings = warning::warnings(&fit, options.width.is_some());
+        fit.warnings = warning::warnings(&fit, both_sides.last().copied(), options.width.is_some());
         fit
     }
 }

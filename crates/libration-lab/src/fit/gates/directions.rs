@@ -4,14 +4,26 @@
 use super::passages::Passage;
 use crate::statistics::median;
 
-/// A passage is accepted within this part of a period.
+// The numbers were varied over 1625 synthetic records: 65 motions released at 3° to 178°, weakly and strongly damped, past gates at
+// the centre and off it; as they were, and with passages missing, doubled, added, without the first ones, and with a jitter of 1 %.
+// What is said of a number is how many of some 75 000 passages were lost, and how many were counted in the wrong place.
+
+/// A passage is accepted within this part of a period. 651 were lost and 765 in the wrong place; with 0.05 1231 and 405, with 0.15
+/// 880 and 2664.
 const TOLERANCE: f64 = 0.1;
-/// The second passage is neither sooner nor later than these parts of a period after the first one.
+/// The second passage is neither sooner nor later than these parts of a period after the first one. From 0.05 on 1459 were in the
+/// wrong place, from 0.2 on 749; from 0.3 on 3984 were lost.
 const BETWEEN: std::ops::RangeInclusive<f64> = 0.1..=0.9;
-/// After so many periods without a passage nothing is said of how many they were.
+/// After so many periods without a passage nothing is said of how many they were. With 5 and 100 the records were sorted alike, but
+/// for some 70 passages; with 2 2814 were lost.
 const LONGEST_GAP: f64 = 20.0;
-/// Pairs of first passages that are tried.
+/// First passages that are tried. With 16 and 64 all were sorted alike, with 4 27 more were lost, with 2 1682.
 const SEEDS: usize = 8;
+/// Second passages that are tried with each.
+const SECONDS: usize = 3;
+/// The first periods, over the typical one: with the typical one alone 8067 were lost, above all from amplitudes beyond 90°, whose
+/// period is longer by far; up to 1.5 783, up to 2 and 4 as many as up to 2.5, which a pendulum has at 170°.
+const FIRST_PERIODS: std::ops::RangeInclusive<f64> = 0.9..=2.5;
 
 /// A passage with its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,18 +47,34 @@ pub(super) struct Sorted {
 
 /// The passages sorted by sides, as most of them fit.
 pub(super) fn sorted(passages: &[Passage]) -> Option<Sorted> {
-    let period = typical_period(passages)?;
-    let seeds = (0..passages.len().saturating_sub(2).min(SEEDS))
-        .flat_map(|first| (first + 1..passages.len().min(first + 4)).map(move |second| (first, second)));
-    let usable = |&(first, second): &(usize, usize)| {
-        BETWEEN.contains(&((passages[second].time - passages[first].time) / period))
-    };
-    let tried = seeds.filter(usable).map(|(first, second)| follow(passages, first, second, period));
+    let typical = typical_period(passages)?;
+    let seeds = (0..passages.len().saturating_sub(2).min(SEEDS)).flat_map(|first| {
+        let seconds = first + 1..passages.len().min(first + 1 + SECONDS);
+        seconds.map(move |second| (first, second))
+    });
+    let tried = seeds.flat_map(|(first, second)| {
+        let part = (passages[second].time - passages[first].time).abs();
+        let periods = first_periods(passages, first, second, typical);
+        let usable = periods.filter(move |period| BETWEEN.contains(&(part / period)));
+        usable.map(move |period| follow(passages, first, second, period))
+    });
     // The earliest of equally good ones.
     tried.fold(None, |best: Option<Sorted>, found| match best {
         Some(best) if best.placed.len() >= found.placed.len() => Some(best),
         _ => Some(found),
     })
+}
+
+/// With which period the passages may begin: the time from the first one to one of the two after the second, and the typical one.
+fn first_periods(
+    passages: &[Passage],
+    first: usize,
+    second: usize,
+    typical: f64,
+) -> impl Iterator<Item = f64> {
+    let begin = passages[first].time;
+    let next = passages[second + 1..].iter().take(2).map(move |passage| passage.time - begin);
+    next.filter(move |period| FIRST_PERIODS.contains(&(period / typical))).chain([typical])
 }
 
 /// The middle one of the times from each passage to the next but one, double triggers left out.
@@ -131,6 +159,20 @@ mod tests {
         let found = sorted(&passages(&times(&[5, 12, 13], &[3.02, 9.61, 10.3]))).unwrap();
         assert_eq!((found.placed.len(), found.spurious, found.missed), (37, 3, 3));
         assert_eq!(found.placed.last().unwrap().turn, 19);
+    }
+
+    /// Half periods that fall from 1.6 to 1 times those of small swings, as from 140° on.
+    #[test]
+    fn periods_that_fall_from_large_amplitudes_are_followed() {
+        let half = |k: i32| 0.5 * (1.0 + 0.6 * libm::exp(-0.06 * f64::from(k)));
+        let mut times = vec![0.0];
+        (0..60).for_each(|k| times.push(times[times.len() - 1] + half(k)));
+        let found = sorted(&passages(&times)).unwrap();
+        assert_eq!((found.placed.len(), found.spurious, found.missed), (61, 0, 0));
+        times.remove(9);
+        times.insert(5, times[4] + 0.02);
+        let found = sorted(&passages(&times)).unwrap();
+        assert_eq!((found.placed.len(), found.spurious, found.missed), (60, 1, 1));
     }
 
     #[test]

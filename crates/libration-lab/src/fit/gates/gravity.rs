@@ -9,24 +9,84 @@ use libration::quantity::Quantity;
 /// The pendulum beside its gate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GateGeometry {
-    /// The pendulum.
-    pub apparatus: Apparatus,
-    /// Of what blocks the gate, in m; twice the radius of the bob where it is not given.
-    pub diameter: Option<Quantity>,
-    /// Of the gate from the pivot, in m; the length of the pendulum where it is not given.
-    pub distance: Option<Quantity>,
+    apparatus: Apparatus,
+    diameter: Option<Quantity>,
+    distance: Option<Quantity>,
+}
+
+/// Why a pendulum cannot stand beside its gate like this.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GateGeometryError {
+    /// What blocks the gate reaches to the pivot.
+    #[error(
+        "a bob or flag of diameter {diameter:?} m that passes a gate {distance:?} m from the pivot would reach the pivot: check the \
+         two lengths and their units"
+    )]
+    ReachesPivot {
+        /// Of what blocks the gate, in m.
+        diameter: f64,
+        /// Of the gate from the pivot, in m.
+        distance: f64,
+    },
+    /// A bob that does not reach the gate, and nothing else that would block it.
+    #[error(
+        "a bob of radius {radius:?} m and {length:?} m from the pivot does not pass a gate {distance:?} m from the pivot: check the \
+         distance of the gate, or give the diameter of the flag that blocks it"
+    )]
+    BobMissesGate {
+        /// Of the bob, in m.
+        radius: f64,
+        /// From the pivot to its centre, in m.
+        length: f64,
+        /// Of the gate from the pivot, in m.
+        distance: f64,
+    },
 }
 
 impl GateGeometry {
-    /// The angle that the bob goes while it blocks the gate, in radians; none where neither diameter nor radius is known.
-    #[must_use]
-    pub fn width(&self) -> Option<Quantity> {
+    /// A pendulum beside its gate: the diameter of what blocks the gate, in m, is twice the radius of the bob where it is not given,
+    /// and the distance of the gate from the pivot, in m, the length of the pendulum.
+    ///
+    /// # Errors
+    /// What blocks the gate reaches to the pivot, or the bob does not reach the gate.
+    pub fn new(
+        apparatus: Apparatus,
+        diameter: Option<Quantity>,
+        distance: Option<Quantity>,
+    ) -> Result<Self, GateGeometryError> {
+        let geometry = Self { apparatus, diameter, distance };
+        let length = apparatus.length.value;
+        let at_gate = geometry.distance().value;
+        if let Some(diameter) = geometry.diameter().map(|diameter| diameter.value)
+            && 0.5 * diameter >= at_gate
+        {
+            return Err(GateGeometryError::ReachesPivot { diameter, distance: at_gate });
+        }
+        if let (Some(radius), None) = (apparatus.bob_radius.map(|radius| radius.value), diameter)
+            && (at_gate - length).abs() >= radius
+        {
+            return Err(GateGeometryError::BobMissesGate { radius, length, distance: at_gate });
+        }
+        Ok(geometry)
+    }
+
+    fn diameter(&self) -> Option<Quantity> {
         let twice = |radius: Quantity| Quantity {
             value: 2.0 * radius.value,
             uncertainty: radius.uncertainty.map(|spread| 2.0 * spread),
         };
-        let diameter = self.diameter.or_else(|| self.apparatus.bob_radius.map(twice))?;
-        let distance = self.distance.unwrap_or(self.apparatus.length);
+        self.diameter.or_else(|| self.apparatus.bob_radius.map(twice))
+    }
+
+    fn distance(&self) -> Quantity {
+        self.distance.unwrap_or(self.apparatus.length)
+    }
+
+    /// The angle that the bob goes while it blocks the gate, in radians; none where neither diameter nor radius is known.
+    #[must_use]
+    pub fn width(&self) -> Option<Quantity> {
+        let (diameter, distance) = (self.diameter()?, self.distance());
         let value = diameter.value / distance.value;
         let uncertainty = Some(value * libm::hypot(relative(diameter), relative(distance)));
         Some(Quantity { value, uncertainty })

@@ -24,7 +24,7 @@ mod gravity;
 
 pub use analysis::gates;
 pub use error::GatesError;
-pub use gravity::GateGeometry;
+pub use gravity::{GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;
 
 use crate::fit::{Beta, Uncertain};

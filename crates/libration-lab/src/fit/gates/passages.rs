@@ -6,6 +6,10 @@ use crate::statistics::median;
 
 /// Intervals between edges that alternate between short and long ones, the short ones below this part of the long ones, are
 /// those of a bob that blocks and frees the gate; a gate off the centre makes a smaller difference.
+///
+/// Of 162 synthetic records of edges, from amplitudes of 6° to 132° past gates up to nineteen twentieths of them, 6 were taken for
+/// passages, all of bobs a third as wide as the amplitude, and of the 162 of passages 30 for edges, all of gates beyond eight
+/// tenths of it; with 0.1 24 and 12, with 0.3 3 and 50.
 const BLOCKED_PART: f64 = 0.2;
 
 /// A passage of the bob.

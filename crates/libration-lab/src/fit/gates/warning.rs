@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{GatesFit, T0Source};
-use crate::fit::{SIGNIFICANT, Uncertain};
+use crate::fit::{Beta, SIGNIFICANT, Uncertain};
 use libration::quantity::rounded;
 
 /// A last period below T0 is believed where it is so by as many standard deviations of a time: a period is the difference of
@@ -37,7 +37,15 @@ pub enum GatesWarning {
     },
     /// T0 needs an amplitude, and there is none.
     NoAmplitude,
-    /// The last period is below T0 by more than both leave open (three uncertainties of T0, six of a time), and no pendulum has
+    /// β [differs from 1](Beta::differs_from_one), by more than a twentieth: R − 1 goes with the square of the amplitude, so that the
+    /// width of the bob, which all speeds are in proportion to, would be wrong by a fortieth.
+    BetaNotOne {
+        /// The number of uncertainties between β and 1.
+        deviation: f64,
+        /// The part by which the width is too large, if [that](Beta::scale_error) can be why.
+        width_error: Option<f64>,
+    },
+    /// The last period, the mean of both sides, is below T0 by more than both leave open (three uncertainties of T0, six of a time), and no pendulum has
     /// a period below that of its small swings.
     PeriodBelowT0 {
         /// In seconds.
@@ -57,6 +65,7 @@ impl GatesWarning {
             Self::MissedPassages { .. } => "missed_passages",
             Self::WidthOfNoUse { .. } => "width_of_no_use",
             Self::NoAmplitude => "no_amplitude",
+            Self::BetaNotOne { .. } => "beta_not_one",
             Self::PeriodBelowT0 { .. } => "period_below_t0",
         }
     }
@@ -83,6 +92,7 @@ impl fmt::Display for GatesWarning {
             Self::NoAmplitude => f.write_str(
                 "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
             ),
+            Self::BetaNotOne { deviation, width_error } => beta_not_one(f, deviation, width_error),
             Self::PeriodBelowT0 { last, t0 } => write!(
                 f,
                 "the last period, {} s, is below T0, {} s, which is impossible for a pendulum: check the amplitude or the width",
@@ -94,7 +104,7 @@ impl fmt::Display for GatesWarning {
 }
 
 /// In the order in which the times are gone through; of a fit with the width of the bob or without.
-pub(super) fn warnings(fit: &GatesFit, has_width: bool) -> Vec<GatesWarning> {
+pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool) -> Vec<GatesWarning> {
     let speeds_failed = has_width && fit.t0_source != Some(T0Source::Speeds);
     [
         (fit.unpaired > 0).then_some(GatesWarning::UnpairedEdges { edges: fit.unpaired }),
@@ -102,15 +112,47 @@ pub(super) fn warnings(fit: &GatesFit, has_width: bool) -> Vec<GatesWarning> {
         (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
         speeds_failed.then_some(GatesWarning::WidthOfNoUse { edges: fit.edges }),
         fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
-        period_below_t0(fit),
+        fit.beta.as_ref().and_then(doubtful_beta),
+        last_period.and_then(|last| period_below_t0(fit, last)),
     ]
     .into_iter()
     .flatten()
     .collect()
 }
 
-fn period_below_t0(fit: &GatesFit) -> Option<GatesWarning> {
-    let (Uncertain { value: t0, uncertainty }, last) = (fit.t0?, fit.cycles.last()?.period);
+fn beta_not_one(f: &mut fmt::Formatter<'_>, deviation: f64, width_error: Option<f64>) -> fmt::Result {
+    write!(
+        f,
+        "β is {} standard uncertainties from 1: the period does not change with the amplitude, as the speeds at the gate give it, as \
+         the exact law says; ",
+        rounded(deviation, 2)
+    )?;
+    match width_error {
+        Some(part) => write!(
+            f,
+            "a width of the bob {} % too {} would do this",
+            rounded(100.0 * part.abs(), 2),
+            if part > 0.0 { "large" } else { "small" }
+        ),
+        None => f.write_str(
+            "check the width of the bob and the distance of the gate from the pivot, and their units",
+        ),
+    }
+}
+
+fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
+    /// Without an error of the width β was within a fiftieth of 1 in synthetic records, or within its uncertainties.
+    const WORTH_A_WORD: f64 = 0.05;
+    let is_doubtful = beta.differs_from_one() && (beta.factor.value - 1.0).abs() > WORTH_A_WORD;
+    is_doubtful.then(|| GatesWarning::BetaNotOne {
+        deviation: beta.deviation(),
+        width_error: beta.scale_error().map(|amplitudes_too_small| -amplitudes_too_small),
+    })
+}
+
+/// With the last period, which is the mean of both sides: that of one side falls or rises with the amplitude at a gate off the centre.
+fn period_below_t0(fit: &GatesFit, last: f64) -> Option<GatesWarning> {
+    let Uncertain { value: t0, uncertainty } = fit.t0?;
     let least = t0 - SIGNIFICANT * uncertainty;
     (least > last + SHORT_BY_TIMINGS * fit.timing).then_some(GatesWarning::PeriodBelowT0 { last, t0 })
 }

@@ -88,10 +88,23 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     }
     // The same that `best` takes.
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
+    check_bob(table, best, radius)?;
     let combined = options.combined(table, best)?;
     let mut fit = LengthsFit { fits, known_gyration: known, combined, warnings: vec![] };
     fit.warnings = warning::warnings(&fit);
     Ok(fit)
+}
+
+/// A bob is below its pivot: above it κ/(L + δ), which the offset was found with, is that of no pendulum.
+fn check_bob(table: &LengthTable, best: &LengthFit, radius: Option<f64>) -> Result<(), FitError> {
+    let Some(radius) = radius else { return Ok(()) };
+    let offset = best.offset.map_or(0.0, |offset| offset.value);
+    let shortest = table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
+    let distance = shortest + offset;
+    match distance < radius {
+        true => Err(FitError::BobTooLarge { radius, distance }),
+        false => Ok(()),
+    }
 }
 
 /// κ of a ball.

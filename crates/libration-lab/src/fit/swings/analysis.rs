@@ -7,7 +7,7 @@ use super::options::SwingsOptions;
 use super::pendulum::pendulum;
 use super::{doubts, improvements};
 use crate::fit::budget::BudgetError;
-use crate::fit::cycles::{self, beta_of_traces};
+use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces_watched, cycles_watched};
 use crate::fit::trace::{TraceFitError, compare, fit_traces};
 use crate::measurement::Trace;
 
@@ -23,8 +23,8 @@ pub enum SwingsError {
     Gravity(#[from] BudgetError),
 }
 
-/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion, and before the
-/// cycles of each trace, and may stop it all.
+/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion, and at each
+/// step to the cycles, and may stop it all.
 ///
 /// # Errors
 /// No motion could be fitted, or there is no gravity with this apparatus.
@@ -40,13 +40,16 @@ pub fn swings(
             (comparison.best().clone(), Some(comparison))
         }
     };
-    let cycles = traces.iter().map(|trace| {
-        watch.go_on().map_err(|_| TraceFitError::Interrupted)?;
-        Ok(cycles::cycles(trace, &cycles::CyclesOptions::default()))
+    let cycles = traces.iter().map(|trace| match cycles_watched(trace, &CyclesOptions::default(), watch) {
+        Err(CyclesError::Interrupted(_)) => Err(TraceFitError::Interrupted),
+        cycles => Ok(cycles),
     });
     let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
     let pendulum = pendulum(&fit, small_angle_period(&fit, comparison.as_ref()), &cycles, options)?;
-    let beta = beta_of_traces(traces, &cycles);
+    let beta = beta_of_traces_watched(traces, &cycles, watch);
+    if watch.is_stopped() {
+        return Err(TraceFitError::Interrupted.into());
+    }
     let mut found = SwingsFit { fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };
     found.warnings = doubts::warnings(&found, traces);
     found.advice = improvements::advice(&found, traces);

@@ -21,6 +21,10 @@ impl<'a> Data<'a> {
         if let Some(beyond) = traces.iter().find_map(cycles::beyond_a_turn) {
             return Err(beyond.into());
         }
+        if let Some([first, second]) = same_rows(traces) {
+            let [first, second] = [first, second].map(|trace| trace.name().to_owned());
+            return Err(TraceFitError::SameRows { first, second });
+        }
         let needed = 2 * parameters / traces.len() + 4;
         match traces.iter().find(|trace| trace.len() < needed) {
             Some(trace) => {
@@ -58,4 +62,11 @@ impl<'a> Data<'a> {
         };
         self.traces.iter().zip(weights.traces()).zip(rows).map(of_trace).sum()
     }
+}
+
+/// Two traces with the same times and values: no instrument writes the same noise twice.
+fn same_rows(traces: &[Trace]) -> Option<[&Trace; 2]> {
+    let same = |one: &Trace, other: &Trace| one.times() == other.times() && one.values() == other.values();
+    let pairs = (0..traces.len()).flat_map(|second| (0..second).map(move |first| [first, second]));
+    pairs.map(|pair| pair.map(|place| &traces[place])).find(|[one, other]| same(one, other))
 }

@@ -19,6 +19,14 @@ pub enum TraceFitError {
         /// How many rows would do.
         needed: usize,
     },
+    /// Two traces with the same rows, which would count as twice as many measurements.
+    #[error("{first} and {second} have the same rows: give each recording once")]
+    SameRows {
+        /// The name of one.
+        first: String,
+        /// The name of the other.
+        second: String,
+    },
     /// No window of the trace obeys the equation of a pendulum.
     #[error(
         "{name} does not look like a pendulum: the equation of motion holds in no part of it; check the columns and the \
