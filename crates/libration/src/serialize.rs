@@ -5,7 +5,7 @@ use std::fmt;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::algebra::{Polynomial, Rational, Surd};
+use crate::algebra::{LaurentPolynomial, Polynomial, Rational, Surd};
 use crate::decay::Damping;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::oscillator::Constant;
@@ -24,7 +24,18 @@ macro_rules! as_text {
     };
 }
 
-as_text!(Rational, Surd, Polynomial, Constant, Displacement, Symbol, Expression, Equation, Gauge);
+as_text!(
+    Rational,
+    Surd,
+    Polynomial,
+    LaurentPolynomial,
+    Constant,
+    Displacement,
+    Symbol,
+    Expression,
+    Equation,
+    Gauge
+);
 
 /// Radians, and the distance to the upright position, which they have lost near the top.
 impl Serialize for Angle {

@@ -40,7 +40,7 @@ pub(crate) use input_file::{read_at_most, read_bytes};
 pub(crate) use keys::KeyOptions;
 pub(crate) use negative::protect_negative_values;
 pub(crate) use one_amplitude::one_amplitude;
-pub(crate) use oscillator::{Asked, Chosen, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, NumbersOrLetters, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, told, what_would_decide};

@@ -3,7 +3,9 @@
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::{Failure, excerpt};
 use libration::expression::{Equation, Expression};
-use libration::oscillator::{NamedOscillator, Oscillator};
+use libration::oscillator::{
+    NamedOscillator, Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError,
+};
 use libration::quantity::{Angle, Displacement, is_angle_name};
 
 /// The oscillator asked about.
@@ -22,14 +24,21 @@ pub(crate) struct OscillatorOptions {
 
 /// An oscillator with the words for it.
 #[derive(Clone, Debug)]
-pub(crate) struct Chosen {
-    pub(crate) oscillator: Oscillator,
+pub(crate) struct Chosen<O = Oscillator> {
+    pub(crate) oscillator: O,
     /// Its key in the catalogue.
     pub(crate) key: Option<&'static str>,
     /// What it is called.
     pub(crate) title: String,
     /// The parameters that have got a value.
     pub(crate) values: Vec<(String, String)>,
+}
+
+/// An oscillator whose parameters have values, or one with letters.
+#[derive(Clone, Debug)]
+pub(crate) enum NumbersOrLetters {
+    Numbers(Chosen),
+    Letters(Chosen<SymbolicOscillator>),
 }
 
 /// An equation of motion with the words for it.
@@ -79,44 +88,98 @@ impl OscillatorOptions {
     }
 
     pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
-        let Asked { equation, about, key, title, values } = self.asked()?;
-        let oscillator = match about {
-            None => Oscillator::new(&equation),
-            Some(place) => Oscillator::about(&equation, &place),
+        let asked = self.asked()?;
+        let oscillator = asked.oscillator().map_err(|error| Failure::no_answer("oscillator", error))?;
+        Ok(asked.with(oscillator))
+    }
+
+    /// The oscillator with values for all its parameters, when none is to stay a letter.
+    pub(crate) fn chosen_without(&self, letters: &[String]) -> Result<Chosen, Failure> {
+        match letters {
+            [] => self.chosen(),
+            _ => Err(Failure::usage(
+                "--letters",
+                format!("values are computed of numbers only: give {} values with --set", letters.join(", ")),
+            )),
+        }
+    }
+
+    /// The oscillator, with letters where parameters have no value; these keep none.
+    pub(crate) fn chosen_with_letters(&self, letters: &[String]) -> Result<NumbersOrLetters, Failure> {
+        let asked = self.asked_with_letters(letters)?;
+        let numbers = match asked.oscillator() {
+            Ok(oscillator) => return Ok(NumbersOrLetters::Numbers(asked.with(oscillator))),
+            Err(error) => error,
         };
-        let oscillator = oscillator.map_err(|error| Failure::no_answer("oscillator", error))?;
-        Ok(Chosen { oscillator, key, title, values })
+        let refusal = |error| Failure::no_answer("oscillator", error);
+        match (asked.symbolic_oscillator(), &numbers) {
+            _ if asked.equation.parameters().is_empty() => Err(refusal(numbers.to_string())),
+            (Ok(oscillator), _) => Ok(NumbersOrLetters::Letters(asked.with(oscillator))),
+            (Err(error), OscillatorError::WithoutValue { .. }) => Err(refusal(error.to_string())),
+            (Err(_), _) => Err(refusal(numbers.to_string())),
+        }
     }
 
     /// The equation, whether it is an oscillator or not.
     pub(crate) fn asked(&self) -> Result<Asked, Failure> {
+        self.asked_with_letters(&[])
+    }
+
+    fn asked_with_letters(&self, letters: &[String]) -> Result<Asked, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
         let given = values(&self.set)?;
         let (equation, key, title) = match &named {
-            Ok(named) => (of_catalogue(named, &given)?, Some(named.key), named.title.to_owned()),
+            Ok(named) => (of_catalogue(named, &given, letters)?, Some(named.key), named.title.to_owned()),
             Err(unknown) if is_like_a_key(&self.oscillator) => {
                 return Err(Failure::usage("OSCILLATOR|EQUATION", unknown));
             }
-            Err(_) => (self.typed(&given)?, None, "an equation of motion".to_owned()),
+            Err(_) => (self.typed(&given, letters)?, None, "an equation of motion".to_owned()),
         };
-        let variable = equation.variables().first().map_or("", String::as_str);
-        let about = self.about.as_deref().map(|text| place(text, variable)).transpose()?;
-        Ok(Asked { equation, about, key, title, values: values_used(named.ok(), &given) })
+        let about = self.about.as_deref().map(|text| place(text, &equation)).transpose()?;
+        let open = equation.parameters();
+        let mut values = values_used(named.ok(), &given);
+        values.retain(|(name, _)| !open.contains(name));
+        Ok(Asked { equation, about, key, title, values })
     }
 
-    fn typed(&self, values: &[(String, Expression)]) -> Result<Equation, Failure> {
+    fn typed(&self, values: &[(String, Expression)], letters: &[String]) -> Result<Equation, Failure> {
         let equation: Equation =
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
-        equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
+        let equation = equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))?;
+        let letters: Vec<&str> = letters.iter().map(String::as_str).collect();
+        equation.parameters_called(&letters).map_err(|error| Failure::usage("--letters", error))?;
+        Ok(equation)
     }
 }
 
-/// A place on the axis of a variable: a formula of numbers, or an angle where the variable is one.
-fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
+impl Asked {
+    fn oscillator(&self) -> Result<Oscillator, OscillatorError> {
+        match &self.about {
+            None => Oscillator::new(&self.equation),
+            Some(place) => Oscillator::about(&self.equation, place),
+        }
+    }
+
+    fn symbolic_oscillator(&self) -> Result<SymbolicOscillator, SymbolicOscillatorError> {
+        match &self.about {
+            None => SymbolicOscillator::new(&self.equation),
+            Some(place) => SymbolicOscillator::about(&self.equation, place),
+        }
+    }
+
+    fn with<O>(self, oscillator: O) -> Chosen<O> {
+        Chosen { oscillator, key: self.key, title: self.title, values: self.values }
+    }
+}
+
+/// A place on the axis of the variable: a formula of numbers and of parameters without value, or an angle where the variable is
+/// one.
+fn place(text: &str, equation: &Equation) -> Result<Expression, Failure> {
     let refusal = |reason: String| Failure::usage("--about", reason);
+    let variable = equation.variables().first().map_or("", String::as_str);
     let formula = text.parse::<Expression>();
     if let Ok(constant) = formula.as_ref()
-        && constant.symbols().is_empty()
+        && constant.symbols().iter().all(|it| it.primes == 0 && equation.parameters().contains(&it.name))
     {
         return Ok(constant.clone());
     }
@@ -139,8 +202,16 @@ fn place(text: &str, variable: &str) -> Result<Expression, Failure> {
     }))
 }
 
-fn of_catalogue(named: &NamedOscillator, values: &[(String, Expression)]) -> Result<Equation, Failure> {
-    named.equation_with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))
+fn of_catalogue(
+    named: &NamedOscillator,
+    values: &[(String, Expression)],
+    letters: &[String],
+) -> Result<Equation, Failure> {
+    // Values first, so that the option that is wrong is the one that is blamed.
+    named.equation_with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))?;
+    let letters: Vec<&str> = letters.iter().map(String::as_str).collect();
+    let equation = named.equation_with_letters(&borrowed(values), &letters);
+    equation.map_err(|error| Failure::usage("--letters", error))
 }
 
 /// The values that were given, and the catalogue's for the other parameters.

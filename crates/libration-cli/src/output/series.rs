@@ -1,9 +1,9 @@
 //! Power series with exact coefficients, to read and in LaTeX.
 
 use super::screen;
-use libration::algebra::Rational;
+use libration::algebra::{LaurentPolynomial, LetterPower, Rational};
 use libration::comparison::Radius;
-use libration::expression::Expression;
+use libration::expression::{Expression, Symbol};
 use libration::perturbation::{Certainty, Precision};
 
 /// How coefficients are written.
@@ -18,6 +18,113 @@ pub(crate) struct Notation {
 pub(crate) enum Style {
     Text,
     Latex,
+    /// As text, with fewer digits of what is no fraction.
+    Sentence,
+}
+
+/// Digits of a number that stands in a sentence.
+const SHORT: usize = 12;
+
+/// What stands before the powers of a series: a fraction, a number in digits, or a formula of letters.
+pub(crate) trait Coefficient: Sized {
+    fn is_zero(&self) -> bool;
+    /// As JSON and CSV have it.
+    fn written(&self, precision: Precision) -> String;
+    /// Whether a minus stands before it, and what follows that; of a product with a power, brackets included.
+    fn split(&self, notation: Notation, in_product: bool) -> (bool, String);
+    /// Whether they add up to nothing.
+    fn is_opposite_of(&self, other: &Self) -> bool;
+}
+
+impl Coefficient for Rational {
+    fn is_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn written(&self, precision: Precision) -> String {
+        coefficient(self, precision)
+    }
+
+    fn split(&self, notation: Notation, _: bool) -> (bool, String) {
+        let magnitude = self.magnitude();
+        let text = match notation.style {
+            Style::Sentence if notation.precision != Precision::Exact => magnitude.to_decimal(SHORT),
+            Style::Text | Style::Sentence => notation.coefficient(&magnitude),
+            Style::Latex => notation.latex_coefficient(&magnitude),
+        };
+        (self.is_negative(), text)
+    }
+
+    fn is_opposite_of(&self, other: &Self) -> bool {
+        *self == -other.clone()
+    }
+}
+
+impl Coefficient for LaurentPolynomial {
+    fn is_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn written(&self, _: Precision) -> String {
+        self.to_string()
+    }
+
+    fn split(&self, notation: Notation, in_product: bool) -> (bool, String) {
+        let text = match notation.style {
+            Style::Text | Style::Sentence => self.to_string(),
+            Style::Latex => in_latex(self),
+        };
+        match (self.terms().count(), in_product) {
+            (1, _) => text.strip_prefix('-').map_or((false, text.clone()), |rest| (true, rest.to_owned())),
+            (_, false) => (false, text),
+            (_, true) if notation.style == Style::Latex => (false, format!(r"\left({text}\right)")),
+            (_, true) => (false, format!("({text})")),
+        }
+    }
+
+    fn is_opposite_of(&self, other: &Self) -> bool {
+        let opposite = |(own, powers): &(&Rational, Vec<_>), (other, theirs): &(&Rational, Vec<_>)| {
+            own.is_opposite_of(other) && powers == theirs
+        };
+        let (own, other): (Vec<_>, Vec<_>) = (self.terms().collect(), other.terms().collect());
+        own.len() == other.len() && own.iter().zip(&other).all(|(own, other)| opposite(own, other))
+    }
+}
+
+/// A sum of fractions of letters.
+fn in_latex(polynomial: &LaurentPolynomial) -> String {
+    let mut text = String::new();
+    for (factor, powers) in polynomial.terms() {
+        text.push_str(match (factor.is_negative(), text.is_empty()) {
+            (true, true) => "-",
+            (true, false) => " - ",
+            (false, true) => "",
+            (false, false) => " + ",
+        });
+        let (above, below): (Vec<_>, Vec<_>) =
+            powers.into_iter().partition(|power| !power.exponent.is_negative());
+        let above = latex_product(factor.magnitude().numerator(), &above);
+        match latex_product(factor.denominator(), &below) {
+            one if one == "1" => text.push_str(&above),
+            below => text.push_str(&format!(r"\frac{{{above}}}{{{below}}}")),
+        }
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
+fn latex_product(number: String, powers: &[LetterPower<'_>]) -> String {
+    let number = (number != "1" || powers.is_empty()).then_some(number);
+    let powers = powers.iter().map(|power| {
+        let letter = Symbol::plain(power.letter).to_latex();
+        let exponent = power.exponent.magnitude();
+        match (exponent.to_natural(), exponent.numerator().as_str()) {
+            (Some(1), _) => letter,
+            (Some(natural), _) => format!("{letter}^{{{natural}}}"),
+            (None, "1") => format!(r"\sqrt{{{letter}}}"),
+            (None, odd) => format!("{letter}^{{{odd}/2}}"),
+        }
+    });
+    number.into_iter().chain(powers).collect::<Vec<_>>().join(" ")
 }
 
 impl Notation {
@@ -30,29 +137,26 @@ impl Notation {
     }
 
     /// `1 - 1/16 ε² + …`, the zeros left out; `0` when all are zero.
-    pub(crate) fn series(self, coefficients: &[Rational], variable: &str) -> String {
+    pub(crate) fn series<C: Coefficient>(self, coefficients: &[C], variable: &str) -> String {
         let present = coefficients.iter().enumerate().filter(|(_, value)| !value.is_zero());
         let mut text = String::new();
         for (power, value) in present {
-            let sign = match (value.is_negative(), text.is_empty()) {
+            let (is_negative, factor) = value.split(self, power > 0);
+            let sign = match (is_negative, text.is_empty()) {
                 (true, true) => "-",
                 (true, false) => " - ",
                 (false, true) => "",
                 (false, false) => " + ",
             };
             text.push_str(sign);
-            text.push_str(&self.term(&value.magnitude(), variable, power));
+            text.push_str(&self.term(factor, variable, power));
         }
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    fn term(self, value: &Rational, variable: &str, power: usize) -> String {
-        let factor = match self.style {
-            Style::Text => self.coefficient(value),
-            Style::Latex => self.latex_coefficient(value),
-        };
+    fn term(self, factor: String, variable: &str, power: usize) -> String {
         let power = self.power(variable, power);
-        match (power.is_empty(), *value == Rational::from(1)) {
+        match (power.is_empty(), factor == "1") {
             (true, _) => factor,
             (false, true) => power,
             (false, false) => format!("{factor} {power}"),
@@ -78,7 +182,7 @@ impl Notation {
             (0, _) => String::new(),
             (1, _) => variable.to_owned(),
             (_, Style::Latex) => format!("{variable}^{{{power}}}"),
-            (_, Style::Text) => format!("{variable}{}", superscript(power)),
+            (_, Style::Text | Style::Sentence) => format!("{variable}{}", superscript(power)),
         }
     }
 }
@@ -167,6 +271,24 @@ mod tests {
             latex.series(&list(&["0", "1", "-1/192"]), r"\epsilon"),
             r"\epsilon - \frac{1}{192} \epsilon^{2}"
         );
+    }
+
+    #[test]
+    fn coefficients_of_letters_stand_in_brackets_where_they_are_sums() {
+        let equation: libration::expression::Equation = "x'' + w^2*x + a*x^2 + b*x^3 = 0".parse().unwrap();
+        let oscillator = libration::oscillator::SymbolicOscillator::new(&equation).unwrap();
+        let gauge = libration::perturbation::Gauge::Fundamental;
+        let expansion = libration::perturbation::expand_symbolically(&oscillator, 3, &gauge).unwrap();
+        let text = Notation { precision: Precision::Exact, style: Style::Text };
+        let frequency = &expansion.series.frequency_ratio;
+        assert_eq!(text.series(frequency, "ε"), "1 + (3*b/(8*w^2) - 5*a^2/(12*w^4)) ε²");
+        let latex = Notation { style: Style::Latex, ..text };
+        assert_eq!(
+            latex.series(frequency, "A"),
+            r"1 + \left(\frac{3 b}{8 w^{2}} - \frac{5 a^{2}}{12 w^{4}}\right) A^{2}"
+        );
+        let mean = &expansion.series.harmonic(0).unwrap().cos[..3];
+        assert_eq!(latex.series(mean, "A"), r"-\frac{a}{2 w^{2}} A^{2}");
     }
 
     #[test]

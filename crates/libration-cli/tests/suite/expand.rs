@@ -309,7 +309,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "x'' - x = 0"], 1, "omega0^2 is -1"),
         (&["expand", "x'' + 0.1*x' + x = 0"], 1, "decay"),
         (&["expand", "x'' + x = cos(t)"], 1, "depends on t"),
-        (&["expand", "x'' + k*x = 0"], 1, "k=0.1"),
+        (&["expand", "x'' + k*x = 0", "--evaluate", "1"], 1, "k=0.1"),
         (&["expand", "double_well", "--about", "0.3"], 1, "no equilibrium at 0.3"),
         (&["expand", "pendulum", "--set", "g=9.8"], 2, "its only parameter is omega0"),
         (&["expand", "duffing", "--set", "epsilon"], 2, "NAME=VALUE"),

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 27] = [
+const FURTHER: [&str; 28] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -212,6 +212,7 @@ const FURTHER: [&str; 27] = [
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",
     // Without a key, without a series, without orbits.
     "expand|x''=-x-x^2-x^3|--order|4",
+    "expand|m*x''+k*x+b*x^3=0|--order|3",
     "expand|quadratic|--order|3|--evaluate|0.2",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",

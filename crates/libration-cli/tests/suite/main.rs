@@ -22,6 +22,7 @@ mod fit_trace;
 mod formulas;
 mod inspect;
 mod interrupts;
+mod letters;
 mod modes;
 mod motion;
 mod paper;

@@ -70,6 +70,15 @@ impl Equation {
         names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
     }
 
+    /// Parameters as the equations name them: ω0 is omega0.
+    ///
+    /// # Errors
+    /// A name that is no parameter.
+    pub fn parameters_called(&self, names: &[&str]) -> Result<Vec<String>, EquationError> {
+        let known = self.parameters();
+        names.iter().map(|name| Ok(parameter(name, &known)?.name)).collect()
+    }
+
     /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
     ///
     /// # Errors

@@ -24,6 +24,7 @@ mod roots;
 
 mod error;
 mod model;
+mod symbolic;
 
 pub use catalogue::catalogue;
 pub use centre::centre_of;
@@ -32,6 +33,7 @@ pub use error::{FrequencySource, OscillatorError, RejectedEquilibrium, Rejection
 pub use model::{Kind, Oscillator};
 pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
+pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};
 
 #[cfg(test)]
 mod tests;

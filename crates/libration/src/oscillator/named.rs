@@ -53,8 +53,22 @@ impl NamedOscillator {
     /// # Errors
     /// A value for what is no parameter, or one that is not constant.
     pub fn equation_with(&self, values: &[(&str, Expression)]) -> Result<Equation, EquationError> {
+        self.equation_with_letters(values, &[])
+    }
+
+    /// The same where parameters of these names stay letters.
+    ///
+    /// # Errors
+    /// As [`equation_with`](Self::equation_with), or a letter that is no parameter, or has a value.
+    pub fn equation_with_letters(
+        &self,
+        values: &[(&str, Expression)],
+        letters: &[&str],
+    ) -> Result<Equation, EquationError> {
         let given = self.equation.parse::<Equation>()?.with(values)?;
-        let open = given.parameters();
+        let letters = given.parameters_called(letters)?;
+        let mut open = given.parameters();
+        open.retain(|name| !letters.contains(name));
         let open = self.parameters.iter().filter(|it| open.contains(it.name));
         let open = open.filter(|it| Some(it.name) != self.expansion_parameter);
         let defaults = open.map(|it| Ok((it.name, it.default.parse()?)));

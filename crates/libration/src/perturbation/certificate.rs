@@ -11,54 +11,56 @@ use crate::watch::Watch;
 
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
-/// whatever the gauge. `None` when a number is not rational, or the check is interrupted.
-pub(crate) fn agrees_with_the_potential(
-    model: &Model<Rational>,
-    set: &SeriesSet<Rational>,
+/// whatever the gauge; series are compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
+pub(crate) fn agrees_with_the_potential<R: Ring>(
+    ring: &R,
+    model: &Model<R::Element>,
+    set: &SeriesSet<R::Element>,
+    same: impl Fn(&Vec<R::Element>, &Vec<R::Element>) -> bool,
     watch: &Watch<'_>,
 ) -> Option<bool> {
-    let square = squared_energy_amplitude(model, &set.x_max, watch)?;
-    if square != squared_energy_amplitude(model, &set.x_min, watch)? {
+    let square = squared_energy_amplitude(ring, model, &set.x_max, watch)?;
+    if !same(&square, &squared_energy_amplitude(ring, model, &set.x_min, watch)?) {
         return Some(false);
     }
-    let x = displacement(&Rationals, &model.tape, model.values.clone(), &model.omega0_squared, model.order)?;
-    let by_square: Vec<Rational> = period_ratio(&Rationals, &x)?.into_iter().step_by(2).collect();
+    let x = displacement(ring, &model.tape, model.values.clone(), &model.omega0_squared, model.order)?;
+    let by_square: Vec<R::Element> = period_ratio(ring, &x)?.into_iter().step_by(2).collect();
     let length = set.frequency.len();
-    let mut period = vec![Rationals.zero(); length];
+    let mut period = vec![ring.zero(); length];
     for (n, coefficient) in by_square.iter().enumerate().rev() {
         if watch.reached(2 * n).is_err() {
             return None;
         }
-        period = product(&Rationals, &period, &square, length);
-        period[0] = Rationals.add(&period[0], coefficient);
+        period = product(ring, &period, &square, length);
+        period[0] = ring.add(&period[0], coefficient);
     }
-    let mut one = vec![Rationals.zero(); length];
-    one[0] = Rational::from(1);
-    Some(product(&Rationals, &period, &set.frequency, length) == one)
+    let mut one = vec![ring.zero(); length];
+    one[0] = ring.rational(&Rational::from(1))?;
+    Some(same(&product(ring, &period, &set.frequency, length), &one))
 }
 
 /// ρ² = 2V/ω0² at a displacement that is itself a series: −2/ω0²·∫ F dx.
-fn squared_energy_amplitude(
-    model: &Model<Rational>,
-    x: &[Rational],
+fn squared_energy_amplitude<R: Ring>(
+    ring: &R,
+    model: &Model<R::Element>,
+    x: &[R::Element],
     watch: &Watch<'_>,
-) -> Option<Vec<Rational>> {
-    let mut jet = Jet::with_values(&Rationals, &model.tape, model.values.clone());
-    let mut square = vec![Rationals.zero(), Rationals.zero()];
+) -> Option<Vec<R::Element>> {
+    let mut jet = Jet::with_values(ring, &model.tape, model.values.clone());
+    let mut square = vec![ring.zero(), ring.zero()];
     let mut slope = vec![];
     for (n, coefficient) in x.iter().enumerate().skip(1) {
         if watch.reached(n).is_err() {
             return None;
         }
-        let mut inputs = vec![Rationals.zero(); model.tape.inputs()];
+        let mut inputs = vec![ring.zero(); model.tape.inputs()];
         *inputs.first_mut()? = coefficient.clone();
         jet.extend(&inputs).ok()?;
-        slope.push(Rationals.times_integer(coefficient, i64::try_from(n).ok()?));
+        slope.push(ring.times_integer(coefficient, i64::try_from(n).ok()?));
         // n + 1 times the coefficient of V at order n + 1.
-        let work = Rationals.convolution(&jet.result(0)[1..=n], &slope);
-        let energy =
-            Rationals.over_integer(&Rationals.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
-        square.push(Rationals.divide(&energy, &model.omega0_squared)?);
+        let work = ring.convolution(&jet.result(0)[1..=n], &slope);
+        let energy = ring.over_integer(&ring.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
+        square.push(ring.divide(&energy, &model.omega0_squared)?);
     }
     square.truncate(x.len());
     Some(square)

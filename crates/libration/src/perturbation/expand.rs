@@ -172,7 +172,7 @@ impl<'a> Question<'a> {
         let answer = |set: SeriesSet<Rational>, certificate| {
             let heading =
                 Heading { order: set.order(), ..self.heading(Precision::Exact, unit_squared.clone()) };
-            Expansion::new(heading, set, certificate)
+            Expansion::new(&Rationals, heading, set, certificate)
         };
         let set = exact_series(model, watch).map_err(|unsolved| match unsolved {
             Unsolved::Interrupted(known) => {
@@ -195,9 +195,8 @@ impl<'a> Question<'a> {
         let independent = match self.oscillator.kind() {
             _ if self.order <= PLAIN_ORDER => agrees_with_plain_rationals(model, set, watch)
                 .map(|agrees| (Certificate::PlainRationals, agrees)),
-            Kind::Conservative => {
-                agrees_with_the_potential(model, set, watch).map(|it| (Certificate::Potential, it))
-            }
+            Kind::Conservative => agrees_with_the_potential(&Rationals, model, set, PartialEq::eq, watch)
+                .map(|it| (Certificate::Potential, it)),
             Kind::Reversible if self.oscillator.is_odd() && self.order <= FIRST_INTEGRAL_ORDER => {
                 agrees_with_the_first_integral(model, set).map(|it| (Certificate::FirstIntegral, it))
             }
@@ -227,7 +226,7 @@ impl<'a> Question<'a> {
             equilibrium: own.equilibrium().exact().cloned().unwrap_or(equilibrium),
             ..heading
         };
-        let answer = Expansion::new(heading, set, Certificate::TwoPrecisions);
+        let answer = Expansion::new(&Rationals, heading, set, Certificate::TwoPrecisions);
         if watch.is_stopped() { Err(interrupted(Some(answer))) } else { Ok(answer) }
     }
 

@@ -2,13 +2,13 @@
 
 use super::gauge::Gauge;
 use super::series_set::{OfAmplitude, SeriesSet};
-use crate::algebra::Rational;
+use crate::algebra::{Rational, Ring};
 
 /// Periodic motions x = xₑ + Σₖ aₖ cos kΩt + bₖ sin kΩt of an oscillator as power series. Lists are indexed by the
-/// power of the variable. Displacements count from the equilibrium.
+/// power of the variable. Displacements count from the equilibrium. Coefficients are fractions, or another kind `C`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Expansion {
+pub struct Expansion<C = Rational> {
     /// The displacement is given up to this power of the variable, the frequency up to one less; of a limit cycle
     /// both up to this power.
     pub order: usize,
@@ -17,24 +17,24 @@ pub struct Expansion {
     /// Whether the coefficients are exact.
     pub precision: Precision,
     /// The equilibrium about which the motion goes.
-    pub equilibrium: Rational,
+    pub equilibrium: C,
     /// ω0², the square of the frequency of small oscillations.
-    pub omega0_squared: Rational,
+    pub omega0_squared: C,
     /// Ω/ω0.
-    pub frequency_ratio: Vec<Rational>,
+    pub frequency_ratio: Vec<C>,
     /// The harmonics that are present, by ascending k.
-    pub harmonics: Vec<HarmonicSeries>,
+    pub harmonics: Vec<HarmonicSeries<C>>,
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
-    pub unit_squared: Rational,
+    pub unit_squared: C,
     /// The largest displacement; about a centre it is that at Ωt = 0, for ε of the sign that A₁ has.
-    pub x_max: Vec<Rational>,
+    pub x_max: Vec<C>,
     /// The smallest displacement; about a centre it is that at Ωt = π, for ε of the sign that A₁ has.
-    pub x_min: Vec<Rational>,
+    pub x_min: Vec<C>,
     /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
-    pub of_amplitude: Option<AmplitudeSeries>,
+    pub of_amplitude: Option<AmplitudeSeries<C>>,
     /// The same by powers of half the distance between the turning points, for asymmetric wells.
-    pub of_half_swing: Option<AmplitudeSeries>,
+    pub of_half_swing: Option<AmplitudeSeries<C>>,
     /// How the answer was checked.
     pub certificate: Certificate,
 }
@@ -81,27 +81,27 @@ pub enum Precision {
 /// The coefficients of cos kΩt and sin kΩt.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct HarmonicSeries {
+pub struct HarmonicSeries<C = Rational> {
     /// Which harmonic.
     pub k: usize,
     /// Of cos kΩt.
-    pub cos: Vec<Rational>,
+    pub cos: Vec<C>,
     /// Of sin kΩt.
-    pub sin: Vec<Rational>,
+    pub sin: Vec<C>,
 }
 
 /// Physical relations by powers of an amplitude: the same in every gauge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct AmplitudeSeries {
+pub struct AmplitudeSeries<C = Rational> {
     /// Ω/ω0.
-    pub frequency_ratio: Vec<Rational>,
+    pub frequency_ratio: Vec<C>,
     /// T/T0.
-    pub period_ratio: Vec<Rational>,
+    pub period_ratio: Vec<C>,
     /// The expansion parameter ε.
-    pub epsilon: Vec<Rational>,
+    pub epsilon: Vec<C>,
     /// The coefficient of cos kΩt, by ascending k, where it is present.
-    pub harmonics: Vec<(usize, Vec<Rational>)>,
+    pub harmonics: Vec<(usize, Vec<C>)>,
 }
 
 /// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
@@ -121,6 +121,11 @@ pub enum Certificate {
     FreshPrimes,
     /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
     TwoPrecisions,
+    /// The coefficients have letters; they were computed in plain fractions, and with fractions in the place of the
+    /// letters they are those of the expansion modulo primes.
+    Substitution,
+    /// Coefficients with letters whose check was interrupted.
+    Unchecked,
 }
 
 impl Certificate {
@@ -131,21 +136,27 @@ impl Certificate {
     }
 }
 
-impl Expansion {
+impl<C> Expansion<C> {
     /// The harmonic k, where it is present.
     #[must_use]
-    pub fn harmonic(&self, k: usize) -> Option<&HarmonicSeries> {
+    pub fn harmonic(&self, k: usize) -> Option<&HarmonicSeries<C>> {
         self.harmonics.iter().find(|harmonic| harmonic.k == k)
     }
 
-    /// Puts the series of a set under the names of an answer.
-    pub(crate) fn new(heading: Heading, set: SeriesSet<Rational>, certificate: Certificate) -> Self {
+    /// Puts the series of a set over a ring under the names of an answer.
+    pub(crate) fn new<R: Ring<Element = C>>(
+        ring: &R,
+        heading: Heading<C>,
+        set: SeriesSet<C>,
+        certificate: Certificate,
+    ) -> Self {
         let Heading { order, variable, precision, equilibrium, omega0_squared, unit_squared } = heading;
         let harmonics = set.harmonics.into_iter().enumerate().map(|(k, series)| {
             let (cos, sin) = series.into_iter().map(|h| (h.cosine, h.sine)).unzip();
             HarmonicSeries { k, cos, sin }
         });
-        let present = |h: &HarmonicSeries| h.k == 1 || h.cos.iter().chain(&h.sin).any(|c| !c.is_zero());
+        let present =
+            |h: &HarmonicSeries<C>| h.k == 1 || h.cos.iter().chain(&h.sin).any(|c| !ring.is_zero(c));
         Self {
             order,
             variable,
@@ -157,8 +168,8 @@ impl Expansion {
             unit_squared,
             x_max: set.x_max,
             x_min: set.x_min,
-            of_amplitude: set.of_amplitude.map(AmplitudeSeries::new),
-            of_half_swing: set.of_half_swing.map(AmplitudeSeries::new),
+            of_amplitude: set.of_amplitude.map(|of| AmplitudeSeries::new(ring, of)),
+            of_half_swing: set.of_half_swing.map(|of| AmplitudeSeries::new(ring, of)),
             certificate,
         }
     }
@@ -166,18 +177,18 @@ impl Expansion {
 
 /// What an answer says besides its series.
 #[derive(Clone, Debug)]
-pub(crate) struct Heading {
+pub(crate) struct Heading<C = Rational> {
     pub(crate) order: usize,
     pub(crate) variable: ExpansionVariable,
     pub(crate) precision: Precision,
-    pub(crate) equilibrium: Rational,
-    pub(crate) omega0_squared: Rational,
-    pub(crate) unit_squared: Rational,
+    pub(crate) equilibrium: C,
+    pub(crate) omega0_squared: C,
+    pub(crate) unit_squared: C,
 }
 
-impl AmplitudeSeries {
-    fn new(of: OfAmplitude<Rational>) -> Self {
-        let present = |(k, series): &(usize, Vec<Rational>)| *k == 1 || series.iter().any(|c| !c.is_zero());
+impl<C> AmplitudeSeries<C> {
+    fn new<R: Ring<Element = C>>(ring: &R, of: OfAmplitude<C>) -> Self {
+        let present = |(k, series): &(usize, Vec<C>)| *k == 1 || series.iter().any(|c| !ring.is_zero(c));
         Self {
             frequency_ratio: of.frequency,
             period_ratio: of.period,

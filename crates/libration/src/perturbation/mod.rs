@@ -37,6 +37,7 @@ mod open_gauge;
 mod restoring_force;
 mod selection;
 mod series_set;
+mod symbolic;
 mod truncated_system;
 
 pub use evaluation::{
@@ -49,4 +50,7 @@ pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, 
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use restoring_force::restoring_force;
+pub use symbolic::{
+    SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_symbolically_watched,
+};
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};

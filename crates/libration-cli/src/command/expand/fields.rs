@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::series::coefficient;
+use crate::output::series;
 use libration::algebra::Rational;
 use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, Precision};
 use serde_json::Value;
@@ -35,18 +35,24 @@ pub(super) struct Coefficient<'a> {
     text: String,
 }
 
-pub(super) fn of_expansion() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
+    type Of<C> = Field<Answer<C>>;
     Fields::from([
-        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
+        Of::<C>::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
             it.key.into()
         }),
-        Of::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
-        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
+        Of::<C>::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
+        Of::<C>::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
             json::object(it.values.iter().cloned())
         }),
-        Of::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
-        Of::value(
+        Of::<C>::value(
+            "letters[]",
+            "",
+            "parameters that have no value and stand in the coefficients",
+            |it| it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into(),
+        ),
+        Of::<C>::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
+        Of::<C>::value(
             "gauge",
             "",
             "what the expansion parameter means, null for the strength of a self-excited oscillator",
@@ -55,55 +61,80 @@ pub(super) fn of_expansion() -> Fields<Answer> {
                 ExpansionVariable::Parameter(_) => Value::Null,
             },
         ),
-        Of::value("variable", "", "name of the expansion parameter", |it| {
+        Of::<C>::value("variable", "", "name of the expansion parameter", |it| {
             it.expansion.variable.name().into()
         }),
-        Of::value("precision", "", "`exact`, or to how many digits the coefficients are known", |it| {
+        Of::<C>::value("precision", "", "`exact`, or to how many digits the coefficients are known", |it| {
             precision(it.expansion.precision).into()
         }),
-        Of::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |it| {
+        Of::<C>::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |it| {
             text(&it.expansion, &it.expansion.equilibrium).into()
         }),
-        Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |it| {
-            text(&it.expansion, &it.expansion.omega0_squared).into()
-        }),
-        Of::value(
+        Of::<C>::value(
+            "omega0_squared",
+            "",
+            "square of the angular frequency ω0 of small oscillations",
+            |it| text(&it.expansion, &it.expansion.omega0_squared).into(),
+        ),
+        Of::<C>::present_value(
+            "omega0",
+            "",
+            "with letters: the frequency ω0 of small oscillations, for positive letters",
+            |it| it.letters.as_ref().map(|letters| letters.omega0.clone().into()),
+        ),
+        Of::<C>::present_value(
+            "omega0_name",
+            "",
+            "with letters: the name that stands for ω0 in coefficients, null where none does",
+            |it| it.letters.as_ref().map(|letters| letters.omega0_name.clone().into()),
+        ),
+        Of::<C>::present_value(
+            "frequency[]",
+            "",
+            "with letters, where ω0 is a product of them: coefficients of the frequency itself",
+            |it| {
+                Some(it.letters.as_ref()?.frequency.as_ref()?.iter().map(written).collect::<Series>().into())
+            },
+        ),
+        Of::<C>::value(
             "frequency_ratio[]",
             "",
             "coefficients of the frequency over ω0, by powers of the expansion parameter",
             |it| texts(&it.expansion, &it.expansion.frequency_ratio).into(),
         ),
-        Of::nested(
+        Of::<C>::nested(
             "harmonics.K.",
             &of_harmonic(
                 "coefficients of cos Kτ in the displacement, by powers of the expansion parameter; τ = Ωt",
             ),
             |it| by_number(&harmonics(&it.expansion)),
         ),
-        Of::value(
+        Of::<C>::value(
             "unit_squared",
             "",
             "square of the unit that harmonics and turning points are measured in",
             |it| text(&it.expansion, &it.expansion.unit_squared).into(),
         ),
-        Of::value("x_max[]", "", "coefficients of the upper turning point", |it| {
+        Of::<C>::value("x_max[]", "", "coefficients of the upper turning point", |it| {
             texts(&it.expansion, &it.expansion.x_max).into()
         }),
-        Of::value("x_min[]", "", "coefficients of the lower turning point", |it| {
+        Of::<C>::value("x_min[]", "", "coefficients of the lower turning point", |it| {
             texts(&it.expansion, &it.expansion.x_min).into()
         }),
-        Of::nested("of_amplitude.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_amplitude)),
-        Of::nested("of_half_swing.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_half_swing)),
-        Of::value(
+        Of::<C>::nested("of_amplitude.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_amplitude)),
+        Of::<C>::nested("of_half_swing.", &of_amplitude(), |it| {
+            in_amplitude(it, &it.expansion.of_half_swing)
+        }),
+        Of::<C>::value(
             "certified",
             "",
             "whether an independent exact computation proves the coefficients",
             |it| it.expansion.certificate.is_proof().into(),
         ),
-        Of::value("certificate", "", "the check that was made", |it| {
+        Of::<C>::value("certificate", "", "the check that was made", |it| {
             certificate(it.expansion.certificate).into()
         }),
-        Of::present_value(
+        Of::<C>::present_value(
             "interrupted",
             "",
             "true where Ctrl-C ended the work before the order asked for, else left out",
@@ -153,19 +184,22 @@ pub(super) fn of_coefficient<'a>() -> Fields<Coefficient<'a>> {
         Of::value("quantity", "", "what is expanded", |it| it.quantity.as_str().into()),
         Of::value("variable", "", "in powers of what", |it| it.variable.into()),
         Of::value("power", "1", "power", |it| it.power.into()),
-        Of::value("coefficient", "", "coefficient of that power, a fraction or a decimal", |it| {
-            it.text.as_str().into()
-        }),
+        Of::value(
+            "coefficient",
+            "",
+            "coefficient of that power: a fraction, a decimal, or a formula of letters",
+            |it| it.text.as_str().into(),
+        ),
     ])
 }
 
 pub(super) fn answers() -> Answers {
-    let (json, csv) = (of_expansion().described(""), of_coefficient().described_in_csv());
+    let (json, csv) = (of_expansion::<Rational>().described(""), of_coefficient().described_in_csv());
     Answers { command: "expand", option: "", json, csv }
 }
 
 /// Those of all series, in the order of JSON; of harmonics in an amplitude without the sines, which vanish.
-pub(super) fn coefficients(expansion: &Expansion) -> Vec<Coefficient<'_>> {
+pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
     let mut all = vec![];
     let mut add = |quantity: String, variable, series: Series| {
         let each = series.into_iter().enumerate();
@@ -195,16 +229,20 @@ pub(super) fn coefficients(expansion: &Expansion) -> Vec<Coefficient<'_>> {
     all
 }
 
-fn text(expansion: &Expansion, value: &Rational) -> String {
-    coefficient(value, expansion.precision)
+fn text<C: series::Coefficient>(expansion: &Expansion<C>, value: &C) -> String {
+    value.written(expansion.precision)
 }
 
-fn texts(expansion: &Expansion, series: &[Rational]) -> Series {
+fn written<C: series::Coefficient>(value: &C) -> String {
+    value.written(Precision::Exact)
+}
+
+fn texts<C: series::Coefficient>(expansion: &Expansion<C>, series: &[C]) -> Series {
     series.iter().map(|value| text(expansion, value)).collect()
 }
 
-fn harmonics(expansion: &Expansion) -> Vec<Harmonic> {
-    let texts = |series: &[Rational]| texts(expansion, series);
+fn harmonics<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Harmonic> {
+    let texts = |series: &[C]| texts(expansion, series);
     let harmonics = expansion.harmonics.iter();
     harmonics.map(|it| Harmonic { k: it.k, cos: texts(&it.cos), sin: texts(&it.sin) }).collect()
 }
@@ -214,18 +252,18 @@ fn by_number(harmonics: &[Harmonic]) -> Value {
     json::object(harmonics.iter().map(|harmonic| (harmonic.k.to_string(), fields.record(harmonic))))
 }
 
-fn in_amplitude(answer: &Answer, of: &Option<AmplitudeSeries>) -> Value {
+fn in_amplitude<C: series::Coefficient>(answer: &Answer<C>, of: &Option<AmplitudeSeries<C>>) -> Value {
     let of = of.as_ref().map(|of| OfAmplitude::new(&answer.expansion, of));
     of.map_or(Value::Null, |of| of_amplitude().record(&of).into())
 }
 
 impl OfAmplitude {
-    fn new(expansion: &Expansion, of: &AmplitudeSeries) -> Self {
-        let texts = |series: &[Rational]| texts(expansion, series);
-        let harmonic = |(k, series): &(usize, Vec<Rational>)| Harmonic {
+    fn new<C: series::Coefficient>(expansion: &Expansion<C>, of: &AmplitudeSeries<C>) -> Self {
+        let texts = |series: &[C]| texts(expansion, series);
+        let harmonic = |(k, series): &(usize, Vec<C>)| Harmonic {
             k: *k,
             cos: texts(series),
-            sin: texts(&vec![Rational::from(0); series.len()]),
+            sin: vec![written(&Rational::from(0)); series.len()],
         };
         Self {
             frequency_ratio: texts(&of.frequency_ratio),
@@ -250,5 +288,7 @@ fn certificate(certificate: Certificate) -> &'static str {
         Certificate::FirstIntegral => "first integral",
         Certificate::FreshPrimes => "fresh primes",
         Certificate::TwoPrecisions => "two precisions",
+        Certificate::Substitution => "substitution",
+        Certificate::Unchecked => "none",
     }
 }

@@ -1,9 +1,9 @@
 //! The expansion to read, and in LaTeX.
 
 use super::Answer;
-use crate::output::series::{Notation, Style, fraction, subscript, superscript, wrapped};
+use super::Letters;
+use crate::output::series::{Coefficient, Notation, Style, subscript, superscript, wrapped};
 use crate::output::table::write_text;
-use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::perturbation::{
     AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision,
@@ -13,17 +13,14 @@ use std::io::{self, Write};
 /// Lines are broken here.
 const COLUMN: usize = 110;
 
-/// Digits of a number that stands in a sentence.
-const SHORT: usize = 12;
-
-pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Text };
     let symbols = Symbols::new(&expansion.variable);
     write_head(out, answer)?;
     write_text(out, "", &meaning(expansion, &symbols))?;
     writeln!(out)?;
-    for (name, text) in lines(expansion, notation, &symbols) {
+    for (name, text) in lines(answer, notation, &symbols) {
         writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
     }
     let amplitudes = [
@@ -39,11 +36,11 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         }
     }
     writeln!(out)?;
-    write_text(out, "", &checked(expansion))
+    write_text(out, "", &checked(answer))
 }
 
 /// What is expanded about what.
-pub(super) fn write_head(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     write_text(out, "", &answer.title)?;
     write_text(out, "", &answer.equation)?;
     if !answer.values.is_empty() {
@@ -73,22 +70,32 @@ impl<'a> Symbols<'a> {
     }
 }
 
-fn number(value: &Rational, precision: Precision) -> String {
-    match precision {
-        Precision::Exact => fraction(value),
-        Precision::Digits(_) => value.to_decimal(SHORT),
-    }
+/// In a sentence.
+fn number<C: Coefficient>(value: &C, precision: Precision) -> String {
+    let notation = Notation { precision, style: Style::Sentence };
+    let (is_negative, text) = value.split(notation, false);
+    if is_negative { format!("-{text}") } else { text }
 }
 
-fn setting(answer: &Answer) -> String {
+fn setting<C: Coefficient>(answer: &Answer<C>) -> String {
     let expansion = &answer.expansion;
     let number = |value| number(value, expansion.precision);
     let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
-    format!("about {} = {place}, where ω0² = {square}", answer.oscillator.variable())
+    let root = answer.letters.as_ref().map_or(String::new(), root_in_words);
+    format!("about {} = {place}, where ω0² = {square}{root}", answer.variable)
+}
+
+/// What is said of ω0 where its square has letters.
+fn root_in_words<C>(Letters { omega0, omega0_name, .. }: &Letters<C>) -> String {
+    match omega0_name {
+        _ if omega0 == "1" => String::new(),
+        None => format!(", so that ω0 = {omega0} for positive letters"),
+        Some(name) => format!(", so that ω0 = {omega0}, which is called {name} in the coefficients"),
+    }
 }
 
 /// What the variable means, and how far the series go.
-fn meaning(expansion: &Expansion, symbols: &Symbols<'_>) -> String {
+fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     let Symbols { variable, .. } = symbols;
     let power =
         |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
@@ -119,10 +126,17 @@ fn gauge_in_words(gauge: &libration::perturbation::Gauge) -> String {
     }
 }
 
-fn lines(expansion: &Expansion, notation: Notation, symbols: &Symbols<'_>) -> Vec<(String, String)> {
-    let variable = symbols.variable;
+fn lines<C: Coefficient>(
+    answer: &Answer<C>,
+    notation: Notation,
+    symbols: &Symbols<'_>,
+) -> Vec<(String, String)> {
+    let (expansion, variable) = (&answer.expansion, symbols.variable);
     let unit = unit(expansion);
     let mut lines = vec![("Ω/ω0 = ".to_owned(), notation.series(&expansion.frequency_ratio, variable))];
+    if let Some(frequency) = answer.frequency() {
+        lines.push(("Ω = ".to_owned(), notation.series(frequency, variable)));
+    }
     for harmonic in &expansion.harmonics {
         for (name, series) in named(harmonic) {
             lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
@@ -138,14 +152,16 @@ fn lines(expansion: &Expansion, notation: Notation, symbols: &Symbols<'_>) -> Ve
     lines
 }
 
-fn mirrored(expansion: &Expansion) -> bool {
-    expansion.x_max.iter().zip(&expansion.x_min).all(|(max, min)| *max == -min.clone())
+fn mirrored<C: Coefficient>(expansion: &Expansion<C>) -> bool {
+    expansion.x_max.iter().zip(&expansion.x_min).all(|(max, min)| max.is_opposite_of(min))
 }
 
 /// The root in whose units displacements are given, when it is not 1.
-fn unit(expansion: &Expansion) -> String {
-    let squared = &expansion.unit_squared;
-    if *squared == Rational::from(1) { String::new() } else { format!("√({squared})·") }
+fn unit<C: Coefficient>(expansion: &Expansion<C>) -> String {
+    match expansion.unit_squared.written(Precision::Exact).as_str() {
+        "1" => String::new(),
+        squared => format!("√({squared})·"),
+    }
 }
 
 fn bracketed(unit: &str, text: String) -> String {
@@ -153,10 +169,10 @@ fn bracketed(unit: &str, text: String) -> String {
 }
 
 /// The parts of a harmonic that are present, with their names.
-fn named(harmonic: &HarmonicSeries) -> Vec<(String, &[Rational])> {
+fn named<C: Coefficient>(harmonic: &HarmonicSeries<C>) -> Vec<(String, &[C])> {
     let k = harmonic.k;
-    let present = |series: &[Rational]| series.iter().any(|c| !c.is_zero());
-    let mut named: Vec<(String, &[Rational])> = vec![];
+    let present = |series: &[C]| series.iter().any(|c| !c.is_zero());
+    let mut named: Vec<(String, &[C])> = vec![];
     if k == 1 || present(&harmonic.cos) {
         named.push((format!("a{}", subscript(k)), &harmonic.cos));
     }
@@ -166,8 +182,8 @@ fn named(harmonic: &HarmonicSeries) -> Vec<(String, &[Rational])> {
     named
 }
 
-fn amplitude_lines(
-    of: &AmplitudeSeries,
+fn amplitude_lines<C: Coefficient>(
+    of: &AmplitudeSeries<C>,
     notation: Notation,
     symbol: &str,
     variable: &str,
@@ -183,7 +199,11 @@ fn amplitude_lines(
     lines
 }
 
-fn checked(expansion: &Expansion) -> String {
+fn checked<C>(answer: &Answer<C>) -> String {
+    let expansion = &answer.expansion;
+    if answer.letters.is_some() {
+        return checked_with_letters(expansion.certificate);
+    }
     let precision = match expansion.precision {
         Precision::Exact => "all coefficients are exact".to_owned(),
         Precision::Digits(digits) => {
@@ -204,20 +224,34 @@ fn checked(expansion: &Expansion) -> String {
         }
         Certificate::FreshPrimes => "confirmed modulo two further primes of 62 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
+        Certificate::Substitution | Certificate::Unchecked => "not checked by another road",
     };
     format!("{precision}; {how}")
 }
 
+fn checked_with_letters(certificate: Certificate) -> String {
+    let substituted =
+        "with fractions in the place of the letters all of them are those of the expansion with numbers";
+    match certificate {
+        Certificate::Unchecked => "all coefficients are exact; not checked by another road".to_owned(),
+        Certificate::Potential => format!(
+            "all coefficients are exact; how the frequency depends on the turning points is proven by the reversion of the potential in \
+             letters, and {substituted}"
+        ),
+        _ => format!("all coefficients are exact; {substituted}"),
+    }
+}
+
 /// The series as display equations.
-pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Latex };
     let symbols = Symbols::new(&expansion.variable);
-    let unit = match &expansion.unit_squared {
-        one if *one == Rational::from(1) => String::new(),
+    let unit = match expansion.unit_squared.written(Precision::Exact).as_str() {
+        "1" => String::new(),
         squared => format!(r"\sqrt{{{squared}}}\,"),
     };
-    let scaled = |series: &[Rational]| bracketed(&unit, notation.series(series, &symbols.latex));
+    let scaled = |series: &[C]| bracketed(&unit, notation.series(series, &symbols.latex));
     writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
     writeln!(
@@ -225,6 +259,9 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()
         "  \\frac{{\\Omega}}{{\\omega_0}} &= {} \\\\",
         notation.series(&expansion.frequency_ratio, &symbols.latex)
     )?;
+    if let Some(frequency) = answer.frequency() {
+        writeln!(out, "  \\Omega &= {} \\\\", notation.series(frequency, &symbols.latex))?;
+    }
     for harmonic in &expansion.harmonics {
         for (letter, series) in [("a", &harmonic.cos), ("b", &harmonic.sin)] {
             if (letter == "a" && harmonic.k == 1) || series.iter().any(|c| !c.is_zero()) {

@@ -2,18 +2,22 @@
 
 mod evaluate;
 mod fields;
+mod letters;
 mod listing;
 mod write;
 
-use crate::arguments::{self, Chosen, OscillatorOptions};
+use crate::arguments::{self, Chosen, NumbersOrLetters, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::description::Answers;
+use crate::output::series::Coefficient;
 use crate::output::{Form, FormOptions};
 use crate::{interrupt, parallel};
+use libration::algebra::Rational;
 use libration::comparison::SeriesQuantity;
+use libration::expression::Equation;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, expand_watched};
-use libration::quantity::Displacement;
+use libration::quantity::is_angle_name;
 use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
 use std::sync::Mutex;
@@ -23,6 +27,7 @@ use std::sync::Mutex;
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
 /// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
+/// Other parameters without a value stay letters: the coefficients are then polynomials in them.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7
@@ -32,16 +37,27 @@ use std::sync::Mutex;
   libration expand van_der_pol --order 8 --json
   libration expand pendulum --evaluate 40deg    # T/T0 term by term
   libration expand duffing --set epsilon=0.1 --evaluate 2 --quantity a3
+  libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --order 5
+  libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --set b=0 --latex
+  libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
+  libration expand cubic_quintic --letters alpha,beta --json
   libration oscillators                         # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
 energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
 a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
 
+Letters: parameters of a typed equation that --set gives no value, and those of
+a built-in one that --letters names. Roots are those for positive letters; where
+ω0² is a sum, a name for ω0 stays in the coefficients.
+
 Ctrl-C stops a long computation and writes the orders that are certain by then.")]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,
+    /// Parameters of a built-in oscillator that stay letters, with commas between
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    letters: Vec<String>,
     /// The highest power of the expansion parameter [default: 7; 31 with --evaluate]
     #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
     order: Option<usize>,
@@ -68,7 +84,7 @@ const LISTED: usize = 7;
 const EVALUATED: usize = 31;
 
 /// An expansion with the words for it.
-struct Answer {
+struct Answer<C = Rational> {
     key: Option<&'static str>,
     title: String,
     equation: String,
@@ -76,10 +92,23 @@ struct Answer {
     /// The parameters with their values.
     values: Vec<(String, String)>,
     is_angle: bool,
-    oscillator: Oscillator,
-    expansion: Expansion,
+    /// The name of the displacement.
+    variable: String,
+    /// What is said where parameters are letters.
+    letters: Option<Letters<C>>,
+    expansion: Expansion<C>,
     /// The order that was asked for, when Ctrl-C was pressed before it was reached.
     interrupted: Option<usize>,
+}
+
+/// The letters of an expansion, and ω0 by them.
+struct Letters<C> {
+    names: Vec<String>,
+    omega0: String,
+    /// What stands for ω0 in the coefficients.
+    omega0_name: Option<String>,
+    /// By powers of the variable, where ω0 is a product of letters.
+    frequency: Option<Vec<C>>,
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
@@ -88,11 +117,30 @@ pub(crate) fn answers() -> Vec<Answers> {
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let chosen = self.oscillator.chosen()?;
+        let chosen = match self.evaluate {
+            None => self.oscillator.chosen_with_letters(&self.letters)?,
+            // A value takes the values of all parameters.
+            Some(_) => NumbersOrLetters::Numbers(self.oscillator.chosen_without(&self.letters)?),
+        };
+        let missing = match chosen {
+            NumbersOrLetters::Numbers(chosen) => self.answer_in_numbers(out, chosen)?,
+            NumbersOrLetters::Letters(chosen) => {
+                let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge)?;
+                self.write(out, &answer)?;
+                answer.missing_orders()
+            }
+        };
+        out.flush()?;
+        missing.map_or(Ok(()), |missing| Err(Failure::Interrupted(format!("interrupted: {missing}"))))
+    }
+
+    /// Writes the answer, and tells what it lacks when Ctrl-C was pressed.
+    fn answer_in_numbers(&self, out: &mut dyn Write, chosen: Chosen) -> Result<Option<String>, Failure> {
         let amplitude =
             self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
         let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
         interrupt::listen()?;
+        let oscillator = chosen.oscillator.clone();
         let answer = match expanded(&chosen.oscillator, order, &self.gauge) {
             Ok(expansion) => Answer::new(chosen, expansion, None),
             Err(ExpansionError::Interrupted { known: Some(known) }) => {
@@ -103,33 +151,30 @@ impl Expand {
             }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
-        let missing = self.write(out, &answer, amplitude.as_ref())?;
-        out.flush()?;
-        missing.map_or(Ok(()), |missing| Err(Failure::Interrupted(format!("interrupted: {missing}"))))
+        if let Some(amplitude) = amplitude {
+            return evaluate::write(out, self.form.form(), &answer, &oscillator, self.quantity, &amplitude);
+        }
+        self.write(out, &answer)?;
+        Ok(answer.missing_orders())
     }
 
-    /// Writes the answer, and tells what it lacks when Ctrl-C was pressed.
-    fn write(
-        &self,
-        out: &mut dyn Write,
-        answer: &Answer,
-        amplitude: Option<&Displacement>,
-    ) -> Result<Option<String>, Failure> {
-        if let Some(amplitude) = amplitude {
-            return evaluate::write(out, self.form.form(), answer, self.quantity, amplitude);
-        }
+    fn write<C: Coefficient>(&self, out: &mut dyn Write, answer: &Answer<C>) -> Result<(), Failure> {
         match self.form.form() {
             Form::Json => write::write_json(out, answer)?,
             Form::Csv => write::write_csv(out, answer)?,
             Form::Table if self.latex => listing::write_latex(out, answer)?,
             Form::Table => listing::write(out, answer)?,
         }
-        Ok(answer.missing_orders())
+        Ok(())
     }
 }
 
-/// The expansion, with a line of progress while it takes long, until Ctrl-C is pressed.
 fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
+    with_orders_shown(order, |watch| expand_watched(oscillator, order, gauge, watch))
+}
+
+/// What a computation gives, with a line of progress while it takes long, until Ctrl-C is pressed.
+fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&Watch<'_>) -> T + Send) -> T {
     let latest = Mutex::new(None);
     let ask = |progress| {
         if let Ok(mut latest) = latest.lock() {
@@ -139,7 +184,7 @@ fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expa
     };
     let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
     let how_far = || format!("order {order}: {}", how_far());
-    parallel::with_progress(how_far, || expand_watched(oscillator, order, gauge, &Watch::new(&ask)))
+    parallel::with_progress(how_far, || compute(&Watch::new(&ask)))
 }
 
 fn in_words(Progress { stage, done: order, .. }: Progress) -> String {
@@ -153,18 +198,38 @@ fn in_words(Progress { stage, done: order, .. }: Progress) -> String {
 
 impl Answer {
     fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
-        let equation = chosen.oscillator.equation();
+        let equation = chosen.oscillator.equation().clone();
+        Self::of(&equation, chosen, expansion, None, interrupted)
+    }
+}
+
+impl<C> Answer<C> {
+    fn of<O>(
+        equation: &Equation,
+        chosen: Chosen<O>,
+        expansion: Expansion<C>,
+        letters: Option<Letters<C>>,
+        interrupted: Option<usize>,
+    ) -> Self {
+        let variable = equation.variables().first().cloned().unwrap_or_default();
         Self {
             key: chosen.key,
-            title: chosen.title.clone(),
+            title: chosen.title,
             equation: equation.to_string(),
             equation_latex: equation.to_latex().join(r",\quad "),
-            is_angle: chosen.is_angle(),
+            is_angle: is_angle_name(&variable),
             values: chosen.values,
-            oscillator: chosen.oscillator,
+            variable,
+            letters,
             expansion,
             interrupted,
         }
+    }
+
+    /// The frequency itself, where it is not Ω/ω0.
+    fn frequency(&self) -> Option<&[C]> {
+        let letters = self.letters.as_ref()?;
+        letters.frequency.as_deref().filter(|_| letters.omega0 != "1")
     }
 
     /// Which orders are there when Ctrl-C was pressed during the expansion.

@@ -2,13 +2,14 @@
 
 use super::{Answer, fields};
 use crate::output::json;
+use crate::output::series::Coefficient;
 use std::io::{self, Write};
 
-pub(super) fn write_json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write_json<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     json::document(out, fields::of_expansion().record(answer))
 }
 
 /// One coefficient a line.
-pub(super) fn write_csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write_csv<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     fields::of_coefficient().write_csv(out, &fields::coefficients(&answer.expansion))
 }

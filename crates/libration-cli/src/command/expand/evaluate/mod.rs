@@ -11,6 +11,7 @@ use crate::output::number::short;
 use crate::output::{Form, json};
 use crate::parallel::until_asked;
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use libration::oscillator::Oscillator;
 use libration::perturbation::SeriesEvaluation;
 use libration::quantity::Displacement;
 use libration::watch::Watch;
@@ -50,10 +51,11 @@ pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
     answer: &Answer,
+    oscillator: &Oscillator,
     quantity: SeriesQuantity,
     amplitude: &Displacement,
 ) -> Result<Option<String>, Failure> {
-    let relation = SeriesComparison::new(&answer.oscillator, &answer.expansion, quantity);
+    let relation = SeriesComparison::new(oscillator, &answer.expansion, quantity);
     if relation.series().iter().all(libration::algebra::Rational::is_zero) {
         return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(answer))));
     }

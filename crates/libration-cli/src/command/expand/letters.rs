@@ -1,0 +1,45 @@
+//! Expansions with letters.
+
+use super::{Answer, Letters, with_orders_shown};
+use crate::arguments::Chosen;
+use crate::failure::Failure;
+use crate::interrupt;
+use libration::algebra::LaurentPolynomial;
+use libration::oscillator::SymbolicOscillator;
+use libration::perturbation::{
+    Gauge, SymbolicExpansion, SymbolicExpansionError, expand_symbolically_watched,
+};
+
+pub(super) fn answer(
+    chosen: Chosen<SymbolicOscillator>,
+    order: usize,
+    gauge: &Gauge,
+) -> Result<Answer<LaurentPolynomial>, Failure> {
+    interrupt::listen()?;
+    let expansion = with_orders_shown(order, |watch| {
+        expand_symbolically_watched(&chosen.oscillator, order, gauge, watch)
+    });
+    match expansion {
+        Ok(expansion) => Ok(in_words(chosen, expansion, None)),
+        Err(SymbolicExpansionError::Interrupted { known: Some(known) }) => {
+            Ok(in_words(chosen, *known, Some(order)))
+        }
+        Err(SymbolicExpansionError::Interrupted { known: None }) => {
+            Err(Failure::Interrupted("interrupted before any order was found".to_owned()))
+        }
+        Err(error) => Err(Failure::no_answer("expansion", error)),
+    }
+}
+
+fn in_words(
+    chosen: Chosen<SymbolicOscillator>,
+    expansion: SymbolicExpansion,
+    interrupted: Option<usize>,
+) -> Answer<LaurentPolynomial> {
+    let equation = chosen.oscillator.equation().clone();
+    let frequency = expansion.frequency();
+    let SymbolicExpansion { letters: names, omega0, omega0_name, series } = expansion;
+    let omega0 = omega0.map_or_else(|| format!("sqrt({})", series.omega0_squared), |root| root.to_string());
+    let letters = Letters { names, omega0, omega0_name, frequency };
+    Answer::of(&equation, chosen, series, Some(letters), interrupted)
+}
