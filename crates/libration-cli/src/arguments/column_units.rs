@@ -15,13 +15,13 @@ pub(crate) struct Wanted {
     counted: Option<CountedOptions>,
 }
 
-/// The units of the columns, and what was told from the header.
+/// The units of the columns, and what was inferred from the header.
 #[derive(Clone, Debug)]
 struct ColumnUnits<const N: usize> {
     units: [Unit; N],
     /// How many periods each time lasts; one of what is no time.
     counts: [f64; N],
-    told: Vec<String>,
+    inferences: Vec<String>,
 }
 
 /// The numbers of chosen columns in units of the SI, in the rows that have them all.
@@ -34,8 +34,8 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) dropped: usize,
     /// How many periods the times of each column lasted.
     pub(crate) counts: [f64; N],
-    /// What was told from the header.
-    pub(crate) told: Vec<String>,
+    /// What was inferred from the header.
+    pub(crate) inferences: Vec<String>,
 }
 
 impl<const N: usize> ColumnsInSi<N> {
@@ -54,7 +54,7 @@ impl<const N: usize> ColumnsInSi<N> {
             lines: selection.lines,
             dropped: selection.dropped,
             counts: units.counts,
-            told: units.told,
+            inferences: units.inferences,
         })
     }
 }
@@ -131,21 +131,21 @@ impl<const N: usize> ColumnUnits<N> {
         columns: &[Option<Column>; N],
         wanted: &[Wanted; N],
     ) -> Result<Self, String> {
-        let (mut units, mut counts, mut told) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
+        let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
         for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
             let Some(column) = column else { continue };
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
             let (unit, sentence) = wanted.unit(table, column, usual)?;
             units[place] = unit;
-            told.extend(sentence);
+            inferences.extend(sentence);
             if let Some(counted) = wanted.counted {
                 let usual = wanted.uncertainties_of.map_or(1.0, |of| counts[of]);
                 let (count, sentence) = counted.count(table, column, usual)?;
                 counts[place] = count;
-                told.extend(sentence);
+                inferences.extend(sentence);
             }
         }
-        Ok(Self { units, counts, told })
+        Ok(Self { units, counts, inferences })
     }
 
     /// The numbers of the columns in units of the SI, times as those of one period.

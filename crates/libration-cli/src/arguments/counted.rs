@@ -31,7 +31,7 @@ impl CountedOptions {
     ) -> Result<(f64, Option<String>), String> {
         let place = table.describe(column).map_err(|error| error.to_string())?;
         let written = table.counted_periods(column).map_err(|error| error.to_string())?;
-        let told =
+        let sentence =
             |count: f64| (!is_same(count, 1.0)).then(|| format!("{place} holds times of {}", periods(count)));
         Ok(match (self.said(), written) {
             (Some((option, count)), CountedPeriods::Said(other)) if !is_same(count, other) => {
@@ -44,9 +44,9 @@ impl CountedOptions {
                     )),
                 )
             }
-            (Some((_, count)), _) => (count, told(count)),
-            (None, CountedPeriods::Said(count)) => (count, told(count)),
-            (None, CountedPeriods::Nothing) => (usual, told(usual)),
+            (Some((_, count)), _) => (count, sentence(count)),
+            (None, CountedPeriods::Said(count)) => (count, sentence(count)),
+            (None, CountedPeriods::Nothing) => (usual, sentence(usual)),
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
                     "{place} may hold times of several periods or of parts of one: say how many with --periods-per-row, or \

@@ -43,7 +43,7 @@ pub(crate) use one_amplitude::one_amplitude;
 pub(crate) use oscillator::{Asked, Chosen, NumbersOrLetters, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
-pub(crate) use recording::{RecordingOptions, told, what_would_decide};
+pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_decide};
 pub(crate) use section::{SectionOptions, place_in_state, places_in_state, section_failure};
 pub(crate) use system::{PendulumSystemOptions, SystemOptions};
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};

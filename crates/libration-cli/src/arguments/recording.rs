@@ -1,10 +1,10 @@
-//! A recording: the options that override what is told from a file, and its reading.
+//! A recording: the options that override what is inferred from a file, and its reading.
 
 use super::read_bytes;
 use crate::failure::Failure;
 use libration_lab::measurement::{
     Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, ReadOptions,
-    Recording, Stamps, Traces, Unit,
+    Recording, TimeStamps, Traces, Unit,
 };
 use std::path::Path;
 
@@ -99,7 +99,7 @@ impl RecordingOptions {
         Recording::read(bytes, &self.options()).map_err(|error| failure(path, &error))
     }
 
-    /// The traces of a file with all that was told from it.
+    /// The traces of a file with all that was inferred from it.
     pub(crate) fn traces(&self, path: &Path) -> Result<Traces, Failure> {
         let recording = self.recording(path)?;
         let mut traces = recording.traces(&self.choices()).map_err(|error| failure(path, &error))?;
@@ -107,7 +107,7 @@ impl RecordingOptions {
         Ok(traces)
     }
 
-    /// The times of a photogate with all that was told from the file.
+    /// The times of a photogate with all that was inferred from the file.
     pub(crate) fn gate_times(&self, path: &Path) -> Result<Gates, Failure> {
         let recording = self.recording(path)?;
         let mut gates = recording.gate_times(&self.choices()).map_err(|error| failure(path, &error))?;
@@ -133,8 +133,8 @@ impl RecordingOptions {
             from: self.from,
             to: self.to,
             stamps: match (self.even_times, self.times_as_written) {
-                (true, _) => Some(Stamps::Even),
-                (false, true) => Some(Stamps::AsWritten),
+                (true, _) => Some(TimeStamps::Even),
+                (false, true) => Some(TimeStamps::AsWritten),
                 (false, false) => None,
             },
         }
@@ -156,7 +156,7 @@ impl RecordingOptions {
 }
 
 /// A finding, with the option that would override it.
-pub(crate) fn told(finding: &Finding) -> String {
+pub(crate) fn finding_with_option(finding: &Finding) -> String {
     match finding.choice {
         Some(choice) => format!("{} (--{choice})", finding.text),
         None => finding.text.clone(),

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
-/// How a table is written, where it is not to be told from the file.
+/// How a table is written, where it is not to be inferred from the file.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
     /// What separates the columns [default: detected]

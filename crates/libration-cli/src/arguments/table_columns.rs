@@ -1,4 +1,4 @@
-//! Which columns of a table are meant: said by `--columns`, else told from the header, else the first ones.
+//! Which columns of a table are meant: said by `--columns`, else inferred from the header, else the first ones.
 
 use super::optional_column;
 use crate::failure::Failure;
@@ -21,7 +21,7 @@ impl ColumnsOption {
         needed: &str,
     ) -> Result<[Option<Column>; N], Failure> {
         let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
-        let columns: Vec<Option<Column>> = match (self.columns.len(), told(table), table.width()) {
+        let columns: Vec<Option<Column>> = match (self.columns.len(), by_header(table), table.width()) {
             (0, Some(columns), _) => columns,
             (0, None, 2) => first(2),
             (0, None, 4..) => first(4),
@@ -46,7 +46,7 @@ impl ColumnsOption {
 }
 
 /// Two columns of values, and what the header says are their uncertainties.
-fn told(table: &Table) -> Option<Vec<Option<Column>>> {
+fn by_header(table: &Table) -> Option<Vec<Option<Column>>> {
     let [first, second] = <[_; 2]>::try_from(table.value_columns()?).ok()?;
     Some(vec![Some(first.values), Some(second.values), first.uncertainties, second.uncertainties])
 }

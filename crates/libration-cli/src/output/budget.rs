@@ -69,7 +69,7 @@ fn of_effect() -> Fields<BudgetRow> {
             "1",
             "size that the correction usually has, where it was not applied, or null",
             |it| match it.correction {
-                Correction::Usually(part) => Some(part),
+                Correction::Typical(part) => Some(part),
                 _ => None,
             },
         ),
@@ -85,7 +85,7 @@ fn of_effect() -> Fields<BudgetRow> {
             .words(COLUMNS[3], |it| it.evaluation.letter().to_string()),
         Of::value("with", "", "values that the correction was computed with", |it| it.note.as_str().into())
             .words(COLUMNS[5], |it| match it.correction {
-                Correction::Usually(_) => format!("not corrected; {}", it.note),
+                Correction::Typical(_) => format!("not corrected; {}", it.note),
                 _ => it.note.clone(),
             }),
     ])
@@ -112,7 +112,7 @@ fn correction(correction: Correction) -> String {
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));
     match correction {
         Correction::Applied(part) => percent(part),
-        Correction::Usually(part) => format!("(about {})", percent(part)),
+        Correction::Typical(part) => format!("(about {})", percent(part)),
         Correction::Unknown => "(not known)".to_owned(),
         Correction::Input => String::new(),
     }

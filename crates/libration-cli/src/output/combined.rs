@@ -3,7 +3,7 @@
 use super::field::{Field, Fields};
 use super::table::{Column, Table};
 use super::{json, number};
-use libration_lab::fit::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
+use libration_lab::fit::{COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correlation};
 use std::io::{self, Write};
 
 /// One line for each input that matters.
@@ -17,7 +17,7 @@ pub(crate) fn write_table(out: &mut dyn Write, combined: &CombinedUncertainty) -
 
 /// `± 0.069 m/s² with 95 % (k = 1.96; degrees of freedom: 1800)`.
 pub(crate) fn expanded(combined: &CombinedUncertainty) -> String {
-    let percent = number::short(100.0 * COVERAGE, 3);
+    let percent = number::short(100.0 * COVERAGE_PROBABILITY, 3);
     format!(
         "± {} m/s² with {percent} %  (U = k u, k = {}; effective degrees of freedom: {})",
         number::rounded(combined.expanded(), 2),
@@ -99,7 +99,7 @@ fn with_correlations(correlations: Field<CombinedUncertainty>) -> Fields<Combine
             "coverage_probability",
             "1",
             "probability that gravity is within the expanded uncertainty",
-            |_| COVERAGE,
+            |_| COVERAGE_PROBABILITY,
         ),
         Of::number("coverage_factor", "1", "expanded uncertainty over the standard one", |it| {
             it.coverage_factor()

@@ -230,7 +230,7 @@ const FURTHER: [&str; 28] = [
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
-    "fit|trace|examples/swing_synthetic.csv|examples/swing_synthetic.csv|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
+    "fit|trace|examples/swing_synthetic.csv|LATER|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
     "fields",
 ];
 
@@ -244,8 +244,16 @@ const UNSEEN: &[(&str, &str, &str)] = &[
 ];
 
 fn questions() -> Vec<Vec<String>> {
-    let file = directory("fields-questions").join("figure.svg").display().to_string();
-    let question = |text: &&str| text.split('|').map(|word| word.replace("FILE", &file)).collect();
+    let directory = directory("fields-questions");
+    let file = directory.join("figure.svg").display().to_string();
+    // The later part of the same swing, as another recording.
+    let later = directory.join("later.csv");
+    let swing = std::fs::read_to_string(root().join("examples/swing_synthetic.csv")).unwrap();
+    let lines: Vec<&str> = swing.lines().collect();
+    std::fs::write(&later, [&lines[..3], &lines[300..]].concat().join("\n")).unwrap();
+    let later = later.display().to_string();
+    let in_place = |word: &str| word.replace("FILE", &file).replace("LATER", &later);
+    let question = |text: &&str| text.split('|').map(in_place).collect();
     widths::QUESTIONS.iter().chain(&FURTHER).map(question).collect()
 }
 

@@ -36,7 +36,7 @@ mod uncertain;
 
 pub use beta::Beta;
 pub use budget::{
-    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE,
+    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE_PROBABILITY,
     CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
     budget,
 };

@@ -94,7 +94,7 @@ impl fmt::Display for ScatterWarning {
             ),
             Self::Less { ratio, common } => write!(
                 f,
-                "the rows scatter only {ratio:.2} times as much as their stated uncertainties: these are perhaps common to all rows, \
+                "the rows scatter only {ratio:.2} times as much as their stated uncertainties: they may be common to all rows, \
                  and then belong to {common}"
             ),
         }

@@ -1,4 +1,4 @@
-//! What can be said about a file instead of being told from it.
+//! What can be said about a file instead of being inferred from it.
 
 use std::convert::Infallible;
 use std::fmt;
@@ -24,7 +24,7 @@ impl FromStr for Column {
     }
 }
 
-/// What the columns of a recording are, where it is not to be told from the file; `None` leaves it to the file.
+/// What the columns of a recording are, where it is not to be inferred from the file; `None` leaves it to the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Choices {
     /// The sheet, by its name or its number counted from one.
@@ -59,12 +59,12 @@ pub struct Choices {
     /// Leave out rows after this time.
     pub to: Option<f64>,
     /// Which times are taken where those of the file are rounded.
-    pub stamps: Option<Stamps>,
+    pub stamps: Option<TimeStamps>,
 }
 
 /// Which times are taken where those of the file are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stamps {
+pub enum TimeStamps {
     /// As they are written.
     AsWritten,
     /// The even times of which they are roundings.
@@ -156,7 +156,7 @@ impl fmt::Display for Suggestion {
     }
 }
 
-/// What was told from a file, as a sentence, and the choice that would override it.
+/// What was inferred from a file, as a sentence, and the choice that would override it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     /// The sentence, without a full stop.

@@ -1,4 +1,4 @@
-//! What stands between the cells and within the numbers, told from the lines themselves.
+//! What stands between the cells and within the numbers, inferred from the lines themselves.
 
 use std::fmt;
 

@@ -28,7 +28,7 @@ impl FittedPivot {
 
     /// Whether both are the same centre of one circle.
     #[must_use]
-    pub fn is_that_of(&self, other: &Self) -> bool {
+    pub fn is_shared_with(&self, other: &Self) -> bool {
         let bits = |pivot: &Self| {
             let [[xx, xy], [_, yy]] = pivot.covariance;
             [pivot.place[0], pivot.place[1], xx, xy, yy].map(f64::to_bits)

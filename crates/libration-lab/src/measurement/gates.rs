@@ -18,7 +18,7 @@ pub struct Gates {
     pub lines: Vec<u64>,
     /// Rows without a time or a state, which are left out.
     pub incomplete: usize,
-    /// What was told from the file.
+    /// What was inferred from the file.
     pub findings: Vec<Finding>,
 }
 

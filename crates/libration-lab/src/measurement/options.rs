@@ -20,9 +20,9 @@ pub enum Header {
 /// How a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReadOptions {
-    /// What stands between cells; told from the file when not given.
+    /// What stands between cells; inferred from the file when not given.
     pub delimiter: Option<Delimiter>,
-    /// Decimal point or decimal comma; told from the file when not given.
+    /// Decimal point or decimal comma; inferred from the file when not given.
     pub decimal: Option<DecimalMark>,
     /// Whether the first row names the columns.
     pub header: Header,

@@ -1,4 +1,4 @@
-//! A file of measurements: what it is, its sheets, and what was told from it.
+//! A file of measurements: what it is, its sheets, and what was inferred from it.
 
 use super::ambiguity;
 use super::choices::{Choices, Finding, Suggestion};
@@ -66,7 +66,7 @@ impl Recording {
         self.sheets.swap_remove(0)
     }
 
-    /// What was told from the file in reading it.
+    /// What was inferred from the file in reading it.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let of_text = matches!(self.format, Format::Text(_) | Format::Zip);
@@ -154,8 +154,9 @@ impl Sheet {
             None => format!("{of}there is no header"),
         };
         findings.push(Finding::new(header, Choice::Header));
-        if let Some(first) = self.names_beyond.first() {
-            let (columns, names) = (self.channels.len(), self.channels.len() + self.names_beyond.len());
+        if let Some(first) = self.names_without_column.first() {
+            let (columns, names) =
+                (self.channels.len(), self.channels.len() + self.names_without_column.len());
             let text = format!(
                 "{of}the header has {names} names and the rows have {columns} cells: `{}` and what follows it have no column",
                 excerpt(first)

@@ -73,7 +73,7 @@ pub struct Sheet {
     /// The lines above the header, which are left out.
     pub preamble: Vec<(u64, String)>,
     /// Names in the header that have no column below them.
-    pub names_beyond: Vec<String>,
+    pub names_without_column: Vec<String>,
     /// The columns.
     pub channels: Vec<Channel>,
     /// The line of each row, counted from one.
@@ -95,7 +95,7 @@ impl Sheet {
             dialect,
             header_line: layout.header_line,
             preamble: layout.preamble,
-            names_beyond: layout.beyond,
+            names_without_column: layout.beyond,
             channels: layout.headings.into_iter().map(channel).collect(),
             lines: Vec::new(),
         };

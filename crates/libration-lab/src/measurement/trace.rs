@@ -28,7 +28,7 @@ pub enum TraceError {
 /// What the numbers of a trace are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
-pub enum Seen {
+pub enum Observable {
     /// The angle, in radians; where it is zero is not known.
     Angle,
     /// The angular velocity, in radians per second, as a gyroscope gives it.
@@ -39,16 +39,16 @@ pub enum Seen {
 ///
 /// # Examples
 /// ```
-/// use libration_lab::measurement::{Seen, Trace};
-/// let trace = Trace::new("swing", Seen::Angle, vec![0.0, 0.1, 0.2], vec![0.5, 0.4, 0.2], None)?;
+/// use libration_lab::measurement::{Observable, Trace};
+/// let trace = Trace::new("swing", Observable::Angle, vec![0.0, 0.1, 0.2], vec![0.5, 0.4, 0.2], None)?;
 /// assert_eq!(trace.len(), 3);
-/// assert!(Trace::new("back in time", Seen::Angle, vec![0.1, 0.0], vec![0.5, 0.4], None).is_err());
+/// assert!(Trace::new("back in time", Observable::Angle, vec![0.1, 0.0], vec![0.5, 0.4], None).is_err());
 /// # Ok::<(), libration_lab::measurement::TraceError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
     name: String,
-    seen: Seen,
+    observable: Observable,
     times: Vec<f64>,
     values: Vec<f64>,
     uncertainties: Option<Vec<f64>>,
@@ -64,7 +64,7 @@ impl Trace {
     /// that are not positive.
     pub fn new(
         name: &str,
-        seen: Seen,
+        observable: Observable,
         times: Vec<f64>,
         values: Vec<f64>,
         uncertainties: Option<Vec<f64>>,
@@ -84,7 +84,15 @@ impl Trace {
             return Err(TraceError::Uncertainty(value));
         }
         let name = name.to_owned();
-        Ok(Self { name, seen, times, values, uncertainties, clock_uncertainty: 0.0, fitted_pivot: None })
+        Ok(Self {
+            name,
+            observable,
+            times,
+            values,
+            uncertainties,
+            clock_uncertainty: 0.0,
+            fitted_pivot: None,
+        })
     }
 
     /// The same under another name.
@@ -137,8 +145,8 @@ impl Trace {
 
     /// What its numbers are.
     #[must_use]
-    pub fn seen(&self) -> Seen {
-        self.seen
+    pub fn observable(&self) -> Observable {
+        self.observable
     }
 
     /// The times, in seconds, increasing.
@@ -176,7 +184,7 @@ impl Trace {
         };
         let uncertainties = self.uncertainties.as_deref().map(chosen);
         let part =
-            Self::new(&self.name, self.seen, chosen(&self.times), chosen(&self.values), uncertainties)?
+            Self::new(&self.name, self.observable, chosen(&self.times), chosen(&self.values), uncertainties)?
                 .with_clock_uncertainty(self.clock_uncertainty);
         let rows: Vec<usize> = (0..self.len()).filter(|&row| keep(row)).collect();
         match &self.fitted_pivot {

@@ -230,10 +230,10 @@ fn clock_and_damping_are_in_every_budget() {
     let with = |period: MeasuredPeriod| budget(&apparatus, &period, &[]).unwrap();
     let plain = MeasuredPeriod::of_small_swings(about(2.0, 0.001));
     let found = with(plain);
-    assert_eq!(correction(&found, "clock"), Correction::Usually(-0.002));
+    assert_eq!(correction(&found, "clock"), Correction::Typical(-0.002));
     // The amplitude falls by e^-1 in 60 s: b = 1/30 s, ω = π/s.
     let part = square(1.0 / (60.0 * std::f64::consts::PI));
-    assert!(matches!(correction(&found, "damping"), Correction::Usually(size) if close(size, part, 1e-3)));
+    assert!(matches!(correction(&found, "damping"), Correction::Typical(size) if close(size, part, 1e-3)));
     let contained = with(MeasuredPeriod { damping: PeriodDamping::Contained(about(0.2, 0.05)), ..plain });
     let fitted = with(MeasuredPeriod { damping: PeriodDamping::Fitted(0.2), ..plain });
     let size = square(0.1 / std::f64::consts::PI);

@@ -7,7 +7,7 @@ use libration_lab::fit::cycles::{
     beta_of_traces_watched, beyond_a_turn, cycles, cycles_watched,
 };
 use libration_lab::fit::trace::DampingKind;
-use libration_lab::measurement::{Seen, Trace};
+use libration_lab::measurement::{Observable, Trace};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -40,8 +40,8 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
         Synthetic { step: 0.083, rows: 480, ..Synthetic::USUAL },
         // 12 rows in a period.
         Synthetic { step: 0.175, rows: 240, ..Synthetic::USUAL },
-        Synthetic { seen: Seen::AngularVelocity, offset: 0.05, ..Synthetic::USUAL },
-        Synthetic { seen: Seen::AngularVelocity, amplitude: 2.2, ..Synthetic::USUAL },
+        Synthetic { observable: Observable::AngularVelocity, offset: 0.05, ..Synthetic::USUAL },
+        Synthetic { observable: Observable::AngularVelocity, amplitude: 2.2, ..Synthetic::USUAL },
     ];
     for case in cases {
         let found = of(&case, 1);
@@ -80,7 +80,7 @@ fn errors_are_as_large_as_their_uncertainties() {
         Synthetic { noise: 0.005, step: 0.083, rows: 480, ..Synthetic::USUAL },
         Synthetic { noise: 0.005, step: 0.175, rows: 240, ..Synthetic::USUAL },
         Synthetic { noise: 0.003, amplitude: 2.4, ..Synthetic::USUAL },
-        Synthetic { noise: 0.01, offset: 0.02, seen: Seen::AngularVelocity, ..Synthetic::USUAL },
+        Synthetic { noise: 0.01, offset: 0.02, observable: Observable::AngularVelocity, ..Synthetic::USUAL },
     ];
     for case in cases {
         for pull in pulls(&case, 60) {
@@ -108,7 +108,7 @@ fn changed(trace: &Trace, value: impl Fn(usize, f64) -> Option<f64>) -> Trace {
     let rows =
         (0..trace.len()).filter_map(|row| Some((trace.times()[row], value(row, trace.values()[row])?)));
     let (times, values) = rows.unzip();
-    Trace::new("changed", trace.seen(), times, values, None).unwrap()
+    Trace::new("changed", trace.observable(), times, values, None).unwrap()
 }
 
 #[test]
@@ -237,7 +237,7 @@ fn a_tail_at_rest_is_left_out_and_said() {
         Synthetic { linear: 0.3, noise: 0.002, ..base },
         Synthetic { linear: 0.3, noise: 0.002, rows: 20_000, ..base },
         Synthetic { linear: 0.2, dry: 0.05, noise: 0.002, ..base },
-        Synthetic { linear: 0.3, noise: 0.002, offset: 0.2, seen: Seen::AngularVelocity, ..base },
+        Synthetic { linear: 0.3, noise: 0.002, offset: 0.2, observable: Observable::AngularVelocity, ..base },
     ] {
         let found = of(&case, 3);
         assert!(found.cycles.len() >= 8, "{}: {case:?}", found.cycles.len());
@@ -268,7 +268,7 @@ fn exact(amplitude: f64, step: f64, seconds: f64, value: impl Fn(f64) -> f64) ->
     let rows = (seconds / step) as u32;
     let times: Vec<f64> = (0..rows).map(|row| step * f64::from(row)).collect();
     let values = times.iter().map(|&time| amplitude * value(time)).collect();
-    Trace::new("exact", Seen::Angle, times, values, None).unwrap()
+    Trace::new("exact", Observable::Angle, times, values, None).unwrap()
 }
 
 #[test]
@@ -323,7 +323,7 @@ fn cycles_scatter_by_their_stated_uncertainties() {
                 clock
             })
             .collect();
-        let trace = Trace::new("jitter", Seen::Angle, times, trace.values().to_vec(), None).unwrap();
+        let trace = Trace::new("jitter", Observable::Angle, times, trace.values().to_vec(), None).unwrap();
         let found = found_in(&trace);
         let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
         let pulls = kept.iter().map(|cycle| {
@@ -422,7 +422,7 @@ fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
     assert!(beyond.in_degrees && beyond.to_string().contains("no free pendulum"), "{beyond}");
     let counts = beyond_a_turn(&span(1000.0)).unwrap();
     assert!(!counts.in_degrees, "{counts}");
-    let velocities = Synthetic { seen: Seen::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
+    let velocities = Synthetic { observable: Observable::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
     assert_eq!(beyond_a_turn(&velocities.trace(&mut Random::seeded(1))), None);
 }
 

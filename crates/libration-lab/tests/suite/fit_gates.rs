@@ -194,9 +194,9 @@ fn a_width_that_gives_no_speeds_is_said_to_be_of_no_use() {
     // A bob of a metre would be so fast that the pendulum goes over the top.
     let wide = GateOptions { width: Some(exactly(1.0)), ..GateOptions::default() };
     let fit = gates(&times, Some(&blocked), &wide).unwrap();
-    assert!(fit.warnings.contains(&GatesWarning::WidthOfNoUse { edges: true }), "{:?}", fit.warnings);
+    assert!(fit.warnings.contains(&GatesWarning::WidthUnused { edges: true }), "{:?}", fit.warnings);
     let fit = gates(&middles(&edges(0.0, 1e-5)), None, &with_width()).unwrap();
-    assert!(fit.warnings.contains(&GatesWarning::WidthOfNoUse { edges: false }), "{:?}", fit.warnings);
+    assert!(fit.warnings.contains(&GatesWarning::WidthUnused { edges: false }), "{:?}", fit.warnings);
     assert_eq!(gates(&times, Some(&blocked), &with_width()).unwrap().warnings, []);
 }
 

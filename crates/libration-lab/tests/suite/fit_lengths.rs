@@ -122,7 +122,7 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
         let noisy = |length: &f64| period(*length, 0.0, 0.0) + 0.003 * normal(&mut random);
         let periods: Vec<f64> = given.iter().map(noisy).collect();
         let fit = lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
-        needed += u32::from(fit.law(LengthModel::Offset).unwrap().chance.unwrap() < 0.05);
+        needed += u32::from(fit.law(LengthModel::Offset).unwrap().p_value.unwrap() < 0.05);
     }
     // 5 % of 200 are 10, with a standard deviation of 3.
     assert!((2..=20).contains(&needed), "{needed}");
@@ -243,8 +243,8 @@ fn a_gravity_found_nowhere_is_explained_by_the_count_of_periods_where_that_can_b
     };
     let nowhere = |counted| vec![LengthsWarning::NowhereOnEarth { counted }];
     assert_eq!(counted(1.0), []);
-    assert_eq!(counted(2.0), nowhere(Some(CountedAs::WholeThoughHalf)));
-    assert_eq!(counted(0.5), nowhere(Some(CountedAs::HalfThoughWhole)));
+    assert_eq!(counted(2.0), nowhere(Some(CountedAs::HalfPeriodsAsWhole)));
+    assert_eq!(counted(0.5), nowhere(Some(CountedAs::WholePeriodsAsHalf)));
     assert_eq!(counted(2.9_f64.sqrt()), nowhere(None));
     assert_eq!(counted(0.31_f64.sqrt()), nowhere(None));
     assert_eq!(nowhere(None)[0].name(), "gravity_contradicted");

@@ -7,7 +7,9 @@ use std::fmt::Write;
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
 use libration_lab::fit::trace::{DampingKind, DampingModel, TraceFit, TraceOptions, fit_traces};
-use libration_lab::measurement::{Choices, FittedPivot, ReadOptions, Recording, Seen, Trace, TraceError};
+use libration_lab::measurement::{
+    Choices, FittedPivot, Observable, ReadOptions, Recording, Trace, TraceError,
+};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -79,7 +81,7 @@ fn a_fitted_pivot_makes_the_offset_uncertain() {
     let pivot = about_fitted.fitted_pivot().unwrap();
     let columns = [about_fitted.times(), about_fitted.values()].map(<[f64]>::to_vec);
     let [times, values] = columns;
-    let about_known = Trace::new("known", Seen::Angle, times, values, None).unwrap();
+    let about_known = Trace::new("known", Observable::Angle, times, values, None).unwrap();
     let of = |trace: &Trace| fitted(trace).parameter("offset").unwrap().estimate.uncertainty;
     // A metre below it an error of the pivot is the angle's.
     let by_pivot = pivot.covariance[0][0].sqrt();
@@ -143,7 +145,7 @@ fn about_a_drawn_pivot(swing: &Trace, random: &mut Random) -> Trace {
         covariance: [[xx, 0.0], [0.0, yy]],
         derivatives: derivatives.collect(),
     };
-    let trace = Trace::new("drawn", Seen::Angle, swing.times().to_vec(), values, None).unwrap();
+    let trace = Trace::new("drawn", Observable::Angle, swing.times().to_vec(), values, None).unwrap();
     trace.with_fitted_pivot(pivot).unwrap()
 }
 

@@ -2,7 +2,8 @@
 
 use libration::quantity::{Angle, Dimension, parse};
 use libration_lab::measurement::{
-    Choices, Column, Format, MeasurementError, ReadOptions, Recording, Seen, Stamps, Table, Traces, Unit,
+    Choices, Column, Format, MeasurementError, Observable, ReadOptions, Recording, Table, TimeStamps, Traces,
+    Unit,
 };
 use std::f64::consts::TAU;
 
@@ -172,7 +173,10 @@ fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
         );
     }
     let found = traces(&file, &Choices::default()).unwrap();
-    assert_eq!((found.traces[0].seen(), found.traces[0].values()[0]), (Seen::AngularVelocity, 1.0));
+    assert_eq!(
+        (found.traces[0].observable(), found.traces[0].values()[0]),
+        (Observable::AngularVelocity, 1.0)
+    );
     assert!(told(&found).contains("nearly all of the motion"), "{}", told(&found));
     let other = Choices { angular_velocity: named("Gyroscope z"), ..Choices::default() };
     assert_eq!(traces(&file, &other).unwrap().traces[0].values()[0], -0.02);
@@ -288,7 +292,7 @@ fn times_with_three_significant_digits_are_the_even_times_they_come_from() {
             "{rate}: {error:e}"
         );
     }
-    let written = Choices { stamps: Some(Stamps::AsWritten), ..Choices::default() };
+    let written = Choices { stamps: Some(TimeStamps::AsWritten), ..Choices::default() };
     assert!(traces(&table(None, 30.0), &written).unwrap().traces[0].len() < 800);
     let gap = traces(&table(Some(1200), 30.0), &Choices::default()).unwrap_err();
     assert!(matches!(gap, MeasurementError::CoarseTimes { digits: 3, .. }), "{gap}");
@@ -312,7 +316,7 @@ fn rows_that_share_times_are_kept_with_even_ones() {
     assert!(steps.into_iter().all(|step| (step - 0.005).abs() < 1e-5));
     assert!(told(&found).contains("so coarse that rows share them"), "{}", told(&found));
     let uneven = file.replace("0.03,", "0.031,");
-    let asked = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    let asked = Choices { stamps: Some(TimeStamps::Even), ..Choices::default() };
     assert!(matches!(traces(&uneven, &asked), Err(MeasurementError::NotEven { .. })));
 }
 
@@ -377,7 +381,7 @@ fn a_tilted_gyroscope_is_read_about_the_axis_that_it_turns_about() {
         file += &format!("{time:.2},{:.6},{:.6},{:.6}\n", -0.36 * rate, 0.48 * rate, 0.8 * rate);
     }
     let found = traces(&file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].seen(), Seen::AngularVelocity);
+    assert_eq!(found.traces[0].observable(), Observable::AngularVelocity);
     for (row, value) in (0..).zip(found.traces[0].values()) {
         assert!((value - radians(90.0 * libm::sin(0.04 * f64::from(row)))).abs() < 1e-7);
     }
@@ -451,7 +455,7 @@ fn times_that_rounding_has_kept_apart_stay_as_they_are_written() {
             .all(|(time, truth)| (time - truth).abs() < 1e-15)
     );
     assert!(found.traces[0].clock_uncertainty().abs() < 1e-300);
-    let even = Choices { stamps: Some(Stamps::Even), ..Choices::default() };
+    let even = Choices { stamps: Some(TimeStamps::Even), ..Choices::default() };
     let found = traces(&file, &even).unwrap();
     assert!(found.traces[0].times().windows(2).all(|pair| (pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6));
 }

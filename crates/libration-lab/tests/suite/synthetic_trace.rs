@@ -1,7 +1,7 @@
 //! Traces of damped pendulums with known truth, as an instrument would give them.
 
 use libration::taylor::{Effort, Moment, System, integrate};
-use libration_lab::measurement::{Seen, Trace};
+use libration_lab::measurement::{Observable, Trace};
 
 use crate::random::Random;
 
@@ -15,7 +15,7 @@ pub(crate) struct Synthetic {
     pub(crate) amplitude: f64,
     /// At the release.
     pub(crate) velocity: f64,
-    pub(crate) seen: Seen,
+    pub(crate) observable: Observable,
     pub(crate) offset: f64,
     pub(crate) step: f64,
     pub(crate) rows: u32,
@@ -34,7 +34,7 @@ impl Synthetic {
         quadratic: 0.0,
         amplitude: 1.0472,
         velocity: 0.0,
-        seen: Seen::Angle,
+        observable: Observable::Angle,
         offset: 0.0,
         step: 0.02,
         rows: 2000,
@@ -59,13 +59,13 @@ impl Synthetic {
         let start = Moment { time: 0.0, state: vec![self.amplitude, self.velocity] };
         let effort = Effort::to_tolerance(1e-12);
         let solution = integrate(&system, &start, &times, &effort).unwrap();
-        let place = usize::from(self.seen == Seen::AngularVelocity);
-        let seen = |state: &[f64]| {
+        let place = usize::from(self.observable == Observable::AngularVelocity);
+        let observable = |state: &[f64]| {
             let value = state[place] + self.offset + self.noise * normal(random);
             if self.quantum > 0.0 { self.quantum * libm::round(value / self.quantum) } else { value }
         };
-        let values = solution.samples.iter().map(|sample| sample.state.as_slice()).map(seen).collect();
-        Trace::new("synthetic", self.seen, times, values, None).unwrap()
+        let values = solution.samples.iter().map(|sample| sample.state.as_slice()).map(observable).collect();
+        Trace::new("synthetic", self.observable, times, values, None).unwrap()
     }
 }
 

@@ -9,7 +9,7 @@ use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::trace::{
     DampingKind, DampingModel, Parameter, TraceFit, TraceFitError, TraceOptions, compare, fit_traces,
 };
-use libration_lab::measurement::{Seen, Trace};
+use libration_lab::measurement::{Observable, Trace};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -23,7 +23,7 @@ struct Truth {
     state: [f64; 2],
     /// The camera is tilted by that, or zero is elsewhere.
     offset: f64,
-    seen: Seen,
+    observable: Observable,
     cycles: f64,
     rows_per_cycle: f64,
     noise: f64,
@@ -41,7 +41,7 @@ impl Truth {
             damping: [0.0; 3],
             state: [1.05, 0.0],
             offset: 0.0,
-            seen: Seen::Angle,
+            observable: Observable::Angle,
             cycles: 8.0,
             rows_per_cycle: 40.0,
             noise: 0.0,
@@ -74,7 +74,7 @@ impl Truth {
             damping,
             state: [angle, if random.below(2) == 0 { velocity } else { -velocity }],
             offset: random.between(-0.1, 0.1),
-            seen: Seen::Angle,
+            observable: Observable::Angle,
             cycles,
             rows_per_cycle: random.between(15.0, 60.0),
             noise,
@@ -103,15 +103,15 @@ impl Truth {
         let start = Moment { time: 0.0, state: self.state.to_vec() };
         let effort = Effort::to_tolerance(1e-13);
         let motion = integrate(&system, &start, &times, &effort).unwrap();
-        let number = if self.seen == Seen::Angle { 0 } else { 1 };
-        let seen = |moment: &Moment| {
+        let number = if self.observable == Observable::Angle { 0 } else { 1 };
+        let observable = |moment: &Moment| {
             let value = moment.state[number] + self.offset + self.noise * random.normal();
             if self.resolution > 0.0 { libm::round(value / self.resolution) * self.resolution } else { value }
         };
-        let values = motion.samples.iter().map(seen).collect();
+        let values = motion.samples.iter().map(observable).collect();
         // A clock that does not begin at zero.
         let times = times.iter().map(|time| 17.0 + time).collect();
-        Trace::new("synthetic", self.seen, times, values, None).unwrap()
+        Trace::new("synthetic", self.observable, times, values, None).unwrap()
     }
 
     /// The true value of a parameter; the first row may have been lost, so that the first state is that of another time.
@@ -220,7 +220,7 @@ fn a_release_next_to_the_top_is_fitted() {
 #[test]
 fn angular_velocities_do_as_well() {
     let truth = Truth {
-        seen: Seen::AngularVelocity,
+        observable: Observable::AngularVelocity,
         damping: [0.0, 0.02, 0.03],
         offset: -0.04,
         noise: 0.02,
@@ -249,7 +249,7 @@ fn angular_velocities_of_large_damped_swings_are_fitted() {
             quadratic: 0.02,
             linear: 0.03,
             amplitude: degrees.to_radians(),
-            seen: Seen::AngularVelocity,
+            observable: Observable::AngularVelocity,
             rows: 600,
             noise: 0.02,
             ..Synthetic::USUAL
@@ -297,7 +297,7 @@ fn outliers_draw_a_robust_fit_by_nothing() {
             *value += random.between(0.2, 2.0);
         }
     }
-    let spoilt = Trace::new("spoilt", Seen::Angle, clean.times().to_vec(), values, None).unwrap();
+    let spoilt = Trace::new("spoilt", Observable::Angle, clean.times().to_vec(), values, None).unwrap();
     let robust = TraceOptions { robust: true, ..TraceOptions::default() };
     let [plain, robust] = [TraceOptions::default(), robust]
         .map(|options| fit(std::slice::from_ref(&spoilt), truth.terms(), options));
@@ -317,7 +317,7 @@ fn a_wrong_scale_of_the_angles_is_found() {
     let truth = Truth { state: [1.8, 0.0], noise: 0.002, damping: [0.0, 0.01, 0.0], ..Truth::plain() };
     let trace = truth.trace(&mut Random::seeded(8));
     let values = trace.values().iter().map(|value| 1.02 * value).collect();
-    let scaled = Trace::new("scaled", Seen::Angle, trace.times().to_vec(), values, None).unwrap();
+    let scaled = Trace::new("scaled", Observable::Angle, trace.times().to_vec(), values, None).unwrap();
     let fit = fit(&[scaled], truth.terms(), TraceOptions { free_scale: true, ..TraceOptions::default() });
     let scale = fit.parameter("scale").unwrap();
     assert!(
@@ -344,7 +344,7 @@ fn the_damping_is_told_where_the_data_tell_it() {
         let excess: Vec<f64> = comparison
             .fits
             .iter()
-            .zip(&comparison.excess_information)
+            .zip(&comparison.aicc_differences)
             .filter(|(fit, _)| single(fit) && fit.damping != truth.terms())
             .map(|(_, excess)| *excess)
             .collect();
@@ -373,8 +373,8 @@ fn damping_that_pushes_is_told_from_friction_that_falls_with_the_speed() {
         let terms = "dry+linear".parse().unwrap();
         let fit = fit(&[truth.trace(&mut Random::seeded(3))], terms, TraceOptions::default());
         assert_eq!(fit.negative_terms(), negative, "{dry} {linear}");
-        assert_eq!(fit.damps_by_each_term(), negative.is_empty(), "{dry} {linear}");
-        assert_eq!(fit.takes_energy(), takes, "{dry} {linear}");
+        assert_eq!(fit.dissipates_by_each_term(), negative.is_empty(), "{dry} {linear}");
+        assert_eq!(fit.dissipates(), takes, "{dry} {linear}");
     }
 }
 
@@ -386,7 +386,7 @@ fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> T
         error
     };
     let values = trace.values().iter().map(|value| value + next()).collect();
-    Trace::new("with memory", Seen::Angle, trace.times().to_vec(), values, None).unwrap()
+    Trace::new("with memory", Observable::Angle, trace.times().to_vec(), values, None).unwrap()
 }
 
 /// What the intervals of ω0 hold with noise that remembers so much from row to row, in parts of all.
@@ -469,7 +469,7 @@ fn alike_residuals_are_told_and_widen_the_uncertainties() {
 fn a_cosine_of_constant_period_leaves_no_noise() {
     let times: Vec<f64> = (0..400).map(|row| 0.05 * f64::from(row)).collect();
     let values = times.iter().map(|&time| 1.4 * libm::cos(TAU / 1.5 * time)).collect();
-    let cosine = Trace::new("cosine", Seen::Angle, times, values, None).unwrap();
+    let cosine = Trace::new("cosine", Observable::Angle, times, values, None).unwrap();
     let fit = fit(&[cosine], DampingModel::UNDAMPED, TraceOptions::default());
     assert!(!fit.autocorrelation.is_noise(), "{:?}", fit.autocorrelation);
 }
@@ -480,7 +480,7 @@ fn swings_of_more_than_a_turn_are_refused_before_any_fit() {
     let trace = truth.trace(&mut Random::seeded(31));
     let by = |factor: f64| {
         let values = trace.values().iter().map(|value| factor * value).collect();
-        Trace::new("swing", Seen::Angle, trace.times().to_vec(), values, None).unwrap()
+        Trace::new("swing", Observable::Angle, trace.times().to_vec(), values, None).unwrap()
     };
     let evaluations = Cell::new(0);
     let ask = |_| {
@@ -506,8 +506,13 @@ fn stated_uncertainties_are_not_made_smaller() {
     let trace = truth.trace(&mut Random::seeded(12));
     let stated = |uncertainty: f64| {
         let uncertainties = Some(vec![uncertainty; trace.len()]);
-        let trace =
-            Trace::new("stated", Seen::Angle, trace.times().to_vec(), trace.values().to_vec(), uncertainties);
+        let trace = Trace::new(
+            "stated",
+            Observable::Angle,
+            trace.times().to_vec(),
+            trace.values().to_vec(),
+            uncertainties,
+        );
         fit(&[trace.unwrap()], truth.terms(), TraceOptions::default())
     };
     let [right, small, large] = [0.002, 0.001, 0.004].map(stated);
@@ -526,7 +531,7 @@ fn what_cannot_be_fitted_is_refused() {
     let trace = |rows: u32, value: fn(f64) -> f64| {
         let times: Vec<f64> = (0..rows).map(f64::from).collect();
         let values = times.iter().map(|&time| value(time)).collect();
-        Trace::new("none", Seen::Angle, times, values, None).unwrap()
+        Trace::new("none", Observable::Angle, times, values, None).unwrap()
     };
     let refused = |trace: Trace| fit_traces(&[trace], linear, &options, &Watch::none()).unwrap_err();
     assert!(matches!(refused(trace(5, |t| t)), TraceFitError::TooFewRows { rows: 5, .. }));

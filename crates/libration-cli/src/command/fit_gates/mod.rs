@@ -3,7 +3,9 @@
 mod fields;
 mod write;
 
-use crate::arguments::{ApparatusOptions, DampingOptions, RecordingOptions, one_amplitude, told};
+use crate::arguments::{
+    ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
+};
 use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
@@ -79,7 +81,7 @@ impl FitGates {
             Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?],
             None => vec![],
         };
-        let findings: Vec<String> = read.findings.iter().map(told).collect();
+        let findings: Vec<String> = read.findings.iter().map(finding_with_option).collect();
         let incomplete = read.incomplete;
         let budget = budget.as_ref().zip(self.apparatus.length());
         Answer { fit: &fit, budget, findings, incomplete }.write(out, self.form.form())?;

@@ -18,10 +18,10 @@ impl Answer<'_> {
     pub(super) fn warnings(&self) -> Vec<Named> {
         let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
-            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholeThoughHalf) } if !half => {
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::HalfPeriodsAsWhole) } if !half => {
                 format!("{warning} (--half-periods)")
             }
-            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::HalfThoughWhole) } if half => {
+            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholePeriodsAsHalf) } if half => {
                 format!("{warning} (leave out --half-periods)")
             }
             LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
@@ -56,7 +56,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.table.dropped.into()
         }),
         Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
-            json::list(it.table.told.clone())
+            json::list(it.table.inferences.clone())
         }),
         Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
         Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
@@ -136,10 +136,10 @@ pub(super) fn of_law() -> Fields<LengthFit> {
             "chance_of_last_parameter",
             "1",
             "probability that chance makes the last free parameter as large if it is zero, or null",
-            |it| it.chance.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
+            |it| it.p_value.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
         )
         .only_json()
-        .numeral(COLUMNS[7], |it| match it.chance {
+        .numeral(COLUMNS[7], |it| match it.p_value {
             Some(chance) if chance < 1e-15 => "<1e-15".to_owned(),
             chance => or_dash(chance, 2),
         }),

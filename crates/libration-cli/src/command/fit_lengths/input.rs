@@ -38,7 +38,7 @@ pub(super) struct LengthFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// The units that the header says.
-    pub(super) told: Vec<String>,
+    pub(super) inferences: Vec<String>,
     pub(super) half_periods: bool,
 }
 
@@ -67,7 +67,7 @@ impl Input {
         Ok(LengthFile {
             measured: Measured { lengths, periods, length_uncertainties, period_uncertainties, table },
             dropped: read.dropped,
-            told: read.told,
+            inferences: read.inferences,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),
         })
     }

@@ -50,8 +50,8 @@ impl Answer<'_> {
             ),
             ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
-        if !self.table.told.is_empty() {
-            lines.insert(1, ("units", self.table.told.join("; ")));
+        if !self.table.inferences.is_empty() {
+            lines.insert(1, ("units", self.table.inferences.join("; ")));
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("warning", doubt)));

@@ -57,7 +57,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.measured.dropped.into()
         }),
         Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
-            json::list(it.measured.told.clone())
+            json::list(it.measured.inferences.clone())
         }),
         Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
         Of::value("outlier_lines[]", "1", "lines of the file whose period is far from the exact law", |it| {

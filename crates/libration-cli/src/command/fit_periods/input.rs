@@ -30,7 +30,7 @@ pub(super) struct Measured {
     pub(super) lines: Vec<u64>,
     pub(super) dropped: usize,
     /// The units that the header says.
-    pub(super) told: Vec<String>,
+    pub(super) inferences: Vec<String>,
 }
 
 impl Measured {
@@ -73,7 +73,7 @@ impl Input {
             period_uncertainty: of_periods.as_ref().map(|column| column[index]),
         };
         let rows = (0..periods.len()).map(row).collect();
-        Ok(Measured { rows, table, lines: read.lines, dropped: read.dropped, told: read.told })
+        Ok(Measured { rows, table, lines: read.lines, dropped: read.dropped, inferences: read.inferences })
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {

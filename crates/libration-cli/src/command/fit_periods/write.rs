@@ -47,8 +47,8 @@ impl Answer<'_> {
             ("β", self.beta_line()),
         ];
         lines.extend(self.fit.warnings().iter().map(|warning| ("warning", warning.to_string())));
-        if !self.measured.told.is_empty() {
-            lines.insert(1, ("units", self.measured.told.join("; ")));
+        if !self.measured.inferences.is_empty() {
+            lines.insert(1, ("units", self.measured.inferences.join("; ")));
         }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
             lines.extend(output::budget::lines(budget, length));

@@ -1,6 +1,6 @@
 //! The recordings that are fitted, and the part of them that counts.
 
-use crate::arguments::{RecordingOptions, told};
+use crate::arguments::{RecordingOptions, finding_with_option};
 use crate::failure::Failure;
 use libration_lab::measurement::Trace;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ pub(super) struct Measured {
     pub(super) traces: Vec<Trace>,
 }
 
-/// A file, and what was told from it.
+/// A file, and what was inferred from it.
 #[derive(Clone, Debug)]
 pub(super) struct File {
     pub(super) name: String,
@@ -38,7 +38,9 @@ impl Input {
                 let of_trace = self.name(&trace, path);
                 measured.traces.push(trace.named(&of_trace));
             }
-            measured.files.push(File { name, findings: found.findings.iter().map(told).collect() });
+            measured
+                .files
+                .push(File { name, findings: found.findings.iter().map(finding_with_option).collect() });
         }
         Ok(measured)
     }

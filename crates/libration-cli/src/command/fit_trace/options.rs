@@ -1,7 +1,7 @@
 //! Which options do what a warning or an advice asks for.
 
 use libration_lab::fit::swings::{Advice, Warning};
-use libration_lab::measurement::Seen;
+use libration_lab::measurement::Observable;
 
 /// The warning, with the options that help.
 pub(super) fn warning(warning: &Warning) -> String {
@@ -19,8 +19,8 @@ pub(super) fn warning(warning: &Warning) -> String {
 pub(super) fn advice(advice: &Advice) -> String {
     let options = match advice {
         Advice::GiveLength => "--length",
-        Advice::CheckScale { seen: Seen::Angle } => "--counts-per-turn, --free-scale",
-        Advice::CheckScale { seen: Seen::AngularVelocity } => "--free-scale",
+        Advice::CheckScale { observable: Observable::Angle } => "--counts-per-turn, --free-scale",
+        Advice::CheckScale { observable: Observable::AngularVelocity } => "--free-scale",
         Advice::LookAtResiduals => "--report, --from",
         Advice::CorrectOutliers => "--robust",
         Advice::LeaveOutEnds { .. } => "--from, --to",

@@ -2,7 +2,7 @@
 
 use super::answer::Answer;
 use crate::output::number::rounded;
-use libration_lab::measurement::Seen;
+use libration_lab::measurement::Observable;
 
 /// As people write it.
 pub(super) fn unit(unit: &str) -> String {
@@ -11,8 +11,8 @@ pub(super) fn unit(unit: &str) -> String {
 
 /// A difference of two values, in degrees for angles.
 pub(super) fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
-    match answer.measured.traces[0].seen() {
-        Seen::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
-        Seen::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),
+    match answer.measured.traces[0].observable() {
+        Observable::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
+        Observable::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),
     }
 }

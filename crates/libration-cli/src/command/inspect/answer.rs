@@ -4,7 +4,7 @@ use libration_lab::measurement::{
     Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
 };
 
-/// A file with all that is told from it.
+/// A file with all that is inferred from it.
 pub(super) struct Answer {
     pub(super) file: String,
     pub(super) bytes: usize,
@@ -45,7 +45,7 @@ fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
 
 /// How the times of a trace follow each other.
 pub(super) fn clock(trace: &Trace) -> Option<Clock> {
-    Faults::find(trace.times(), trace.values(), None).clock
+    Faults::detect(trace.times(), trace.values(), None).clock
 }
 
 /// The smallest and the largest value.

@@ -6,7 +6,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use libration_lab::measurement::{
-    Channel, Finding, Format, MeasurementError, QuantityKind, Seen, Sheet, Trace,
+    Channel, Finding, Format, MeasurementError, Observable, QuantityKind, Sheet, Trace,
 };
 use serde_json::Value;
 
@@ -108,7 +108,7 @@ fn of_trace() -> Fields<Trace> {
     type Of = Field<Trace>;
     Fields::from([
         Of::value("name", "", "name of the run", |it| it.name().into()),
-        Of::value("seen", "", "what was measured: angle or angular velocity", |it| seen(it).into()),
+        Of::value("seen", "", "what was measured: angle or angular velocity", |it| observable(it).into()),
         Of::value("unit", "", "unit of what was measured, after conversion", |it| unit(it).into()),
         Of::value("rows", "1", "rows that would be fitted", |it| it.len().into()),
         Of::number("first_time_s", "s", "time of the first row", |it| it.times()[0]),
@@ -164,17 +164,17 @@ fn format(answer: &Answer) -> String {
     }
 }
 
-pub(super) fn seen(trace: &Trace) -> &'static str {
-    match trace.seen() {
-        Seen::Angle => "angle",
-        Seen::AngularVelocity => "angular velocity",
+pub(super) fn observable(trace: &Trace) -> &'static str {
+    match trace.observable() {
+        Observable::Angle => "angle",
+        Observable::AngularVelocity => "angular velocity",
     }
 }
 
 fn unit(trace: &Trace) -> &'static str {
-    match trace.seen() {
-        Seen::Angle => "rad",
-        Seen::AngularVelocity => "rad/s",
+    match trace.observable() {
+        Observable::Angle => "rad",
+        Observable::AngularVelocity => "rad/s",
     }
 }
 

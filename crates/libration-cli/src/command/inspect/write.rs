@@ -1,13 +1,13 @@
 //! A file of measurements as a sheet with a table of columns, as JSON, and as CSV of the columns.
 
 use super::answer::{Answer, clock, range};
-use super::fields::{self, SheetColumn, seen};
-use crate::arguments::{told, what_would_decide};
+use super::fields::{self, SheetColumn, observable};
+use crate::arguments::{finding_with_option, what_would_decide};
 use crate::failure::Failure;
 use crate::output::number::short;
 use crate::output::table::{paragraph, sheet, write_text};
 use crate::output::{Form, json};
-use libration_lab::measurement::{Choice, Gates, MeasurementError, Seen, Sheet, Trace};
+use libration_lab::measurement::{Choice, Gates, MeasurementError, Observable, Sheet, Trace};
 use std::io::{self, Write};
 
 pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result<(), Failure> {
@@ -37,7 +37,7 @@ fn write_page(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     write_what_would_be_fitted(out, answer)?;
     writeln!(out, "\ndetected in the file (the option overrides it)")?;
     for finding in answer.findings() {
-        writeln!(out, "{}", paragraph("  - ", &told(&finding), COLUMNS))?;
+        writeln!(out, "{}", paragraph("  - ", &finding_with_option(&finding), COLUMNS))?;
     }
     Ok(())
 }
@@ -92,15 +92,15 @@ fn trace_line(trace: &Trace) -> String {
     let [first, last] = [first, last].map(|time| short(time, 9));
     format!(
         "{name}{} in {} rows from {first} s to {last} s{clock}, between {low} and {high}{weights}",
-        seen(trace),
+        observable(trace),
         trace.len()
     )
 }
 
 fn in_degrees(value: f64, trace: &Trace) -> String {
-    match trace.seen() {
-        Seen::Angle => format!("{}°", short(value.to_degrees(), 4)),
-        Seen::AngularVelocity => format!("{} rad/s", short(value, 4)),
+    match trace.observable() {
+        Observable::Angle => format!("{}°", short(value.to_degrees(), 4)),
+        Observable::AngularVelocity => format!("{} rad/s", short(value, 4)),
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) use data::{is_long, stretches, whole};
 pub(crate) use residuals::residuals;
 
 use libration_lab::fit::trace::FittedTrace;
-use libration_lab::measurement::{Seen, Trace};
+use libration_lab::measurement::{Observable, Trace};
 
 /// A trace and what was fitted to it.
 #[derive(Clone, Copy, Debug)]
@@ -25,9 +25,9 @@ pub(crate) struct Fitted<'a> {
 impl Fitted<'_> {
     /// Degrees for angles.
     fn shown(&self, value: f64) -> f64 {
-        match self.trace.seen() {
-            Seen::Angle => value.to_degrees(),
-            Seen::AngularVelocity => value,
+        match self.trace.observable() {
+            Observable::Angle => value.to_degrees(),
+            Observable::AngularVelocity => value,
         }
     }
 
@@ -36,16 +36,16 @@ impl Fitted<'_> {
     }
 
     fn symbol(&self) -> &'static str {
-        match self.trace.seen() {
-            Seen::Angle => "angle θ",
-            Seen::AngularVelocity => "velocity θ′",
+        match self.trace.observable() {
+            Observable::Angle => "angle θ",
+            Observable::AngularVelocity => "velocity θ′",
         }
     }
 
     fn unit(&self) -> &'static str {
-        match self.trace.seen() {
-            Seen::Angle => "degrees",
-            Seen::AngularVelocity => "(rad/s)",
+        match self.trace.observable() {
+            Observable::Angle => "degrees",
+            Observable::AngularVelocity => "(rad/s)",
         }
     }
 }

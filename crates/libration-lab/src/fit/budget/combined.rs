@@ -11,7 +11,7 @@ use super::{BudgetError, BudgetInput, Evaluation};
 use crate::statistics::student::quantile;
 
 /// The probability that the true value is within the expanded uncertainty.
-pub const COVERAGE: f64 = 0.95;
+pub const COVERAGE_PROBABILITY: f64 = 0.95;
 
 /// What an input contributes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +113,7 @@ impl CombinedUncertainty {
     /// k, Student's factor for 95 % with the effective degrees of freedom.
     #[must_use]
     pub fn coverage_factor(&self) -> f64 {
-        quantile(1.0 - COVERAGE, self.degrees_of_freedom)
+        quantile(1.0 - COVERAGE_PROBABILITY, self.degrees_of_freedom)
     }
 
     /// U = k·u, in m/s²: the true value is within it with a probability of 95 %.

@@ -19,7 +19,7 @@ mod tests;
 mod warning;
 
 pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};
-pub use combined::{COVERAGE, CombinedUncertainty, Contribution, Correlation};
+pub use combined::{COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correlation};
 pub(super) use derivative::derivative;
 pub use input::BudgetInput;
 pub use warning::BudgetWarning;
@@ -122,7 +122,7 @@ pub enum Correction {
     /// g is larger by this part of itself than without the correction.
     Applied(f64),
     /// Nothing is known of it, but for a usual pendulum it would be about this part of g.
-    Usually(f64),
+    Typical(f64),
     /// Neither is known.
     Unknown,
     /// An input, which corrects nothing.

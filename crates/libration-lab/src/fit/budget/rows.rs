@@ -213,7 +213,7 @@ impl Inputs {
 const THIRTY_SWINGS: f64 = 2.814e-5;
 
 fn usually(name: &'static str, formula: &'static str, size: f64, note: String) -> BudgetRow {
-    let correction = Correction::Usually(size);
+    let correction = Correction::Typical(size);
     BudgetRow { name, formula, correction, uncertainty: None, evaluation: Evaluation::Judgement, note }
 }
 

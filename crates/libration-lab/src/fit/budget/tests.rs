@@ -151,8 +151,8 @@ fn what_is_not_given_is_not_corrected_and_said() {
     let found = budget(&Apparatus::of_length(exactly(1.0)), &small_swings(2.0)).unwrap();
     let of = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().correction;
     assert!((found.g - TAU * TAU / 4.0).abs() < 1e-14);
-    assert!(matches!(of("buoyancy"), Correction::Usually(size) if size > 1e-4 && size < 2e-4));
-    assert!(matches!(of("rod mass"), Correction::Usually(size) if size < -1e-3));
+    assert!(matches!(of("buoyancy"), Correction::Typical(size) if size > 1e-4 && size < 2e-4));
+    assert!(matches!(of("rod mass"), Correction::Typical(size) if size < -1e-3));
     assert_eq!(of("finite amplitude"), Correction::Unknown);
 }
 

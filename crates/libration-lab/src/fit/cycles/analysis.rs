@@ -15,7 +15,7 @@ use super::swings::{Swings, swings};
 use super::turning_point::Extreme;
 use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing};
 use crate::fit::Uncertain;
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 use crate::statistics::median;
 use libration::roots::{Tolerance, bisect};
 use libration::watch::{Interrupted, Watch};
@@ -78,7 +78,7 @@ fn about_a_known_pivot(
         return Err(CyclesError::TooCoarse { rows_per_period });
     }
     let found = Found::new(&stretches);
-    let (half_swings, rows) = settled(&found, trace.seen(), period);
+    let (half_swings, rows) = settled(&found, trace.observable(), period);
     if rows.is_empty() {
         return Err(too_short);
     }
@@ -98,7 +98,7 @@ fn about_a_known_pivot(
         t0: law.t0,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept, watch),
-        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.seen()),
+        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.observable()),
         rows: kept,
         about_moved_pivot: vec![],
     })
@@ -140,12 +140,12 @@ impl Found {
     }
 
     /// The half swings by number, where they are known and do not lead over the top.
-    fn half_swings(&self, seen: Seen, omega0: f64) -> Vec<Option<HalfSwing>> {
+    fn half_swings(&self, observable: Observable, omega0: f64) -> Vec<Option<HalfSwing>> {
         let half_swing = |extreme: &Extreme| {
             let (time, size) = (extreme.time, extreme.value.abs());
-            let (amplitude, slope) = match seen {
-                Seen::Angle => (size, 1.0),
-                Seen::AngularVelocity => {
+            let (amplitude, slope) = match observable {
+                Observable::Angle => (size, 1.0),
+                Observable::AngularVelocity => {
                     let amplitude = amplitude_of_velocity(size, omega0)?;
                     (amplitude, slope_of_amplitude(amplitude, omega0))
                 }
@@ -174,12 +174,12 @@ impl Found {
 }
 
 /// The half swings and the cycles; of a trace of velocities with the ω0 that goes with both.
-fn settled(found: &Found, seen: Seen, longest: f64) -> (Vec<Option<HalfSwing>>, Vec<Row>) {
-    let t0 = match seen {
-        Seen::Angle => longest,
-        Seen::AngularVelocity => t0_of_velocities(found, longest),
+fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<HalfSwing>>, Vec<Row>) {
+    let t0 = match observable {
+        Observable::Angle => longest,
+        Observable::AngularVelocity => t0_of_velocities(found, longest),
     };
-    let half_swings = found.half_swings(seen, TAU / t0);
+    let half_swings = found.half_swings(observable, TAU / t0);
     let rows = found.rows(&half_swings);
     (half_swings, rows)
 }
@@ -187,9 +187,9 @@ fn settled(found: &Found, seen: Seen, longest: f64) -> (Vec<Option<HalfSwing>>, 
 /// The T0 that the cycles have by the amplitudes that the fastest velocities have by this T0. With a larger T0 the
 /// amplitudes are larger and the cycles say a smaller one, so that there is one answer between 0 and the period.
 fn t0_of_velocities(found: &Found, period: f64) -> f64 {
-    let complete = found.rows(&found.half_swings(Seen::AngularVelocity, f64::INFINITY)).len();
+    let complete = found.rows(&found.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
-        let half_swings = found.half_swings(Seen::AngularVelocity, TAU / t0);
+        let half_swings = found.half_swings(Observable::AngularVelocity, TAU / t0);
         let rows = found.rows(&half_swings);
         // Cycles that would lead over the top say that T0 is smaller, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
@@ -226,7 +226,7 @@ fn warnings(
     outliers: usize,
     swings: &Swings,
     centre: &Centre,
-    seen: Seen,
+    observable: Observable,
 ) -> Vec<CyclesWarning> {
     let incomplete = found.cycles.len() - rows.len();
     let deviation = centre.wander;
@@ -235,7 +235,7 @@ fn warnings(
         (incomplete > 0).then_some(CyclesWarning::Incomplete { cycles: incomplete }),
         (outliers > 0).then_some(CyclesWarning::FarFromTheLaw { cycles: outliers }),
         swings.lost.map(|from| CyclesWarning::LostInNoise { from }),
-        (deviation > 0.0).then_some(CyclesWarning::CentreWanders { deviation, seen }),
+        (deviation > 0.0).then_some(CyclesWarning::CentreWanders { deviation, observable }),
     ]
     .into_iter()
     .flatten()

@@ -69,7 +69,7 @@ pub struct Envelope {
     /// At least one.
     pub fits: Vec<EnvelopeFit>,
     /// How many of the extremes are as good as independent.
-    pub independent: f64,
+    pub independent_half_swings: f64,
     /// How many extremes are far from every law and do not count.
     pub outliers: usize,
     /// Of the extremes: one over their uncertainties, zero for outliers.
@@ -137,7 +137,12 @@ pub(super) fn envelope(
         return Err(CyclesError::TooFewHalfSwings { found: half_swings.len(), needed: FEWEST });
     };
     let fits = fits.into_iter().map(|(score, fit)| EnvelopeFit { aicc_difference: score - lowest, ..fit });
-    Ok(Envelope { fits: fits.collect(), independent, outliers, weights: fall.weights })
+    Ok(Envelope {
+        fits: fits.collect(),
+        independent_half_swings: independent,
+        outliers,
+        weights: fall.weights,
+    })
 }
 
 /// (1 − ρ)/(1 + ρ) with the correlation of neighbouring residuals; that of either side counts half, so that a centre a

@@ -23,7 +23,7 @@ const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
 /// Fluctuations are believed in when they make the logarithm of the likelihood larger by this: chance does so in one of
 /// forty traces without any.
 const EVIDENCE: f64 = 2.0;
-/// With fewer degrees of freedom the fluctuations cannot be told from the noise.
+/// With fewer degrees of freedom the fluctuations cannot be distinguished from the noise.
 const FEWEST_TO_TELL: usize = 6;
 
 /// Coefficients of the columns.

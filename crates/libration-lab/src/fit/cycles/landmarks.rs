@@ -7,7 +7,7 @@ use super::shape::{LARGEST_AMPLITUDE, Shape};
 use super::swings::Stretch;
 use super::turning_point::Extreme;
 use super::window::Window;
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 use crate::statistics::{median, robust_deviation};
 use libration::pendulum::period_ratio;
 use libration::roots::{Tolerance, bisect};
@@ -70,9 +70,9 @@ impl Guess {
     fn measure(&self, trace: &Trace, watch: &Watch<'_>) -> Option<Landmarks> {
         let window = Window::new(trace, &self.centre);
         let quarter = 0.5 * median(self.passages.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
-        let shape = |size: f64, quarter: f64| match trace.seen() {
-            Seen::Angle => Shape::new(Seen::Angle, size),
-            seen => Shape::new(seen, amplitude_from_quarter(size, quarter)),
+        let shape = |size: f64, quarter: f64| match trace.observable() {
+            Observable::Angle => Shape::new(Observable::Angle, size),
+            observable => Shape::new(observable, amplitude_from_quarter(size, quarter)),
         };
         let mut residuals = vec![];
         let passages = (0..self.passages.len()).map(|k| {

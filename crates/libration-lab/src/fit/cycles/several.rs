@@ -54,7 +54,7 @@ fn of_all_cycles(
     let errors = pivots(&known).into_iter().flat_map(|pivot| [(pivot, 0), (pivot, 1)]);
     let with_error = |beta: Beta, (pivot, error): (&FittedPivot, usize)| {
         let moved = rows(&|trace, cycles| {
-            let own = trace.fitted_pivot().filter(|own| own.is_that_of(pivot));
+            let own = trace.fitted_pivot().filter(|own| own.is_shared_with(pivot));
             own.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
         });
         period_law::beta(&moved, watch).map_or(beta, |moved| beta.with_error(&moved))
@@ -66,7 +66,7 @@ fn of_all_cycles(
 fn pivots<'a>(known: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
     let mut pivots: Vec<&FittedPivot> = vec![];
     for pivot in known.iter().filter_map(|(trace, _)| trace.fitted_pivot()) {
-        if !pivots.iter().any(|other| other.is_that_of(pivot)) {
+        if !pivots.iter().any(|other| other.is_shared_with(pivot)) {
             pivots.push(pivot);
         }
     }

@@ -3,7 +3,7 @@
 //!
 //! Only the shape is taken from the exact law; how long a swing lasts and how high it goes is left to the data.
 
-use crate::measurement::Seen;
+use crate::measurement::Observable;
 use libration::elliptic::Modulus;
 
 /// Larger amplitudes are given the shape of this one, in radians.
@@ -14,40 +14,40 @@ const SMALLEST_AMPLITUDE: f64 = 1e-3;
 /// The shape of swings of one amplitude.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
-    seen: Seen,
+    observable: Observable,
     modulus: Modulus,
     amplitude: f64,
 }
 
 impl Shape {
     /// The shape of this quantity at this amplitude in radians.
-    pub(super) fn new(seen: Seen, amplitude: f64) -> Self {
+    pub(super) fn new(observable: Observable, amplitude: f64) -> Self {
         let amplitude = amplitude.clamp(SMALLEST_AMPLITUDE, LARGEST_AMPLITUDE);
         let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitude)).expect("a sine lies in [0, 1]");
-        Self { seen, modulus, amplitude }
+        Self { observable, modulus, amplitude }
     }
 
     /// The value at `part` of a quarter period from the extreme, where it is 1; zero at ±1.
     pub(super) fn near_extreme(&self, part: f64) -> f64 {
         let quarter = self.modulus.first();
-        match self.seen {
-            Seen::Angle => {
+        match self.observable {
+            Observable::Angle => {
                 let sine = self.modulus.jacobi(quarter * (1.0 - part.abs())).sn;
                 2.0 * libm::asin(self.modulus.modulus() * sine) / self.amplitude
             }
-            Seen::AngularVelocity => self.modulus.jacobi(quarter * part).cn,
+            Observable::AngularVelocity => self.modulus.jacobi(quarter * part).cn,
         }
     }
 
     /// How far from a zero, in quarter periods, the value is this part of the extreme, within (−1, 1).
     pub(super) fn time_since_zero(&self, value: f64) -> f64 {
         let (size, quarter) = (value.abs().min(1.0), self.modulus.first());
-        let part = match self.seen {
-            Seen::Angle => {
+        let part = match self.observable {
+            Observable::Angle => {
                 let sine = libm::sin(0.5 * size * self.amplitude) / self.modulus.modulus();
                 self.modulus.incomplete_first(libm::asin(sine.min(1.0))) / quarter
             }
-            Seen::AngularVelocity => 1.0 - self.modulus.incomplete_first(libm::acos(size)) / quarter,
+            Observable::AngularVelocity => 1.0 - self.modulus.incomplete_first(libm::acos(size)) / quarter,
         };
         part.copysign(value)
     }
@@ -57,12 +57,12 @@ impl Shape {
         let (k, complementary) = (self.modulus.modulus(), self.modulus.complementary_modulus());
         let size = value.abs().min(1.0);
         // θ′/2ω0 = √(k² − sin²(θ/2)), and v′ of cn = sn·dn.
-        let speed = match self.seen {
-            Seen::Angle => {
+        let speed = match self.observable {
+            Observable::Angle => {
                 let sine = libm::sin(0.5 * size * self.amplitude);
                 2.0 * ((k - sine) * (k + sine)).max(0.0).sqrt() / self.amplitude
             }
-            Seen::AngularVelocity => {
+            Observable::AngularVelocity => {
                 ((1.0 - size * size) * (complementary * complementary + k * k * size * size)).sqrt()
             }
         };
@@ -72,9 +72,9 @@ impl Shape {
     /// The second derivative at the extreme, per quarter period squared, as a positive number.
     pub(super) fn curvature(&self) -> f64 {
         let quarter = self.modulus.first();
-        let force = match self.seen {
-            Seen::Angle => libm::sin(self.amplitude) / self.amplitude,
-            Seen::AngularVelocity => 1.0,
+        let force = match self.observable {
+            Observable::Angle => libm::sin(self.amplitude) / self.amplitude,
+            Observable::AngularVelocity => 1.0,
         };
         quarter * quarter * force.max(f64::EPSILON)
     }
@@ -99,14 +99,17 @@ mod tests {
 
     #[test]
     fn the_way_back_from_the_shape_is_where_it_came_from() {
-        for seen in [Seen::Angle, Seen::AngularVelocity] {
+        for observable in [Observable::Angle, Observable::AngularVelocity] {
             for amplitude in [0.01, 1.0, 2.5, 3.1] {
-                let shape = Shape::new(seen, amplitude);
+                let shape = Shape::new(observable, amplitude);
                 for part in [-0.9, -0.3, 0.0, 0.2, 0.6] {
                     let value = shape.near_extreme(part);
                     // Distances from a zero and from the extreme add up to a quarter.
                     let back = 1.0 - shape.time_since_zero(value);
-                    assert!((back - f64::abs(part)).abs() < 1e-9, "{seen:?} {amplitude} {part}: {back}");
+                    assert!(
+                        (back - f64::abs(part)).abs() < 1e-9,
+                        "{observable:?} {amplitude} {part}: {back}"
+                    );
                 }
             }
         }
@@ -114,14 +117,14 @@ mod tests {
 
     #[test]
     fn slopes_and_curvatures_are_derivatives() {
-        for seen in [Seen::Angle, Seen::AngularVelocity] {
-            let shape = Shape::new(seen, 2.0);
+        for observable in [Observable::Angle, Observable::AngularVelocity] {
+            let shape = Shape::new(observable, 2.0);
             let step = 1e-4;
             let slope =
                 (shape.time_since_zero(0.5 + step) - shape.time_since_zero(0.5 - step)) / (2.0 * step);
-            assert!((slope / shape.slope_of_time(0.5) - 1.0).abs() < 1e-6, "{seen:?}");
+            assert!((slope / shape.slope_of_time(0.5) - 1.0).abs() < 1e-6, "{observable:?}");
             let curvature = 2.0 * (1.0 - shape.near_extreme(step)) / (step * step);
-            assert!((curvature / shape.curvature() - 1.0).abs() < 1e-5, "{seen:?}");
+            assert!((curvature / shape.curvature() - 1.0).abs() < 1e-5, "{observable:?}");
         }
     }
 

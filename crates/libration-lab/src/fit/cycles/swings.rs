@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::CyclesError;
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 use crate::statistics::{median, robust_deviation};
 
 /// A turn counts when the value has gone back by this part of the last swing. With 0.2 two of 24 recordings (`mod.rs`) had one cycle
@@ -42,13 +42,13 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
         return Err(CyclesError::TooFewRows(trace.len()));
     }
     let calm = without_spikes(trace.values());
-    let turns = turns(&calm, whole_turn(trace.seen()))?;
+    let turns = turns(&calm, whole_turn(trace.observable()))?;
     let heard = above_noise(trace.values(), &turns);
     let lost = turns.get(heard).map(|&row| trace.times()[row]);
     let turns = without_disturbances(turns[..heard].to_vec(), trace.times());
-    let found = match trace.seen() {
-        Seen::Angle => of_angles(&calm, &turns),
-        Seen::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
+    let found = match trace.observable() {
+        Observable::Angle => of_angles(&calm, &turns),
+        Observable::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
     };
     match (Swings { lost, ..found }) {
         Swings { stretches, rotations, .. }
@@ -62,16 +62,16 @@ pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
 }
 
 /// A change that leads over the top.
-fn whole_turn(seen: Seen) -> f64 {
-    match seen {
-        Seen::Angle => TAU,
-        Seen::AngularVelocity => f64::INFINITY,
+fn whole_turn(observable: Observable) -> f64 {
+    match observable {
+        Observable::Angle => TAU,
+        Observable::AngularVelocity => f64::INFINITY,
     }
 }
 
 /// Whether the angle goes a whole turn without turning back.
 fn turns_over(trace: &Trace) -> bool {
-    trace.seen() == Seen::Angle && range(trace.values()) >= TAU
+    trace.observable() == Observable::Angle && range(trace.values()) >= TAU
 }
 
 /// Each value replaced by the middle one of itself and its neighbours.
@@ -91,7 +91,7 @@ pub(super) fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, Cycle
         return Err(CyclesError::NothingSwings(values[0]));
     }
     let (mut turns, mut needed) = (vec![], FIRST_RETURN * range.min(whole_turn));
-    // The highest and the lowest row since the last turn; a rise and a fall are told by which one is left.
+    // The highest and the lowest row since the last turn; which one is left tells a rise from a fall.
     let (mut highest, mut lowest) = (0, 0);
     let mut rising: Option<bool> = None;
     for row in 0..values.len() {
@@ -130,7 +130,7 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
         .map(|pair| f64::abs(values[pair[1]] - values[pair[0]]) < 2.0 * FAINTEST * noise)
         .collect();
     let first = faint.windows(IN_A_ROW).position(|row| row.iter().all(|&faint| faint));
-    // Where nearly all swings are as faint, it is no noise that they are told from.
+    // Where nearly all swings are as faint, they are not distinguished from noise.
     first.filter(|&swing| swing >= IN_A_ROW).map_or(turns.len(), |swing| swing + 1)
 }
 
@@ -229,7 +229,7 @@ mod tests {
     fn wave(rows: u32, value: impl Fn(f64) -> f64) -> Trace {
         let times: Vec<f64> = (0..rows).map(|row| 0.05 * f64::from(row)).collect();
         let values = times.iter().map(|&t| value(t)).collect();
-        Trace::new("wave", Seen::Angle, times, values, None).unwrap()
+        Trace::new("wave", Observable::Angle, times, values, None).unwrap()
     }
 
     #[test]
@@ -244,7 +244,7 @@ mod tests {
         let mut values: Vec<f64> = wave(200, |t| 0.7 + libm::cos(3.0 * t)).values().to_vec();
         values[50] = 9.0;
         let times = (0..200).map(|row| 0.05 * f64::from(row)).collect();
-        let trace = Trace::new("spike", Seen::Angle, times, values, None).unwrap();
+        let trace = Trace::new("spike", Observable::Angle, times, values, None).unwrap();
         let swings = swings(&trace).unwrap();
         assert_eq!((swings.stretches.len(), swings.rotations), (1, 0));
         // 10 s hold 9.55 half periods of π/3: the first turn is the start, the last one at 9π/3.
@@ -267,7 +267,7 @@ mod tests {
                 None => TAU - swing(times[row] - times[499]),
             };
             let values = (0..900).map(extended).collect();
-            Trace::new("over the top", Seen::Angle, times, values, None).unwrap()
+            Trace::new("over the top", Observable::Angle, times, values, None).unwrap()
         };
         let swings = swings(&trace).unwrap();
         let centres: Vec<f64> = swings.stretches.iter().map(|stretch| stretch.centre).collect();

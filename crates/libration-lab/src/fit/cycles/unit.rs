@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::Cycle;
 use super::swings::{turns, without_spikes};
 use crate::fit::{Law, PeriodTable, Uncertainties, excess_scale};
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 
 /// An angle that is not followed over the top jumps by a turn, and by its noise more.
 const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
@@ -39,7 +39,7 @@ pub struct BeyondATurn {
 /// Whether a trace of angles goes to and fro by more than a turn, twice in a row at least.
 #[must_use]
 pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
-    if trace.seen() != Seen::Angle || trace.len() < 3 {
+    if trace.observable() != Observable::Angle || trace.len() < 3 {
         return None;
     }
     let calm = without_spikes(trace.values());

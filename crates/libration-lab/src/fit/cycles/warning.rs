@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::error::counted;
-use crate::measurement::Seen;
+use crate::measurement::Observable;
 use libration::quantity::{rounded, short};
 
 /// What a reader should know of how cycles were come by.
@@ -28,7 +28,7 @@ pub enum CyclesWarning {
         /// How many.
         cycles: usize,
     },
-    /// The end of the trace, in which no swing can be told from the noise.
+    /// The end of the trace, in which no swing can be distinguished from the noise.
     LostInNoise {
         /// In seconds.
         from: f64,
@@ -38,7 +38,7 @@ pub enum CyclesWarning {
         /// The standard deviation of the centres, in the unit of what is seen.
         deviation: f64,
         /// Which unit that is.
-        seen: Seen,
+        observable: Observable,
     },
 }
 
@@ -75,13 +75,13 @@ impl fmt::Display for CyclesWarning {
                 "from {} s on the swing is lost in the noise: the cycles are those before",
                 short(from, 6)
             ),
-            Self::CentreWanders { deviation, seen } => write!(
+            Self::CentreWanders { deviation, observable } => write!(
                 f,
                 "the centre of the swing wanders by {} (standard deviation), more than the noise explains; it was followed from \
                  swing to swing",
-                match seen {
-                    Seen::Angle => format!("{}°", rounded(deviation.to_degrees(), 2)),
-                    Seen::AngularVelocity => format!("{} rad/s", rounded(deviation, 2)),
+                match observable {
+                    Observable::Angle => format!("{}°", rounded(deviation.to_degrees(), 2)),
+                    Observable::AngularVelocity => format!("{} rad/s", rounded(deviation, 2)),
                 }
             ),
         }

@@ -2,7 +2,7 @@
 //!
 //! A pendulum passes a gate twice in a period. Unless the gate stands at the very centre the two are not evenly spaced, so
 //! periods go from a passage to the next of the same side, and both sides are used: where the gate stands drops out of
-//! their mean. Double triggers and missed passages are told from the pattern and counted.
+//! their mean. Double triggers and missed passages are recognised by the pattern and counted.
 
 mod error;
 
@@ -42,7 +42,7 @@ pub enum GateSignals {
 /// What is known besides the times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GateOptions {
-    /// What the times are; told from their pattern where not given.
+    /// What the times are; inferred from their pattern where not given.
     pub signals: Option<GateSignals>,
     /// The angle that the bob goes while it blocks the gate, in radians: its diameter over the distance of the gate from
     /// the pivot.

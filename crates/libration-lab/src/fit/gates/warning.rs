@@ -31,7 +31,7 @@ pub enum GatesWarning {
         passages: usize,
     },
     /// A width was given and T0 does not come from it.
-    WidthOfNoUse {
+    WidthUnused {
         /// Whether the times are edges, so that there are speeds: these are then those of a pendulum that goes over the top.
         edges: bool,
     },
@@ -63,7 +63,7 @@ impl GatesWarning {
             Self::UnpairedEdges { .. } => "unpaired_edges",
             Self::DoubleTriggers { .. } => "double_triggers",
             Self::MissedPassages { .. } => "missed_passages",
-            Self::WidthOfNoUse { .. } => "width_of_no_use",
+            Self::WidthUnused { .. } => "width_of_no_use",
             Self::NoAmplitude => "no_amplitude",
             Self::BetaNotOne { .. } => "beta_not_one",
             Self::PeriodBelowT0 { .. } => "period_below_t0",
@@ -83,10 +83,10 @@ impl fmt::Display for GatesWarning {
             Self::MissedPassages { passages } => {
                 write!(f, "missed passages, with the periods across them left out: {passages}")
             }
-            Self::WidthOfNoUse { edges: true } => f.write_str(
+            Self::WidthUnused { edges: true } => f.write_str(
                 "the width of the bob cannot be used: by the speeds at the gate the pendulum would go over the top; check the width of the bob",
             ),
-            Self::WidthOfNoUse { edges: false } => f.write_str(
+            Self::WidthUnused { edges: false } => f.write_str(
                 "the width of the bob cannot be used: the times are not edges of the gate, so the speeds are not known",
             ),
             Self::NoAmplitude => f.write_str(
@@ -110,7 +110,7 @@ pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool
         (fit.unpaired > 0).then_some(GatesWarning::UnpairedEdges { edges: fit.unpaired }),
         (fit.double_triggers > 0).then_some(GatesWarning::DoubleTriggers { passages: fit.double_triggers }),
         (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
-        speeds_failed.then_some(GatesWarning::WidthOfNoUse { edges: fit.edges }),
+        speeds_failed.then_some(GatesWarning::WidthUnused { edges: fit.edges }),
         fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
         fit.beta.as_ref().and_then(doubtful_beta),
         last_period.and_then(|last| period_below_t0(fit, last)),

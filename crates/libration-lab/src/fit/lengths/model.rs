@@ -70,7 +70,7 @@ pub struct LengthFit {
     /// Akaike's criterion, corrected for few data; none where they are too few.
     pub aicc: Option<f64>,
     /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test).
-    pub chance: Option<f64>,
+    pub p_value: Option<f64>,
     /// T less what the law says, in seconds, row by row.
     pub residuals: Vec<f64>,
     /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
@@ -177,7 +177,7 @@ impl Solution {
             chi2: stated,
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),
-            chance: per_dof.filter(|_| width > 1).map(|per_dof| self.chance(per_dof, dof)),
+            p_value: per_dof.filter(|_| width > 1).map(|per_dof| self.p_value(per_dof, dof)),
             residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
             standard_deviations: deviations.collect(),
         })
@@ -205,7 +205,7 @@ impl Solution {
     }
 
     /// With the scatter as the measure, so that uncertainties that are all wrong by one factor do not matter.
-    fn chance(&self, per_dof: f64, dof: usize) -> f64 {
+    fn p_value(&self, per_dof: f64, dof: usize) -> f64 {
         let last = self.coefficients.len() - 1;
         let deviation = (per_dof * self.covariance[(last, last)]).sqrt();
         probability_beyond(self.coefficients[last] / deviation, dof)

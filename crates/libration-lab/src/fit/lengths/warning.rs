@@ -22,9 +22,9 @@ const A_QUARTER: std::ops::Range<f64> = 0.2..0.3;
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum CountedAs {
     /// Half periods that were taken for whole ones.
-    WholeThoughHalf,
+    HalfPeriodsAsWhole,
     /// Whole periods that were taken for half ones.
-    HalfThoughWhole,
+    WholePeriodsAsHalf,
 }
 
 /// What a reader should know of periods against lengths.
@@ -86,10 +86,10 @@ impl fmt::Display for LengthsWarning {
             Self::NowhereOnEarth { counted } => {
                 let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
                 let explanation = match counted {
-                    Some(CountedAs::WholeThoughHalf) => {
+                    Some(CountedAs::HalfPeriodsAsWhole) => {
                         "it is about four times as large here, as if half periods had been taken for whole ones"
                     }
-                    Some(CountedAs::HalfThoughWhole) => {
+                    Some(CountedAs::WholePeriodsAsHalf) => {
                         "it is about a quarter of that here, as if whole periods had been taken for half ones"
                     }
                     None => "check the units of lengths and periods, and that periods are whole ones",
@@ -103,7 +103,7 @@ impl fmt::Display for LengthsWarning {
 /// In the order in which the laws are compared, gravity last.
 pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
     let of = |model| fit.law(model);
-    let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.chance).unwrap_or(1.0);
+    let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.p_value).unwrap_or(1.0);
     let offset = of(LengthModel::Offset);
     let bent = of(LengthModel::OffsetAndGyration);
     let scatter = offset.and_then(LengthFit::scatter);
@@ -138,8 +138,8 @@ fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
 fn nowhere_on_earth(fit: &LengthsFit) -> Option<LengthsWarning> {
     let gravity = fit.gravity();
     let counted = match gravity.value / GRAVITY_ON_EARTH[0] {
-        times if FOUR_TIMES.contains(&times) => Some(CountedAs::WholeThoughHalf),
-        times if A_QUARTER.contains(&times) => Some(CountedAs::HalfThoughWhole),
+        times if FOUR_TIMES.contains(&times) => Some(CountedAs::HalfPeriodsAsWhole),
+        times if A_QUARTER.contains(&times) => Some(CountedAs::WholePeriodsAsHalf),
         _ => None,
     };
     is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { counted })

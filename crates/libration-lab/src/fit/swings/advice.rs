@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::measurement::Seen;
+use crate::measurement::Observable;
 use libration::quantity::{rounded, short};
 
 /// What would make a measurement of swings better.
@@ -23,7 +23,7 @@ pub enum Advice {
     /// β is in doubt, and a wrong scale of the angles can be why.
     CheckScale {
         /// What the instrument sees.
-        seen: Seen,
+        observable: Observable,
     },
     /// The data leave several kinds of damping.
     RecordLonger {
@@ -116,22 +116,12 @@ impl fmt::Display for Advice {
                  {WHERE}; more swings would not help.",
                 rounded(100.0 * relative_uncertainty, 2)
             ),
-            Self::CheckScale { seen } => write!(
+            Self::CheckScale { observable } => write!(
                 f,
                 "β is not 1, so look for a wrong scale of the angles: {}. The scale can also be fitted.",
-                how_to_check(*seen)
+                how_to_check(*observable)
             ),
-            Self::RecordLonger { amplitudes } => {
-                let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
-                match largest == smallest {
-                    true => write!(f, "Only an amplitude of {largest}° was measured. ")?,
-                    false => write!(f, "The amplitude went from {largest}° to {smallest}°. ")?,
-                }
-                f.write_str(
-                    "The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of \
-                     what it was at first.",
-                )
-            }
+            Self::RecordLonger { amplitudes } => record_longer(f, *amplitudes),
             Self::LookAtResiduals => f.write_str(
                 "Look at the picture of the residuals: if they repeat with the swing, suspect the scale or the perspective of the \
                  camera, a pivot that gives way, or a string that stretches; if they grow at the beginning, leave out the release.",
@@ -139,14 +129,7 @@ impl fmt::Display for Advice {
             Self::CorrectOutliers => f.write_str(
                 "Some rows are far from all others: correct them in the tracking, or fit so that outliers count less.",
             ),
-            Self::LeaveOutEnds { ends } => {
-                let ends: Vec<String> = ends.iter().map(ToString::to_string).collect();
-                write!(
-                    f,
-                    "Rows do not follow the motion {}: if the pendulum was held there or the tracking lost it, leave them out.",
-                    ends.join(" and ")
-                )
-            }
+            Self::LeaveOutEnds { ends } => leave_out_ends(f, ends),
             Self::WriteMoreDigitsOfTimes { resolution, part } => write!(
                 f,
                 "The times are rounded to {} s, which makes {} % of the scatter: export them with more digits, or take them for even.",
@@ -168,6 +151,27 @@ impl fmt::Display for Advice {
     }
 }
 
+fn record_longer(f: &mut fmt::Formatter<'_>, amplitudes: [f64; 2]) -> fmt::Result {
+    let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
+    match largest == smallest {
+        true => write!(f, "Only an amplitude of {largest}° was measured. ")?,
+        false => write!(f, "The amplitude went from {largest}° to {smallest}°. ")?,
+    }
+    f.write_str(
+        "The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of what it was \
+         at first.",
+    )
+}
+
+fn leave_out_ends(f: &mut fmt::Formatter<'_>, ends: &[EndOfTrace]) -> fmt::Result {
+    let ends: Vec<String> = ends.iter().map(ToString::to_string).collect();
+    write!(
+        f,
+        "Rows do not follow the motion {}: if the pendulum was held there or the tracking lost it, leave them out.",
+        ends.join(" and ")
+    )
+}
+
 impl fmt::Display for EndOfTrace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -177,13 +181,13 @@ impl fmt::Display for EndOfTrace {
     }
 }
 
-fn how_to_check(seen: Seen) -> &'static str {
-    match seen {
-        Seen::Angle => {
+fn how_to_check(observable: Observable) -> &'static str {
+    match observable {
+        Observable::Angle => {
             "film from far away and straight at the plane of the swing, check the pixels for being square, the origin for being on \
              the pivot, and the protractor or encoder for its counts in a turn"
         }
-        Seen::AngularVelocity => {
+        Observable::AngularVelocity => {
             "check the sensor's sensitivity by turning it through a whole turn, and that its axis is that of the swing"
         }
     }

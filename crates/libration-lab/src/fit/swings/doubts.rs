@@ -18,7 +18,7 @@ pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
     warnings.extend(radians(found));
     warnings.extend(budget.into_iter().map(Warning::Budget));
     warnings.extend(found.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
-    warnings.extend((!fit.takes_energy()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
+    warnings.extend((!fit.dissipates()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
     warnings.extend(negative_damping(fit));
     warnings.extend(found.comparison.iter().flat_map(better_models));
     warnings.extend(rivals(found));

@@ -1,20 +1,20 @@
 //! Which advice swings give rise to.
 
 use super::{Advice, EndOfTrace, FittedPendulum, SwingsFit};
-use crate::measurement::{Faults, Seen, Trace};
+use crate::measurement::{Faults, Observable, Trace};
 
 /// The advice, what helps most first.
 pub(super) fn advice(found: &SwingsFit, traces: &[Trace]) -> Vec<Advice> {
     let faults: Vec<Faults> =
-        traces.iter().map(|trace| Faults::find(trace.times(), trace.values(), None)).collect();
-    let seen = traces.first().map_or(Seen::Angle, Trace::seen);
+        traces.iter().map(|trace| Faults::detect(trace.times(), trace.values(), None)).collect();
+    let observable = traces.first().map_or(Observable::Angle, Trace::observable);
     let mut advice: Vec<Advice> = length(&found.pendulum).into_iter().collect();
-    advice.extend(scale(found, seen));
+    advice.extend(scale(found, observable));
     advice.extend(damping(found));
     advice.extend((!found.fit.autocorrelation.is_noise()).then_some(Advice::LookAtResiduals));
     advice.extend(outliers(found, traces));
     advice.extend(faults.iter().find_map(|faults| times(found, faults)));
-    advice.extend(zero(found, seen));
+    advice.extend(zero(found, observable));
     advice.extend(rows(found, &faults));
     advice
 }
@@ -32,8 +32,8 @@ fn length(pendulum: &FittedPendulum) -> Option<Advice> {
         .then_some(Advice::MeasureLengthBetter { relative_uncertainty })
 }
 
-fn scale(found: &SwingsFit, seen: Seen) -> Option<Advice> {
-    found.doubtful_beta()?.scale_error().map(|_| Advice::CheckScale { seen })
+fn scale(found: &SwingsFit, observable: Observable) -> Option<Advice> {
+    found.doubtful_beta()?.scale_error().map(|_| Advice::CheckScale { observable })
 }
 
 fn damping(found: &SwingsFit) -> Option<Advice> {
@@ -78,13 +78,13 @@ fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
 }
 
 /// The zero of the angle, where the motion is that of the pendulum.
-fn zero(found: &SwingsFit, seen: Seen) -> Option<Advice> {
+fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
     /// In radians: half a degree.
     const WORTH_A_WORD: f64 = 0.01;
     let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
     let offset =
         offsets.map(|offset| offset.estimate.value).max_by(|a: &f64, b: &f64| a.abs().total_cmp(&b.abs()))?;
-    let is_told = seen == Seen::Angle && !found.is_poor();
+    let is_told = observable == Observable::Angle && !found.is_poor();
     (is_told && offset.abs() > WORTH_A_WORD).then_some(Advice::SetZero { offset })
 }
 

@@ -5,13 +5,13 @@
 //! ```
 //! use libration::pendulum::Pendulum;
 //! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
-//! use libration_lab::measurement::{Seen, Trace};
+//! use libration_lab::measurement::{Observable, Trace};
 //! use libration::watch::Watch;
 //!
 //! let motion = Pendulum::from_angular_frequency(4.0)?.released_from("40deg".parse()?)?;
 //! let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
-//! let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
+//! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
 //! let found = swings(&[trace], &undamped, &Watch::none())?;
 //! let FittedPendulum::Length(length) = found.pendulum else { return Err("no length was given".into()) };

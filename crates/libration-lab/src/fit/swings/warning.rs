@@ -23,7 +23,7 @@ pub enum Warning {
         /// Which part, as root mean squares.
         part: f64,
     },
-    /// The damping [feeds energy](crate::fit::trace::TraceFit::takes_energy) at some speeds, by more than two uncertainties.
+    /// The damping [feeds energy](crate::fit::trace::TraceFit::dissipates) at some speeds, by more than two uncertainties.
     FeedsEnergy {
         /// Of the model.
         damping: DampingModel,

@@ -14,12 +14,7 @@ impl fmt::Display for Warning {
             Self::NotConverged => {
                 f.write_str("the fit did not converge to a minimum: its results are unreliable")
             }
-            Self::AnglesAreRadians { beta } => write!(
-                f,
-                "these angles are radians that were taken for degrees: β is {}, where (180/π)² = 3283 is what that mistake makes of \
-                 small angles, and with radians the periods follow the exact law. T₀ and all angles given here are wrong",
-                rounded(*beta, 4)
-            ),
+            Self::AnglesAreRadians { beta } => angles_are_radians(f, *beta),
             Self::Budget(warning) => warning.fmt(f),
             Self::PoorFit { part } => write!(
                 f,
@@ -35,12 +30,7 @@ impl fmt::Display for Warning {
             Self::BetterModelNotBelieved { damping, excess, negative } => {
                 better_model(f, *damping, *excess, *negative)
             }
-            Self::DampingNotSeparated { preferred, rivals } => write!(
-                f,
-                "{preferred} damping cannot be distinguished from {} with these data: T₀ is averaged over these models, and their \
-                 coefficients may differ by more than the uncertainties say",
-                alternatives(rivals)
-            ),
+            Self::DampingNotSeparated { preferred, rivals } => not_separated(f, *preferred, rivals),
             Self::ResidualsNotNoise { rows, inflation } => residuals(f, *rows, *inflation),
             Self::StatedUncertainties { ratio } => write!(
                 f,
@@ -48,42 +38,20 @@ impl fmt::Display for Warning {
                 rounded(*ratio, 2),
                 if *ratio > 1.0 { "small" } else { "large" }
             ),
-            Self::StrongDamping { fall } => write!(
-                f,
-                "the amplitude falls by {} % in a cycle: with such strong damping the periods of single cycles follow the exact law \
-                 only roughly, so β means little; the fit of the whole motion is what counts",
-                rounded(100.0 * fall, 2)
-            ),
+            Self::StrongDamping { fall } => strong_damping(f, *fall),
             Self::BetaNotOne { deviation, scale_error, amplitudes } => {
                 beta(f, *deviation, *scale_error, *amplitudes)
             }
-            Self::PeriodsDisagree { by_cycles, by_motion, deviation } => write!(
-                f,
-                "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
-                rounded(*by_cycles, 6),
-                rounded(*deviation, 2),
-                rounded(*by_motion, 6)
-            ),
-            Self::DifferentPendulums { shortest, longest } => write!(
-                f,
-                "the traces are not of one pendulum: by its cycles {} has T₀ {} s, and {} has {} s. Fit them one by one",
-                shortest.0,
-                rounded(shortest.1, 5),
-                longest.0,
-                rounded(longest.1, 5)
-            ),
+            Self::PeriodsDisagree { by_cycles, by_motion, deviation } => {
+                periods_disagree(f, *by_cycles, *by_motion, *deviation)
+            }
+            Self::DifferentPendulums { shortest, longest } => different_pendulums(f, shortest, longest),
             Self::ImplausibleLength { length } => write!(
                 f,
                 "a simple pendulum with this period would be {} m long: check the unit of the times",
                 rounded(*length, 2)
             ),
-            Self::Outliers { rows: 1 } => f.write_str(
-                "1 row is an outlier, further than five robust standard deviations from the motion",
-            ),
-            Self::Outliers { rows } => write!(
-                f,
-                "{rows} rows are outliers, further than five robust standard deviations from the motion"
-            ),
+            Self::Outliers { rows } => outliers(f, *rows),
             Self::Cycles { trace, warning } => write!(f, "cycles{}: {warning}", named(trace)),
             Self::NoCycles { trace, error } => write!(f, "cycles{}: {error}", named(trace)),
         }
@@ -92,6 +60,72 @@ impl fmt::Display for Warning {
 
 fn named(trace: &Option<String>) -> String {
     trace.as_ref().map_or(String::new(), |name| format!(" of {name}"))
+}
+
+fn angles_are_radians(f: &mut fmt::Formatter<'_>, beta: f64) -> fmt::Result {
+    write!(
+        f,
+        "these angles are radians that were taken for degrees: β is {}, where (180/π)² = 3283 is what that mistake makes of \
+         small angles, and with radians the periods follow the exact law. T₀ and all angles given here are wrong",
+        rounded(beta, 4)
+    )
+}
+
+fn not_separated(
+    f: &mut fmt::Formatter<'_>,
+    preferred: DampingModel,
+    rivals: &[DampingModel],
+) -> fmt::Result {
+    write!(
+        f,
+        "{preferred} damping cannot be distinguished from {} with these data: T₀ is averaged over these models, and their \
+         coefficients may differ by more than the uncertainties say",
+        alternatives(rivals)
+    )
+}
+
+fn strong_damping(f: &mut fmt::Formatter<'_>, fall: f64) -> fmt::Result {
+    write!(
+        f,
+        "the amplitude falls by {} % in a cycle: with such strong damping the periods of single cycles follow the exact law \
+         only roughly, so β means little; the fit of the whole motion is what counts",
+        rounded(100.0 * fall, 2)
+    )
+}
+
+fn periods_disagree(
+    f: &mut fmt::Formatter<'_>,
+    by_cycles: f64,
+    by_motion: f64,
+    deviation: f64,
+) -> fmt::Result {
+    write!(
+        f,
+        "T₀ by single cycles, {} s, is {} standard uncertainties from that of the whole motion, {} s",
+        rounded(by_cycles, 6),
+        rounded(deviation, 2),
+        rounded(by_motion, 6)
+    )
+}
+
+fn different_pendulums(
+    f: &mut fmt::Formatter<'_>,
+    shortest: &(String, f64),
+    longest: &(String, f64),
+) -> fmt::Result {
+    write!(
+        f,
+        "the traces are not of one pendulum: by its cycles {} has T₀ {} s, and {} has {} s. Fit them one by one",
+        shortest.0,
+        rounded(shortest.1, 5),
+        longest.0,
+        rounded(longest.1, 5)
+    )
+}
+
+fn outliers(f: &mut fmt::Formatter<'_>, rows: usize) -> fmt::Result {
+    let are = if rows == 1 { "row is an outlier" } else { "rows are outliers" };
+    write!(f, "{rows} {are}, further than five robust standard deviations from the motion")
 }
 
 fn negative_damping(f: &mut fmt::Formatter<'_>, coefficients: &[Coefficient]) -> fmt::Result {

@@ -13,12 +13,12 @@ pub(super) fn deviation(traces: &[Trace], omega0: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measurement::Seen;
+    use crate::measurement::Observable;
 
     #[test]
     fn clocks_are_wrong_together() {
         let trace = |clock: f64| {
-            let trace = Trace::new("clock", Seen::Angle, vec![0.0, 1.0], vec![0.1, 0.2], None).unwrap();
+            let trace = Trace::new("clock", Observable::Angle, vec![0.0, 1.0], vec![0.1, 0.2], None).unwrap();
             trace.with_clock_uncertainty(clock)
         };
         assert_eq!(deviation(&[trace(0.0)], 4.0).to_bits(), 0.0_f64.to_bits());

@@ -76,14 +76,14 @@ impl TraceFit {
     /// use libration::decay::{Damping, Decay, EnvelopeLaw};
     /// use libration::pendulum::Pendulum;
     /// use libration_lab::fit::trace::{TraceOptions, fit_traces};
-    /// use libration_lab::measurement::{Seen, Trace};
+    /// use libration_lab::measurement::{Observable, Trace};
     /// use libration::watch::Watch;
     ///
     /// // Ten seconds of a swing that falls from 0.2 rad by exp(−0.01 t), by the law of small amplitudes.
     /// let angle = |time: f64| 0.2 * (-0.01 * time).exp() * (3.0 * time).cos();
     /// let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
     /// let angles = times.iter().map(|&time| angle(time)).collect();
-    /// let trace = Trace::new("small", Seen::Angle, times, angles, None)?;
+    /// let trace = Trace::new("small", Observable::Angle, times, angles, None)?;
     /// let go_on = &Watch::none();
     /// let fit = fit_traces(&[trace], "linear".parse()?, &TraceOptions::default(), go_on)?;
     /// let continued = fit.decay(0)?;
@@ -132,7 +132,7 @@ impl TraceFit {
 
     fn begin(&self, trace: usize) -> Result<f64, ContinuationError> {
         let missing = ContinuationError::NoTrace { trace, traces: self.traces.len() };
-        self.traces.get(trace).map(|trace| trace.begins).ok_or(missing)
+        self.traces.get(trace).map(|trace| trace.start_time).ok_or(missing)
     }
 
     /// The standard deviation of what changes by so much with one uncertainty of each parameter.

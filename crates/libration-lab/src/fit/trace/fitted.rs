@@ -33,7 +33,7 @@ pub struct Parameter {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedTrace {
     /// When its first row was, in the clock of the trace, in s.
-    pub begins: f64,
+    pub start_time: f64,
     /// What should have been seen, in the unit of the trace, row by row.
     pub fitted: Vec<f64>,
     /// What was seen less that.
@@ -102,7 +102,7 @@ impl TraceFit {
     /// Whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
     /// coefficient may be negative: the friction of a bearing can become less at higher speed.
     #[must_use]
-    pub fn takes_energy(&self) -> bool {
+    pub fn dissipates(&self) -> bool {
         const SPEEDS: usize = 9;
         let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
         (0..SPEEDS).all(|n| {
@@ -113,7 +113,7 @@ impl TraceFit {
 
     /// Whether no coefficient of damping is negative by more than two standard uncertainties.
     #[must_use]
-    pub fn damps_by_each_term(&self) -> bool {
+    pub fn dissipates_by_each_term(&self) -> bool {
         self.negative_terms().is_empty()
     }
 

@@ -1,7 +1,7 @@
 //! Where each parameter of a fit stands.
 
 use super::{DampingModel, Parameter};
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 
 /// The places of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
 /// first angle and first velocity of each trace.
@@ -68,7 +68,9 @@ impl Layout {
             (None, _) if place == Self::OMEGA0 => ("omega0", "rad/s"),
             (None, Some(term)) => (term.name(), term.unit()),
             (None, None) => ("scale", "1"),
-            (Some((trace, 0)), _) if traces[trace].seen() == Seen::AngularVelocity => ("offset", "rad/s"),
+            (Some((trace, 0)), _) if traces[trace].observable() == Observable::AngularVelocity => {
+                ("offset", "rad/s")
+            }
             (Some((_, 0)), _) => ("offset", "rad"),
             (Some((_, 1)), _) => ("theta0", "rad"),
             (Some(_), _) => ("velocity0", "rad/s"),

@@ -47,7 +47,7 @@ mod continuation;
 
 pub use super::{DampingKind, DampingModel, DampingModelError};
 pub use autocorrelation::Autocorrelation;
-pub use comparison::{Averaged, Comparison, Standing, compare};
+pub use comparison::{Comparison, ModelAverage, Standing, compare};
 pub use continuation::{ContinuationError, FittedDecay, FittedTurningPoint};
 pub use error::TraceFitError;
 pub use fitted::{FittedTrace, Parameter, TraceFit};
@@ -67,14 +67,14 @@ use problem::Problem;
 /// # Examples
 /// ```
 /// use libration_lab::fit::trace::{DampingKind, DampingModel, TraceOptions, fit_traces};
-/// use libration_lab::measurement::{Seen, Trace};
+/// use libration_lab::measurement::{Observable, Trace};
 /// use libration::pendulum::Pendulum;
 /// use libration::watch::Watch;
 ///
 /// let motion = Pendulum::from_angular_frequency(3.0)?.released_from("100deg".parse()?)?;
 /// let times: Vec<f64> = (0..300).map(|row| 0.02 * f64::from(row)).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
-/// let trace = Trace::new("exact", Seen::Angle, times, angles, None)?;
+/// let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 /// let linear = DampingModel::only(DampingKind::Linear);
 /// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Watch::none())?;
 /// assert!((fit.parameters[0].estimate.value - 3.0).abs() < 1e-8);

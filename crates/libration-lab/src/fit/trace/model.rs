@@ -5,7 +5,7 @@ use super::data::Data;
 use super::layout::Layout;
 use super::swing::{Sample, Swing};
 use super::weights::Weights;
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 use crate::statistics::levenberg_marquardt::Linearised;
 use nalgebra::{DMatrix, DVector};
 
@@ -83,7 +83,7 @@ impl Model {
         let coefficients = &parameters[layout.coefficients()];
         let samples = self.swing.samples(omega0, coefficients, start, &trace.times()[..rows])?;
         let (offset, scale) = (layout.offset(number), layout.scale());
-        let component = if trace.seen() == Seen::Angle { 0 } else { 1 };
+        let component = if trace.observable() == Observable::Angle { 0 } else { 1 };
         let places: Vec<usize> = layout.of_motion(number).collect();
         let row = |sample: &Sample| {
             let value = sample.state[component];

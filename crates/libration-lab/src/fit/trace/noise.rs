@@ -27,7 +27,7 @@ const WHITE_PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.7, 0.85];
 /// Times that are tried, in steps between rows: from so short a one, each longer by this factor.
 const SHORTEST: f64 = 0.4;
 const FACTOR: f64 = 1.6;
-/// Longer times than this part of a trace are drift, and longer ones than so many rows cannot be told from it.
+/// Longer times than this part of a trace are drift, and longer ones than so many rows cannot be distinguished from it.
 const LONGEST_PART: f64 = 0.125;
 const LONGEST_ROWS: f64 = 400.0;
 /// Fewer cannot carry an interval: Student's quantile at 95 % is then 4.3.
@@ -223,7 +223,7 @@ impl Part<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measurement::Seen;
+    use crate::measurement::Observable;
 
     fn part(times: &[f64]) -> Part<'_> {
         let column = |of: fn(f64) -> f64| times.iter().map(|&time| of(time)).collect::<Vec<f64>>();
@@ -274,7 +274,8 @@ mod tests {
     #[test]
     fn times_go_up_to_an_eighth_of_the_trace() {
         let times: Vec<f64> = (0..81).map(|row| 0.1 * f64::from(row)).collect();
-        let trace = Trace::new("eight seconds", Seen::Angle, times.clone(), vec![0.0; 81], None).unwrap();
+        let trace =
+            Trace::new("eight seconds", Observable::Angle, times.clone(), vec![0.0; 81], None).unwrap();
         let found = noises(&[trace]);
         assert!(found.iter().all(|noise| (0.039..=1.0).contains(&noise.time)));
         assert_eq!(found.len() % WHITE_PARTS.len(), 0);

@@ -12,7 +12,8 @@ pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix
     let mut sum = DMatrix::zeros(response.nrows(), response.nrows());
     for (number, trace) in traces.iter().enumerate() {
         let Some(pivot) = trace.fitted_pivot() else { continue };
-        let is_the_same = |other: &Trace| other.fitted_pivot().is_some_and(|other| other.is_that_of(pivot));
+        let is_the_same =
+            |other: &Trace| other.fitted_pivot().is_some_and(|other| other.is_shared_with(pivot));
         if traces[..number].iter().any(is_the_same) {
             continue;
         }
@@ -27,7 +28,7 @@ pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix
 /// The changes of all rows in one of the errors of a pivot, times their weights.
 fn weighted(traces: &[Trace], minimum: &Minimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
     let of_trace = |(trace, weights): (&Trace, &[f64])| match trace.fitted_pivot() {
-        Some(own) if own.is_that_of(pivot) => {
+        Some(own) if own.is_shared_with(pivot) => {
             own.errors()[error].iter().zip(weights).map(|(change, weight)| change * weight).collect()
         }
         _ => vec![0.0; trace.len()],

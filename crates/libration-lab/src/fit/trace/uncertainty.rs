@@ -152,7 +152,7 @@ fn fitted(traces: &[Trace], all: &[f64]) -> Vec<FittedTrace> {
         let fitted =
             trace.values().iter().zip(&residuals).map(|(value, residual)| value - residual).collect();
         let outliers = (0..column.len()).filter(|&row| huber::is_outlier(column[row], scale)).collect();
-        FittedTrace { begins: trace.times()[0], fitted, residuals, outliers }
+        FittedTrace { start_time: trace.times()[0], fitted, residuals, outliers }
     };
     traces.iter().zip(split(all, traces)).map(one).collect()
 }

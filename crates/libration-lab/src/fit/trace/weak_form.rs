@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::measurement::{Seen, Trace};
+use crate::measurement::{Observable, Trace};
 use crate::statistics::count;
 use crate::statistics::median;
 use crate::statistics::{least_squares, weighted_least_squares};
@@ -35,9 +35,9 @@ struct Estimate {
 /// The beginning, by windows of that length at which the equation holds best; nothing where it holds at none.
 pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     let times = trace.times();
-    let (angles, bias) = match trace.seen() {
-        Seen::Angle => (trace.values().to_vec(), None),
-        Seen::AngularVelocity => integrated(times, trace.values()),
+    let (angles, bias) = match trace.observable() {
+        Observable::Angle => (trace.values().to_vec(), None),
+        Observable::AngularVelocity => integrated(times, trace.values()),
     };
     let estimate = best_estimate(times, &angles)?;
     let turns = libm::round((median(angles.clone())? - estimate.offset) / (2.0 * PI));

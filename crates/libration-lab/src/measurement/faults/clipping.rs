@@ -5,7 +5,7 @@ use crate::statistics::count;
 
 /// Rows with one value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Run {
+pub struct Plateau {
     /// Its first row.
     pub first: usize,
     /// How many rows.
@@ -23,9 +23,9 @@ const BEYOND_CHANCE: f64 = 8.0;
 
 /// Runs that a steady motion from the value before to the value after would have left, by more than steps of the scale and
 /// noise of this standard deviation explain.
-pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Run> {
+pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Plateau> {
     let chance = (2.0 * smallest_step(values).unwrap_or(0.0)).max(BEYOND_CHANCE * noise);
-    let is_stuck = |run: &Run| {
+    let is_stuck = |run: &Plateau| {
         let Some((before, after)) = neighbours(values, run) else { return false };
         let goes_on = (before < run.value) == (run.value < after);
         let each = (after - before).abs() / count(run.rows + 1);
@@ -35,10 +35,10 @@ pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Run> {
 }
 
 /// Runs of three rows or more at the largest or the smallest value which the motion enters and leaves fast.
-pub(super) fn clipped(values: &[f64]) -> Vec<Run> {
+pub(super) fn clipped(values: &[f64]) -> Vec<Plateau> {
     let step = smallest_step(values).unwrap_or(0.0);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
-    let is_clipped = |run: &Run| {
+    let is_clipped = |run: &Plateau| {
         let Some((before, after)) = neighbours(values, run) else { return false };
         let least = (run.value - before).abs().min((run.value - after).abs());
         let is_an_end = run.value >= high || run.value <= low;
@@ -47,18 +47,18 @@ pub(super) fn clipped(values: &[f64]) -> Vec<Run> {
     runs(values).into_iter().filter(is_clipped).collect()
 }
 
-fn runs(values: &[f64]) -> Vec<Run> {
+fn runs(values: &[f64]) -> Vec<Plateau> {
     let mut first = 0;
     let pieces = values.chunk_by(|a, b| a.total_cmp(b).is_eq());
     let run = |piece: &[f64]| {
-        let run = Run { first, rows: piece.len(), value: piece[0] };
+        let run = Plateau { first, rows: piece.len(), value: piece[0] };
         first += piece.len();
         run
     };
     pieces.map(run).collect()
 }
 
-fn neighbours(values: &[f64], run: &Run) -> Option<(f64, f64)> {
+fn neighbours(values: &[f64], run: &Plateau) -> Option<(f64, f64)> {
     let before = run.first.checked_sub(1)?;
     Some((values[before], *values.get(run.first + run.rows)?))
 }

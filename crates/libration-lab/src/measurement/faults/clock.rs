@@ -95,7 +95,7 @@ impl Clock {
         let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
         let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(places);
         let speeds = steps.map(|(step, places)| step / (grid.interval * count(places.max(1))));
-        let noise = grid.off * root_mean_square(speeds);
+        let noise = grid.rms_deviation * root_mean_square(speeds);
         noise.is_finite().then_some(noise)
     }
 }
@@ -142,7 +142,7 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     let mut places = [rows, with_gaps].into_iter();
     let grid = places
         .find_map(|places| Some(EvenTimes::through(times, &places, &half_steps)?.grid(times, &places)))?;
-    (grid.off > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
+    (grid.rms_deviation > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
 }
 
 /// Where the places of a grid leave out some.
@@ -202,10 +202,10 @@ fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid
     let interval_uncertainty = bounds.map_or(usual, |bounds| bounds.interval_uncertainty);
     let even = EvenTimes { first: interval.mul_add(-x, t), interval, interval_uncertainty };
     let even = even.grid(times, places);
-    let (off, most_off) = (even.off, even.most_off);
+    let (rms, largest_deviation) = (even.rms_deviation, even.largest_deviation);
     // Half a step of the rounding itself; programs that add up rounded intervals are off by more.
-    let is_within = most_off < 2.0 * resolution && off < 0.7 * resolution;
-    let is_worth_it = resolution > NEGLIGIBLE_ROUNDING * interval && off > 0.1 * resolution;
+    let is_within = largest_deviation < 2.0 * resolution && rms < 0.7 * resolution;
+    let is_worth_it = resolution > NEGLIGIBLE_ROUNDING * interval && rms > 0.1 * resolution;
     (interval > 0.0 && is_within && is_worth_it).then_some(even)
 }
 

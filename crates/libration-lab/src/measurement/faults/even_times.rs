@@ -53,9 +53,16 @@ impl EvenTimes {
         let Self { first, interval, interval_uncertainty } = self;
         let errors =
             || places.iter().zip(times).map(|(&place, time)| interval.mul_add(count(place), first) - time);
-        let off = root_mean_square(errors());
-        let most_off = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
-        Grid { first, interval, interval_uncertainty, off, most_off, numbers: places.to_vec() }
+        let rms_deviation = root_mean_square(errors());
+        let largest_deviation = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
+        Grid {
+            first,
+            interval,
+            interval_uncertainty,
+            rms_deviation,
+            largest_deviation,
+            numbers: places.to_vec(),
+        }
     }
 }
 

@@ -12,9 +12,9 @@ pub struct Grid {
     /// Its standard uncertainty: what the rounding leaves open.
     pub interval_uncertainty: f64,
     /// The root mean square difference of the times as written from these, in seconds.
-    pub off: f64,
+    pub rms_deviation: f64,
     /// The largest difference, in seconds.
-    pub most_off: f64,
+    pub largest_deviation: f64,
     /// The place of each row on the grid, rows out of order included where their time falls.
     pub numbers: Vec<usize>,
 }

@@ -16,7 +16,7 @@ mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use clipping::Run;
+pub use clipping::Plateau;
 pub use clock::{Clock, Gap};
 pub use grid::Grid;
 
@@ -27,7 +27,7 @@ pub use grid::Grid;
 /// use libration_lab::measurement::Faults;
 /// let times = [0.0, 0.1, 0.2, 0.2, 0.5, 0.6, 0.7, 0.8];
 /// let values = [0.50, 0.45, 0.35, 0.35, -0.10, -0.25, -0.35, -0.45];
-/// let faults = Faults::find(&times, &values, None);
+/// let faults = Faults::detect(&times, &values, None);
 /// assert_eq!((faults.repeated.as_slice(), faults.left_out().as_slice()), ([3].as_slice(), [3].as_slice()));
 /// assert_eq!(faults.clock.as_ref().map(|clock| clock.gaps[0].missing), Some(2));
 /// ```
@@ -45,9 +45,9 @@ pub struct Faults {
     /// What the rounding of the times does to the values: their root mean square error, in their unit.
     pub rounding_noise: Option<f64>,
     /// Values that stay the same while the motion goes on: frames shown twice, a sensor that hangs.
-    pub stuck: Vec<Run>,
+    pub stuck: Vec<Plateau>,
     /// Runs of rows at the largest or smallest value, cut off where the sensor ends.
-    pub clipped: Vec<Run>,
+    pub clipped: Vec<Plateau>,
     /// Rows before which the value jumps by a whole turn.
     pub wraps: Vec<usize>,
     /// Rows alone, or nearly so, that lie far off the smooth curve through their neighbours.
@@ -58,10 +58,10 @@ impl Faults {
     /// The faults of these columns, row for row; `turn` is a whole turn in the unit of the values, if they are
     /// angles that may jump by it.
     ///
-    /// Outliers are told by the cubic through two neighbours on either side: the rows at both ends and those
+    /// Outliers are recognised by the cubic through two neighbours on either side: the rows at both ends and those
     /// beside gaps are not judged.
     #[must_use]
-    pub fn find(times: &[f64], values: &[f64], turn: Option<f64>) -> Self {
+    pub fn detect(times: &[f64], values: &[f64], turn: Option<f64>) -> Self {
         let restarts = order::restarts(times);
         let rows = restarts.first().copied().unwrap_or(times.len()).min(values.len());
         let (times, values) = (&times[..rows], &values[..rows]);
@@ -72,7 +72,7 @@ impl Faults {
         faults
     }
 
-    /// What is told from the rows whose times increase.
+    /// What is inferred from the rows whose times increase.
     fn look_closer(&mut self, times: &[f64], values: &[f64], turn: Option<f64>) {
         let left_out = self.left_out();
         let kept: Vec<usize> = (0..times.len()).filter(|row| left_out.binary_search(row).is_err()).collect();
@@ -83,8 +83,8 @@ impl Faults {
         let smooth = turn.map_or_else(|| values_of.clone(), |turn| unwrapped(&values_of, turn));
         self.clock = Clock::new(times, &kept);
         self.rounding_noise = self.clock.as_ref().and_then(|clock| clock.rounding_noise(&kept, &smooth));
-        let runs = |found: Vec<Run>| {
-            found.into_iter().map(|run| Run { first: kept[run.first], ..run }).collect::<Vec<_>>()
+        let runs = |found: Vec<Plateau>| {
+            found.into_iter().map(|run| Plateau { first: kept[run.first], ..run }).collect::<Vec<_>>()
         };
         self.stuck = runs(clipping::stuck(&smooth, outliers::noise(&times_of, &smooth)));
         self.clipped = runs(clipping::clipped(&smooth));

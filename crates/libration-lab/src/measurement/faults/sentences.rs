@@ -1,6 +1,6 @@
 //! Faults in short sentences, each saying what is done about it or what would help.
 
-use super::{Clock, Faults, Run};
+use super::{Clock, Faults, Plateau};
 
 /// Lines named in one sentence.
 const NAMED: usize = 5;
@@ -72,7 +72,7 @@ fn of_rounding(clock: &Clock, noise: Option<f64>, unit: &str) -> Option<String> 
     let interval = format!("{:.7}", grid.interval);
     let cost = noise
         .map_or_else(String::new, |noise| format!(", which acts as an error of {} {unit}", short(noise)));
-    let (interval, off) = (interval.trim_end_matches('0'), short(grid.most_off));
+    let (interval, off) = (interval.trim_end_matches('0'), short(grid.largest_deviation));
     let to = match clock.significant_digits {
         Some(digits) => format!("{digits} significant digits"),
         None => format!("{resolution} s"),
@@ -97,7 +97,7 @@ fn of_uneven_clock(clock: &Clock) -> String {
     )
 }
 
-fn of_runs(runs: &[Run], lines: &[u64], what: &str, hint: &str) -> Option<String> {
+fn of_runs(runs: &[Plateau], lines: &[u64], what: &str, hint: &str) -> Option<String> {
     let rows = runs.iter().map(|run| run.rows).sum();
     let firsts: Vec<usize> = runs.iter().map(|run| run.first).collect();
     let from = places(&firsts, lines);

@@ -3,7 +3,7 @@
 use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
-use super::super::{Column, MeasurementError, QuantityKind, Seen};
+use super::super::{Column, MeasurementError, Observable, QuantityKind};
 use super::gyroscope;
 use super::runs::Group;
 use super::value::Value;
@@ -126,11 +126,11 @@ impl Group<'_> {
         choices: &Choices,
         findings: &mut Vec<Finding>,
     ) -> Result<Value, MeasurementError> {
-        for (chosen, seen) in
-            [(&choices.angle, Seen::Angle), (&choices.angular_velocity, Seen::AngularVelocity)]
+        for (chosen, observable) in
+            [(&choices.angle, Observable::Angle), (&choices.angular_velocity, Observable::AngularVelocity)]
         {
             if let Some(place) = self.chosen(chosen.as_ref())? {
-                return self.no_acceleration(place).map(|()| Value::Column(place, seen));
+                return self.no_acceleration(place).map(|()| Value::Column(place, observable));
             }
         }
         if choices.x.is_some() || choices.y.is_some() {
@@ -146,7 +146,7 @@ impl Group<'_> {
                     format!("{} is the angle", self.sheet.describe(angle)),
                     Choice::Angle,
                 ));
-                Ok(Value::Column(angle, Seen::Angle))
+                Ok(Value::Column(angle, Observable::Angle))
             }
             [] if has_positions => self.positions(time, choices),
             [] => self.velocity(time, choices, findings),
@@ -188,10 +188,10 @@ impl Group<'_> {
         velocities.retain(|&place| !self.sheet.channels[place].heading.name.to_lowercase().contains("abs"));
         let (value, why) = match velocities[..] {
             [] => return self.unnamed(time, choices, findings),
-            [place] => (Some(Value::Column(place, Seen::AngularVelocity)), ""),
+            [place] => (Some(Value::Column(place, Observable::AngularVelocity)), ""),
             _ => match gyroscope::strongest(self.sheet, &velocities) {
                 Some(place) => (
-                    Some(Value::Column(place, Seen::AngularVelocity)),
+                    Some(Value::Column(place, Observable::AngularVelocity)),
                     ", since it has nearly all of the motion",
                 ),
                 None => (gyroscope::about_one_axis(self.sheet, &velocities), ""),
@@ -242,7 +242,10 @@ impl Group<'_> {
                 let text =
                     format!("{} is what was measured, since there is no other", self.sheet.describe(place));
                 findings.push(Finding::new(text, Choice::Angle));
-                Ok(Value::Column(place, if is_velocity { Seen::AngularVelocity } else { Seen::Angle }))
+                Ok(Value::Column(
+                    place,
+                    if is_velocity { Observable::AngularVelocity } else { Observable::Angle },
+                ))
             }
             [place] => {
                 let question = format!("it is not clear what {} holds", self.sheet.describe(place));

@@ -19,14 +19,14 @@ use super::{MeasurementError, Trace};
 use columns::Columns;
 use rows::Rows;
 
-/// The traces of a recording, with all that was told from the file in finding them.
+/// The traces of a recording, with all that was inferred from the file in finding them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traces {
     /// One for each run.
     pub traces: Vec<Trace>,
     /// For each trace, the line of each of its rows, counted from one.
     pub lines: Vec<Vec<u64>>,
-    /// What was told from the file.
+    /// What was inferred from the file.
     pub findings: Vec<Finding>,
 }
 

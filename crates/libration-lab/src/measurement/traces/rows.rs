@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
-use super::super::{Faults, FittedPivot, MeasurementError, Seen, Trace, Unit};
+use super::super::{Faults, FittedPivot, MeasurementError, Observable, Trace, Unit};
 use super::columns::Columns;
 use super::sequence::Sequence;
 use super::value::Value;
@@ -135,13 +135,13 @@ impl Rows {
         self.keep_between(unit, choices)?;
         let sequence = self.sequence(sheet)?;
         self.times.iter_mut().for_each(|time| *time = unit.to_si(*time));
-        let seen = self.scale(sheet, columns, choices, &mut tell)?;
+        let observable = self.scale(sheet, columns, choices, &mut tell)?;
         let lines: Vec<u64> = self.rows.iter().map(|&row| sheet.lines[row]).collect();
         sequence.findings(&self.run(), &lines).into_iter().for_each(&mut tell);
         let mut traces: Vec<(Trace, Vec<u64>)> = Vec::new();
         for piece in self.pieces(&sequence, choices)? {
             let (trace, rows) =
-                piece.trace(sheet, seen, columns.uncertainty.is_some(), choices, &mut tell)?;
+                piece.trace(sheet, observable, columns.uncertainty.is_some(), choices, &mut tell)?;
             let is_same = |other: &Trace| other.times() == trace.times() && other.values() == trace.values();
             match traces.iter().find(|(other, _)| is_same(other)) {
                 Some((other, _)) => {
@@ -230,12 +230,12 @@ impl Rows {
     fn trace(
         mut self,
         sheet: &Sheet,
-        seen: Seen,
+        observable: Observable,
         has_uncertainties: bool,
         choices: &Choices,
         tell: &mut impl FnMut(Finding),
     ) -> Result<(Trace, Vec<u64>), MeasurementError> {
-        if seen == Seen::Angle {
+        if observable == Observable::Angle {
             turns::unwrap(&mut self.values, &self.name, tell);
         }
         let clock_uncertainty =
@@ -246,15 +246,15 @@ impl Rows {
                 }
                 None => 0.0,
             };
-        let faults = self.faults(sheet, seen, tell);
+        let faults = self.faults(sheet, observable, tell);
         let repeated = faults.left_out();
         let kept: Vec<usize> =
             (0..self.rows.len()).filter(|row| repeated.binary_search(row).is_err()).collect();
         let Self { name, rows, times, values, uncertainties, pivot, .. } =
             self.chosen(self.name.clone(), &kept);
         let uncertainties = has_uncertainties.then_some(uncertainties);
-        let trace =
-            Trace::new(&name, seen, times, values, uncertainties)?.with_clock_uncertainty(clock_uncertainty);
+        let trace = Trace::new(&name, observable, times, values, uncertainties)?
+            .with_clock_uncertainty(clock_uncertainty);
         let trace = match pivot {
             Some(pivot) => trace.with_fitted_pivot(pivot)?,
             None => trace,
@@ -268,40 +268,40 @@ impl Rows {
         columns: &Columns,
         choices: &Choices,
         tell: &mut impl FnMut(Finding),
-    ) -> Result<Seen, MeasurementError> {
-        let (place, seen) = match columns.value {
-            Value::Column(place, seen) => {
+    ) -> Result<Observable, MeasurementError> {
+        let (place, observable) = match columns.value {
+            Value::Column(place, observable) => {
                 self.values = self.columns[0].clone();
-                (place, seen)
+                (place, observable)
             }
             Value::Axes(places, axis) => {
                 let rate =
                     |row: usize| self.columns.iter().zip(axis).map(|(rates, part)| part * rates[row]).sum();
                 self.values = (0..self.rows.len()).map(rate).collect();
-                (places[0], Seen::AngularVelocity)
+                (places[0], Observable::AngularVelocity)
             }
             Value::Positions { x, y } => {
                 positions::same_unit(sheet, x, y)?;
                 (self.values, self.pivot) =
                     positions::angles(&self.columns[0], &self.columns[1], choices.pivot, &self.name, tell)?;
-                return Ok(Seen::Angle);
+                return Ok(Observable::Angle);
             }
         };
-        let scale = units::of_value(&self.values, sheet, place, seen, choices, tell)?;
+        let scale = units::of_value(&self.values, sheet, place, observable, choices, tell)?;
         self.values.iter_mut().for_each(|value| *value = scale.to_si(*value));
         if let Some(place) = columns.uncertainty {
             let scale = units::of_uncertainty(sheet, place, scale, choices);
             self.uncertainties.iter_mut().for_each(|value| *value = scale.to_si(*value));
         }
-        Ok(seen)
+        Ok(observable)
     }
 
     /// Tells what is strange in the rows.
-    fn faults(&self, sheet: &Sheet, seen: Seen, tell: &mut impl FnMut(Finding)) -> Faults {
+    fn faults(&self, sheet: &Sheet, observable: Observable, tell: &mut impl FnMut(Finding)) -> Faults {
         let run = self.run();
-        let faults = Faults::find(&self.times, &self.values, None);
+        let faults = Faults::detect(&self.times, &self.values, None);
         let lines: Vec<u64> = self.rows.iter().map(|&row| sheet.lines[row]).collect();
-        let unit = if seen == Seen::Angle { "rad" } else { "rad/s" };
+        let unit = if observable == Observable::Angle { "rad" } else { "rad/s" };
         faults
             .sentences(&lines, unit)
             .into_iter()

@@ -21,7 +21,7 @@ impl<'a> Group<'a> {
             runs.retain(|other| other == run);
         }
         let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(QuantityKind::Run));
-        // Where nothing names runs they may be told by a clock that is set back, which is seen later.
+        // Where nothing names runs they may be recognised by a clock that is set back, which is seen later.
         if let Some(asked) = choices.run.as_deref().filter(|_| !is_numbered && !runs.is_empty()) {
             let available: Vec<String> = runs.iter().flatten().map(|run| format!("`{run}`")).collect();
             let is_there = |asked: &str| runs.iter().flatten().any(|run| is_run(run, asked));

@@ -1,6 +1,6 @@
 //! Which times are taken where those of the file are rounded: as they are written, or the even ones of which they are roundings.
 
-use super::super::choices::{Choice, Finding, Stamps};
+use super::super::choices::{Choice, Finding, TimeStamps};
 use super::super::faults::Clock;
 use super::super::{Faults, MeasurementError};
 
@@ -17,15 +17,15 @@ pub(super) struct Even {
 pub(super) fn even(
     times: &[f64],
     values: &[f64],
-    asked: Option<Stamps>,
+    asked: Option<TimeStamps>,
     run: &str,
     tell: &mut impl FnMut(Finding),
 ) -> Result<Option<Even>, MeasurementError> {
-    if asked == Some(Stamps::AsWritten) {
+    if asked == Some(TimeStamps::AsWritten) {
         return Ok(None);
     }
-    let clock = Faults::find(times, values, None).clock;
-    let is_asked = asked == Some(Stamps::Even);
+    let clock = Faults::detect(times, values, None).clock;
+    let is_asked = asked == Some(TimeStamps::Even);
     let (clock, grid) = match clock {
         Some(Clock { grid: Some(ref grid), .. }) if is_in_order(&grid.numbers) => (clock.as_ref(), grid),
         _ if is_asked => return Err(MeasurementError::NotEven { run: run.to_owned() }),

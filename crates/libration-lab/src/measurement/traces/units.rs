@@ -1,11 +1,11 @@
-//! In which units the columns are: said, written, or told from the numbers where only one can be.
+//! In which units the columns are: said, written, or inferred from the numbers where only one can be.
 
 use std::f64::consts::{PI, TAU};
 
 use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
-use super::super::{MeasurementError, Seen, Unit};
+use super::super::{MeasurementError, Observable, Unit};
 use super::columns::what_it_holds;
 
 /// What turns a number of the file into radians or radians per second.
@@ -82,11 +82,11 @@ pub(super) fn of_value(
     values: &[f64],
     sheet: &Sheet,
     place: usize,
-    seen: Seen,
+    observable: Observable,
     choices: &Choices,
     tell: &mut impl FnMut(Finding),
 ) -> Result<Scale, MeasurementError> {
-    if let Some(counts) = choices.counts_per_turn.filter(|_| seen == Seen::Angle) {
+    if let Some(counts) = choices.counts_per_turn.filter(|_| observable == Observable::Angle) {
         return Ok(Scale::Counts(counts));
     }
     let heading = &sheet.channels[place].heading;
@@ -99,9 +99,9 @@ pub(super) fn of_value(
             ));
             doubt(values, sheet, place, unit).into_iter().for_each(tell);
         }
-        return in_unit(unit, sheet, place, seen);
+        return in_unit(unit, sheet, place, observable);
     }
-    if heading.unit_text.is_none() && seen == Seen::Angle && only_degrees_fit(values) {
+    if heading.unit_text.is_none() && observable == Observable::Angle && only_degrees_fit(values) {
         let text = format!(
             "{} is in degrees, since it swings by more than a turn of radians",
             sheet.describe(place)
@@ -110,10 +110,12 @@ pub(super) fn of_value(
         return Ok(Scale::Unit(Unit::Degree));
     }
     let question = match &heading.unit_text {
-        Some(text) => format!("`{text}` is not a known unit of {}", name(seen)),
+        Some(text) => format!("`{text}` is not a known unit of {}", name(observable)),
         None => format!("the unit of {} is not given", sheet.describe(place)),
     };
-    let fits = |suggestion: &Suggestion| suggestion.value.ends_with("/s") == (seen == Seen::AngularVelocity);
+    let fits = |suggestion: &Suggestion| {
+        suggestion.value.ends_with("/s") == (observable == Observable::AngularVelocity)
+    };
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
 }
 
@@ -141,9 +143,14 @@ pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choi
     }
 }
 
-fn in_unit(unit: Unit, sheet: &Sheet, place: usize, seen: Seen) -> Result<Scale, MeasurementError> {
-    match (unit.measures(), seen) {
-        (Measures::Angle, Seen::Angle) if unit == Unit::Count => {
+fn in_unit(
+    unit: Unit,
+    sheet: &Sheet,
+    place: usize,
+    observable: Observable,
+) -> Result<Scale, MeasurementError> {
+    match (unit.measures(), observable) {
+        (Measures::Angle, Observable::Angle) if unit == Unit::Count => {
             let question = format!(
                 "{} is in counts, and the number of counts per turn is not given",
                 sheet.describe(place)
@@ -153,20 +160,20 @@ fn in_unit(unit: Unit, sheet: &Sheet, place: usize, seen: Seen) -> Result<Scale,
                 choices: vec![Suggestion::new(Choice::CountsPerTurn, "4000")],
             })
         }
-        (Measures::Angle, Seen::Angle) | (Measures::AngularVelocity, Seen::AngularVelocity) => {
+        (Measures::Angle, Observable::Angle) | (Measures::AngularVelocity, Observable::AngularVelocity) => {
             Ok(Scale::Unit(unit))
         }
         _ => {
-            let examples = if seen == Seen::Angle { "rad, deg" } else { "rad/s, deg/s" };
-            Err(MeasurementError::WrongUnit { unit, of: name(seen), examples })
+            let examples = if observable == Observable::Angle { "rad, deg" } else { "rad/s, deg/s" };
+            Err(MeasurementError::WrongUnit { unit, of: name(observable), examples })
         }
     }
 }
 
-fn name(seen: Seen) -> &'static str {
-    match seen {
-        Seen::Angle => "an angle",
-        Seen::AngularVelocity => "an angular velocity",
+fn name(observable: Observable) -> &'static str {
+    match observable {
+        Observable::Angle => "an angle",
+        Observable::AngularVelocity => "an angular velocity",
     }
 }
 

@@ -1,11 +1,11 @@
 //! What was seen, and in which columns it stands.
 
-use super::super::Seen;
+use super::super::Observable;
 
 /// What was seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Value {
-    Column(usize, Seen),
+    Column(usize, Observable),
     Positions {
         x: usize,
         y: usize,

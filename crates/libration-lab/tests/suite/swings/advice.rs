@@ -1,7 +1,7 @@
 //! The advice.
 
 use libration_lab::fit::swings::{Advice, EndOfTrace, SwingsOptions};
-use libration_lab::measurement::Seen;
+use libration_lab::measurement::Observable;
 
 use super::{SWING, advice, changed, found, linear, of_length, trace, with_free_scale};
 use crate::synthetic_trace::Synthetic;
@@ -39,12 +39,12 @@ fn a_scale_is_to_be_checked_where_beta_is_in_doubt() {
         found(&[changed(&trace(swing), |_, time, value| (time, scale * value))], &options).advice
     };
     let told = scaled(&quiet, 1.1, linear());
-    assert!(told.contains(&Advice::CheckScale { seen: Seen::Angle }), "{told:?}");
+    assert!(told.contains(&Advice::CheckScale { observable: Observable::Angle }), "{told:?}");
     assert!(!has(&scaled(&quiet, 1.0, linear()), "check_scale"));
     assert!(!has(&scaled(&quiet, 1.1, with_free_scale()), "check_scale"));
-    let gyroscope = Synthetic { seen: Seen::AngularVelocity, noise: 1e-3, ..SWING };
+    let gyroscope = Synthetic { observable: Observable::AngularVelocity, noise: 1e-3, ..SWING };
     let told = scaled(&gyroscope, 1.1, linear());
-    assert!(told.contains(&Advice::CheckScale { seen: Seen::AngularVelocity }), "{told:?}");
+    assert!(told.contains(&Advice::CheckScale { observable: Observable::AngularVelocity }), "{told:?}");
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn a_zero_off_by_more_than_a_hundredth_is_told() {
     // Of a motion that is not that of the pendulum it says nothing, and a gyroscope has no plumb line.
     let noisy = Synthetic { offset: 0.1, noise: 0.1, ..SWING };
     assert!(!has(&advice(&noisy, &linear()), "set_zero"));
-    let gyroscope = Synthetic { seen: Seen::AngularVelocity, offset: 0.1, ..SWING };
+    let gyroscope = Synthetic { observable: Observable::AngularVelocity, offset: 0.1, ..SWING };
     assert!(!has(&advice(&gyroscope, &linear()), "set_zero"));
 }
 

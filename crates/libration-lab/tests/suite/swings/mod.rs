@@ -14,7 +14,7 @@ use libration::watch::Watch;
 use libration_lab::fit::Apparatus;
 use libration_lab::fit::swings::{Advice, SwingsError, SwingsFit, SwingsOptions, Warning, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
-use libration_lab::measurement::{Seen, Trace};
+use libration_lab::measurement::{Observable, Trace};
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -30,7 +30,7 @@ fn trace(swing: &Synthetic) -> Trace {
 fn changed(trace: &Trace, change: impl Fn(usize, f64, f64) -> (f64, f64)) -> Trace {
     let rows = trace.times().iter().zip(trace.values()).enumerate();
     let (times, values) = rows.map(|(row, (time, value))| change(row, *time, *value)).unzip();
-    Trace::new(trace.name(), trace.seen(), times, values, None).unwrap()
+    Trace::new(trace.name(), trace.observable(), times, values, None).unwrap()
 }
 
 fn linear() -> SwingsOptions<'static> {
@@ -78,11 +78,11 @@ fn a_good_measurement_is_not_doubted_and_wants_nothing_but_a_length() {
     assert_eq!(found.advice[0].name(), "give_length");
 }
 
-/// Seen as angular velocities, from 3·2 sin 30° rad/s on.
+/// Observable as angular velocities, from 3·2 sin 30° rad/s on.
 #[test]
 fn angular_velocities_are_judged_alike() {
-    let seen = Synthetic { seen: Seen::AngularVelocity, ..SWING };
-    assert_eq!(warnings(&seen, &linear()), []);
+    let observable = Synthetic { observable: Observable::AngularVelocity, ..SWING };
+    assert_eq!(warnings(&observable, &linear()), []);
 }
 
 #[test]

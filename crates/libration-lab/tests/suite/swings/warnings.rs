@@ -121,7 +121,7 @@ fn stated_uncertainties_are_compared_with_the_scatter() {
         let uncertainties = vec![SWING.noise / ratio; swing.len()];
         let columns = [swing.times(), swing.values()].map(<[f64]>::to_vec);
         let [times, values] = columns;
-        let stated = Trace::new("stated", swing.seen(), times, values, Some(uncertainties)).unwrap();
+        let stated = Trace::new("stated", swing.observable(), times, values, Some(uncertainties)).unwrap();
         named(&found(&[stated], &linear()).warnings, "stated_uncertainties").map(ToString::to_string)
     };
     assert!(stated(1.65).unwrap().contains("too small"));

@@ -14,7 +14,7 @@ use crate::output::{budget, warnings};
 use libration::quantity::Quantity;
 use libration_lab::fit::swings::{Advice, FittedPendulum, Warning};
 use libration_lab::fit::{Budget, Uncertain};
-use libration_lab::measurement::Seen;
+use libration_lab::measurement::Observable;
 use serde_json::Value;
 
 pub(super) use cycle::{COLUMNS as CYCLE_COLUMNS, cycles, of_cycle};
@@ -55,13 +55,13 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
             "rms_residual_rad",
             "rad",
             "root mean square of the residuals, where angles were measured",
-            |it| rms(it, Seen::Angle),
+            |it| rms(it, Observable::Angle),
         ),
         Of::present(
             "rms_residual_rad_per_s",
             "rad/s",
             "the same where angular velocities were measured",
-            |it| rms(it, Seen::AngularVelocity),
+            |it| rms(it, Observable::AngularVelocity),
         ),
         Of::value("rows", "1", "rows that were fitted", |it| it.swings.fit.rows().into()),
         Of::value("converged", "", "whether the least sum of squares was reached", |it| {
@@ -86,8 +86,8 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
     ])
 }
 
-fn rms(answer: &Answer<'_>, seen: Seen) -> Option<f64> {
-    (answer.measured.traces[0].seen() == seen).then_some(answer.swings.fit.rms)
+fn rms(answer: &Answer<'_>, observable: Observable) -> Option<f64> {
+    (answer.measured.traces[0].observable() == observable).then_some(answer.swings.fit.rms)
 }
 
 /// Gravity with the length that was given.

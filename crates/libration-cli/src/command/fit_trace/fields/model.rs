@@ -7,7 +7,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::number::with_uncertainty;
 use libration_lab::fit::DampingKind;
-use libration_lab::fit::trace::{Averaged, Comparison, Standing, TraceFit};
+use libration_lab::fit::trace::{Comparison, ModelAverage, Standing, TraceFit};
 use serde_json::Value;
 
 /// A model of a comparison.
@@ -34,7 +34,7 @@ impl DampingModel<'_> {
 
     /// Akaike's criterion above that of the best.
     pub(in super::super) fn excess(&self) -> f64 {
-        self.comparison.excess_information[self.place]
+        self.comparison.aicc_differences[self.place]
     }
 
     pub(in super::super) fn is_left(&self) -> bool {
@@ -98,10 +98,10 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
             it.fit().small_angle_period().uncertainty
         }),
         Of::value(
-            "takes_energy",
+            "dissipates",
             "",
             "whether its damping takes energy at all speeds of the data, within two standard uncertainties",
-            |it| it.fit().takes_energy().into(),
+            |it| it.fit().dissipates().into(),
         ),
         Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {
             json::list(it.fit().negative_terms().into_iter().map(DampingKind::name))
@@ -139,23 +139,23 @@ pub(super) fn averaged(comparison: &Comparison) -> Value {
     known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
 }
 
-pub(super) fn of_averages() -> Fields<Averaged> {
+pub(super) fn of_averages() -> Fields<ModelAverage> {
     of_period().and(of_average())
 }
 
-fn of_period() -> Fields<Averaged> {
+fn of_period() -> Fields<ModelAverage> {
     let meaning = "T₀ over the models by their weights";
     let names = ["small_angle_period_s", "small_angle_period_s_uncertainty", "small_angle_period_s_spread"];
     of_values(names, "s", meaning)
 }
 
-fn of_average() -> Fields<Averaged> {
+fn of_average() -> Fields<ModelAverage> {
     let meaning = "parameter with this name over the models by their weights, in its unit";
     of_values(["NAME", "NAME_uncertainty", "NAME_spread"], "", meaning)
 }
 
-fn of_values(names: [&'static str; 3], unit: &'static str, meaning: &'static str) -> Fields<Averaged> {
-    type Of = Field<Averaged>;
+fn of_values(names: [&'static str; 3], unit: &'static str, meaning: &'static str) -> Fields<ModelAverage> {
+    type Of = Field<ModelAverage>;
     let [value, uncertainty, spread] = names;
     Fields::from([
         Of::number(value, unit, meaning, |it| it.mean.value),

@@ -28,7 +28,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
                 .concat(),
         ),
         Section::new("All numbers", [tables::parameters(answer), words::numbers(answer)].concat()),
-        Section::new("What would make it better", list(&answer.advice())),
+        Section::new("How to improve the measurement", list(&answer.advice())),
         Section::new("All cycles", tables::cycles(answer)),
         Section::new("How this report was made", vec![provenance()]),
     ];

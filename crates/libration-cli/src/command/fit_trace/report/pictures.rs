@@ -7,7 +7,7 @@ use crate::figure::parameters::found;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
 use libration_lab::fit::cycles::HalfSwing;
 use libration_lab::fit::trace::TraceFit;
-use libration_lab::measurement::Seen;
+use libration_lab::measurement::Observable;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
     Block::Figure(DocumentFigure { name: name.to_owned(), caption, picture })
@@ -120,10 +120,10 @@ fn of_model(
     let window = fit.small_angle_period().value / 6.0;
     let amplitude = |half: &HalfSwing| {
         let extreme = extreme(measured.times(), &sizes, half.time, window).unwrap_or(f64::NAN);
-        match measured.seen() {
-            Seen::Angle => extreme,
+        match measured.observable() {
+            Observable::Angle => extreme,
             // At the bottom θ′ = 2ω₀ sin(θ₀/2).
-            Seen::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].estimate.value).asin(),
+            Observable::AngularVelocity => 2.0 * (0.5 * extreme / fit.parameters[0].estimate.value).asin(),
         }
     };
     Some(Envelope { name: fit.damping.to_string(), amplitudes: half_swings.iter().map(amplitude).collect() })

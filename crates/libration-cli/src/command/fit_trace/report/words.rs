@@ -112,7 +112,7 @@ pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
 pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
     let law = "A pendulum takes longer for large swings: T = T₀·R(θ₀), where R is 1 for the smallest swings and 1 + θ₀²/16 + … \
                beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed by itself, without a model of the damping, and \
-               T = T₀·[1 + β(R − 1)] was put through the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
+               T = T₀·[1 + β(R − 1)] was fitted to the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
     let verdict = match &answer.swings.beta {
         Err(reason) => format!("β cannot be determined: {reason}."),
         Ok(beta) if beta.differs_from_one() => format!(
@@ -142,7 +142,7 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
     let verdict = match (rivals.len(), comparison.better().count()) {
         (0, 0) => format!("The simplest description that the data allow is {}.", named(answer)),
         (0, _) => format!(
-            "The simplest description with drag that brakes is {}, and another model fits the data better: see the doubts.",
+            "The simplest description in which friction only brakes is {}, but another model fits the data better: see the warnings.",
             named(answer)
         ),
         _ => format!(

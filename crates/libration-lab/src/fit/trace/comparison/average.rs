@@ -7,7 +7,7 @@ use crate::fit::trace::TraceFit;
 /// A number averaged over the models that the data leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Averaged {
+pub struct ModelAverage {
     /// The mean, each model with its weight; its uncertainty includes the spread between the models.
     pub mean: Uncertain,
     /// The spread between the models alone, as a standard deviation.
@@ -33,19 +33,19 @@ impl Comparison {
 
     /// 2π/ω0, averaged over the models, in s.
     #[must_use]
-    pub fn small_angle_period(&self) -> Averaged {
+    pub fn small_angle_period(&self) -> ModelAverage {
         self.averaged(|fit| Some(fit.small_angle_period()))
     }
 
     /// A shared parameter, averaged over the models that have it; none if no model has.
     #[must_use]
-    pub fn parameter(&self, name: &str) -> Option<Averaged> {
+    pub fn parameter(&self, name: &str) -> Option<ModelAverage> {
         let estimate = |fit: &TraceFit| fit.parameter(name).map(|parameter| parameter.estimate);
         self.fits.iter().any(|fit| estimate(fit).is_some()).then(|| self.averaged(estimate))
     }
 
     /// With the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
-    fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> Averaged {
+    fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> ModelAverage {
         let weights = self.weights();
         let known =
             self.fits.iter().zip(&weights).filter_map(|(fit, weight)| Some((estimate(fit)?, *weight)));
@@ -58,6 +58,6 @@ impl Comparison {
         let between = mean(&|one| (one.value - value) * (one.value - value));
         let within = mean(&|one| one.uncertainty * one.uncertainty);
         let uncertainty = (within + between).sqrt();
-        Averaged { mean: Uncertain { value, uncertainty }, spread: between.sqrt() }
+        ModelAverage { mean: Uncertain { value, uncertainty }, spread: between.sqrt() }
     }
 }

@@ -7,7 +7,7 @@ mod standing;
 #[cfg(test)]
 mod tests;
 
-pub use average::Averaged;
+pub use average::ModelAverage;
 pub use models::compare;
 pub use standing::Standing;
 
@@ -22,7 +22,7 @@ pub struct Comparison {
     /// One for each model that could be fitted, simpler ones first.
     pub fits: Vec<TraceFit>,
     /// Akaike's criterion of each, less the least.
-    pub excess_information: Vec<f64>,
+    pub aicc_differences: Vec<f64>,
     /// The place of the model that the data prefer: the simplest of those whose evidence is within [`Self::SUBSTANTIAL`] of the
     /// best.
     pub preferred: usize,
@@ -51,7 +51,7 @@ impl Comparison {
 
     /// The criterion, with what it takes to believe in a negative coefficient; infinite for what no friction does.
     fn evidence(&self, place: usize) -> f64 {
-        evidence(&self.fits[place], self.excess_information[place])
+        evidence(&self.fits[place], self.aicc_differences[place])
     }
 
     fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
@@ -61,12 +61,12 @@ impl Comparison {
         let information: Vec<f64> =
             fits.iter().map(|fit| information(fit, independent_rows, scale)).collect();
         let least = information.iter().copied().fold(f64::INFINITY, f64::min);
-        let excess_information: Vec<f64> =
+        let aicc_differences: Vec<f64> =
             information.iter().map(|value| if value.is_finite() { value - least } else { *value }).collect();
         let evidence: Vec<f64> =
-            fits.iter().zip(&excess_information).map(|(fit, excess)| evidence(fit, *excess)).collect();
+            fits.iter().zip(&aicc_differences).map(|(fit, excess)| evidence(fit, *excess)).collect();
         let counts: Vec<usize> = fits.iter().map(|fit| fit.damping.count()).collect();
-        Some(Self { preferred: simplest(&counts, &evidence), fits, excess_information, independent_rows })
+        Some(Self { preferred: simplest(&counts, &evidence), fits, aicc_differences, independent_rows })
     }
 }
 
@@ -79,7 +79,7 @@ fn rows_that_count(largest: &TraceFit) -> f64 {
 }
 
 fn evidence(fit: &TraceFit, excess: f64) -> f64 {
-    match (fit.takes_energy(), fit.damps_by_each_term()) {
+    match (fit.dissipates(), fit.dissipates_by_each_term()) {
         (false, _) => f64::INFINITY,
         (true, false) => excess + Comparison::DECISIVE,
         (true, true) => excess,

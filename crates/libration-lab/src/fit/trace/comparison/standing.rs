@@ -44,10 +44,10 @@ impl Comparison {
         let beyond = self.evidence(place) - self.evidence(self.preferred);
         match () {
             () if place == self.preferred => Standing::Preferred,
-            () if !fit.takes_energy() => Standing::FeedsEnergy,
+            () if !fit.dissipates() => Standing::FeedsEnergy,
             () if beyond < Self::INDISTINGUISHABLE => Standing::Tied,
             () if beyond < Self::UNSUPPORTED => Standing::Possible,
-            () if fit.takes_energy() && self.excess_over_preferred(place) < Self::UNSUPPORTED => {
+            () if fit.dissipates() && self.excess_over_preferred(place) < Self::UNSUPPORTED => {
                 Standing::Negative
             }
             () => Standing::Excluded,
@@ -81,14 +81,17 @@ impl Comparison {
     /// The models that explain the data better than the preferred one and are not believed, with by how much: a criterion that is
     /// lower by less than [`Self::SUBSTANTIAL`] is no evidence.
     pub fn better(&self) -> impl Iterator<Item = (&TraceFit, f64)> {
-        let doubtful =
-            self.fits.iter().enumerate().filter(|(_, fit)| !(fit.takes_energy() && fit.damps_by_each_term()));
+        let doubtful = self
+            .fits
+            .iter()
+            .enumerate()
+            .filter(|(_, fit)| !(fit.dissipates() && fit.dissipates_by_each_term()));
         let with_evidence = doubtful.map(|(place, fit)| (fit, -self.excess_over_preferred(place)));
         with_evidence.filter(|(_, evidence)| *evidence > Self::SUBSTANTIAL)
     }
 
     /// By how much the criterion is above that of the preferred model.
     fn excess_over_preferred(&self, place: usize) -> f64 {
-        self.excess_information[place] - self.excess_information[self.preferred]
+        self.aicc_differences[place] - self.aicc_differences[self.preferred]
     }
 }

@@ -23,7 +23,7 @@ fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFi
         damping,
         correlations: (0..n).map(unit).collect(),
         parameters,
-        traces: vec![FittedTrace { begins: 0.0, fitted: vec![], residuals: vec![], outliers: vec![] }],
+        traces: vec![FittedTrace { start_time: 0.0, fitted: vec![], residuals: vec![], outliers: vec![] }],
         degrees_of_freedom: 100 - n,
         independent_rows: 100.0,
         chi2_per_dof: None,
@@ -144,7 +144,7 @@ fn few_independent_rows_believe_in_far_better_fits_only() {
         fits[1].independent_rows = 5.0;
         let comparison = Comparison::new(fits, false).unwrap();
         assert!((comparison.independent_rows - 7.0).abs() < 1e-12, "{}", comparison.independent_rows);
-        assert!(comparison.excess_information.iter().all(|excess| excess.is_finite()));
+        assert!(comparison.aicc_differences.iter().all(|excess| excess.is_finite()));
         comparison.preferred
     };
     assert_eq!(preferred(0.5), 0);
