@@ -18,6 +18,7 @@ mod one_amplitude;
 mod oscillator;
 mod parameter_range;
 mod pendulum;
+mod reading;
 mod recording;
 mod section;
 mod system;

@@ -1,5 +1,6 @@
 //! Which oscillator is meant: a key of the catalogue or an equation, with values for its parameters.
 
+use super::reading;
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::{Failure, excerpt};
 use libration::expression::{Equation, Expression};
@@ -11,7 +12,7 @@ use libration::quantity::{Angle, Displacement, is_angle_name};
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct OscillatorOptions {
-    /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0"
+    /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0" or "\ddot{x} + \sin x = 0"
     #[arg(value_name = "OSCILLATOR|EQUATION", default_value = "pendulum")]
     oscillator: String,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
@@ -32,6 +33,8 @@ pub(crate) struct Chosen<O = Oscillator> {
     pub(crate) title: String,
     /// The parameters that have got a value.
     pub(crate) values: Vec<(String, String)>,
+    /// How the equation was read, where it is written more freely than it is written back.
+    pub(crate) read_as: Option<String>,
 }
 
 /// An oscillator whose parameters have values, or one with letters.
@@ -50,6 +53,7 @@ pub(crate) struct Asked {
     pub(crate) key: Option<&'static str>,
     pub(crate) title: String,
     pub(crate) values: Vec<(String, String)>,
+    pub(crate) read_as: Option<String>,
 }
 
 impl Chosen {
@@ -139,12 +143,14 @@ impl OscillatorOptions {
         let open = equation.parameters();
         let mut values = values_used(named.ok(), &given);
         values.retain(|(name, _)| !open.contains(name));
-        Ok(Asked { equation, about, key, title, values })
+        let read_as = if key.is_none() { Equation::read_as(&self.oscillator) } else { None };
+        Ok(Asked { equation, about, key, title, values, read_as })
     }
 
     fn typed(&self, values: &[(String, Expression)], letters: &[String]) -> Result<Equation, Failure> {
         let equation: Equation =
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
+        reading::say(&self.oscillator);
         let equation = equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))?;
         let letters: Vec<&str> = letters.iter().map(String::as_str).collect();
         equation.parameters_called(&letters).map_err(|error| Failure::usage("--letters", error))?;
@@ -168,7 +174,8 @@ impl Asked {
     }
 
     fn with<O>(self, oscillator: O) -> Chosen<O> {
-        Chosen { oscillator, key: self.key, title: self.title, values: self.values }
+        let Self { key, title, values, read_as, .. } = self;
+        Chosen { oscillator, key, title, values, read_as }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Which system is meant: a key of a catalogue or equations of motion, with values for their parameters.
 
+use super::reading;
 use super::text::{gravity, length};
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::Failure;
@@ -51,7 +52,10 @@ impl SystemOptions {
         let (name, values) = (self.system.trim(), borrowed(values));
         let model = match is_like_a_key(name) {
             true => Model::by_key(name, &values, open),
-            false => Model::typed(name, &values, open),
+            false => {
+                reading::say(name);
+                Model::typed(name, &values, open)
+            }
         };
         let model = model.map_err(|error| failure(error, varied))?;
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {

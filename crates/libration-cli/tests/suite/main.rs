@@ -31,4 +31,5 @@ mod resume;
 mod screen;
 mod simulate;
 mod systems;
+mod typed_equations;
 mod widths;

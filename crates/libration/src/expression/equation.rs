@@ -123,6 +123,21 @@ impl Equation {
         Ok(Self { variables, written, accelerations })
     }
 
+    /// How equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is;
+    /// `None` for others, and for what is not understood.
+    ///
+    /// ```
+    /// use libration::expression::Equation;
+    /// assert_eq!(Equation::read_as(r"\ddot{x} + x(1 + x^2) = 0").as_deref(), Some("x'' + x*(1 + x^2) = 0"));
+    /// assert_eq!(Equation::read_as("x'' + x = 0"), None);
+    /// ```
+    #[must_use]
+    pub fn read_as(text: &str) -> Option<String> {
+        let (written, is_free) = sides(text).ok()?;
+        let equation = Self::solved(written).ok().filter(|_| is_free)?;
+        Some(equation.to_string())
+    }
+
     /// The equations in LaTeX, one string each.
     #[must_use]
     pub fn to_latex(&self) -> Vec<String> {
@@ -206,17 +221,22 @@ impl FromStr for Equation {
     type Err = EquationError;
 
     fn from_str(text: &str) -> Result<Self, EquationError> {
-        let mut parser = Parser::new(text)?;
-        let mut written = Vec::new();
-        loop {
-            written.push(one_equation(&mut parser)?);
-            let more = parser.take(';');
-            match parser.peek() {
-                Token::End => return Self::solved(written),
-                _ if more => {}
-                Token::Sign('=') => return Err(EquationError::SecondEqualsSign),
-                _ => return Err(parser.unexpected().into()),
-            }
+        Self::solved(sides(text)?.0)
+    }
+}
+
+/// The sides of each equation, and whether they are written more freely than they are written back.
+fn sides(text: &str) -> Result<(Vec<(Expression, Expression)>, bool), EquationError> {
+    let mut parser = Parser::new(text)?;
+    let mut written = Vec::new();
+    loop {
+        written.push(one_equation(&mut parser)?);
+        let more = parser.take(';');
+        match parser.peek() {
+            Token::End => return Ok((written, parser.is_free())),
+            _ if more => {}
+            Token::Sign('=') => return Err(EquationError::SecondEqualsSign),
+            _ => return Err(parser.unexpected().into()),
         }
     }
 }

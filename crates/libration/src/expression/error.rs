@@ -72,9 +72,41 @@ pub enum Fault {
     /// A bracket that is not closed.
     #[error("this bracket is not closed: add the matching )")]
     Unclosed,
+    /// A brace that is not closed.
+    #[error("this brace is not closed: add the matching }}")]
+    UnclosedBrace,
     /// A function without its argument in brackets.
     #[error("the argument of {0} must stand in brackets: write {0}(x), or {0}(x)^2 for its square")]
     WithoutBrackets(&'static str),
+    /// sin x^2.
+    #[error(
+        "`{function} {argument}{rest}` may be {function}({argument}{rest}) or {function}({argument}){rest}: write the one that is meant"
+    )]
+    AmbiguousArgument {
+        /// The function.
+        function: &'static str,
+        /// What certainly belongs to its argument.
+        argument: String,
+        /// What may belong to it.
+        rest: String,
+    },
+    /// `\foo`.
+    #[error(
+        "the command \\{command} of LaTeX is not known here: known are \\frac, \\dot, \\ddot, \\cdot, \\sqrt, Greek letters and functions such as \\sin"
+    )]
+    UnknownCommand {
+        /// The command.
+        command: String,
+    },
+    /// `\frac12`.
+    #[error("a fraction needs two groups in braces: write \\frac{{a}}{{b}}, or a/b")]
+    FractionWithoutBraces,
+    /// `\ddot{2}`.
+    #[error("dots stand above one variable: write \\ddot{{x}}, \\dot{{\\theta}} or x''")]
+    DotsAboveNothing,
+    /// `\mathrm 2`.
+    #[error("a word in upright letters stands in braces: write \\mathrm{{max}}, or max")]
+    WordWithoutBraces,
     /// A name before a bracket that is no function.
     #[error(
         "`{name}(` is not a known function: write {name}*( for a product; the functions are {}",
@@ -87,6 +119,11 @@ pub enum Fault {
     /// x(t).
     #[error("variables are written without their argument: write {0} instead of {0}(t)")]
     OfTime(String),
+    /// x(t - 1).
+    #[error(
+        "`{0}(…)` with t in it may be {0} at another time, which no equation here can have, or a product: write {0}*(…) for a product"
+    )]
+    AtAnotherTime(String),
     /// log, which some read as ln and some as log10.
     #[error("log may be the natural or the common logarithm: write ln(x), or ln(x)/ln(10)")]
     WhichLogarithm,

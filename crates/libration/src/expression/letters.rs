@@ -71,8 +71,8 @@ pub(super) fn dotted(letter: char) -> Option<(char, u8)> {
 /// Time derivatives that a mark after or above a letter stands for.
 pub(super) fn primes(mark: char) -> Option<u8> {
     match mark {
-        '\'' | '′' | '’' | '\u{307}' => Some(1),
-        '"' | '″' | '”' | '\u{308}' => Some(2),
+        '\'' | '′' | '’' | '‘' | 'ʹ' | '´' | '\u{307}' => Some(1),
+        '"' | '″' | '”' | '“' | 'ʺ' | '\u{308}' => Some(2),
         '‴' => Some(3),
         _ => None,
     }

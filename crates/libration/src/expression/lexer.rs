@@ -1,9 +1,13 @@
 //! Text to lexemes: numbers, names with their primes, signs and brackets, each with its place.
 
+mod derivative;
+mod tex;
+
 use super::error::{Fault, ParseError};
 use super::letters::{dotted, greek_name, primes, subscript, superscript};
 use super::{Symbol, decimal};
 use crate::algebra::Rational;
+use derivative::Fraction;
 
 /// The longest text of a formula or of equations, in bytes.
 pub const LONGEST_TEXT: usize = 10_000;
@@ -14,8 +18,10 @@ const MOST_PRIMES: u8 = 3;
 pub(super) enum Token {
     Number(Rational),
     Name(Symbol),
-    /// One of `+ - * / ^ ( ) = ;`.
+    /// One of `+ - * / ^ ( ) { } = ;`.
     Sign(char),
+    /// `\frac`, before two groups in braces.
+    Fraction,
     /// An exponent in raised digits, with its sign.
     Raised {
         digits: Rational,
@@ -34,12 +40,18 @@ pub(super) struct Lexeme {
 }
 
 /// The lexemes of a text, the end included.
-pub(super) fn lexemes(text: &str) -> Result<Vec<Lexeme>, ParseError> {
+pub(super) struct Lexemes {
+    pub(super) found: Vec<Lexeme>,
+    /// Whether there are forms among them that formulas are not written back in: commands of LaTeX, derivatives as quotients.
+    pub(super) free: bool,
+}
+
+pub(super) fn lexemes(text: &str) -> Result<Lexemes, ParseError> {
     if text.len() > LONGEST_TEXT {
         let fault = Fault::TooLong { length: text.len(), limit: LONGEST_TEXT };
         return Err(ParseError::new("", 0, fault));
     }
-    let mut lexer = Lexer { text, at: 0 };
+    let mut lexer = Lexer { text, at: 0, free: false };
     let mut found = Vec::new();
     loop {
         let spaced = lexer.skip_spaces();
@@ -48,7 +60,7 @@ pub(super) fn lexemes(text: &str) -> Result<Vec<Lexeme>, ParseError> {
         let end = token == Token::End;
         found.push(Lexeme { token, start, spaced });
         if end {
-            return Ok(found);
+            return Ok(Lexemes { found, free: lexer.free });
         }
     }
 }
@@ -56,11 +68,16 @@ pub(super) fn lexemes(text: &str) -> Result<Vec<Lexeme>, ParseError> {
 struct Lexer<'a> {
     text: &'a str,
     at: usize,
+    free: bool,
 }
 
 impl<'a> Lexer<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
     fn peek(&self) -> Option<char> {
-        self.text[self.at..].chars().next()
+        self.rest().chars().next()
     }
 
     /// Takes the next character when the test accepts it.
@@ -77,13 +94,21 @@ impl<'a> Lexer<'a> {
     }
 
     fn skip_spaces(&mut self) -> bool {
-        !self.take_while(char::is_whitespace).is_empty()
+        let start = self.at;
+        while !self.take_while(char::is_whitespace).is_empty() || self.skip_command() {}
+        self.at > start
     }
 
     fn token(&mut self) -> Result<Token, Fault> {
         let Some(next) = self.peek() else { return Ok(Token::End) };
         if next.is_ascii_digit() || next == '.' {
             return self.number();
+        }
+        if next == '\\' {
+            return self.command();
+        }
+        if let Some(derivative) = (next == 'd').then(|| self.derivative(&Fraction::Slash)).flatten() {
+            return derivative;
         }
         if superscript(next).is_some() || next == '⁻' {
             return self.raised();
@@ -157,7 +182,9 @@ impl<'a> Lexer<'a> {
         loop {
             let letters = word || index;
             let belongs = |c: char| (letters && c.is_ascii_alphabetic()) || c.is_ascii_digit() || c == '_';
-            if let Some(c) = self.take_if(belongs) {
+            if let Some(braces) = self.index_in_braces() {
+                name.push_str(&braces);
+            } else if let Some(c) = self.take_if(belongs) {
                 index |= c == '_';
                 name.push(c);
             } else if let Some(c) = self.take_if(|c| subscript(c).is_some()) {
@@ -192,10 +219,10 @@ fn is_dots(c: char) -> bool {
 /// The sign that a character stands for.
 fn sign(c: char) -> Option<char> {
     match c {
-        '+' | '-' | '*' | '/' | '^' | '(' | ')' | '=' | ';' => Some(c),
+        '+' | '-' | '*' | '/' | '^' | '(' | ')' | '{' | '}' | '=' | ';' => Some(c),
         '−' | '–' => Some('-'),
-        '·' | '⋅' | '∙' | '×' => Some('*'),
-        '÷' => Some('/'),
+        '·' | '⋅' | '∙' | '×' | '∗' => Some('*'),
+        '÷' | '⁄' | '∕' => Some('/'),
         _ => None,
     }
 }
@@ -204,7 +231,7 @@ fn unknown(found: char) -> Fault {
     let hint = match found {
         ',' => "write decimals with a point, and one equation after another with ;",
         '.' => "write numbers as 0.5, products with *",
-        '[' | ']' | '{' | '}' => "write brackets as ( and )",
+        '[' | ']' => "write brackets as ( and )",
         '|' => "write abs(x) for the absolute value",
         '\'' | '′' => "a prime stands right after a name, as in x'",
         '½' | '¼' | '¾' => "write fractions as 1/2",

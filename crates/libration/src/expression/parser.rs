@@ -6,14 +6,18 @@
 //! product  ::=  factor ( * factor | / factor | power )*       two powers side by side are multiplied
 //! factor   ::=  ( + | - )* power
 //! power    ::=  primary ( ^ factor | raised digits )?         so that 2^3^2 = 2^9 and -x^2 = -(x^2)
-//! primary  ::=  number | name | function ( sum ) | ( sum )
+//! primary  ::=  number | name | function ( sum ) | function argument | ( sum ) | { sum } | \frac { sum } { sum }
+//! argument ::=  number? name+                                 where nothing follows that may belong to it
 //! ```
+//!
+//! A name before a bracket is a factor where it is a variable, which is what has primes somewhere in the text.
 
 use std::str::FromStr;
 
 use super::error::{Fault, ParseError};
-use super::lexer::{Lexeme, Token, lexemes};
+use super::lexer::{Lexeme, Lexemes, Token, lexemes};
 use super::{Expression, Function, Symbol};
+use crate::quantity::excerpt;
 
 /// The most levels that brackets, powers and signs may be nested.
 pub const DEEPEST_NESTING: usize = 100;
@@ -60,11 +64,19 @@ pub(super) struct Parser<'a> {
     lexemes: Vec<Lexeme>,
     next: usize,
     nesting: usize,
+    /// Whether something was read that formulas are not written back in.
+    free: bool,
 }
 
 impl<'a> Parser<'a> {
     pub(super) fn new(text: &'a str) -> Result<Self, ParseError> {
-        Ok(Self { text, lexemes: lexemes(text)?, next: 0, nesting: 0 })
+        let Lexemes { found: lexemes, free } = lexemes(text)?;
+        Ok(Self { text, lexemes, next: 0, nesting: 0, free })
+    }
+
+    /// Whether what was read so far is written more freely than formulas are written back.
+    pub(super) fn is_free(&self) -> bool {
+        self.free
     }
 
     /// A formula, up to what cannot belong to it.
@@ -105,6 +117,7 @@ impl<'a> Parser<'a> {
             Token::Name(symbol) => format!("`{symbol}`"),
             Token::Sign(sign) => format!("`{sign}`"),
             Token::Raised { .. } => "a raised number".to_owned(),
+            Token::Fraction => "\\frac".to_owned(),
             Token::End => "the end".to_owned(),
         }
     }
@@ -167,7 +180,7 @@ impl<'a> Parser<'a> {
     }
 
     fn begins_factor(&self) -> bool {
-        matches!(self.peek(), Token::Number(_) | Token::Name(_) | Token::Sign('('))
+        matches!(self.peek(), Token::Number(_) | Token::Name(_) | Token::Fraction | Token::Sign('(' | '{'))
     }
 
     /// Whether a factor may stand here without a sign of multiplication.
@@ -236,24 +249,41 @@ impl<'a> Parser<'a> {
                 Ok(Node::leaf(Expression::Number(value)))
             }
             Token::Name(symbol) => self.named(symbol),
-            Token::Sign('(') => self.bracketed(),
+            Token::Sign('(') => self.bracketed(')'),
+            Token::Sign('{') => self.bracketed('}'),
+            Token::Fraction => self.fraction(),
             Token::Sign(_) | Token::Raised { .. } | Token::End => {
                 Err(self.fault(Fault::MissingOperand { found: self.found() }))
             }
         }
     }
 
-    fn bracketed(&mut self) -> Result<Node, ParseError> {
+    /// What stands up to this closing bracket.
+    fn bracketed(&mut self, close: char) -> Result<Node, ParseError> {
         let open = self.next;
         self.next += 1;
+        self.free |= close == '}';
         let inside = self.nested(Self::sum)?;
-        if self.take(')') {
+        if self.take(close) {
             return Ok(inside);
         }
+        let unclosed = if close == ')' { Fault::Unclosed } else { Fault::UnclosedBrace };
         match self.peek() {
-            Token::End | Token::Sign('=' | ';') => Err(self.fault_at(open, Fault::Unclosed)),
+            Token::End | Token::Sign('=' | ';') => Err(self.fault_at(open, unclosed)),
             _ => Err(self.unexpected()),
         }
+    }
+
+    /// A fraction as LaTeX writes it.
+    fn fraction(&mut self) -> Result<Node, ParseError> {
+        let start = self.next;
+        self.next += 1;
+        let group = |parser: &mut Self| match parser.peek() {
+            Token::Sign('{') => parser.bracketed('}'),
+            _ => Err(parser.fault_at(start, Fault::FractionWithoutBraces)),
+        };
+        let (above, below) = (group(self)?, group(self)?);
+        self.joined(Expression::Divide, above, below)
     }
 
     /// A function of what stands in brackets, π, or a symbol.
@@ -263,12 +293,12 @@ impl<'a> Parser<'a> {
         let bracket = *self.peek() == Token::Sign('(');
         if symbol.primes == 0 {
             if let Some(function) = function(&symbol.name) {
-                return if bracket {
-                    let argument = self.bracketed()?;
-                    self.grown(argument.levels, Expression::Call(function, Box::new(argument.tree)))
-                } else {
-                    Err(self.fault_at(name, Fault::WithoutBrackets(function.name())))
+                let argument = match self.peek() {
+                    Token::Sign('(') => self.bracketed(')')?,
+                    Token::Sign('{') => self.bracketed('}')?,
+                    _ => self.bare_argument(function, name)?,
                 };
+                return self.grown(argument.levels, Expression::Call(function, Box::new(argument.tree)));
             }
             match symbol.name.as_str() {
                 "pi" => return Ok(Node::leaf(Expression::Pi)),
@@ -277,18 +307,111 @@ impl<'a> Parser<'a> {
             }
         }
         if bracket {
-            return Err(self.fault_at(name, self.no_function(&symbol)));
+            self.before_bracket(&symbol).map_err(|fault| self.fault_at(name, fault))?;
         }
         Ok(Node::leaf(Expression::Symbol(symbol)))
     }
 
-    /// What is said of a name before a bracket.
-    fn no_function(&self, symbol: &Symbol) -> Fault {
-        let time = Token::Name(Symbol { name: "t".to_owned(), primes: 0 });
+    /// Takes the `(t)` behind a variable, and leaves what else a variable may be multiplied with.
+    fn before_bracket(&mut self, symbol: &Symbol) -> Result<(), Fault> {
         let argument = self.lexemes.get(self.next + 1..self.next + 3);
-        let of_time = argument.is_some_and(|it| it[0].token == time && it[1].token == Token::Sign(')'));
+        let of_time = argument.is_some_and(|it| is_time(&it[0]) && it[1].token == Token::Sign(')'));
         let name = symbol.to_string();
-        if of_time { Fault::OfTime(name) } else { Fault::UnknownFunction { name } }
+        match (self.is_variable(&symbol.name), of_time) {
+            (true, true) => self.next += 3,
+            (true, false) if self.has_time_in_brackets() => return Err(Fault::AtAnotherTime(name)),
+            (true, false) if self.in_exponent(self.next - 1) => return Err(Fault::AmbiguousPower),
+            (true, false) => {}
+            (false, true) => return Err(Fault::OfTime(name)),
+            (false, false) => return Err(Fault::UnknownFunction { name }),
+        }
+        self.free = true;
+        Ok(())
+    }
+
+    /// Whether a name has primes anywhere in the text.
+    fn is_variable(&self, name: &str) -> bool {
+        let primed =
+            |it: &Lexeme| matches!(&it.token, Token::Name(other) if other.primes > 0 && other.name == name);
+        self.lexemes.iter().any(primed)
+    }
+
+    /// Whether t stands in the bracket that opens next.
+    fn has_time_in_brackets(&self) -> bool {
+        let mut open = 0_usize;
+        for lexeme in &self.lexemes[self.next..] {
+            match lexeme.token {
+                Token::Sign('(') => open += 1,
+                Token::Sign(')') => open -= 1,
+                _ if is_time(lexeme) => return true,
+                _ => {}
+            }
+            if open == 0 {
+                break;
+            }
+        }
+        false
+    }
+
+    /// The argument of a function that stands without brackets: a number and names side by side, before what cannot belong to it.
+    fn bare_argument(&mut self, function: Function, name: usize) -> Result<Node, ParseError> {
+        let start = self.next;
+        if function == Function::Sqrt || !self.begins_bare_argument() {
+            return Err(self.fault_at(name, Fault::WithoutBrackets(function.name())));
+        }
+        let after_number = matches!(self.peek(), Token::Number(_));
+        let mut argument = self.primary()?;
+        while self.continues_bare_argument(after_number && self.next == start + 1) {
+            let factor = self.primary()?;
+            argument = self.joined(Expression::Multiply, argument, factor)?;
+        }
+        if let Some(last) = self.may_belong_to_argument() {
+            let (argument, rest) = (self.between(start, self.next), self.between(self.next, last + 1));
+            let gap = if self.lexemes[self.next].spaced { " " } else { "" };
+            let (argument, rest) = (excerpt(argument), format!("{gap}{}", excerpt(rest)));
+            return Err(
+                self.fault_at(name, Fault::AmbiguousArgument { function: function.name(), argument, rest })
+            );
+        }
+        self.free = true;
+        Ok(argument)
+    }
+
+    fn begins_bare_argument(&self) -> bool {
+        match self.peek() {
+            Token::Number(_) | Token::Fraction => true,
+            Token::Name(symbol) => function_of(symbol).is_none(),
+            _ => false,
+        }
+    }
+
+    /// Whether the next name is part of the argument: right behind the last, or behind the number it begins with.
+    fn continues_bare_argument(&self, after_number: bool) -> bool {
+        let lexeme = &self.lexemes[self.next];
+        let is_name = matches!(&lexeme.token, Token::Name(symbol) if function_of(symbol).is_none());
+        is_name && (after_number || !lexeme.spaced)
+    }
+
+    /// The last lexeme of what stands next, where that may belong to an argument without brackets.
+    fn may_belong_to_argument(&self) -> Option<usize> {
+        let function_at = |place: usize| matches!(&self.lexemes[place].token, Token::Name(symbol) if function_of(symbol).is_some());
+        match self.peek() {
+            Token::Sign('*') if function_at(self.next + 1) => None,
+            Token::Sign('*' | '/' | '^') => Some(self.next + 1),
+            Token::Name(_) if function_at(self.next) => None,
+            Token::Name(_)
+            | Token::Number(_)
+            | Token::Raised { .. }
+            | Token::Fraction
+            | Token::Sign('(' | '{') => Some(self.next),
+            _ => None,
+        }
+    }
+
+    /// The text from a lexeme to before another.
+    fn between(&self, from: usize, to: usize) -> &'a str {
+        let end = self.lexemes.get(to).map_or(self.text.len(), |it| it.start);
+        self.text[self.lexemes[from].start..end].trim()
     }
 
     /// One level further down, if there may be one.
@@ -314,6 +437,15 @@ impl<'a> Parser<'a> {
         }
         Ok(Node { tree, levels: levels + 1 })
     }
+}
+
+fn is_time(lexeme: &Lexeme) -> bool {
+    matches!(&lexeme.token, Token::Name(symbol) if symbol.name == "t" && symbol.primes == 0)
+}
+
+/// The function that a name without primes stands for.
+fn function_of(symbol: &Symbol) -> Option<Function> {
+    function(&symbol.name).filter(|_| symbol.primes == 0)
 }
 
 /// The function of a name, or of the word that it is printed with.

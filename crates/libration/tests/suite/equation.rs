@@ -61,7 +61,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("t'' = 1", "t is the time"),
     ("x'' = ", "expected a number, a name or (, found the end"),
     ("", "the formula is empty"),
-    ("x'' = sin x", "write sin(x)"),
+    ("x'' = sin x^2", "may be sin(x^2) or sin(x)^2"),
 ];
 
 #[test]
@@ -69,6 +69,26 @@ fn what_is_no_equation_of_motion_is_refused_with_a_hint() {
     for (text, part) in REFUSED {
         let error = text.parse::<Equation>().unwrap_err().to_string();
         assert!(error.contains(part), "{text}\n{error}");
+    }
+}
+
+#[test]
+fn what_is_written_freely_is_told_how_it_was_read() {
+    for (text, reading) in [
+        (r"\ddot{\theta} + \frac{g}{l}\sin\theta = 0", Some("theta'' + g/l*sin(theta) = 0")),
+        ("d²x/dt² + x(1 + x²) = 0", Some("x'' + x*(1 + x^2) = 0")),
+        ("x''(t) = -x(t)", Some("x'' = -x")),
+        ("x'' = -sin 2x", Some("x'' = -sin(2*x)")),
+        ("x'' + 2 x = 0", None),
+        ("x'' + sin(2 x) = 0", None),
+        ("x'' + sin x^2 = 0", None),
+        ("", None),
+    ] {
+        assert_eq!(Equation::read_as(text).as_deref(), reading, "{text}");
+        if let Some(reading) = reading {
+            assert_eq!(equation(text), equation(reading));
+            assert_eq!(Equation::read_as(reading), None, "what is written back is plain");
+        }
     }
 }
 

@@ -70,6 +70,42 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     ("x'' + sgn(x')", "x'' + sign(x')"),
     ("√(2)", "sqrt(2)"),
     ("sin (x)", "sin(x)"),
+    // LaTeX.
+    (r"\ddot{x} + \dot x", "x'' + x'"),
+    (r"\ddot{\theta} + \frac{g}{l}\sin\theta", "theta'' + g/l*sin(theta)"),
+    (r"\ddot\theta_1 + \omega_{0}^{2} \theta_1", "theta_1'' + omega_0^2*theta_1"),
+    (r"\ddot{x}_{1} + \ddot{x_1}", "x_1'' + x_1''"),
+    (r"\frac{1}{2} x \cdot \left(1 + x^{2}\right)", "(1/2)*x*(1 + x^2)"),
+    (r"\sqrt{1 + x^2} \, \varepsilon \times \mathrm{mass}", "sqrt(1 + x^2)*epsilon*mass"),
+    (r"\frac{d^2 x}{dt^2} + \dfrac{\mathrm{d}\theta}{\mathrm{d}t}", "x'' + theta'"),
+    (r"\frac{d^2}{b}", "d^2/b"),
+    ("a^{2}{x}", "(a^2)*x"),
+    // Leibniz.
+    ("d2x/dt2 + dx/dt", "x'' + x'"),
+    ("d^2x/dt^2 + d^2 θ / dt^2", "x'' + theta''"),
+    ("d²x/dt² + d²θ₁/dt²", "x'' + theta1''"),
+    ("d^{2}x/dt^{2} + d3y/dt3", "x'' + y'''"),
+    ("2 dx_a/dt", "2*x_a'"),
+    // What only looks so.
+    ("d2x/d2t + d2x/dt", "d2x/d2t + d2x/dt"),
+    ("dx/dt2 + dx/dtau + dx", "dx/dt2 + dx/dtau + dx"),
+    ("d/dt", "d/dt"),
+    // Functions without brackets, before what cannot belong to the argument.
+    ("sin x", "sin(x)"),
+    ("2 + sin 2x", "2 + sin(2*x)"),
+    ("sin ωt - 1", "sin(omega*t) - 1"),
+    ("sin 2ωt", "sin(2*omega*t)"),
+    ("a sin θ cos θ", "a*sin(theta)*cos(theta)"),
+    ("sin x*cos x + (cos 2 x)^2", "sin(x)*cos(x) + cos(2*x)^2"),
+    ("sin x'", "sin(x')"),
+    (r"\sin \frac{x}{2}", "sin(x/2)"),
+    // Variables, which have primes somewhere, before brackets.
+    ("x''(t) + x'(t) + 2x(t)", "x'' + x' + 2*x"),
+    ("x'' + x(1+x^2)", "x'' + x*(1 + x^2)"),
+    ("x'' + (1 - x^2)x'(1 + x)", "x'' + (1 - x^2)*x'*(1 + x)"),
+    ("x'' + sin x(t)", "x'' + sin(x)"),
+    // Typographic marks.
+    ("x‘’ + x´ + 1⁄2", "x'' + x' + 1/2"),
     ("xy", "xy"),
 ];
 
@@ -100,8 +136,14 @@ fn trees_are_those_of_the_precedence_of_mathematics() {
 const REFUSED: &[(&str, usize, &str)] = &[
     ("", 1, "the formula is empty"),
     ("  ", 3, "the formula is empty"),
-    ("sin x", 1, "write sin(x)"),
-    ("2 + sin 2x", 5, "write sin(x)"),
+    ("sin x^2", 1, "`sin x^2` may be sin(x^2) or sin(x)^2"),
+    ("sin x²", 1, "may be sin(x²) or sin(x)²"),
+    ("2 + sin x y", 5, "may be sin(x y) or sin(x) y"),
+    ("cos 2x/3", 1, "may be cos(2x/3) or cos(2x)/3"),
+    ("sin x*y", 1, "may be sin(x*y) or sin(x)*y"),
+    ("sin -x", 1, "write sin(x)"),
+    ("sin", 1, "write sin(x)"),
+    ("sin cos x", 1, "write sin(x)"),
     ("sin^2(x)", 1, "sin(x)^2"),
     ("√2", 1, "write sqrt(x)"),
     ("1/2x", 4, "(1/2)*x or 1/(2*x)"),
@@ -114,6 +156,23 @@ const REFUSED: &[(&str, usize, &str)] = &[
     ("x(1-x)", 1, "write x*( for a product"),
     ("x (1-x)", 1, "not a known function"),
     ("x(t)", 1, "write x instead of x(t)"),
+    ("k(t) + x''", 1, "write k instead of k(t)"),
+    ("x'' + f(x)", 7, "`f(` is not a known function"),
+    ("x'' + x(t-1)", 7, "x at another time"),
+    ("x'(2(t-1))", 1, "x' at another time"),
+    ("x'' + 2^x(1+x)", 9, "2^3*x or 2^(3*x)"),
+    ("x'' + 1/x(1+x)", 10, "(1/2)*x or 1/(2*x)"),
+    (r"\frac12", 1, r"write \frac{a}{b}"),
+    (r"\frac{a}", 1, r"write \frac{a}{b}"),
+    (r"\frac{a}{b", 9, "this brace is not closed"),
+    (r"\ddot{2}", 1, r"write \ddot{x}"),
+    (r"\ddot{x", 1, r"write \ddot{x}"),
+    (r"\dddot{x}'", 1, "at most x'''"),
+    (r"2 + \foo x", 5, r"the command \foo of LaTeX is not known"),
+    (r"\", 1, "of LaTeX is not known"),
+    (r"\mathrm x", 1, r"write \mathrm{max}"),
+    ("x^{2", 3, "brace is not closed"),
+    ("d3x/dt2 y", 9, "(1/2)*x or 1/(2*x)"),
     ("log(x)", 1, "ln(x)/ln(10)"),
     ("e^x", 1, "write exp(x)"),
     ("2 3", 3, "write a*2"),
@@ -151,9 +210,9 @@ fn what_is_wrong_or_ambiguous_is_refused_at_its_place_with_a_hint() {
 
 #[test]
 fn the_caret_stands_below_the_place() {
-    let error = "θ̈ + ω² sin θ".parse::<Expression>().unwrap_err();
-    let expected = "at character 9: the argument of sin must stand in brackets: write sin(x), or sin(x)^2 \
-                    for its square\n  θ̈ + ω² sin θ\n         ^";
+    let error = "θ̈ + ω² √θ".parse::<Expression>().unwrap_err();
+    let expected = "at character 9: the argument of sqrt must stand in brackets: write sqrt(x), or sqrt(x)^2 \
+                    for its square\n  θ̈ + ω² √θ\n         ^";
     assert_eq!(error.to_string(), expected);
     let long = format!("{}1 @ 2{}", "1+".repeat(200), "+1".repeat(200));
     let error = long.parse::<Expression>().unwrap_err().to_string();
@@ -179,6 +238,16 @@ fn hostile_texts_are_refused_quickly() {
         many("x'", LONGEST_TEXT / 2),
         many("√", 3_000),
         many("2^(", 3_000),
+        many("{", LONGEST_TEXT),
+        many(r"\frac{", LONGEST_TEXT / 7),
+        many(r"\frac{1}{", LONGEST_TEXT / 9),
+        many(r"\ddot{", LONGEST_TEXT / 6),
+        many(r"\", LONGEST_TEXT),
+        many("sin ", LONGEST_TEXT / 4),
+        many("sin 2x cos ", LONGEST_TEXT / 12) + "^",
+        many("x'(", LONGEST_TEXT / 3),
+        many("d2", LONGEST_TEXT / 2 - 1) + "/",
+        "sin ".to_owned() + &many("ω", LONGEST_TEXT / 4) + "^2",
     ];
     for text in hostile {
         let error = text.parse::<Expression>().unwrap_err().to_string();

@@ -42,6 +42,12 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
             it.key.into()
         }),
         Of::<C>::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
+        Of::<C>::value(
+            "read_as",
+            "",
+            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
+            |it| it.read_as.clone().into(),
+        ),
         Of::<C>::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
             json::object(it.values.iter().cloned())
         }),

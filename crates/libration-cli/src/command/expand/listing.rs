@@ -42,7 +42,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
 /// What is expanded about what.
 pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     write_text(out, "", &answer.title)?;
-    write_text(out, "", &answer.equation)?;
+    write_text(out, if answer.read_as.is_some() { "read as " } else { "" }, &answer.equation)?;
     if !answer.values.is_empty() {
         let values: Vec<String> =
             answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();

@@ -40,6 +40,7 @@ use std::sync::Mutex;
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --order 5
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --set b=0 --latex
   libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
+  libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
   libration oscillators                         # the built-in ones
 
@@ -89,6 +90,8 @@ struct Answer<C = Rational> {
     title: String,
     equation: String,
     equation_latex: String,
+    /// How a free equation was read.
+    read_as: Option<String>,
     /// The parameters with their values.
     values: Vec<(String, String)>,
     is_angle: bool,
@@ -217,6 +220,7 @@ impl<C> Answer<C> {
             title: chosen.title,
             equation: equation.to_string(),
             equation_latex: equation.to_latex().join(r",\quad "),
+            read_as: chosen.read_as,
             is_angle: is_angle_name(&variable),
             values: chosen.values,
             variable,

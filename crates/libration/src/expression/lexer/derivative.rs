@@ -1,0 +1,89 @@
+//! Derivatives as Leibniz writes them: `d2x/dt2`, `d^2x/dt^2`, `d²x/dt²`, `dx/dt`, `\frac{d^2 x}{dt^2}`.
+
+use super::{Fault, Lexer, Symbol, Token};
+use crate::expression::letters::superscript;
+
+/// How a fraction is written.
+pub(super) enum Fraction<'a> {
+    Slash,
+    /// `\frac` or one of its like, followed by two groups in braces.
+    Command(&'a str),
+}
+
+impl Lexer<'_> {
+    /// The derivative with respect to t that begins here; `None`, and nothing taken, where none does.
+    pub(super) fn derivative(&mut self, fraction: &Fraction<'_>) -> Option<Result<Token, Fault>> {
+        let start = self.at;
+        let found = self.quotient_of_differentials(fraction);
+        match found {
+            Some(_) => self.free = true,
+            None => self.at = start,
+        }
+        found.map(Ok)
+    }
+
+    fn quotient_of_differentials(&mut self, fraction: &Fraction<'_>) -> Option<Token> {
+        let (before, between, after) = match fraction {
+            Fraction::Slash => (String::new(), &["/"][..], None),
+            Fraction::Command(word) => (format!("\\{word}{{"), &["}", "{"][..], Some("}")),
+        };
+        self.literal(&before)?;
+        self.differential()?;
+        let order = self.order()?;
+        self.blanks();
+        let mut name = self.bare_name().filter(|name| name != "dt")?;
+        if self.rest_of_name(&mut name, false) > 0 {
+            return None;
+        }
+        self.blanks();
+        for sign in between {
+            self.literal(sign)?;
+            self.blanks();
+        }
+        self.differential()?;
+        self.literal("t")?;
+        if self.order()? != order {
+            return None;
+        }
+        match after {
+            Some(brace) => self.literal(brace)?,
+            // What goes on is a name or a number of its own.
+            None if self.peek().is_some_and(|c| c.is_ascii_alphanumeric() || c == '_') => return None,
+            None => {}
+        }
+        Some(Token::Name(Symbol { name, primes: order }))
+    }
+
+    fn literal(&mut self, text: &str) -> Option<()> {
+        let found = self.rest().starts_with(text);
+        self.at += if found { text.len() } else { 0 };
+        found.then_some(())
+    }
+
+    fn blanks(&mut self) {
+        self.take_while(char::is_whitespace);
+    }
+
+    fn differential(&mut self) -> Option<()> {
+        self.literal("\\mathrm{d}").or_else(|| self.literal("d"))
+    }
+
+    /// How often it is differentiated, once where nothing is said.
+    fn order(&mut self) -> Option<u8> {
+        if let Some(digit) = self.take_if(|c| superscript(c).is_some()).and_then(superscript) {
+            return order(digit);
+        }
+        let raised = self.literal("^").is_some();
+        let braces = raised && self.literal("{").is_some();
+        match self.take_if(|c| c.is_ascii_digit()) {
+            None if raised => None,
+            None => Some(1),
+            Some(_) if braces && self.literal("}").is_none() => None,
+            Some(digit) => order(digit),
+        }
+    }
+}
+
+fn order(digit: char) -> Option<u8> {
+    digit.to_digit(10).and_then(|order| u8::try_from(order).ok()).filter(|order| (2..=3).contains(order))
+}
