@@ -60,10 +60,7 @@ pub(super) fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
         .say("A motion that begins at a turning point is even in {} and a sum of cosines:", [letter("τ")])
         .show(CheckedEquation::definition(ansatz));
     let step = if question.is_odd() {
-        step.say(
-            "Even multiples are missing, because half a period later, at {}, the displacement is the opposite one.",
-            [letter("τ") + Formula::Pi],
-        )
+        step.say("Sines and even multiples are missing, for reasons given below.", [])
     } else {
         step.say("The force is not odd, so that the motion has a constant part and all multiples.", [])
     };

@@ -7,6 +7,7 @@ mod contributions;
 mod few_harmonics;
 mod motion;
 mod orders;
+mod parity;
 mod question;
 mod second_gauge;
 mod small_swings;
@@ -91,11 +92,11 @@ pub fn perturbation_watched(
 type Part = fn(&Question, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
 
 /// All of them, in their order.
-const PARTS: [Part; 9] = [
+const PARTS: [Part; 11] = [
     |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
-    |question, _, _| {
-        Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?, orders::secular_terms()?])
-    },
+    |question, _, _| Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?]),
+    |question, _, watch| Ok(parity::step(question, watch)?.into_iter().collect()),
+    |_, _, _| Ok(vec![orders::secular_terms()?]),
     |question, _, _| orders::conditions(question),
     |question, _, _| Ok(vec![motion::gauge(question)?, motion::solution(question)?]),
     |question, _, _| Ok(vec![amplitude::iteration(question)?, amplitude::physical_relations(question)?]),

@@ -144,6 +144,13 @@ fn is_shown(condition: &Condition, order: usize) -> bool {
     is_of(condition, order) && !is_alone(condition)
 }
 
+/// The coefficients that the conditions of an order fix, with their values.
+pub(super) fn solutions(question: &Question, order: usize) -> Result<Vec<CheckedEquation>, DerivationError> {
+    check_order(question, order)?;
+    let conditions = question.open.conditions().iter().filter(|condition| is_of(condition, order));
+    Ok(conditions.filter_map(|condition| solved(question, condition)).collect())
+}
+
 /// The coefficient that a condition fixes, with its value.
 fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation> {
     let unknown = match condition.harmonic {

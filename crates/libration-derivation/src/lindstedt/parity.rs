@@ -1,0 +1,99 @@
+//! Why the ansatz of an odd force has no sines, no even harmonics and no even powers of the expansion parameter: the first two are not
+//! there, the last are a choice.
+
+use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
+use super::super::document::DerivationStep;
+use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, scaled};
+use super::super::trials::Trials;
+use super::ansatz::coefficient_name;
+use super::orders::solutions;
+use super::question::Question;
+use libration::algebra::{Rational, Variable};
+use libration::perturbation::Gauge;
+use libration::watch::Watch;
+
+/// The step; nothing where the ansatz has all powers anyway.
+pub(super) fn step(
+    question: &Question,
+    watch: &Watch<'_>,
+) -> Result<Option<DerivationStep>, DerivationError> {
+    if question.powers().contains(&2) {
+        return Ok(None);
+    }
+    // Any gauge with A₂ has the open gauge with all powers beside it.
+    let gauge = Gauge::Coefficients(vec![Rational::from(1), Rational::from(1)]);
+    let open = Question::new(&question.oscillator, 4, &gauge, watch)?;
+    let (epsilon, tau) = (|| letter("ε"), || letter("τ"));
+    let step = DerivationStep::new("parity", "What is missing in it, and why")
+        .say(
+            "Sines are missing, because the equation of motion is the same for {} and {}, and so is a start at rest: the motion before the \
+             turning point mirrors that after it.",
+            [tau(), -tau()],
+        )
+        .say("Even multiples are missing, because half a period later", [])
+        .show_all(half_a_period_later()?)
+        .say(
+            "while the displacement of a symmetric oscillator is then the opposite one: the factor of an even multiple is its own opposite, \
+             and zero.",
+            [],
+        )
+        .say(
+            "With even powers of {} it is another matter. Were they in the ansatz, the factor of {} in {} would be found by projection as",
+            [epsilon(), cos(tau()), epsilon().squared()],
+        )
+        .show(first_correction()?)
+        .say("which must vanish. With that the conditions of the even powers give", [])
+        .show_all(solutions(&open, 2)?)
+        .show_all(solutions(&open, 4)?);
+    renamed(&open, step).map(Some)
+}
+
+/// That A₂ is another name for ε.
+fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+    let epsilon = || letter("ε");
+    let [first, second] = [1, 2].map(|n| Formula::from(Name::from(&coefficient_name(1, n))));
+    let d2 = open.open.solution().get(&Variable::indexed("d", 2));
+    let factor = d2
+        .and_then(|d2| d2.terms().next().map(|(_, factor)| factor.clone()))
+        .unwrap_or_else(|| Rational::from(0));
+    let other = epsilon() + epsilon().squared() * second.clone() / first.clone();
+    let squared = scaled(&factor, first.clone().squared());
+    let product = scaled(&(Rational::from(2) * factor), first.clone() * second.clone());
+    let expanded =
+        squared.clone() * epsilon().squared() + product * epsilon().pow(3) + order(epsilon().pow(4));
+    let number = |numerator| Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from);
+    let names = [1, 2].map(|n| Name::from(&coefficient_name(1, n)));
+    let given = names.into_iter().zip([13, 7]).map(|(name, value)| Given::Value(name, number(value)));
+    let statement = Statement::equal(squared * other.clone().squared(), expanded);
+    Ok(step
+        .say(
+            "All of them vanish with {}, which no condition fixes, and nothing else is in them than a change of the parameter: with {} in \
+             the place of {} the first correction of the frequency gives the second,",
+            [second.clone(), other, epsilon()],
+        )
+        .show(same_series_where(&Name::new("ε"), 4, &given.collect::<Vec<_>>(), statement)?)
+        .say(
+            "So {} and all even ones after it are chosen to be zero. This is a part of the gauge and not a law: keeping them gives other series \
+             in {} and the same motion.",
+            [second, epsilon()],
+        ))
+}
+
+fn half_a_period_later() -> Result<Vec<CheckedEquation>, DerivationError> {
+    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
+    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?;
+    let (tau, k) = (|| letter("τ"), || letter("k"));
+    let even = Statement::equal(cos(2 * k() * (tau() + Formula::Pi)), cos(2 * k() * tau()));
+    let odd = || 2 * k() + 1;
+    let odd = Statement::equal(cos(odd() * (tau() + Formula::Pi)), -cos(odd() * tau()));
+    Ok(vec![trials.compare_cases("k", 1..=5, even)?, trials.compare_cases("k", 0..=4, odd)?])
+}
+
+fn first_correction() -> Result<CheckedEquation, DerivationError> {
+    let name = |letter: &str| Name::new(letter).index(1);
+    let product = || Formula::from(-2) * Formula::from(name("A")) * Formula::from(name("d"));
+    let at = |numerator| Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from);
+    let trials = Trials::new(None)?.with(&name("A"), at(13))?.with(&name("d"), at(7))?;
+    let projected = integral("τ", 0, 2 * Formula::Pi, product() * cos(letter("τ")).squared());
+    trials.compare_once(Statement::equal(number(1) / Formula::Pi * projected, product()))
+}
