@@ -65,8 +65,11 @@ impl<E> Default for Values<E> {
     }
 }
 
+/// The name of a function, its parameters, and what it is of them.
+pub(super) type FunctionOf = (Name, Vec<Name>, Formula);
+
 /// The letter of time.
-const TIME: &str = "t";
+pub(super) const TIME: &str = "t";
 
 impl<E: Clone> Values<E> {
     /// A letter stands for a number.
@@ -90,6 +93,35 @@ impl<E: Clone> Values<E> {
     /// A letter changes with time at this rate.
     pub(super) fn set_rate(&mut self, name: &Name, rate: Formula) {
         self.rates.push((name.clone(), rate));
+    }
+
+    /// What the names in formulas stand for, and the functions they apply, with all that is needed for these.
+    pub(super) fn used_in(&self, formulas: &[&Formula]) -> (Vec<(Name, E)>, Vec<FunctionOf>) {
+        let (mut numbers, mut functions) = (BTreeMap::new(), BTreeMap::new());
+        let mut open: Vec<Formula> = formulas.iter().map(|formula| (*formula).clone()).collect();
+        while let Some(formula) = open.pop() {
+            for name in formula.applied() {
+                let key = self.key(&name);
+                if let (Some((parameters, body)), false) =
+                    (self.functions.get(&key), functions.contains_key(&key))
+                {
+                    open.push(body.clone());
+                    functions.insert(key, (name, parameters.clone(), body.clone()));
+                }
+            }
+            for name in formula.free_names() {
+                if name.letter == TIME {
+                    let moving =
+                        self.rates.iter().flat_map(|(name, rate)| [Formula::from(name), rate.clone()]);
+                    open.extend(moving);
+                }
+                let key = self.key(&name);
+                if let Some(value) = self.numbers.get(&key) {
+                    numbers.insert(key, (name, value.clone()));
+                }
+            }
+        }
+        (numbers.into_values().collect(), functions.into_values().collect())
     }
 
     /// What tells names apart, with the values of indices in them.

@@ -29,19 +29,20 @@ mod published;
 
 mod exercises;
 mod print;
+mod python;
 
 pub mod paper;
 
 #[cfg(test)]
 mod tests;
 
-pub use check::{Against, Check, CheckedEquation, DerivationError};
+pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
 pub use evaluate::NoEvaluation;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation, perturbation_watched};
-pub use print::{to_html, to_latex, to_markdown};
+pub use print::{to_html, to_latex, to_markdown, to_notebook};
 pub use prose::{Prose, Span};
 pub use published::formulas;
 pub use trials::Swing;

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, failed, side};
+use super::check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, failed, side};
 use super::document::Wanted;
 use super::evaluate::{Values, evaluate};
 use super::formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, number, rounded, sin};
@@ -128,13 +128,17 @@ impl Trials {
         let at = self.trials[self.shown].amplitude.clone();
         let amplitudes = self.trials.iter().map(|trial| trial.amplitude.clone()).collect();
         let place = ComparedAt::Amplitudes { at, amplitudes };
-        Ok(Comparison { value: shown, difference }.equation(statement, place, against))
+        let letters = self.trials[self.shown].letters(&statement);
+        Ok(Comparison { value: shown, difference }.equation(statement, place, against).with_letters(letters))
     }
 
     /// Checks a statement about no amplitude.
     pub(super) fn compare_once(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
-        let comparison = self.trials[self.shown].compare(CLOSE, &statement)?;
-        Ok(comparison.equation(statement, ComparedAt::Everywhere, Against::OtherSide))
+        let shown = &self.trials[self.shown];
+        let comparison = shown.compare(CLOSE, &statement)?;
+        let letters = shown.letters(&statement);
+        let equation = comparison.equation(statement, ComparedAt::Everywhere, Against::OtherSide);
+        Ok(equation.with_letters(letters))
     }
 
     /// Checks a statement for several values of an index.
@@ -154,7 +158,9 @@ impl Trials {
             worst = Some(worst.map_or(here, |worst| worst.with(here)));
         }
         let comparison = worst.unwrap_or(Comparison { value: 0.0, difference: 0.0 });
-        Ok(comparison.equation(statement, ComparedAt::Cases { index, first, last }, Against::OtherSide))
+        let letters = trial.letters(&statement);
+        let place = ComparedAt::Cases { index, first, last };
+        Ok(comparison.equation(statement, place, Against::OtherSide).with_letters(letters))
     }
 
     /// Only the swings to this amplitude in degrees, for what converges slowly above it.
@@ -172,7 +178,8 @@ impl Trials {
         wanted: &[(Formula, usize, DecimalUnit)],
     ) -> Result<Vec<CheckedEquation>, DerivationError> {
         let wanted = if self.wanted == Wanted::Numbers { wanted } else { &[] };
-        let shown = &self.trials[self.shown].values;
+        let trial = &self.trials[self.shown];
+        let shown = &trial.values;
         let number = |(formula, digits, unit): &(Formula, usize, DecimalUnit)| {
             let statement = Statement::from(formula.clone());
             let value = side(&statement, formula, &DIGITS, shown)?.to_f64();
@@ -180,7 +187,8 @@ impl Trials {
                 value * if *unit == DecimalUnit::Degree { 180.0 / std::f64::consts::PI } else { 1.0 };
             let statement = statement.and(Relation::Rounded, rounded(printed, *digits, *unit));
             check_rounding(&statement, shown)?;
-            Ok(CheckedEquation::new(statement, Check::RoundedDigits))
+            let letters = trial.letters(&statement);
+            Ok(CheckedEquation::new(statement, Check::RoundedDigits).with_letters(letters))
         };
         wanted.iter().map(number).collect()
     }
@@ -326,6 +334,19 @@ impl Trial {
             statement,
             format!("at {degrees} degrees its sides differ by {difference:e} of their size"),
         ))
+    }
+
+    /// What the names in a statement stand for, to the digits of a double.
+    fn letters(&self, statement: &Statement) -> Letters {
+        const DIGITS_OF_DOUBLE: usize = 17;
+        let sides: Vec<&Formula> =
+            [&statement.first].into_iter().chain(statement.rest.iter().map(|(_, side)| side)).collect();
+        let (numbers, functions) = self.values.used_in(&sides);
+        let rounded = |value: &BigFloat| rounded(value.to_f64(), DIGITS_OF_DOUBLE, DecimalUnit::One);
+        Letters {
+            values: numbers.into_iter().map(|(name, value)| (name, rounded(&value))).collect(),
+            functions,
+        }
     }
 
     fn side(&self, statement: &Statement, formula: &Formula) -> Result<Side, DerivationError> {

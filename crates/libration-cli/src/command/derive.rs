@@ -27,6 +27,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --road perturbation --order 7 --amplitude 60deg \\
     --format html --output series.html
   libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
+  libration derive --road perturbation quadratic --format ipynb \
+    --output quadratic.ipynb
   libration derive --road elliptic --exercises --format html \
     --output exercises.html
   libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
@@ -90,6 +92,8 @@ enum Format {
     Latex,
     /// A page that stands alone, formulas in MathML
     Html,
+    /// A Jupyter notebook, whose cells check each formula again with Python's fractions and floats
+    Ipynb,
 }
 
 impl Derive {
@@ -205,6 +209,7 @@ impl Format {
             Self::Markdown => libration_derivation::to_markdown(derivation),
             Self::Latex => libration_derivation::to_latex(derivation),
             Self::Html => libration_derivation::to_html(derivation),
+            Self::Ipynb => libration_derivation::to_notebook(derivation),
         }
     }
 }

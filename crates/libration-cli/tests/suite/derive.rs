@@ -2,6 +2,7 @@
 
 use crate::command::{directory, libration, message, text};
 use std::fs;
+use std::process::{Command, Output};
 
 const ROADS: [&str; 3] = ["elliptic", "formulas", "perturbation"];
 
@@ -130,4 +131,63 @@ fn exercises_have_their_answers_at_the_end() {
         let (asked, answered) = page.split_once(answers).unwrap();
         assert!(!asked.contains("192") && answered.contains("192"), "{form}");
     }
+}
+
+/// The reader's computer confirms each formula: the cells of a notebook are run in their order.
+#[test]
+fn notebooks_check_their_formulas_again() {
+    for (place, question) in [
+        "--road elliptic",
+        "--road elliptic --amplitude 40deg",
+        "--road formulas --amplitude 170deg",
+        "--road perturbation --order 7 --amplitude 60deg",
+        "--road perturbation --order 4 --gauge A1=1,A2=1/2 --exercises",
+        "--road perturbation helmholtz_duffing --order 5",
+        "--road perturbation double_well --order 4 --gauge energy",
+    ]
+    .iter()
+    .enumerate()
+    {
+        let cells = code_cells(&format!("derive {question} --format ipynb"));
+        assert!(cells.len() > 20, "{question}: {}", cells.len());
+        let output = python(&format!("notebook_{place}"), &cells.join("\n"));
+        assert!(output.status.success(), "{question}: {}", message(&output));
+    }
+}
+
+/// A number that is not right stops the cell it is in.
+#[test]
+fn notebooks_find_wrong_formulas() {
+    let cells = code_cells("derive --road perturbation --order 5 --format ipynb");
+    let (mut wrong, mut seen) = (cells.clone(), 0);
+    for (place, cell) in cells.iter().enumerate().skip(1) {
+        // The last number: the first ones may be those of given letters.
+        let Some(at) = cell.rfind("Q(") else { continue };
+        wrong[place] = format!("{}Q(7, 6)*Q({}", &cell[..at], &cell[at + 2..]);
+        let output = python("notebook_wrong", &wrong.join("\n"));
+        assert!(!output.status.success(), "{}", wrong[place]);
+        wrong[place].clone_from(cell);
+        seen += 1;
+    }
+    assert!(seen > 20);
+}
+
+fn code_cells(question: &str) -> Vec<String> {
+    let notebook: serde_json::Value = serde_json::from_str(&text(question)).unwrap();
+    assert_eq!((notebook["nbformat"].as_i64(), notebook["nbformat_minor"].as_i64()), (Some(4), Some(5)));
+    let cells = notebook["cells"].as_array().unwrap();
+    let mut ids: Vec<&str> = cells.iter().map(|cell| cell["id"].as_str().unwrap()).collect();
+    let is_allowed = |letter: char| letter.is_ascii_alphanumeric() || letter == '-' || letter == '_';
+    assert!(ids.iter().all(|id| (1..=64).contains(&id.len()) && id.chars().all(is_allowed)));
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), cells.len());
+    let code = cells.iter().filter(|cell| cell["cell_type"] == "code");
+    code.map(|cell| cell["source"].as_str().unwrap().to_owned()).collect()
+}
+
+fn python(name: &str, program: &str) -> Output {
+    let path = directory(name).join("cells.py");
+    fs::write(&path, program).unwrap();
+    Command::new("python3").arg(path).output().unwrap()
 }

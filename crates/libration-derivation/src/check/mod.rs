@@ -1,9 +1,11 @@
 //! Equations with the checks they have passed. An equation that fails its check cannot be made.
 
 mod error;
+mod letters;
 mod words;
 
 pub use error::DerivationError;
+pub use letters::{Letters, OpenCondition};
 
 use std::ops::RangeInclusive;
 
@@ -19,6 +21,7 @@ use libration::series::PowerSeries;
 pub struct CheckedEquation {
     statement: Statement,
     check: Check,
+    letters: Letters,
 }
 
 /// How a statement was checked.
@@ -71,10 +74,12 @@ pub enum Check {
     Substituted {
         /// How many choices.
         choices: usize,
+        /// The condition that the coefficients are to satisfy, where it is one of the open gauge.
+        condition: Option<Box<OpenCondition>>,
     },
     /// The same polynomial comes out another way.
     Polynomials,
-    /// A solution that is put into its equation, below.
+    /// A solution that was put into its equation as a power series.
     PutIn,
     /// The digits printed are those of the exact value.
     RoundedDigits,
@@ -136,8 +141,19 @@ impl CheckedEquation {
         &self.check
     }
 
+    /// What its names stood for when it was checked.
+    #[must_use]
+    pub fn letters(&self) -> &Letters {
+        &self.letters
+    }
+
     pub(super) fn new(statement: Statement, check: Check) -> Self {
-        Self { statement, check }
+        Self { statement, check, letters: Letters::default() }
+    }
+
+    /// The same with what its names stood for.
+    pub(super) fn with_letters(self, letters: Letters) -> Self {
+        Self { letters, ..self }
     }
 
     /// Where the derivation starts.
@@ -161,6 +177,7 @@ pub(super) fn same_series(
 }
 
 /// What else a letter stands for in a series.
+#[derive(Clone)]
 pub(super) enum Given<'a> {
     /// A name stands for a formula of the variable.
     Value(Name, Formula),
@@ -190,7 +207,21 @@ pub(super) fn same_series_where(
     if compared < coefficients {
         return Err(failed(&statement, format!("only {compared} coefficients can be compared")));
     }
-    Ok(CheckedEquation::new(statement, Check::Series { variable: variable.clone(), coefficients: compared }))
+    let check = Check::Series { variable: variable.clone(), coefficients: compared };
+    Ok(CheckedEquation::new(statement, check).with_letters(letters_of(given)))
+}
+
+pub(super) fn letters_of(given: &[Given]) -> Letters {
+    let mut letters = Letters::default();
+    for given in given {
+        match given {
+            Given::Value(name, formula) => letters.values.push((name.clone(), formula.clone())),
+            Given::Function(name, parameter, body) => {
+                letters.functions.push((Name::new(name), vec![Name::new(parameter)], body.clone()));
+            }
+        }
+    }
+    letters
 }
 
 /// The series of a formula.

@@ -36,11 +36,11 @@ impl Check {
                 ),
                 [last_power(variable, order + 1)],
             ),
-            Self::Substituted { choices } => Prose::text(format!(
+            Self::Substituted { choices, .. } => Prose::text(format!(
                 "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
             )),
             Self::Polynomials => Prose::text("checked: the same polynomial, exactly"),
-            Self::PutIn => Prose::text("checked with the equation it solves, below"),
+            Self::PutIn => Prose::text("checked: put into the equation above, exactly"),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
             Self::Digits { place, value, difference, against } => {
                 place.to_prose().and(agreement(value, *difference, *against))

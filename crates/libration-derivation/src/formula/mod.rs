@@ -4,6 +4,7 @@ mod build;
 mod convert;
 mod decimal;
 mod name;
+mod names;
 mod statement;
 
 pub use decimal::{Decimal, DecimalUnit};

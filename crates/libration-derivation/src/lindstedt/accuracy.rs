@@ -6,7 +6,7 @@ use super::super::formula::{Decimal, DecimalUnit, Formula, Name, letter, number,
 use super::super::prose::Prose;
 use super::Released;
 use super::amplitude::of_amplitude;
-use super::ansatz::harmonic_name;
+use super::names::harmonic_name;
 use super::question::Question;
 use libration::algebra::Rational;
 use libration::comparison::{ExactMotion, ExactValue, NoExactValue, SeriesQuantity};

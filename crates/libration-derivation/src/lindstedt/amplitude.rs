@@ -7,7 +7,7 @@ use super::super::document::DerivationStep;
 use super::super::formula::{
     Formula, Name, Statement, agm, apply, cos, letter, monomial, number, order, polynomial, sum,
 };
-use super::ansatz::harmonic_name;
+use super::names::harmonic_name;
 use super::question::{Question, Solution};
 use super::substitution::in_epsilon;
 use libration::algebra::Rational;

@@ -4,30 +4,10 @@ use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum};
 use super::super::trials::Trials;
+use super::names::{coefficient_name, cosine, harmonic_name};
 use super::question::Question;
 use super::substitution::left_side;
-use libration::algebra::{Rational, Variable};
-use libration::perturbation::OpenGauge;
-
-/// aₖ.
-pub(super) fn harmonic_name(k: usize) -> Name {
-    Name::new("a").index(i64::try_from(k).unwrap_or(i64::MAX))
-}
-
-/// The letter of the coefficient of εⁿ in aₖ.
-pub(super) fn coefficient_name(k: usize, n: usize) -> Variable {
-    let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    OpenGauge::coefficient_name(small(k), small(n))
-}
-
-/// cos kτ, and 1 for k = 0.
-pub(super) fn cosine(k: usize) -> Formula {
-    match k {
-        0 => number(1),
-        1 => cos(letter("τ")),
-        k => cos(Formula::from(i64::try_from(k).unwrap_or(i64::MAX)) * letter("τ")),
-    }
-}
+use libration::algebra::Rational;
 
 fn power_of_epsilon(n: usize) -> Formula {
     if n == 1 { letter("ε") } else { letter("ε").pow(i64::try_from(n).unwrap_or(i64::MAX)) }

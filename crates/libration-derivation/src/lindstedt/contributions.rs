@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::document::{Cells, DerivationTable};
 use super::super::formula::{Formula, letter, monomial, sum};
 use super::super::prose::Prose;
-use super::ansatz::{coefficient_name, cosine};
+use super::names::{coefficient_name, cosine};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;

@@ -6,7 +6,7 @@ use super::super::formula::{DecimalUnit, letter, rounded};
 use super::super::prose::Prose;
 use super::Released;
 use super::accuracy::{amplitude_of, as_given};
-use super::ansatz::harmonic_name;
+use super::names::harmonic_name;
 use super::question::Question;
 use libration::algebra::Complex;
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};

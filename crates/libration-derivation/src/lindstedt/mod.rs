@@ -6,6 +6,7 @@ mod ansatz;
 mod contributions;
 mod few_harmonics;
 mod motion;
+mod names;
 mod orders;
 mod parity;
 mod question;

@@ -3,7 +3,7 @@
 use super::super::check::{Check, CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, letter};
-use super::ansatz::{coefficient_name, harmonic_name};
+use super::names::{coefficient_name, harmonic_name};
 use super::question::{Question, Solution};
 use super::substitution::{Motion, in_epsilon, solves};
 use libration::algebra::{Rational, Variable};

@@ -1,11 +1,11 @@
 //! The conditions order by order, with the gauge open.
 
-use super::super::check::{Check, CheckedEquation, DerivationError};
+use super::super::check::{Check, CheckedEquation, DerivationError, OpenCondition};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin};
 use super::super::trials::Trials;
-use super::ansatz::{coefficient_name, cosine};
 use super::contributions::{Contributions, vanishes};
+use super::names::{coefficient_name, cosine};
 use super::question::Question;
 use super::substitution::{Motion, has_harmonics};
 use libration::algebra::{Rational, Variable};
@@ -67,7 +67,7 @@ fn one_order(question: &Question, contributions: &Contributions, order: usize) -
     let step = DerivationStep::new(&format!("order-{order}"), &format!("Order {order}, with the gauge open"));
     let shown = question.open.conditions().iter().filter(|condition| is_shown(condition, order));
     shown.fold(vanishing(question, order, step), |step, condition| {
-        let way = |step: DerivationStep| way_to(step, contributions, condition);
+        let way = |step: DerivationStep| way_to(question, step, contributions, condition);
         match solved(question, condition) {
             None => way(step),
             Some(solution) if order <= open_to_read(question) => way(step).say("so that", []).show(solution),
@@ -86,7 +86,12 @@ fn factor_of(condition: &Condition) -> [Formula; 2] {
 }
 
 /// How a condition comes about.
-fn way_to(step: DerivationStep, contributions: &Contributions, condition: &Condition) -> DerivationStep {
+fn way_to(
+    question: &Question,
+    step: DerivationStep,
+    contributions: &Contributions,
+    condition: &Condition,
+) -> DerivationStep {
     let step = step
         .say("The factor of {} in the power {} has the parts", factor_of(condition))
         .table(contributions.table(condition));
@@ -95,11 +100,49 @@ fn way_to(step: DerivationStep, contributions: &Contributions, condition: &Condi
         true => step.say("With what lower orders have found, their sum becomes the condition", []),
         false => step.say("Their sum is the condition", []),
     };
-    step.show(substituted(Statement::equal(&condition.polynomial, 0)))
+    step.show(substituted(question, condition, Statement::equal(&condition.polynomial, 0)))
 }
 
-fn substituted(statement: Statement) -> CheckedEquation {
-    CheckedEquation::new(statement, Check::Substituted { choices: CHOICES })
+fn substituted(question: &Question, condition: &Condition, statement: Statement) -> CheckedEquation {
+    let condition = Some(Box::new(open_condition(question, condition)));
+    CheckedEquation::new(statement, Check::Substituted { choices: CHOICES, condition })
+}
+
+fn open_condition(question: &Question, condition: &Condition) -> OpenCondition {
+    let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
+    let powers = question.powers();
+    let harmonics = question.harmonics().into_iter().flat_map(|k| {
+        powers.iter().map(move |n| (*n, k, Name::from(&coefficient_name(k, *n)))).collect::<Vec<_>>()
+    });
+    let corrections = powers.iter().filter(|n| **n > 1).map(|n| (n - 1, Name::from(&correction_name(n - 1))));
+    let before = question.open.conditions().iter().filter(|other| other.order < condition.order);
+    let lower = before.filter_map(|other| {
+        let unknown = fixed_by(other)?;
+        Some((Name::from(&unknown), question.open.solution().get(&unknown)?.into()))
+    });
+    OpenCondition {
+        force: question.force.clone(),
+        harmonics: harmonics.collect(),
+        frequency: corrections.collect(),
+        lower: lower.collect(),
+        fixes: fixed_by(condition).map(|unknown| Name::from(&unknown)),
+        order: place(condition.order),
+        harmonic: place(condition.harmonic),
+    }
+}
+
+/// dₙ.
+fn correction_name(n: usize) -> Variable {
+    Variable::indexed("d", u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+/// The coefficient that a condition fixes.
+fn fixed_by(condition: &Condition) -> Option<Variable> {
+    let n = usize::try_from(condition.order).ok()?;
+    match usize::try_from(condition.harmonic).ok()? {
+        1 => n.checked_sub(1).filter(|n| *n > 0).map(correction_name),
+        k => Some(coefficient_name(k, n)),
+    }
 }
 
 /// The coefficients of harmonics that are not made yet.
@@ -125,9 +168,9 @@ fn vanishing(question: &Question, order: usize, step: DerivationStep) -> Derivat
         _ => step.say("In the factors of some harmonics a coefficient stands alone, so that it vanishes: nothing of lower orders makes \
                        these harmonics.", []),
     };
-    alone
-        .into_iter()
-        .fold(step, |step, condition| step.show(substituted(Statement::equal(&condition.polynomial, 0))))
+    alone.into_iter().fold(step, |step, condition| {
+        step.show(substituted(question, condition, Statement::equal(&condition.polynomial, 0)))
+    })
 }
 
 fn is_of(condition: &Condition, order: usize) -> bool {
@@ -153,12 +196,9 @@ pub(super) fn solutions(question: &Question, order: usize) -> Result<Vec<Checked
 
 /// The coefficient that a condition fixes, with its value.
 fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation> {
-    let unknown = match condition.harmonic {
-        1 => Variable::indexed("d", condition.order.checked_sub(1)?),
-        k => coefficient_name(usize::try_from(k).ok()?, usize::try_from(condition.order).ok()?),
-    };
+    let unknown = fixed_by(condition)?;
     let value = question.open.solution().get(&unknown)?;
-    Some(substituted(Statement::equal(Name::from(&unknown), value)))
+    Some(substituted(question, condition, Statement::equal(Name::from(&unknown), value)))
 }
 
 /// Puts fractions for all letters into the ansatz, with the orders below as they were found, and compares what the equation
@@ -234,9 +274,7 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
     };
     let correction = |n: usize| match n {
         0 => Rational::from(1),
-        n if powers.contains(&(n + 1)) => {
-            value(Variable::indexed("d", u32::try_from(n).unwrap_or(u32::MAX)), n + 1)
-        }
+        n if powers.contains(&(n + 1)) => value(correction_name(n), n + 1),
         _ => zero(),
     };
     Motion {

@@ -5,7 +5,7 @@ use super::super::check::{CheckedEquation, DerivationError, Given, same_series_w
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, scaled};
 use super::super::trials::Trials;
-use super::ansatz::coefficient_name;
+use super::names::coefficient_name;
 use super::orders::solutions;
 use super::question::Question;
 use libration::algebra::{Rational, Variable};

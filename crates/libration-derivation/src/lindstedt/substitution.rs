@@ -4,9 +4,10 @@
 //! cos τ as the order has, and one more, decide; fractions will do.
 
 use super::super::check::{
-    Check, CheckedEquation, DerivationError, Given, failed, same_series_where, series_value,
+    Check, CheckedEquation, DerivationError, Given, Letters, failed, same_series_where, series_value,
 };
-use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, polynomial};
+use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, polynomial, sum};
+use super::names::{cosine, harmonic_name};
 use super::question::Question;
 use libration::algebra::Rational;
 
@@ -24,7 +25,29 @@ pub(super) fn solves(question: &Question, motion: &Motion) -> Result<CheckedEqua
     for cosine in cosines(phases) {
         same_series_where(&epsilon(), phases, &given(question, motion, &cosine), statement.clone())?;
     }
-    Ok(CheckedEquation::new(statement, Check::Phases { variable: epsilon(), order: question.order, phases }))
+    let check = Check::Phases { variable: epsilon(), order: question.order, phases };
+    Ok(CheckedEquation::new(statement, check).with_letters(letters(question, motion)))
+}
+
+/// What the names in the equation of motion stand for at a phase τ.
+fn letters(question: &Question, motion: &Motion) -> Letters {
+    let series = |(k, series): &(usize, Vec<Rational>)| (harmonic_name(*k), polynomial(series, &letter("ε")));
+    let total = |weight: &dyn Fn(usize) -> i64| {
+        let term = |(k, _): &(usize, Vec<Rational>)| {
+            number(weight(*k)) * Formula::from(harmonic_name(*k)) * cosine(*k)
+        };
+        sum(motion.harmonics.iter().map(term).collect())
+    };
+    let square = |k: usize| -i64::try_from(k * k).unwrap_or(i64::MAX);
+    let mut values: Vec<(Name, Formula)> = motion.harmonics.iter().map(series).collect();
+    values.push((Name::new("Δ"), polynomial(&motion.frequency, &letter("ε"))));
+    values.push((question.displacement.clone(), total(&|_| 1)));
+    values.push((second_derivative(question), total(&square)));
+    if question.variable != question.displacement {
+        let place = Formula::from(question.equilibrium.clone()) + question.u();
+        values.push((question.variable.clone(), place));
+    }
+    Letters { values, functions: vec![] }
 }
 
 /// Checks that the coefficient of εⁿ in the equation of motion is Σ pₖ cos kτ.

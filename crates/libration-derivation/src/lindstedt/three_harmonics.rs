@@ -3,7 +3,7 @@
 use super::super::check::{Check, CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Statement, number};
-use super::ansatz::{cosine, harmonic_name};
+use super::names::{cosine, harmonic_name};
 use super::orders::{CHOICES, fraction_for};
 use super::question::Question;
 use super::truncated::{harmonic, in_ratio, ratio};
@@ -23,7 +23,7 @@ pub(super) fn after(question: &Question, step: DerivationStep) -> Result<Derivat
     let solutions = i64::try_from(system.number_of_solutions()).unwrap_or(i64::MAX);
     let equations = conditions.iter().map(|condition| {
         let statement = Statement::equal(in_ratio(condition), 0);
-        CheckedEquation::new(statement, Check::Substituted { choices: CHOICES })
+        CheckedEquation::new(statement, Check::Substituted { choices: CHOICES, condition: None })
     });
     let equations: Vec<CheckedEquation> = equations.collect();
     let step = step.say(

@@ -7,8 +7,8 @@ use super::super::formula::{Formula, Name, Statement, letter, monomial, number, 
 use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::amplitude::of_amplitude;
-use super::ansatz::{cosine, harmonic_name};
 use super::few_harmonics::{DEGREE, HARMONICS};
+use super::names::{cosine, harmonic_name};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
@@ -82,6 +82,7 @@ fn small_swing(
     let expanded = sum(vec![number(1), monomial(&frequency, &amplitude, 2), next(4)]);
     let expanded = Statement::equal(letter("Δ"), ratio).and_equal(expanded);
     let variable = question.amplitude();
+    same_series_where(&variable, 5, &given, put_in)?;
     Ok(step
         .say(
             "In a small swing {} is much smaller than {}. Then the term with {} alone and the cube of {} are the largest, and in the cube \
@@ -90,7 +91,6 @@ fn small_swing(
         )
         .show(CheckedEquation::new(Statement::equal(a(3), sum(vec![of_third, next(5)])), Check::PutIn))
         .show(CheckedEquation::new(Statement::equal(a(1), sum([of_first, vec![next(5)]].concat())), Check::PutIn))
-        .show(same_series_where(&variable, 5, &given, put_in)?)
         .say("and the frequency is", [])
         .show(same_series_where(&variable, 4, &given, expanded)?)
         .say(

@@ -1,7 +1,7 @@
 //! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
 
 use super::super::check::CheckedEquation;
-use super::super::document::{Block, Derivation, DerivationTable};
+use super::super::document::{Block, Derivation, DerivationStep, DerivationTable};
 use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::markdown;
@@ -25,7 +25,7 @@ pub fn to_markdown(derivation: &Derivation) -> String {
     text
 }
 
-fn block(place: Place<'_>, block: &Block) -> String {
+pub(super) fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("> {}", prose(it)),
@@ -49,6 +49,19 @@ fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> Stri
 /// A displayed formula with its number.
 fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
     format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), place.number(number))
+}
+
+/// How a formula was checked.
+pub(super) fn check(equation: &CheckedEquation) -> String {
+    prose(&equation.check().to_prose())
+}
+
+pub(super) fn title(derivation: &Derivation) -> String {
+    markdown(&derivation.title)
+}
+
+pub(super) fn heading(step: &DerivationStep) -> String {
+    markdown(&step.heading)
 }
 
 fn prose(prose: &Prose) -> String {

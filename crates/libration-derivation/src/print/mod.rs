@@ -3,10 +3,12 @@
 mod html_page;
 mod latex_document;
 mod markdown_text;
+mod notebook;
 
 pub use html_page::to_html;
 pub use latex_document::to_latex;
 pub use markdown_text::to_markdown;
+pub use notebook::to_notebook;
 
 use super::document::{Block, Derivation, DerivationStep};
 use super::formula::Formula;

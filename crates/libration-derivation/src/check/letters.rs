@@ -1,0 +1,32 @@
+//! What the names in a formula stood for when it was checked.
+
+use super::super::formula::{Formula, Name};
+use libration::algebra::Rational;
+
+/// What the names in a formula stood for when it was checked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Letters {
+    /// Names with their values, each of numbers and of names before it.
+    pub values: Vec<(Name, Formula)>,
+    /// Functions with their parameters.
+    pub functions: Vec<(Name, Vec<Name>, Formula)>,
+}
+
+/// The condition that one harmonic asks in one power of the expansion parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenCondition {
+    /// The factors of u, u², … in the restoring force over ω0².
+    pub force: Vec<Rational>,
+    /// The coefficients of the ansatz: the power of the expansion parameter, the harmonic, and the name.
+    pub harmonics: Vec<(usize, usize, Name)>,
+    /// Those of the frequency: the power and the name.
+    pub frequency: Vec<(usize, Name)>,
+    /// What lower powers have found.
+    pub lower: Vec<(Name, Formula)>,
+    /// What it fixes, if anything.
+    pub fixes: Option<Name>,
+    /// The power of the condition.
+    pub order: usize,
+    /// Its harmonic.
+    pub harmonic: usize,
+}

@@ -1,0 +1,150 @@
+//! Derivations as a Jupyter notebook, whose cells make the checks again with Python's own fractions and floats.
+
+use super::super::check::{Check, CheckedEquation, OpenCondition};
+use super::super::document::{Block, Derivation, DerivationStep};
+use super::super::formula::{Name, Statement};
+use super::super::python::{self, PRELUDE};
+use super::super::typeset::statement_latex;
+use super::{Place, markdown_text};
+
+/// The derivation as a notebook of format 4.5.
+#[must_use]
+pub fn to_notebook(derivation: &Derivation) -> String {
+    let mut notebook = Notebook::default();
+    notebook.say(&format!("# {}", markdown_text::title(derivation)));
+    notebook.blocks(Place::INTRODUCTION, &derivation.introduction);
+    notebook.say(
+        "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises \
+         an error where the formula does not hold. Below the others stands how they were checked while this was written. The next cell is \
+         what they compute with.",
+    );
+    notebook.compute("prelude", PRELUDE);
+    let mut answers = "## Answers";
+    for (place, step) in Place::steps(derivation) {
+        if place.is_answer {
+            notebook.say(std::mem::take(&mut answers));
+        }
+        notebook.step(place, step);
+    }
+    notebook.written()
+}
+
+/// Cells, and the text that will be the next one.
+#[derive(Default)]
+struct Notebook<'a> {
+    cells: Vec<String>,
+    text: String,
+    /// The condition whose ansatz the cells are at, and the coefficients that are known in it.
+    ansatz: Option<&'a OpenCondition>,
+    known: Vec<&'a Name>,
+}
+
+impl<'a> Notebook<'a> {
+    fn step(&mut self, place: Place<'a>, step: &'a DerivationStep) {
+        self.end_text();
+        let level = if place.is_answer { "###" } else { "##" };
+        self.say(&format!("{level} {}. {}", place.step, markdown_text::heading(step)));
+        self.blocks(place, &step.blocks);
+    }
+
+    fn blocks(&mut self, place: Place<'a>, blocks: &'a [Block]) {
+        for block in blocks {
+            match block {
+                Block::Equation { number, equation } => self.equation(place, *number, equation),
+                Block::Exercise { number, statement } => self.say(&formula(place, *number, statement)),
+                Block::Details { summary, blocks } => {
+                    self.say(&format!("*{summary}:*"));
+                    self.blocks(place, blocks);
+                }
+                other => self.say(&markdown_text::block(place, other)),
+            }
+        }
+    }
+
+    fn equation(&mut self, place: Place<'a>, number: usize, equation: &'a CheckedEquation) {
+        self.say(&formula(place, number, equation.statement()));
+        let Some(code) = python::check(equation) else {
+            return self.say(&markdown_text::check(equation));
+        };
+        let mut lines = vec![format!("# ({})", place.number(number))];
+        if let Check::Substituted { condition: Some(condition), .. } = equation.check() {
+            self.begin(condition);
+            lines.extend(self.lower(condition));
+            self.known.extend(&condition.fixes);
+        }
+        lines.push(code);
+        let kind = if place.is_answer { "answer" } else { "check" };
+        let name = format!("{kind}-{}-{number}", place.id);
+        self.compute(&name, &lines.join("\n"));
+    }
+
+    /// The ansatz of a condition, where it is not the one of the conditions before.
+    fn begin(&mut self, condition: &'a OpenCondition) {
+        let is_same = self.ansatz.is_some_and(|it| it.harmonics == condition.harmonics);
+        if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
+            (self.ansatz, self.known) = (Some(condition), vec![]);
+            self.compute(&format!("ansatz-{}", self.cells.len()), &code);
+        }
+    }
+
+    /// What a condition takes from lower powers of which there was no cell.
+    fn lower(&mut self, condition: &'a OpenCondition) -> Vec<String> {
+        let missing: Vec<_> =
+            condition.lower.iter().filter(|(name, _)| !self.known.contains(&name)).collect();
+        self.known.extend(missing.iter().map(|(name, _)| name));
+        missing.into_iter().filter_map(|(name, value)| python::known(name, value)).collect()
+    }
+
+    /// A paragraph of text.
+    fn say(&mut self, text: &str) {
+        if !self.text.is_empty() {
+            self.text.push_str("\n\n");
+        }
+        self.text.push_str(text);
+    }
+
+    fn end_text(&mut self) {
+        if !self.text.is_empty() {
+            let (id, source) = (self.cells.len(), json(&std::mem::take(&mut self.text)));
+            self.cells.push(format!(
+                "{{\"cell_type\": \"markdown\", \"id\": \"text-{id}\", \"metadata\": {{}}, \"source\": {source}}}"
+            ));
+        }
+    }
+
+    fn compute(&mut self, id: &str, code: &str) {
+        self.end_text();
+        self.cells.push(format!(
+            "{{\"cell_type\": \"code\", \"execution_count\": null, \"id\": \"{id}\", \"metadata\": {{}}, \"outputs\": [], \"source\": {}}}",
+            json(code)
+        ));
+    }
+
+    fn written(mut self) -> String {
+        self.end_text();
+        format!(
+            "{{\n \"cells\": [\n  {}\n ],\n \"metadata\": {{\"kernelspec\": {{\"display_name\": \"Python 3\", \"language\": \"python\", \
+             \"name\": \"python3\"}}, \"language_info\": {{\"name\": \"python\"}}}},\n \"nbformat\": 4,\n \"nbformat_minor\": 5\n}}\n",
+            self.cells.join(",\n  ")
+        )
+    }
+}
+
+/// A displayed formula with its number, as notebooks read it.
+fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+    format!("$$\n{}\n\\tag{{{}}}\n$$", statement_latex(statement), place.number(number))
+}
+
+/// Text as a string of JSON.
+fn json(text: &str) -> String {
+    let escaped = text.chars().fold(String::with_capacity(text.len() + 2), |mut escaped, letter| {
+        match letter {
+            '"' | '\\' => escaped.extend(['\\', letter]),
+            '\n' => escaped.push_str("\\n"),
+            letter if letter.is_control() => escaped.push_str(&format!("\\u{:04x}", u32::from(letter))),
+            letter => escaped.push(letter),
+        }
+        escaped
+    });
+    format!("\"{escaped}\"")
+}

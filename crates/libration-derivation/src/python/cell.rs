@@ -1,0 +1,140 @@
+//! The check of a formula as lines of Python, which the reader's computer makes again.
+
+use super::super::check::{Check, CheckedEquation, ComparedAt, Letters, OpenCondition};
+use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
+use super::{expression, identifier};
+
+/// The lines that make the check again; `None` where there is nothing to check, or no way to do it here.
+pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
+    let (statement, letters) = (equation.statement(), equation.letters());
+    match equation.check() {
+        Check::Series { variable, coefficients } => {
+            // Quotients of series that begin with a power lose coefficients.
+            let lines = [format!("{} = variable({})", identifier(variable)?, coefficients + 6)];
+            let sides = sides(statement)?.join(", ");
+            let lines = lines.into_iter().chain(given(letters)?);
+            Some(block(lines.chain([format!("same_series({coefficients}, {sides})")])))
+        }
+        Check::Phases { variable, order, phases } => {
+            let (variable, terms) = (identifier(variable)?, order + 1);
+            let head = [format!("for n in range({phases}):")];
+            let set = [format!("{variable}, τ = variable({terms}), Angle(Q(n, {phases}))")];
+            let left = format!("same_series({terms}, {}, 0)", expression(&statement.first)?);
+            let lines = set.into_iter().chain(given(letters)?).chain([left]);
+            Some(block(head.into_iter().chain(lines.map(indented))))
+        }
+        Check::Rationals { index, first, last } => {
+            let head = format!("for {} in map(Q, range({first}, {})):", identifier(index)?, last + 1);
+            let body = format!("same_fraction({})", sides(statement)?.join(", "));
+            Some(block(given(letters)?.into_iter().chain([head, indented(body)])))
+        }
+        Check::Fraction => Some(format!("same_fraction({})", sides(statement)?.join(", "))),
+        Check::Digits { place: ComparedAt::Cases { index, first, last }, .. } => {
+            let head = format!("for {} in map(Q, range({first}, {})):", identifier(index)?, last + 1);
+            let lines = compared(statement)?.into_iter().map(indented);
+            Some(block(given(letters)?.into_iter().chain([head]).chain(lines)))
+        }
+        Check::Digits { .. } => Some(block(given(letters)?.into_iter().chain(compared(statement)?))),
+        Check::RoundedDigits => Some(block(given(letters)?.into_iter().chain([rounded(statement)?]))),
+        Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
+        _ => None,
+    }
+}
+
+/// The ansatz that a condition belongs to, with its letters.
+pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
+    let OpenCondition { force, harmonics, frequency, .. } = condition;
+    let force: Vec<String> =
+        force.iter().map(|it| expression(&Formula::Number(it.clone()))).collect::<Option<_>>()?;
+    let names: Vec<String> =
+        (harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name)))
+            .map(identifier)
+            .collect::<Option<_>>()?;
+    let harmonics: Vec<String> = harmonics
+        .iter()
+        .map(|(n, k, name)| Some(format!("({n}, {k}): \"{}\"", identifier(name)?)))
+        .collect::<Option<_>>()?;
+    let frequency: Vec<String> = frequency
+        .iter()
+        .map(|(n, name)| Some(format!("{n}: \"{}\"", identifier(name)?)))
+        .collect::<Option<_>>()?;
+    Some(block([
+        "# The force, the coefficients by the power of ε and the harmonic, and those of the frequency by the power".to_owned(),
+        format!("ansatz = Ansatz([{}],", force.join(", ")),
+        format!("                {{{}}},", harmonics.join(", ")),
+        format!("                {{{}}})", frequency.join(", ")),
+        format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
+    ]))
+}
+
+/// What orders below have found.
+pub(crate) fn known(name: &Name, value: &Formula) -> Option<String> {
+    Some(format!("ansatz.known[\"{}\"] = polynomial({})", identifier(name)?, expression(value)?))
+}
+
+fn substituted(statement: &Statement, condition: &OpenCondition) -> Option<String> {
+    let place = format!("{}, {}", condition.order, condition.harmonic);
+    let (_, right) = statement.rest.last()?;
+    match &statement.first {
+        Formula::Name(name) => {
+            Some(format!("ansatz.fixes({place}, \"{}\", {})", identifier(name)?, expression(right)?))
+        }
+        left => {
+            let new = condition
+                .fixes
+                .as_ref()
+                .map_or(Some("None".to_owned()), |name| Some(format!("\"{}\"", identifier(name)?)))?;
+            Some(format!("ansatz.gives({place}, {}, {new})", expression(left)?))
+        }
+    }
+}
+
+/// What names stand for, in an order in which each needs only those before it.
+fn given(letters: &Letters) -> Option<Vec<String>> {
+    let functions = letters.functions.iter().map(|(name, parameters, body)| {
+        let parameters: Option<Vec<String>> = parameters.iter().map(identifier).collect();
+        Some(format!("{} = lambda {}: {}", identifier(name)?, parameters?.join(", "), expression(body)?))
+    });
+    let value =
+        |(name, formula): &(Name, Formula)| Some(format!("{} = {}", identifier(name)?, expression(formula)?));
+    functions.chain(letters.values.iter().map(value)).collect()
+}
+
+fn sides(statement: &Statement) -> Option<Vec<String>> {
+    [&statement.first]
+        .into_iter()
+        .chain(statement.rest.iter().map(|(_, side)| side))
+        .map(expression)
+        .collect()
+}
+
+/// Neighbours in the chain.
+fn compared(statement: &Statement) -> Option<Vec<String>> {
+    let sides = sides(statement)?;
+    let pairs = sides.windows(2).zip(&statement.rest);
+    // Singular ends of integrals cost half of the digits of a float, differences in the place of a derivative a third.
+    let whole = sides.concat();
+    let digits = if whole.contains("integral(") || whole.contains("slope(") { ", digits=7" } else { "" };
+    let line = |(pair, (relation, _)): (&[String], &(Relation, Formula))| match relation {
+        Relation::Less => format!("below({}, {})", pair[0], pair[1]),
+        Relation::Equal | Relation::Defined | Relation::Rounded => {
+            format!("agree({}, {}{digits})", pair[0], pair[1])
+        }
+    };
+    Some(pairs.map(line).collect())
+}
+
+fn rounded(statement: &Statement) -> Option<String> {
+    let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return None };
+    let (printed, place) = (decimal.value()?.to_f64(), decimal.last_place()?.to_f64());
+    let unit = if decimal.unit == DecimalUnit::Degree { "*180/pi" } else { "" };
+    Some(format!("rounds_to(({}){unit}, {printed:?}, {place:?})", expression(&statement.first)?))
+}
+
+fn block(lines: impl IntoIterator<Item = String>) -> String {
+    lines.into_iter().collect::<Vec<_>>().join("\n")
+}
+
+fn indented(line: String) -> String {
+    format!("    {line}")
+}

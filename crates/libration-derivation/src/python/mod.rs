@@ -1,0 +1,120 @@
+//! Formulas as Python, to be computed with the functions of `prelude.py`.
+
+mod cell;
+
+pub(super) use cell::{ansatz, check, known};
+
+use super::evaluate::TIME;
+use super::formula::{DecimalUnit, Formula, Name, Subscript};
+
+/// What the expressions are computed with: Python's fractions and floats.
+pub(super) const PRELUDE: &str = include_str!("prelude.py");
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// A formula as an expression; `None` where it has an index that is not a number.
+pub(super) fn expression(formula: &Formula) -> Option<String> {
+    written(formula).map(|(text, _)| text)
+}
+
+/// A name as an identifier.
+pub(super) fn identifier(name: &Name) -> Option<String> {
+    let below = match &name.subscript {
+        None => String::new(),
+        Some(Subscript::Word(word)) => format!("_{word}"),
+        Some(Subscript::Index(index)) => match &**index {
+            Formula::Number(value) => format!("_{value}"),
+            _ => return None,
+        },
+    };
+    let text = format!("{}{below}{}", name.letter, "_p".repeat(usize::from(name.primes)));
+    let is_identifier = text.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+    is_identifier.then_some(text)
+}
+
+fn written(formula: &Formula) -> Option<(String, Level)> {
+    let call = |function: &str, arguments: &[&Formula]| -> Option<(String, Level)> {
+        let arguments: Option<Vec<String>> = arguments.iter().map(|it| expression(it)).collect();
+        Some((format!("{function}({})", arguments?.join(", ")), Level::Atom))
+    };
+    Some(match formula {
+        Formula::Number(value) if value.denominator() == "1" => signed(value.to_string()),
+        Formula::Number(value) => (format!("Q({}, {})", value.numerator(), value.denominator()), Level::Atom),
+        Formula::Decimal(decimal) => {
+            let value = format!("{:?}", decimal.value()?.to_f64());
+            match decimal.unit {
+                DecimalUnit::Degree => (format!("radians({value})"), Level::Atom),
+                _ => signed(value),
+            }
+        }
+        Formula::Pi => ("pi".to_owned(), Level::Atom),
+        Formula::Name(name) => (identifier(name)?, Level::Atom),
+        Formula::Negate(it) => (format!("-{}", at_least(Level::Product, it)?), Level::Product),
+        Formula::Sum(terms) => {
+            let terms: Option<Vec<String>> = terms.iter().map(|it| at_least(Level::Product, it)).collect();
+            (terms?.join(" + ").replace(" + -", " - "), Level::Sum)
+        }
+        Formula::Product(factors) => {
+            let level = |place| if place == 0 { Level::Product } else { Level::Unary };
+            let factors = factors.iter().enumerate().map(|(place, it)| at_least(level(place), it));
+            (factors.collect::<Option<Vec<String>>>()?.join("*"), Level::Product)
+        }
+        Formula::Fraction(over, under) => {
+            // Whole numbers alone would be divided as floats.
+            let over = match over.free_names().is_empty() {
+                true => format!("exact({})", expression(over)?),
+                false => at_least(Level::Product, over)?,
+            };
+            (format!("{over}/{}", at_least(Level::Unary, under)?), Level::Product)
+        }
+        Formula::Power(base, exponent) => match &**exponent {
+            Formula::Number(value) if value.denominator() == "1" && !value.to_string().starts_with('-') => {
+                (format!("{}**{value}", at_least(Level::Atom, base)?), Level::Unary)
+            }
+            _ => call("power", &[base, exponent])?,
+        },
+        Formula::Call(function, argument) => call(function.name(), &[argument])?,
+        Formula::Apply(name, arguments) => call(&identifier(name)?, &arguments.iter().collect::<Vec<_>>())?,
+        Formula::Agm(a, b) => call("agm", &[a, b])?,
+        Formula::Series { index, from, to, term } => {
+            let last = to.as_deref().map_or(Some("None".to_owned()), expression)?;
+            let (index, term, first) = (identifier(index)?, expression(term)?, expression(from)?);
+            (format!("total(lambda {index}: {term}, {first}, {last})"), Level::Atom)
+        }
+        Formula::Integral { variable, from, to, integrand } => {
+            let (variable, integrand) = (identifier(variable)?, expression(integrand)?);
+            let (from, to) = (expression(from)?, expression(to)?);
+            (format!("integral(lambda {variable}: {integrand}, {from}, {to})"), Level::Atom)
+        }
+        Formula::Derivative { of, by } if by.letter == TIME => (along_the_motion(of)?, Level::Atom),
+        Formula::Derivative { of, by } => {
+            let (of, by) = (expression(of)?, identifier(by)?);
+            (format!("slope(lambda {by}: {of}, {by})"), Level::Atom)
+        }
+        Formula::DoubleFactorial(it) => call("double_factorial", &[it])?,
+        Formula::Order(it) => call("O", &[it])?,
+    })
+}
+
+/// The derivative with time: the angle moves with its velocity, and that with the acceleration.
+fn along_the_motion(formula: &Formula) -> Option<String> {
+    let of = expression(formula)?;
+    Some(format!("slope(lambda s: (lambda θ, θ_p: {of})(θ + s*θ_p, θ_p + s*θ_p_p), 0)"))
+}
+
+fn signed(number: String) -> (String, Level) {
+    let level = if number.starts_with('-') { Level::Product } else { Level::Atom };
+    (number, level)
+}
+
+fn at_least(level: Level, formula: &Formula) -> Option<String> {
+    let (text, own) = written(formula)?;
+    Some(if own < level { format!("({text})") } else { text })
+}

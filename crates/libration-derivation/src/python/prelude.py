@@ -1,0 +1,379 @@
+# What the cells below compute with: Python's own fractions and floats, and nothing else.
+import math
+from fractions import Fraction as Q
+from itertools import count
+from math import pi, radians
+
+
+class Series:
+    """A power series in one small variable, its coefficients known up to some power."""
+
+    def __init__(self, coefficients):
+        self.c = list(coefficients)
+
+    def __len__(self):
+        return len(self.c)
+
+    def __add__(self, other):
+        other = series(other, len(self))
+        return Series(a + b for a, b in zip(self.c, other.c))
+
+    def __neg__(self):
+        return Series(-a for a in self.c)
+
+    def __sub__(self, other):
+        return self + -series(other, len(self))
+
+    def __rsub__(self, other):
+        return series(other, len(self)) - self
+
+    def __mul__(self, other):
+        if isinstance(other, (Cosines, Angle)):
+            return NotImplemented
+        other = series(other, len(self))
+        n = min(len(self), len(other))
+        return Series(sum((self.c[i] * other.c[k - i] for i in range(k + 1)), Q(0)) for k in range(n))
+
+    def __truediv__(self, other):
+        a, b = list(self.c), list(series(other, len(self)).c)
+        while b and b[0] == 0:
+            if a[:1] != [0]:
+                raise ZeroDivisionError("the quotient is no power series")
+            a, b = a[1:], b[1:]
+        quotient = []
+        for k in range(min(len(a), len(b))):
+            known = sum((quotient[i] * b[k - i] for i in range(k)), Q(0))
+            quotient.append((a[k] - known) / exact(b[0]))
+        return Series(quotient)
+
+    def __rtruediv__(self, other):
+        return series(other, len(self)) / self
+
+    def __pow__(self, n):
+        result = series(1, len(self))
+        for _ in range(n):
+            result = result * self
+        return result
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+def exact(x):
+    return Q(x) if isinstance(x, int) else x
+
+
+def series(x, terms):
+    return x if isinstance(x, Series) else Series([exact(x)] + [Q(0)] * (terms - 1))
+
+
+def variable(terms):
+    return Series([Q(0), Q(1)] + [Q(0)] * (terms - 2))
+
+
+def O(x):
+    """Terms left out: a series known up to them, and nothing for numbers."""
+    if isinstance(x, Series):
+        first = next((k for k, a in enumerate(x.c) if a != 0), len(x))
+        return Series([Q(0)] * first)
+    return 0
+
+
+def integrated(x, start):
+    return Series([start] + [a / (k + 1) for k, a in enumerate(x.c)][:-1])
+
+
+def derived(x):
+    return Series([k * a for k, a in enumerate(x.c)][1:] + [Q(0)])
+
+
+def at_zero(function, x, values):
+    """The function where the series begins: exactly there, else in floats."""
+    return values[x.c[0]] if x.c[0] in values else function(float(x.c[0]))
+
+
+def by_equation(x, start, slope):
+    """y with y' = slope(y) x', coefficient by coefficient."""
+    y = Series([start] + [Q(0)] * (len(x) - 1))
+    for k in range(1, len(x)):
+        y.c[k] = integrated(slope(y) * derived(x), start).c[k]
+    return y
+
+
+def sine_and_cosine(x):
+    sine = Series([at_zero(math.sin, x, {0: Q(0)})] + [Q(0)] * (len(x) - 1))
+    cosine = Series([at_zero(math.cos, x, {0: Q(1)})] + [Q(0)] * (len(x) - 1))
+    rate = derived(x)
+    for k in range(1, len(x)):
+        s, c = (cosine * rate).c[k - 1] / k, (sine * rate).c[k - 1] / k
+        sine.c[k], cosine.c[k] = s, -c
+    return sine, cosine
+
+
+def sin(x):
+    return sine_and_cosine(x)[0] if isinstance(x, Series) else math.sin(x)
+
+
+def cos(x):
+    if isinstance(x, Angle):
+        return x.cosine()
+    return sine_and_cosine(x)[1] if isinstance(x, Series) else math.cos(x)
+
+
+def tan(x):
+    return sin(x) / cos(x)
+
+
+def exp(x):
+    if isinstance(x, Series):
+        return by_equation(x, at_zero(math.exp, x, {0: Q(1)}), lambda y: y)
+    return math.exp(x)
+
+
+def ln(x):
+    if isinstance(x, Series):
+        return integrated(derived(x) / x, at_zero(math.log, x, {1: Q(0)}))
+    return math.log(x)
+
+
+def sinh(x):
+    return (exp(x) - exp(-x)) / 2
+
+
+def cosh(x):
+    return (exp(x) + exp(-x)) / 2
+
+
+def tanh(x):
+    return sinh(x) / cosh(x)
+
+
+def asin(x):
+    if isinstance(x, Series):
+        return integrated(derived(x) / sqrt(1 - x * x), at_zero(math.asin, x, {0: Q(0)}))
+    return math.asin(x)
+
+
+def atan(x):
+    if isinstance(x, Series):
+        return integrated(derived(x) / (1 + x * x), at_zero(math.atan, x, {0: Q(0)}))
+    return math.atan(x)
+
+
+def sqrt(x):
+    return power(x, Q(1, 2))
+
+
+def power(x, exponent):
+    if exponent == int(exponent):
+        return x ** int(exponent) if exponent >= 0 else 1 / x ** int(-exponent)
+    if not isinstance(x, Series):
+        return float(x) ** float(exponent)
+    start = at_zero(lambda a: a ** float(exponent), x, {1: Q(1)})
+    # y' x = exponent y x'.
+    y = Series([start] + [Q(0)] * (len(x) - 1))
+    for k in range(1, len(x)):
+        known = sum(((exponent * i - (k - i)) * x.c[i] * y.c[k - i] for i in range(1, k + 1)), Q(0))
+        y.c[k] = known / (k * x.c[0])
+    return y
+
+
+def agm(a, b):
+    """The arithmetic-geometric mean."""
+    if isinstance(a, Series) or isinstance(b, Series):
+        terms = len(a) if isinstance(a, Series) else len(b)
+        a, b = series(a, terms), series(b, terms)
+        while a.c != b.c:
+            a, b = (a + b) / 2, sqrt(a * b)
+        return a
+    for _ in range(60):
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a
+
+
+def total(term, first, last=None):
+    """The sum of the terms; without a last one until they no longer count."""
+    if last is not None:
+        return sum((term(Q(n)) for n in range(int(first), int(last) + 1)), Q(0))
+    result = 0
+    for n in count(int(first)):
+        this = term(Q(n))
+        result = result + this
+        if isinstance(this, Series):
+            if not any(this.c):
+                return result
+        elif abs(this) <= 1e-17 * abs(result):
+            return result
+
+
+def double_factorial(n):
+    return Q(math.prod(range(int(n), 0, -2)))
+
+
+def integral(f, a, b):
+    """The double exponential rule, which forgives singular ends."""
+    a, b = float(a), float(b)
+    middle, half, result, step = (a + b) / 2, (b - a) / 2, 0.0, 1 / 64
+    for n in range(-400, 401):
+        inner = pi / 2 * math.sinh(n * step)
+        if abs(inner) > 300:
+            continue
+        weight = pi / 2 * math.cosh(n * step) / math.cosh(inner) ** 2
+        # How far the place is from the nearer end, which a float near that end would not say.
+        near = 2 / (1 + math.exp(2 * abs(inner)))
+        x = b - half * near if inner > 0 else a + half * near
+        if weight * half != 0.0 and a != x != b:
+            result += weight * half * step * f(x)
+    return result
+
+
+def slope(f, x):
+    """The derivative by differences, good to about ten digits."""
+    h = 2.0 ** -9
+    return (8 * (f(x + h) - f(x - h)) - (f(x + 2 * h) - f(x - 2 * h))) / (12 * h)
+
+
+class Angle:
+    """k times a phase that is given by its cosine, a fraction."""
+
+    def __init__(self, cosine, k=1):
+        self.first, self.k = cosine, k
+
+    def __rmul__(self, k):
+        return Angle(self.first, self.k * k)
+
+    def cosine(self):
+        a, b = Q(1), self.first
+        for _ in range(self.k):
+            a, b = b, 2 * self.first * b - a
+        return a
+
+
+class Polynomial(dict):
+    """A polynomial in letters: the factor of each product of letters."""
+
+    def __add__(self, other):
+        result = dict(self)
+        for product, factor in polynomial(other).items():
+            result[product] = result.get(product, 0) + factor
+        return Polynomial({p: f for p, f in result.items() if f != 0})
+
+    def __neg__(self):
+        return Polynomial({p: -f for p, f in self.items()})
+
+    def __sub__(self, other):
+        return self + -polynomial(other)
+
+    def __rsub__(self, other):
+        return polynomial(other) - self
+
+    def __mul__(self, other):
+        result = {}
+        for a, f in self.items():
+            for b, g in polynomial(other).items():
+                product = tuple(sorted(a + b))
+                result[product] = result.get(product, 0) + f * g
+        return Polynomial({p: f for p, f in result.items() if f != 0})
+
+    def __pow__(self, n):
+        result = polynomial(1)
+        for _ in range(n):
+            result = result * self
+        return result
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def put(self, values):
+        """With polynomials in the place of letters."""
+        result = Polynomial()
+        for product, factor in self.items():
+            term = polynomial(factor)
+            for letter in product:
+                term = term * values.get(letter, Polynomial({(letter,): Q(1)}))
+            result = result + term
+        return result
+
+
+def polynomial(x):
+    return x if isinstance(x, Polynomial) else Polynomial({(): Q(x)} if x != 0 else {})
+
+
+def letters(names):
+    return [Polynomial({(name,): Q(1)}) for name in names.split()]
+
+
+class Cosines(dict):
+    """A sum of cosines: the factor of cos k tau in each power of epsilon, up to a power."""
+
+    def times(self, other, last):
+        result = {}
+        for (n, j), a in self.items():
+            for (m, k), b in other.items():
+                if n + m <= last:
+                    for harmonic in (abs(j - k), j + k):
+                        key = (n + m, harmonic)
+                        result[key] = result.get(key, 0) + a * b * Q(1, 2)
+        return Cosines({key: a for key, a in result.items() if a != {}})
+
+
+class Ansatz:
+    """An oscillation whose coefficients are letters, and what the equation of motion asks of them."""
+
+    def __init__(self, force, harmonics, ratio):
+        self.force, self.harmonics, self.ratio, self.known = force, harmonics, ratio, {}
+
+    def condition(self, n, k):
+        """The factor of cos k tau in the power n of epsilon, with all that is known put in."""
+        put = lambda name: polynomial(letters(name)[0]).put(self.known)
+        u = Cosines({key: put(name) for key, name in self.harmonics.items() if key[0] <= n and put(name) != {}})
+        ratio = Cosines({(m, 0): put(name) for m, name in self.ratio.items() if m < n})
+        ratio[(0, 0)] = polynomial(1)
+        second = Cosines({(m, j): -j * j * a for (m, j), a in u.items()})
+        result = ratio.times(ratio, n).times(second, n).get((n, k), polynomial(0))
+        powers = u
+        for place, factor in enumerate(self.force):
+            if place > 0:
+                powers = powers.times(u, n)
+            result = result + factor * powers.get((n, k), polynomial(0))
+        return result
+
+    def gives(self, n, k, expected, new=None):
+        """Whether a condition is this; `new` is the coefficient that it fixes, and may have been told before."""
+        told = self.known.pop(new, None)
+        assert self.condition(n, k) == polynomial(expected), self.condition(n, k)
+        if told is not None:
+            self.known[new] = told
+        for product in expected:
+            if len(expected) == len(product) == 1:
+                self.known[product[0]] = polynomial(0)
+
+    def fixes(self, n, k, name, value):
+        """Whether a condition is satisfied by this coefficient, which is known from now on."""
+        self.known[name] = polynomial(value)
+        assert self.condition(n, k) == {}, self.condition(n, k)
+
+
+def agree(a, b, digits=10):
+    """Numbers that are the same; integrals with a singular end and derivatives by differences lose digits."""
+    a, b = float(a), float(b)
+    assert abs(a - b) <= 10.0 ** -digits * max(abs(a), abs(b)) + 1e-12, (a, b)
+    return a
+
+
+def below(a, b):
+    assert a < b, (a, b)
+
+
+def rounds_to(value, printed, place):
+    assert abs(float(value) - printed) <= 0.5001 * place, (value, printed)
+
+
+def same_fraction(*sides):
+    assert all(exact(side) == exact(sides[0]) for side in sides), sides
+
+
+def same_series(terms, *sides):
+    """Power series with the same coefficients, which are known to so many at least."""
+    sides = [side.c if isinstance(side, Series) else [exact(side)] + [Q(0)] * (terms - 1) for side in sides]
+    assert min(map(len, sides)) >= terms, "too few terms"
+    for other in sides[1:]:
+        assert all(a == b for a, b in zip(sides[0], other)), (sides[0], other)
