@@ -191,3 +191,11 @@ fn python(name: &str, program: &str) -> Output {
     fs::write(&path, program).unwrap();
     Command::new("python3").arg(path).output().unwrap()
 }
+
+/// The second document leaves the physical pendulum to its centre of mass; the moment of inertia belongs to it.
+#[test]
+fn the_period_of_any_rigid_body_is_derived() {
+    let derivation = text("derive --road elliptic");
+    let law = r"\omega _{0}^{2}:=\frac{Mgd}{I}";
+    assert!(derivation.contains(law) && derivation.contains(r"\frac{2L}{3}"));
+}

@@ -2,6 +2,7 @@
 
 mod energy;
 mod mean;
+mod rigid_body;
 mod series;
 mod substitution;
 
@@ -32,6 +33,7 @@ pub fn elliptic(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         series::in_the_amplitude()?,
         mean::invariance(&mut trials)?,
         mean::iteration(&trials)?,
+        rigid_body::step(&trials)?,
     ];
     Ok(Derivation {
         title: "The period of a pendulum at any amplitude".to_owned(),
