@@ -4,7 +4,7 @@ use super::constant::{Approximation, Constant, PRECISION};
 use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
-use super::roots::{LARGEST_DEGREE, Observable, zeros};
+use super::roots::{LARGEST_DEGREE, Scan, zeros};
 use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 use crate::roots::polynomial_sign_changes;
@@ -39,7 +39,7 @@ pub(super) fn candidates(force: &Force) -> Candidates {
     let (mut near, none) = match (everywhere, Curve::new(&at_rest, &force.x)) {
         (Some(zeros), _) => (zeros, OscillatorError::NoEquilibrium),
         (None, Some(curve)) => {
-            let Observable { zeros, has_values } = zeros(|x| curve.at(x));
+            let Scan { zeros, has_values } = zeros(|x| curve.at(x));
             (zeros, if has_values { OscillatorError::NotFound } else { OscillatorError::NoValues })
         }
         (None, None) => (vec![], OscillatorError::NoValues),

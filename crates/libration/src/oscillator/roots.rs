@@ -10,7 +10,7 @@ const PIECES: i32 = 2000;
 pub(super) const LARGEST_DEGREE: usize = 40;
 
 /// What a search has seen of a function.
-pub(super) struct Observable {
+pub(super) struct Scan {
     /// Where it changes its sign through zero, ascending.
     pub(super) zeros: Vec<f64>,
     /// Whether it has a value anywhere.
@@ -18,7 +18,7 @@ pub(super) struct Observable {
 }
 
 /// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`].
-pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Observable {
+pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
     let mut found: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
@@ -31,7 +31,7 @@ pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Observable {
         }
     }
     found.sort_by(f64::total_cmp);
-    Observable { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
+    Scan { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
 }
 
 #[cfg(test)]
