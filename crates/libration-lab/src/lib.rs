@@ -1,9 +1,9 @@
-//! The laboratory of `libration`: what an instrument wrote about a pendulum, and what it says about g, the period and the damping.
+//! The laboratory of `libration`: reads what instruments recorded of a pendulum, and fits g, the period and the damping to it.
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`measurement`] | an instrument's file as columns with quantities and units, and the traces in it |
-//! | [`fit`] | measured periods, swings, lengths and passages explained by the exact law: T0, its test, gravity, damping |
+//! | [`measurement`] | an instrument's file as columns with quantities and units, and its traces |
+//! | [`fit`] | fits of the exact law to measured periods, swings, lengths and passages of a gate: T0, a test of the law, gravity, damping |
 //!
 //! Both read bytes and return values: files, the screen and the clock belong to the caller.
 

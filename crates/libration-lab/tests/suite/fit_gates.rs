@@ -2,14 +2,17 @@
 
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
+use libration::watch::{Interrupted, Progress, Watch};
 use libration_lab::fit::gates::{
     GateGeometry, GateGeometryError, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source,
-    gates,
+    gates, gates_watched,
 };
 use libration_lab::fit::{Apparatus, BudgetInput};
 
 use crate::random::Random;
 use crate::synthetic_trace::normal;
+use std::cell::Cell;
+use std::ops::ControlFlow;
 
 const OMEGA0: f64 = 3.2;
 const T0: f64 = std::f64::consts::TAU / OMEGA0;
@@ -307,4 +310,24 @@ fn a_width_that_contradicts_the_exact_law_is_doubted() {
     assert!((part / 0.05 - 1.0).abs() < 0.25, "{part}");
     let far = warned(0.4);
     assert!(matches!(far[..], [GatesWarning::BetaNotOne { width_error: None, .. }, ..]), "{far:?}");
+}
+
+#[test]
+fn fits_of_gates_stop_at_any_question() {
+    let (times, blocked) = split(&edges(0.1, 1e-5)[..20]);
+    let asked_until = |last: usize| {
+        let questions = Cell::new(0);
+        let ask = |_: Progress| {
+            questions.set(questions.get() + 1);
+            if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = gates_watched(&times, Some(&blocked), &with_width(), &Watch::new(&ask));
+        (found, questions.get())
+    };
+    let (whole, questions) = asked_until(usize::MAX);
+    assert!(questions > 100, "{questions}");
+    assert_eq!(whole, gates(&times, Some(&blocked), &with_width()));
+    for last in [1, 2, questions / 3, questions - 1, questions] {
+        assert_eq!(asked_until(last), (Err(GatesError::Interrupted(Interrupted)), last));
+    }
 }

@@ -8,11 +8,15 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::figure;
+use crate::interrupt;
 use crate::output::{FormOptions, announce};
 use fields::Answer;
 use libration::quantity::{Angle, Quantity};
+use libration::watch::{Progress, Watch};
 use libration_lab::fit::Budget;
-use libration_lab::fit::gates::{GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates};
+use libration_lab::fit::gates::{
+    GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates_watched,
+};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -74,8 +78,10 @@ impl FitGates {
         let name = self.file.display().to_string();
         let geometry = self.geometry()?;
         let options = self.options(geometry.as_ref())?;
-        let fit = gates(&read.times, read.blocked.as_deref(), &options);
-        let fit = fit.map_err(|error| Failure::no_answer(option(&error).unwrap_or(&name), error))?;
+        interrupt::listen()?;
+        let ask = |_: Progress| interrupt::go_on();
+        let fit = gates_watched(&read.times, read.blocked.as_deref(), &options, &Watch::new(&ask));
+        let fit = fit.map_err(|error| failure(&name, &error))?;
         let budget = self.budget(&fit, geometry.as_ref())?;
         let drawn = match &self.figure {
             Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?],
@@ -114,7 +120,11 @@ impl FitGates {
     }
 }
 
-/// Which option is to blame, and not the file.
-fn option(error: &GatesError) -> Option<&'static str> {
-    matches!(error, GatesError::NotUsable { name: "amplitude", .. }).then_some("--amplitude")
+/// Blames the option, not the file, where that is to blame.
+fn failure(file: &str, error: &GatesError) -> Failure {
+    match error {
+        GatesError::Interrupted(_) => Failure::Interrupted("interrupted: nothing is written".to_owned()),
+        GatesError::NotUsable { name: "amplitude", .. } => Failure::no_answer("--amplitude", error),
+        _ => Failure::no_answer(file, error),
+    }
 }

@@ -20,7 +20,7 @@ use crate::statistics::median;
 use libration::roots::{Tolerance, bisect};
 use libration::watch::{Interrupted, Watch};
 
-/// With fewer rows in a period nothing can be placed.
+/// With fewer rows in a period, two in each quarter, passages and extremes cannot be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
 /// Extremes below so many standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
 /// the noisiest, a swing of three standard deviations, had 25 for none.

@@ -17,7 +17,7 @@ const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
 const STEP: f64 = 1e-5;
 /// Rounding errors over that step, with those of hundreds of steps of the integration.
 const EXACTNESS: f64 = 1e-8;
-/// Extremes further from the curve than so many robust standard deviations do not count.
+/// Extremes further from the curve than so many robust standard deviations do not count: among normal errors one in 5e8.
 const OUTLIER: f64 = 6.0;
 
 /// The falling amplitude.

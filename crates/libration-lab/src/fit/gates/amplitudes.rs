@@ -50,23 +50,23 @@ impl Amplitudes {
 
 impl Swings {
     /// The amplitudes of all passages by their speeds, with the T0 that goes with them.
-    pub(super) fn amplitudes(&self, width: f64) -> Amplitudes {
+    pub(super) fn amplitudes(&self, width: f64, watch: &Watch<'_>) -> Amplitudes {
         let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
         // With a larger T0 the amplitudes are larger and the periods say a smaller one.
         let [t0, _] = bisect([0.1 * longest, longest], Tolerance::absolute(1e-12 * longest), |t0| {
-            let amplitudes = self.amplitudes_for(width, t0);
+            let amplitudes = self.amplitudes_for(width, t0, watch);
             let said = self.cycles.iter().map(|&cycle| {
                 let ratio = amplitudes.of_cycle(cycle).map_or(f64::INFINITY, |a| Law::exact().ratio_at(a));
                 self.period(cycle) / ratio
             });
             median(said.collect()).is_some_and(|said| said > t0)
         });
-        self.amplitudes_for(width, t0)
+        self.amplitudes_for(width, t0, watch)
     }
 
-    fn amplitudes_for(&self, width: f64, t0: f64) -> Amplitudes {
+    fn amplitudes_for(&self, width: f64, t0: f64, watch: &Watch<'_>) -> Amplitudes {
         let mut of_passages = vec![None; self.placed.len()];
-        for &cycle in &self.cycles {
+        for &cycle in self.cycles.iter().take_while(|_| watch.go_on().is_ok()) {
             let from_bottom = self.time_from_bottom(cycle);
             let passages = self.placed.iter().zip(&mut of_passages).skip(cycle).take(3);
             for (placed, found) in passages {
@@ -78,22 +78,27 @@ impl Swings {
     }
 
     /// T0 and the test of the exact law by the bottom passages and the amplitudes.
-    pub(super) fn by_speeds(&self, width: Quantity, amplitudes: &Amplitudes) -> Option<BySpeeds> {
+    pub(super) fn by_speeds(
+        &self,
+        width: Quantity,
+        amplitudes: &Amplitudes,
+        watch: &Watch<'_>,
+    ) -> Option<BySpeeds> {
         /// The width is changed by this part of itself to see what follows it.
         const STEP: f64 = 1e-3;
         let rows = self.rows_by_speeds(amplitudes)?;
-        let law = period_law::exact(&rows, &Watch::none())?;
-        let beta = period_law::beta(&rows, &Watch::none()).ok();
+        let law = period_law::exact(&rows, watch)?;
+        let beta = period_law::beta(&rows, watch).ok();
         let typical = typical_amplitude(rows.iter().map(|row| row.ratio))?;
         // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
         let [below, above] = [1.0 - STEP, 1.0 + STEP]
-            .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor)));
+            .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor, watch)));
         let (below, above) = (below?, above?);
         let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
             Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
         };
-        let t0_by_width = slope(&|rows| Some(period_law::exact(rows, &Watch::none())?.t0.value))?;
-        let beta_by_width = slope(&|rows| Some(period_law::beta(rows, &Watch::none()).ok()?.factor.value));
+        let t0_by_width = slope(&|rows| Some(period_law::exact(rows, watch)?.t0.value))?;
+        let beta_by_width = slope(&|rows| Some(period_law::beta(rows, watch).ok()?.factor.value));
         let spread = width.uncertainty.unwrap_or(0.0);
         let t0 = law.t0.with_error(t0_by_width * spread);
         let part_of_scatter = law.t0.uncertainty * law.t0.uncertainty / (t0.uncertainty * t0.uncertainty);

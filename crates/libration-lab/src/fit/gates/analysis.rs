@@ -10,6 +10,7 @@ use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
 use crate::fit::{Law, Uncertain};
 use crate::statistics::count;
 use libration::quantity::Quantity;
+use libration::watch::{Interrupted, Watch};
 
 /// What the times of a gate say; the states of the gate, blocked or not, where they are known.
 ///
@@ -26,6 +27,19 @@ use libration::quantity::Quantity;
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```
 pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> Result<GatesFit, GatesError> {
+    gates_watched(times, blocked, options, &Watch::none())
+}
+
+/// [`gates`], asking `watch` at each passage whose amplitude is sought.
+///
+/// # Errors
+/// As [`gates`], and [`GatesError::Interrupted`] where it was stopped.
+pub fn gates_watched(
+    times: &[f64],
+    blocked: Option<&[bool]>,
+    options: &GateOptions,
+    watch: &Watch<'_>,
+) -> Result<GatesFit, GatesError> {
     options.check()?;
     let found = passages(times, blocked, options.signals)?;
     let seen = found.passages.len();
@@ -40,7 +54,8 @@ pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> 
     if swings.cycles.len() < 2 {
         return Err(GatesError::TooFew { passages: sides.placed.len() });
     }
-    Ok(swings.fit(&found, &sides, options))
+    let fit = swings.fit(&found, &sides, options, watch);
+    if watch.is_stopped() { Err(Interrupted.into()) } else { Ok(fit) }
 }
 
 impl GateOptions {
@@ -60,14 +75,14 @@ impl GateOptions {
 }
 
 impl Swings {
-    fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions) -> GatesFit {
+    fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions, watch: &Watch<'_>) -> GatesFit {
         let periods: Vec<f64> = self.cycles.iter().map(|&cycle| self.period(cycle)).collect();
         let mean = periods.iter().sum::<f64>() / count(periods.len());
         let scatter = periods.iter().map(|period| (period - mean) * (period - mean)).sum::<f64>();
         let spread = (scatter / count(periods.len() - 1) / count(periods.len())).sqrt();
-        let amplitudes = options.width.map(|width| self.amplitudes(width.value));
+        let amplitudes = options.width.map(|width| self.amplitudes(width.value, watch));
         let by_speeds =
-            options.width.zip(amplitudes.as_ref()).and_then(|(width, a)| self.by_speeds(width, a));
+            options.width.zip(amplitudes.as_ref()).and_then(|(width, a)| self.by_speeds(width, a, watch));
         let (times, both_sides) = self.mean_periods();
         let first_period = at_the_beginning(&times, &both_sides, self.time(0) - 0.25 * mean);
         let by_amplitude =

@@ -1,5 +1,7 @@
 //! Why times of a photogate tell no period.
 
+use libration::watch::Interrupted;
+
 /// Why times of a photogate tell no period.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -34,6 +36,9 @@ pub enum GatesError {
         /// That begin a whole period of one pendulum.
         accepted: usize,
     },
+    /// The callback said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// A width or an amplitude that cannot be.
     #[error("the {name} is {value}: give a finite number above zero{below}")]
     NotUsable {

@@ -1,8 +1,8 @@
 //! Times of a photogate → periods, T0, and with the width of the bob the amplitudes.
 //!
-//! A pendulum passes a gate twice in a period. Unless the gate stands at the very centre the two are not evenly spaced, so
-//! periods go from a passage to the next of the same side, and both sides are used: where the gate stands drops out of
-//! their mean. Double triggers and missed passages are recognised by the pattern and counted.
+//! A pendulum passes a gate twice in a period. Unless the gate stands exactly at the centre the passages are not evenly spaced, so
+//! a period is measured from one passage to the next in the same direction; in the mean over both directions the position of the
+//! gate drops out. Double triggers and missed passages are recognised by the pattern and counted.
 
 mod error;
 
@@ -22,7 +22,7 @@ mod warning;
 
 mod gravity;
 
-pub use analysis::gates;
+pub use analysis::{gates, gates_watched};
 pub use error::GatesError;
 pub use gravity::{GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;
@@ -39,7 +39,7 @@ pub enum GateSignals {
     Passages,
 }
 
-/// What is known besides the times.
+/// What is known in addition to the times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GateOptions {
     /// What the times are; inferred from their pattern where not given.
@@ -76,7 +76,7 @@ pub enum T0Source {
     FirstAmplitude,
 }
 
-/// What the times of a gate say.
+/// The results of a fit to the times of a gate.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GatesFit {
@@ -84,7 +84,7 @@ pub struct GatesFit {
     pub passages: usize,
     /// Whether the times are edges, two for each passage.
     pub edges: bool,
-    /// Edges whose other one is missing.
+    /// Edges whose partner is missing.
     pub unpaired: usize,
     /// Passages too close to others, or between all others: double triggers.
     pub double_triggers: usize,
@@ -104,9 +104,9 @@ pub struct GatesFit {
     pub t0: Option<Uncertain>,
     /// Where it comes from.
     pub t0_source: Option<T0Source>,
-    /// By how much T0 changes with the angular width of the bob, in s/rad; none where it does not come from the width.
+    /// The derivative of T0 with respect to the angular width of the bob, in s/rad; none where T0 does not come from the width.
     pub t0_by_width: Option<f64>,
-    /// Of the uncertainty of T0.
+    /// The degrees of freedom of the uncertainty of T0.
     pub t0_degrees_of_freedom: f64,
     /// The amplitude whose T/T0 is that of the periods T0 comes from, in radians.
     pub amplitude: Option<f64>,

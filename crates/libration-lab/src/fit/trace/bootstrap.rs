@@ -15,6 +15,7 @@ use super::random::Random;
 use crate::measurement::Trace;
 use crate::statistics::count;
 
+/// The standard deviation of so many replicas is known to 1/√1000, or 3 %.
 const REPLICAS: usize = 500;
 
 /// How many rows a block has: it holds one swing, and the more the longer residuals remember and the more there is to choose from.

@@ -5,7 +5,7 @@ use crate::statistics::deviation_by_median;
 
 /// Huber's bound in standard deviations, at which 5 % of the precision is lost if there are no outliers.
 const BOUND: f64 = 1.345;
-/// Rows beyond so many robust standard deviations are called outliers.
+/// Rows beyond so many robust standard deviations are called outliers: among normal errors one in 1.7 million.
 const OUTLIER: f64 = 5.0;
 
 /// The standard deviation of residuals, by their median size.

@@ -36,11 +36,11 @@ impl Comparison {
     pub const INDISTINGUISHABLE: f64 = 4.0;
     /// Beyond it a model has essentially no support (ibidem): a weight of e⁻⁵, or 1 in 148.
     pub const UNSUPPORTED: f64 = 10.0;
-    /// Of models whose criterion is within this of the least the simplest is preferred.
+    /// Of models whose criterion is within this of the least, which have substantial support (ibidem), the simplest is preferred.
     pub const SUBSTANTIAL: f64 = 2.0;
     /// So many of its uncertainties a coefficient does not move by chance: one in 370 times.
     pub const MOVED: f64 = 3.0;
-    /// A coefficient is believed to be negative where the criterion differs by more.
+    /// A coefficient is believed to be negative where the criterion differs by more: a weight of e⁻¹⁰, or 1 in 22 000.
     pub const DECISIVE: f64 = 20.0;
 
     /// The model that the data prefer.
