@@ -122,7 +122,8 @@ fn range(values: &[f64]) -> f64 {
 
 /// How many of the turns come before the swing is lost in the noise, if the trace ends at rest.
 fn above_noise(values: &[f64], turns: &[usize]) -> usize {
-    /// Swings that must be faint one after the other: single ones may be small for other reasons.
+    /// Swings that must be faint one after the other: single ones may be small for other reasons. With 1 and 6 nothing changed in
+    /// twelve of the recordings.
     const IN_A_ROW: usize = 3;
     let Some(noise) = noise_at_rest(values) else { return turns.len() };
     let faint: Vec<bool> = turns
@@ -137,7 +138,9 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
 /// The noise of the last part of a trace where nothing else is left of it: neighbours are then no more alike than rows far
 /// from each other.
 fn noise_at_rest(values: &[f64]) -> Option<f64> {
+    /// The last part is one of so many: with 10 and 40 nothing changed in twelve of the recordings.
     const PARTS: usize = 20;
+    /// Of so many rows a standard deviation is known to 1/√46, or a seventh.
     const FEWEST_ROWS: usize = 24;
     /// Of differences over √2, and values; 1 for white noise, at most 0.54 for a swing with 8 rows in a period.
     const WHITE: f64 = 0.6;

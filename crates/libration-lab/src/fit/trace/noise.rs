@@ -24,7 +24,8 @@ pub(super) struct Effect {
 
 /// White parts of the variance that are tried.
 const WHITE_PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.7, 0.85];
-/// Times that are tried, in steps between rows: from so short a one, each longer by this factor.
+/// Times that are tried, in steps between rows: from so short a one, each longer by this factor. From 0.2 and 0.8 on, and with a factor of
+/// 1.3, the uncertainty of T0 changed by a tenth in one of twelve recordings (`search.rs`); with 2.2 by a fifth in two.
 const SHORTEST: f64 = 0.4;
 const FACTOR: f64 = 1.6;
 /// Longer times than this part of a trace are drift, and longer ones than so many rows cannot be distinguished from it.

@@ -50,7 +50,8 @@ pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     })
 }
 
-/// Below so many windows what the equation leaves does not tell how well it holds.
+/// Below so many windows what the equation leaves does not tell how well it holds. With 6 and 24 twelve recordings (`search.rs`) ended
+/// alike.
 const LEAST_WINDOWS: usize = 12;
 
 /// Window lengths from a few samples to the whole trace are tried: in short ones noise prevails, in long ones φ averages
