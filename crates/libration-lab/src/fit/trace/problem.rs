@@ -22,9 +22,9 @@ pub(super) struct Problem<'a> {
 pub(super) const PATIENCE: usize = 30;
 /// Of one that begins near a minimum that is known.
 const PATIENCE_NEAR: usize = 8;
-/// Rounds in which the weights of outliers are renewed.
+/// Rounds in which the weights of outliers are renewed: with 5, 10 and 100 twelve robust fits ended alike.
 const ROBUST_ROUNDS: usize = 30;
-/// A relative change of the sum of squares that is none.
+/// A relative change of the sum of squares that is none: with 1e-6 they ended alike.
 const SETTLED: f64 = 1e-8;
 
 impl<'a> Problem<'a> {
