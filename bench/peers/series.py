@@ -1,7 +1,7 @@
 """Times exact perturbation series in libration, FLINT, PARI/GP, SymPy and the package asymptotics, one after the other.
 
 Every tool gets each case and order in a process of its own, on one core, with a time limit; starting the tool is not
-timed. The tools' last coefficients are compared with each other exactly. Exit status 1 if ours disagree.
+timed. The tools' last coefficients, with letters all of them, are compared with each other exactly. Exit status 1 if ours disagree.
 
 Times are seconds of the processor, so that other work on the machine matters less. A cell shows the
 median, the growth N^p since the order above, and the quotient by our time (theirs/ours).
@@ -31,6 +31,7 @@ CASES = {
     "pendulum, full answer": (IN_AMPLITUDE, (7, 9, 13, 15, 31, 61, 101, 201)),
     "duffing": ("x'' + x + x^3 = 0: " + IN_A1, (7, 9, 16, 31, 101)),
     "duffing, full answer": (IN_AMPLITUDE, (7, 9, 13, 16, 31, 101)),
+    "mixed, letters": ("x'' + w^2 x + a x^2 + b x^3 = 0 with a, b, w as letters: " + IN_A1 + ", all of them compared", (3, 5, 9, 15)),
     "van_der_pol": ("x'' + x = mu (1 - x^2) x': Omega to mu^N with the cycle it needs, to mu^(N-1)", (4, 20, 60)),
     "period": (EULER, (100, 200, 400)),
     "period, composition": ("T/T0 to theta0^N by putting sin^2(theta0/2) into the series of (2/pi) K", (100, 200, 400)),
@@ -218,6 +219,8 @@ def records(case, rows):
 
 
 def short(check):
+    """Of coefficients with letters the first few."""
+    check = check[:4]
     return ", ".join(it if not it or len(it) < 40 else f"{it[:20]}…{it[-16:]}" for it in check if it)
 
 

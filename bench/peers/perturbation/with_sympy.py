@@ -270,7 +270,46 @@ def wave(z, k):
     return (z**k + z**-k) / 2
 
 
+def mixed_in_letters(order):
+    """x'' + w^2 x + a x^2 + b x^3 = 0 with all letters, u = 1/w^2: the harmonics of each order as {k: polynomial in a, b, u}.
+
+    The check is every coefficient of Omega/omega0 and of each harmonic."""
+    letters, a, b, u = ring("a b u", QQ)
+    x, pairs, square = {1: {1: letters.one}}, {}, {0: letters.one}
+    for n in range(2, order + 1):
+        pairs[n] = waves(letters, [(x[j], x[n - j]) for j in range(1, n)])
+        cube = waves(letters, [(x[j], pairs[n - j]) for j in range(1, n - 1)])
+        force = {k: u * (a * pairs[n].get(k, 0) + b * cube.get(k, 0)) for k in range(n + 1)}
+        square[n - 1] = force[1]
+        known = {k: sum((square[n - j] * x[j].get(k, 0) for j in range(1, n)), letters.zero) for k in force}
+        x[n] = {k: (k * k * known[k] - force[k]) * QQ(1, 1 - k * k) for k in force if k != 1}
+    omega = [letters.one]
+    for n in range(1, order):
+        inner = sum((omega[j] * omega[n - j] for j in range(1, n)), letters.zero)
+        omega.append((square[n] - inner) * QQ(1, 2))
+    series = [("frequency", omega)]
+    series += [(f"cos {k}", [x[n].get(k, letters.zero) if n else letters.zero for n in range(order + 1)]) for k in range(order + 1)]
+    return x, [f"{name} {n}: {terms(p)}" for name, list_ in series for n, p in enumerate(list_) if p]
+
+
+def waves(letters, products):
+    """The sum of products of sums of cosines."""
+    found = {}
+    for p, q in products:
+        for (k, c), (l, d) in ((one, other) for one in p.items() for other in q.items()):
+            half = c * d * QQ(1, 2)
+            for m in (k + l, abs(k - l)):
+                found[m] = found.get(m, letters.zero) + half
+    return found
+
+
+def terms(polynomial):
+    """The powers of a, b, w of each term, with what stands before it."""
+    return ", ".join(f"{i} {j} {-2 * m} {factor}" for (i, j, m), factor in sorted(polynomial.items()))
+
+
 CASES = {
+    "mixed, letters": mixed_in_letters,
     "pendulum": lambda order: solve(pendulum, order),
     "pendulum, full answer": lambda order: full(pendulum, order),
     "duffing": lambda order: solve(duffing, order),

@@ -2,10 +2,10 @@
 //! `{"case", "order", "seconds": [passes], "check": [last coefficients]}`, with `null` seconds for a case that the
 //! library does not offer alone.
 
-use libration::algebra::Rational;
-use libration::oscillator::NamedOscillator;
+use libration::algebra::{LaurentPolynomial, Rational};
+use libration::oscillator::{NamedOscillator, SymbolicOscillator};
 use libration::period_formulas::period_in_amplitude;
-use libration::perturbation::{Gauge, expand};
+use libration::perturbation::{Gauge, expand, expand_symbolically};
 use std::error::Error;
 use std::io::{self, Write};
 use std::{env, fs};
@@ -16,7 +16,7 @@ const PASSES: usize = 7;
 /// A task slower than this is timed once.
 const SLOW_SECONDS: f64 = 2.0;
 
-type Task = Box<dyn Fn() -> Result<Vec<Rational>, Box<dyn Error>>>;
+type Task = Box<dyn Fn() -> Result<Vec<String>, Box<dyn Error>>>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = env::args().skip(1);
@@ -27,7 +27,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => (None, vec![]),
     };
     let seconds = seconds.map_or_else(|| "null".to_owned(), |seconds| format!("{seconds:?}"));
-    let check: Vec<String> = check.iter().map(Rational::to_string).collect();
     writeln!(
         io::stdout(),
         r#"{{"case": "{case}", "order": {order}, "seconds": {seconds}, "check": {check:?}}}"#
@@ -45,12 +44,51 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
             Some(Box::new(move || {
                 let cycle = expand(&oscillator, order, &Gauge::Fundamental)?;
                 let amplitude = cycle.harmonic(1).ok_or("there is no first harmonic")?;
-                Ok(vec![cycle.frequency_ratio[order].clone(), amplitude.cos[order - 2].clone()])
+                Ok(texts([&cycle.frequency_ratio[order], &amplitude.cos[order - 2]]))
             }))
         }
-        "period" => Some(Box::new(move || Ok(period_in_amplitude(order / 2).pop().into_iter().collect()))),
+        "period" => Some(Box::new(move || Ok(texts(period_in_amplitude(order / 2).last())))),
+        "mixed, letters" => {
+            let equation = "x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?;
+            Some(Box::new(move || {
+                let oscillator = SymbolicOscillator::new(&equation)?;
+                let expansion = expand_symbolically(&oscillator, order, &Gauge::Fundamental)?.series;
+                let frequency = ("frequency".to_owned(), &expansion.frequency_ratio);
+                let harmonics = expansion.harmonics.iter().map(|it| (format!("cos {}", it.k), &it.cos));
+                Ok(std::iter::once(frequency)
+                    .chain(harmonics)
+                    .flat_map(|(name, series)| all(&name, series))
+                    .collect())
+            }))
+        }
         _ => None,
     })
+}
+
+fn texts<'a>(numbers: impl IntoIterator<Item = &'a Rational>) -> Vec<String> {
+    numbers.into_iter().map(Rational::to_string).collect()
+}
+
+/// All coefficients of a series that are not zero, each as the powers of a, b and w of its terms with what stands before them.
+fn all(name: &str, series: &[LaurentPolynomial]) -> Vec<String> {
+    let present = series.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
+    present.map(|(n, coefficient)| format!("{name} {n}: {}", terms(coefficient))).collect()
+}
+
+fn terms(coefficient: &LaurentPolynomial) -> String {
+    let mut terms: Vec<_> = coefficient.terms().collect();
+    let power = |powers: &[libration::algebra::LetterPower<'_>], letter: &str| {
+        powers.iter().find(|it| it.letter == letter).map_or(0.0, |it| it.exponent.to_f64())
+    };
+    terms.sort_by(|(_, one), (_, other)| {
+        let differences = ["a", "b"].map(|letter| power(one, letter).total_cmp(&power(other, letter)));
+        differences[0].then(differences[1])
+    });
+    let term = |(factor, powers): (&Rational, Vec<_>)| {
+        let powers = ["a", "b", "w"].map(|letter| power(&powers, letter).to_string());
+        format!("{} {factor}", powers.join(" "))
+    };
+    terms.into_iter().map(term).collect::<Vec<_>>().join(", ")
 }
 
 /// Ω at A^(N − 1) and a₃ at A^N, for odd N.
@@ -61,12 +99,12 @@ fn of_amplitude(key: &str, order: usize) -> Result<Task, Box<dyn Error>> {
         let expansion = expand(&oscillator, order, &Gauge::Fundamental)?;
         let of = expansion.of_amplitude.ok_or("there is no amplitude")?;
         let third = of.harmonics.iter().find(|(k, _)| *k == 3).ok_or("there is no third harmonic")?;
-        Ok(vec![of.frequency_ratio[order - 1].clone(), third.1[order].clone()])
+        Ok(texts([&of.frequency_ratio[order - 1], &third.1[order]]))
     }))
 }
 
 /// The seconds of the passes and the last coefficients.
-type Timed = (Option<Vec<f64>>, Vec<Rational>);
+type Timed = (Option<Vec<f64>>, Vec<String>);
 
 /// Processor seconds of the passes, each a mean over runs, after one pass for warming up; of a slow task that pass.
 fn passes(task: &Task) -> Result<Timed, Box<dyn Error>> {

@@ -3,7 +3,7 @@
 use super::reading;
 use super::values::{borrowed, is_like_a_key, values};
 use crate::failure::{Failure, excerpt};
-use libration::expression::{Equation, Expression};
+use libration::expression::{Equation, Expression, Symbol};
 use libration::oscillator::{
     NamedOscillator, Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError,
 };
@@ -139,7 +139,7 @@ impl OscillatorOptions {
             }
             Err(_) => (self.typed(&given, letters)?, None, "an equation of motion".to_owned()),
         };
-        let about = self.about.as_deref().map(|text| place(text, &equation)).transpose()?;
+        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
         let open = equation.parameters();
         let mut values = values_used(named.ok(), &given);
         values.retain(|(name, _)| !open.contains(name));
@@ -179,12 +179,14 @@ impl Asked {
     }
 }
 
-/// A place on the axis of the variable: a formula of numbers and of parameters without value, or an angle where the variable is
-/// one.
-fn place(text: &str, equation: &Equation) -> Result<Expression, Failure> {
+/// A place on the axis of the variable: a formula of numbers and parameters, or an angle where the variable is one.
+fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, Failure> {
     let refusal = |reason: String| Failure::usage("--about", reason);
     let variable = equation.variables().first().map_or("", String::as_str);
-    let formula = text.parse::<Expression>();
+    let with_value = |formula: Expression, (name, value): &(String, Expression)| {
+        formula.substitute(&Symbol::plain(name), value)
+    };
+    let formula = text.parse::<Expression>().map(|formula| given.iter().fold(formula, with_value));
     if let Ok(constant) = formula.as_ref()
         && constant.symbols().iter().all(|it| it.primes == 0 && equation.parameters().contains(&it.name))
     {

@@ -9,6 +9,7 @@ pub(crate) mod field;
 pub(crate) mod file;
 pub(crate) mod json;
 pub(crate) mod leftover;
+pub(crate) mod mathml;
 pub(crate) mod number;
 pub(crate) mod progress;
 pub(crate) mod scatter;

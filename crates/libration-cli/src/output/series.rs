@@ -1,6 +1,6 @@
 //! Power series with exact coefficients, to read and in LaTeX.
 
-use super::screen;
+use super::{mathml, screen};
 use libration::algebra::{LaurentPolynomial, LetterPower, Rational};
 use libration::comparison::Radius;
 use libration::expression::{Expression, Symbol};
@@ -20,6 +20,7 @@ pub(crate) enum Style {
     Latex,
     /// As text, with fewer digits of what is no fraction.
     Sentence,
+    MathMl,
 }
 
 /// Digits of a number that stands in a sentence.
@@ -34,6 +35,8 @@ pub(crate) trait Coefficient: Sized {
     fn split(&self, notation: Notation, in_product: bool) -> (bool, String);
     /// Whether they add up to nothing.
     fn is_opposite_of(&self, other: &Self) -> bool;
+    /// The numbers it is the sum of, each with the powers of letters that follow it.
+    fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)>;
 }
 
 impl Coefficient for Rational {
@@ -51,12 +54,18 @@ impl Coefficient for Rational {
             Style::Sentence if notation.precision != Precision::Exact => magnitude.to_decimal(SHORT),
             Style::Text | Style::Sentence => notation.coefficient(&magnitude),
             Style::Latex => notation.latex_coefficient(&magnitude),
+            Style::MathMl if notation.precision == Precision::Exact => mathml::fraction(&magnitude),
+            Style::MathMl => mathml::number(&notation.coefficient(&magnitude)),
         };
         (self.is_negative(), text)
     }
 
     fn is_opposite_of(&self, other: &Self) -> bool {
         *self == -other.clone()
+    }
+
+    fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)> {
+        vec![(self.to_f64(), vec![])]
     }
 }
 
@@ -73,10 +82,17 @@ impl Coefficient for LaurentPolynomial {
         let text = match notation.style {
             Style::Text | Style::Sentence => self.to_string(),
             Style::Latex => in_latex(self),
+            Style::MathMl => mathml::sum(self),
         };
         match (self.terms().count(), in_product) {
+            (1, _) if notation.style == Style::MathMl => {
+                let is_negative = self.terms().any(|(factor, _)| factor.is_negative());
+                let term = self.terms().map(|(factor, powers)| mathml::term(factor, &powers)).collect();
+                (is_negative, term)
+            }
             (1, _) => text.strip_prefix('-').map_or((false, text.clone()), |rest| (true, rest.to_owned())),
             (_, false) => (false, text),
+            (_, true) if notation.style == Style::MathMl => (false, mathml::bracketed(&text)),
             (_, true) if notation.style == Style::Latex => (false, format!(r"\left({text}\right)")),
             (_, true) => (false, format!("({text})")),
         }
@@ -88,6 +104,13 @@ impl Coefficient for LaurentPolynomial {
         };
         let (own, other): (Vec<_>, Vec<_>) = (self.terms().collect(), other.terms().collect());
         own.len() == other.len() && own.iter().zip(&other).all(|(own, other)| opposite(own, other))
+    }
+
+    fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)> {
+        let powers = |powers: Vec<LetterPower<'_>>| {
+            powers.into_iter().map(|power| (power.letter.to_owned(), power.exponent)).collect()
+        };
+        self.terms().map(|(factor, letters)| (factor.to_f64(), powers(letters))).collect()
     }
 }
 
@@ -142,23 +165,32 @@ impl Notation {
         let mut text = String::new();
         for (power, value) in present {
             let (is_negative, factor) = value.split(self, power > 0);
-            let sign = match (is_negative, text.is_empty()) {
-                (true, true) => "-",
-                (true, false) => " - ",
-                (false, true) => "",
-                (false, false) => " + ",
-            };
-            text.push_str(sign);
+            text.push_str(&self.sign(is_negative, text.is_empty()));
             text.push_str(&self.term(factor, variable, power));
         }
-        if text.is_empty() { "0".to_owned() } else { text }
+        if text.is_empty() { self.digit('0') } else { text }
+    }
+
+    fn sign(self, is_negative: bool, is_first: bool) -> String {
+        match (is_negative, is_first) {
+            (false, true) => String::new(),
+            _ if self.style == Style::MathMl => mathml::sign(is_negative),
+            (true, true) => "-".to_owned(),
+            (true, false) => " - ".to_owned(),
+            (false, false) => " + ".to_owned(),
+        }
+    }
+
+    fn digit(self, digit: char) -> String {
+        if self.style == Style::MathMl { mathml::number(&digit.to_string()) } else { digit.to_string() }
     }
 
     fn term(self, factor: String, variable: &str, power: usize) -> String {
         let power = self.power(variable, power);
-        match (power.is_empty(), factor == "1") {
+        match (power.is_empty(), factor == self.digit('1')) {
             (true, _) => factor,
             (false, true) => power,
+            (false, false) if self.style == Style::MathMl => mathml::product(&[factor, power]),
             (false, false) => format!("{factor} {power}"),
         }
     }
@@ -181,6 +213,7 @@ impl Notation {
         match (power, self.style) {
             (0, _) => String::new(),
             (1, _) => variable.to_owned(),
+            (_, Style::MathMl) => mathml::power(variable, &power.to_string()),
             (_, Style::Latex) => format!("{variable}^{{{power}}}"),
             (_, Style::Text | Style::Sentence) => format!("{variable}{}", superscript(power)),
         }

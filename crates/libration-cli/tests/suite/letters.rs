@@ -77,18 +77,44 @@ fn a_root_that_is_no_product_is_said() {
     assert!(square.contains("Ω = sqrt(k)/sqrt(m) + 3*b/(8*sqrt(k)*sqrt(m)) ε²"), "{square}");
 }
 
+/// Every element ends, in the order of nesting.
+fn assert_balanced(line: &str) {
+    let mut open: Vec<&str> = vec![];
+    for tag in line.split('<').skip(1).map(|rest| rest.split('>').next().unwrap()) {
+        match tag.strip_prefix('/') {
+            Some(end) => assert_eq!(open.pop(), Some(end), "{line}"),
+            None => open.push(tag.split(' ').next().unwrap()),
+        }
+    }
+    assert!(open.is_empty(), "{line}");
+}
+
 #[test]
 fn letters_are_written_in_every_form() {
     let latex = run(&["expand", MIXED, "--order", "3", "--latex"]);
     let latex = String::from_utf8(latex.stdout).unwrap();
     let frequency = r"\left(\frac{3 b}{8 w^{2}} - \frac{5 a^{2}}{12 w^{4}}\right) \epsilon^{2}";
     assert!(latex.contains(frequency), "{latex}");
+    let mathml = run(&["expand", MIXED, "--order", "3", "--format", "mathml"]);
+    let mathml = String::from_utf8(mathml.stdout).unwrap();
+    let frequency = "<mfrac><mi>Ω</mi><msub><mi>ω</mi><mn>0</mn></msub></mfrac><mo>=</mo><mn>1</mn><mo>+</mo><mrow><mo>(</mo><mfrac>\
+                     <mrow><mn>3</mn><mo>&#x2062;</mo><mi>b</mi></mrow><mrow><mn>8</mn><mo>&#x2062;</mo><msup><mi>w</mi><mn>2</mn>\
+                     </msup></mrow></mfrac><mo>−</mo>";
+    assert!(mathml.contains(frequency), "{mathml}");
+    for line in mathml.lines() {
+        assert_balanced(line);
+    }
     let csv = run(&["expand", MIXED, "--order", "3", "--csv"]);
     let csv = String::from_utf8(csv.stdout).unwrap();
     assert!(csv.contains("frequency_ratio,epsilon,2,3*b/(8*w^2) - 5*a^2/(12*w^4)\n"), "{csv}");
     let bent = words(&["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--order", "3", "--gauge", "x_max"]);
     assert!(bent.contains("about x = sqrt(a)/sqrt(b), where ω0² = 2*a"), "{bent}");
     assert!(bent.contains("x_max = ε x_min"), "{bent}");
+    // The values of parameters hold in the place too.
+    let place = ["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--set", "a=4", "--order", "3"];
+    assert_eq!(answer(&place)["equilibrium"], "2/sqrt(b)");
+    let place = answer(&[&place[..], &["--set", "b=9"]].concat());
+    assert_eq!((&place["equilibrium"], &place["letters"]), (&"2/3".into(), &Value::Array(vec![])));
 }
 
 #[test]

@@ -10,6 +10,7 @@ mod derive;
 mod drawing;
 mod examples;
 mod expand;
+mod expansion_code;
 mod fields;
 mod figure_data;
 mod figure_sizes;

@@ -1,19 +1,24 @@
 //! `libration expand`: exact perturbation series of any oscillator.
 
+mod code;
 mod evaluate;
 mod fields;
 mod letters;
 mod listing;
+mod mathml;
 mod write;
 
 use crate::arguments::{self, Chosen, NumbersOrLetters, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::description::Answers;
-use crate::output::series::Coefficient;
+use crate::output::number::short;
+use crate::output::series::{Coefficient, certainty, radius_certainty};
 use crate::output::{Form, FormOptions};
+use crate::parallel::until_asked;
 use crate::{interrupt, parallel};
+use code::Language;
 use libration::algebra::Rational;
-use libration::comparison::SeriesQuantity;
+use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, expand_watched};
@@ -42,6 +47,7 @@ use std::sync::Mutex;
   libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
   libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
+  libration expand duffing --letters epsilon --order 9 --format c > duffing.c
   libration oscillators                         # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
@@ -75,8 +81,40 @@ pub(crate) struct Expand {
     /// Write LaTeX
     #[arg(long, conflicts_with_all = ["json", "csv"])]
     latex: bool,
+    /// Write formulas or functions of a programming language
+    #[arg(long, value_enum, conflicts_with_all = ["json", "csv", "latex", "evaluate"])]
+    format: Option<Format>,
     #[command(flatten)]
     form: FormOptions,
+}
+
+/// What an expansion is written as, beside tables, JSON and CSV.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// The same as --latex
+    Latex,
+    /// Formulas in MathML, one a line
+    Mathml,
+    /// Functions in C
+    C,
+    /// Functions in Python
+    Python,
+    /// Functions in Rust
+    Rust,
+    /// A module in Fortran 2008
+    Fortran,
+}
+
+impl Format {
+    fn language(self) -> Option<Language> {
+        match self {
+            Self::Latex | Self::Mathml => None,
+            Self::C => Some(Language::C),
+            Self::Python => Some(Language::Python),
+            Self::Rust => Some(Language::Rust),
+            Self::Fortran => Some(Language::Fortran),
+        }
+    }
 }
 
 /// The order to which an expansion is listed.
@@ -129,7 +167,9 @@ impl Expand {
             NumbersOrLetters::Numbers(chosen) => self.answer_in_numbers(out, chosen)?,
             NumbersOrLetters::Letters(chosen) => {
                 let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge)?;
-                self.write(out, &answer)?;
+                self.write(out, &answer, || {
+                    "with letters nothing is known of how far the series converge".to_owned()
+                })?;
                 answer.missing_orders()
             }
         };
@@ -157,18 +197,49 @@ impl Expand {
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), &answer, &oscillator, self.quantity, &amplitude);
         }
-        self.write(out, &answer)?;
+        self.write(out, &answer, || validity(&oscillator, &answer.expansion))?;
         Ok(answer.missing_orders())
     }
 
-    fn write<C: Coefficient>(&self, out: &mut dyn Write, answer: &Answer<C>) -> Result<(), Failure> {
+    fn write<C: Coefficient>(
+        &self,
+        out: &mut dyn Write,
+        answer: &Answer<C>,
+        validity: impl Fn() -> String,
+    ) -> Result<(), Failure> {
+        if let Some(language) = self.format.and_then(Format::language) {
+            return Ok(code::write(out, answer, language, &validity())?);
+        }
         match self.form.form() {
             Form::Json => write::write_json(out, answer)?,
             Form::Csv => write::write_csv(out, answer)?,
-            Form::Table if self.latex => listing::write_latex(out, answer)?,
+            Form::Table if self.format == Some(Format::Mathml) => mathml::write(out, answer)?,
+            Form::Table if self.latex || self.format == Some(Format::Latex) => {
+                listing::write_latex(out, answer)?;
+            }
             Form::Table => listing::write(out, answer)?,
         }
         Ok(())
+    }
+}
+
+/// How far the series of the period goes, as far as it is known.
+fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
+    let relation = SeriesComparison::new(oscillator, expansion, SeriesQuantity::Period);
+    let radius = until_asked("the radius of convergence", |_| relation.radius()).flatten();
+    let variable = if expansion.variable.is_strength() { "strengths" } else { "amplitudes" };
+    match radius {
+        None => format!("how far the series converge is not known; they are for small {variable}"),
+        Some(radius) if radius.value().is_infinite() => {
+            format!("the series of the period converges for all {variable}")
+        }
+        Some(radius) => {
+            let certainty = certainty(radius_certainty(&radius));
+            let below = short(radius.value(), 6);
+            format!(
+                "the series of the period converges for {variable} below {below} ({certainty}), slowly near it"
+            )
+        }
     }
 }
 

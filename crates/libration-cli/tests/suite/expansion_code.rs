@@ -1,0 +1,220 @@
+//! `libration expand --format`: functions in programming languages, compiled, run and compared with the series.
+
+use crate::command::{directory, json, message, run};
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+/// An expansion with letters, the values of its letters in the order of the arguments, and places.
+struct Case {
+    name: &'static str,
+    arguments: &'static [&'static str],
+    letters: &'static [(&'static str, &'static str)],
+    amplitude: f64,
+    time: f64,
+}
+
+const CASES: [Case; 6] = [
+    Case {
+        name: "duffing",
+        arguments: &["duffing", "--order", "9"],
+        letters: &[],
+        amplitude: 0.4,
+        time: 2.3,
+    },
+    Case {
+        name: "mixed",
+        arguments: &["x'' + w^2*x + a*x^2 + b*x^3 = 0", "--order", "7"],
+        letters: &[("a", "0.3"), ("b", "-0.7"), ("w", "1.9")],
+        amplitude: -0.35,
+        time: 5.1,
+    },
+    Case {
+        // Words of languages, a sum under the root, and letters that differ in case alone.
+        name: "words",
+        arguments: &["x'' + (lambda + k)*x + in*x^2 + K*sqrt(lambda)*x^3 = 0", "--order", "6"],
+        letters: &[("K", "0.2"), ("in", "0.4"), ("k", "1.1"), ("lambda", "0.81")],
+        amplitude: 0.25,
+        time: 1.7,
+    },
+    Case {
+        name: "shifted",
+        arguments: &["x'' = a*x - time*x^3", "--about", "sqrt(a/time)", "--order", "5", "--gauge", "energy"],
+        letters: &[("a", "1.44"), ("time", "0.25")],
+        amplitude: 0.2,
+        time: -3.0,
+    },
+    Case {
+        name: "cycle",
+        arguments: &["van_der_pol", "--order", "6"],
+        letters: &[],
+        amplitude: 0.3,
+        time: 4.0,
+    },
+    Case {
+        name: "irrational_cycle",
+        arguments: &["x'' - mu*(1 - 3*x^2)*x' + x = 0", "--order", "4"],
+        letters: &[],
+        amplitude: 0.3,
+        time: 0.9,
+    },
+];
+
+/// The number that a fraction or a decimal as text is.
+fn number(text: &Value) -> f64 {
+    let text = text.as_str().unwrap();
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
+}
+
+fn series(coefficients: &Value, at: f64) -> f64 {
+    coefficients.as_array().unwrap().iter().rev().fold(0.0, |sum, coefficient| number(coefficient) + at * sum)
+}
+
+/// Frequency, period and displacement by the series that the command gives with numbers for the letters.
+fn expected(case: &Case) -> [f64; 3] {
+    let mut arguments = vec!["expand"];
+    let values: Vec<String> = case.letters.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    arguments.extend(case.arguments);
+    values.iter().for_each(|value| arguments.extend(["--set", value]));
+    arguments.push("--json");
+    let output = run(&arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let of = if answer["of_amplitude"].is_null() { &answer } else { &answer["of_amplitude"] };
+    let frequency = number(&answer["omega0_squared"]).sqrt() * series(&of["frequency_ratio"], case.amplitude);
+    let unit = number(&answer["unit_squared"]).sqrt();
+    let wave = |(k, harmonic): (&String, &Value)| {
+        let phase = k.parse::<f64>().unwrap() * frequency * case.time;
+        series(&harmonic["cos"], case.amplitude) * phase.cos()
+            + series(&harmonic["sin"], case.amplitude) * phase.sin()
+    };
+    let displacement: f64 = of["harmonics"].as_object().unwrap().iter().map(wave).sum();
+    [frequency, std::f64::consts::TAU / frequency, number(&answer["equilibrium"]) + unit * displacement]
+}
+
+fn code(case: &Case, format: &str) -> String {
+    let output = run(&[&["expand"], case.arguments, &["--format", format]].concat());
+    assert!(output.status.success(), "{}: {}", case.name, message(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The calls of the three functions.
+fn calls(case: &Case, number: impl Fn(&str) -> String) -> [String; 3] {
+    let amplitude = number(&format!("{:?}", case.amplitude));
+    let letters: String = case.letters.iter().map(|(_, value)| format!(", {}", number(value))).collect();
+    let time = number(&format!("{:?}", case.time));
+    [
+        format!("frequency({amplitude}{letters})"),
+        format!("period({amplitude}{letters})"),
+        format!("displacement({amplitude}, {time}{letters})"),
+    ]
+}
+
+/// Runs a program that prints three numbers, and compares them. Both sides round each step, of which there are below a hundred, once: 1e-13.
+fn assert_printed(case: &Case, format: &str, program: &mut Command) {
+    let output = program.output().unwrap();
+    assert!(output.status.success(), "{} in {format}: {}", case.name, message(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    let printed: Vec<f64> = text.split_whitespace().map(|it| it.parse().unwrap()).collect();
+    assert_eq!(printed.len(), 3, "{text}");
+    for (printed, expected) in printed.iter().zip(expected(case)) {
+        let error = (printed - expected).abs();
+        assert!(
+            error <= 1e-13 * expected.abs().max(1.0),
+            "{} in {format}: {printed}, not {expected}",
+            case.name
+        );
+    }
+}
+
+fn built(compiler: &str, arguments: &[&str], place: &Path) {
+    let output = Command::new(compiler).args(arguments).current_dir(place).output().unwrap();
+    assert!(output.status.success(), "{compiler} {arguments:?}: {}", message(&output));
+}
+
+fn is_there(program: &str) -> bool {
+    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+#[test]
+fn python_computes_what_the_series_say() {
+    let place = directory("expansion_code_python");
+    for case in &CASES {
+        let prints: String = calls(case, str::to_owned).map(|call| format!("print(repr({call}))\n")).concat();
+        let file = place.join(format!("{}.py", case.name));
+        std::fs::write(&file, code(case, "python") + "\n\n" + &prints).unwrap();
+        assert_printed(case, "python", Command::new("python3").arg(file));
+    }
+}
+
+#[test]
+fn rust_computes_what_the_series_say() {
+    let place = directory("expansion_code_rust");
+    let (mut modules, mut main) = (String::new(), String::new());
+    for case in &CASES {
+        modules += &format!("mod {} {{\n{}}}\n", case.name, code(case, "rust"));
+        let prints =
+            calls(case, str::to_owned).map(|call| format!("println!(\"{{:?}}\", {}::{call});\n", case.name));
+        main += &format!("if std::env::args().any(|it| it == \"{}\") {{\n{}}}\n", case.name, prints.concat());
+    }
+    std::fs::write(place.join("code.rs"), format!("{modules}fn main() {{\n{main}}}\n")).unwrap();
+    built("rustc", &["--edition", "2024", "-o", "code", "code.rs"], &place);
+    for case in &CASES {
+        assert_printed(case, "rust", Command::new(place.join("code")).arg(case.name));
+    }
+}
+
+#[test]
+fn c_computes_what_the_series_say() {
+    if !is_there("cc") {
+        return;
+    }
+    let place = directory("expansion_code_c");
+    for case in &CASES {
+        let prints =
+            calls(case, str::to_owned).map(|call| format!("printf(\"%.17g\\n\", {call});\n")).concat();
+        let main = format!("#include <stdio.h>\nint main(void)\n{{\n{prints}return 0;\n}}\n");
+        std::fs::write(place.join("code.c"), code(case, "c") + &main).unwrap();
+        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", case.name, "code.c", "-lm"], &place);
+        assert_printed(case, "c", &mut Command::new(place.join(case.name)));
+    }
+}
+
+#[test]
+fn fortran_computes_what_the_series_say() {
+    if !is_there("gfortran") {
+        return;
+    }
+    let place = directory("expansion_code_fortran");
+    for case in &CASES {
+        let prints =
+            calls(case, |it| format!("{it}_real64")).map(|call| format!("  print *, {call}\n")).concat();
+        let main = format!(
+            "program main\n  use, intrinsic :: iso_fortran_env, only: real64\n  use oscillator\n  implicit none\n{prints}end program main\n"
+        );
+        std::fs::write(place.join("code.f90"), code(case, "fortran") + &main).unwrap();
+        built("gfortran", &["-std=f2008", "-Wall", "-o", case.name, "code.f90"], &place);
+        assert_printed(case, "fortran", &mut Command::new(place.join(case.name)));
+    }
+}
+
+#[test]
+fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
+    let code = run(&["expand", "pendulum", "--order", "5", "--gauge", "energy", "--format", "c"]);
+    let code = String::from_utf8(code.stdout).unwrap();
+    for part in
+        ["theta'' + sin(theta) = 0", "order 5", "gauge energy", "converges for amplitudes below 3.14159"]
+    {
+        assert!(code.contains(part), "{part}: {code}");
+    }
+    let letters = run(&["expand", "duffing", "--letters", "epsilon", "--format", "rust"]);
+    assert!(String::from_utf8(letters.stdout).unwrap().contains("with letters nothing is known of how far"));
+    let order = run(&["expand", "duffing", "--order", "61", "--format", "c"]);
+    let code = String::from_utf8(order.stdout).unwrap();
+    assert!(code.lines().all(|line| line.len() < 132), "{code}");
+    for refused in [&["--json"][..], &["--evaluate", "1"], &["--latex"]] {
+        assert_eq!(run(&[&["expand", "duffing", "--format", "c"], refused].concat()).status.code(), Some(2));
+    }
+    assert_eq!(json("expand duffing --order 3")["order"], 3);
+}
