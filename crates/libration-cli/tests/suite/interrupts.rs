@@ -155,6 +155,22 @@ fn ctrl_c_keeps_the_steps_of_a_derivation() {
 
 #[cfg(target_os = "linux")]
 #[test]
+fn ctrl_c_keeps_the_orders_with_letters() {
+    let mixed = "x'' + w^2*x + a*x^2 + b*x^3 = 0";
+    let output = interrupted(&["expand", mixed, "--order", "999", "--json"], Duration::from_secs(1));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(answer["interrupted"] == true && answer["order"].as_u64().unwrap() < 999);
+    assert_eq!((&answer["certificate"], &answer["certified"]), (&"none".into(), &false.into()));
+    assert_eq!(answer["frequency_ratio"][2], "3*b/(8*w^2) - 5*a^2/(12*w^4)");
+    assert!(
+        message(&output).contains("of 999, which is not checked by another road"),
+        "{}",
+        message(&output)
+    );
+    assert_described("expand", &answer);
+}
+
+#[test]
 fn ctrl_c_keeps_the_orders_that_are_certain() {
     // Long enough for the first primes on any machine, and far too short for a thousand orders.
     let output = interrupted(&["expand", "pendulum", "--order", "999", "--json"], Duration::from_secs(1));

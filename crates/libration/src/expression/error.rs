@@ -121,7 +121,7 @@ pub enum Fault {
     OfTime(String),
     /// x(t - 1).
     #[error(
-        "`{0}(…)` with t in it may be {0} at another time, which no equation here can have, or a product: write {0}*(…) for a product"
+        "`{0}(…)` may be {0} at another time, which no equation here can have, or a product: write {0}*(…) for a product"
     )]
     AtAnotherTime(String),
     /// log, which some read as ln and some as log10.

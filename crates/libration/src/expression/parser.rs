@@ -319,7 +319,7 @@ impl<'a> Parser<'a> {
         let name = symbol.to_string();
         match (self.is_variable(&symbol.name), of_time) {
             (true, true) => self.next += 3,
-            (true, false) if self.has_time_in_brackets() => return Err(Fault::AtAnotherTime(name)),
+            (true, false) if self.may_be_another_time() => return Err(Fault::AtAnotherTime(name)),
             (true, false) if self.in_exponent(self.next - 1) => return Err(Fault::AmbiguousPower),
             (true, false) => {}
             (false, true) => return Err(Fault::OfTime(name)),
@@ -336,8 +336,14 @@ impl<'a> Parser<'a> {
         self.lexemes.iter().any(primed)
     }
 
-    /// Whether t stands in the bracket that opens next.
-    fn has_time_in_brackets(&self) -> bool {
+    /// Whether t stands in the bracket that opens next, or nothing but a number or a parameter.
+    fn may_be_another_time(&self) -> bool {
+        if let Some([_, inside, close, ..]) = self.lexemes.get(self.next..)
+            && close.token == Token::Sign(')')
+        {
+            let is_variable = matches!(&inside.token, Token::Name(symbol) if self.is_variable(&symbol.name));
+            return !is_variable;
+        }
         let mut open = 0_usize;
         for lexeme in &self.lexemes[self.next..] {
             match lexeme.token {

@@ -104,6 +104,7 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     ("x'' + x(1+x^2)", "x'' + x*(1 + x^2)"),
     ("x'' + (1 - x^2)x'(1 + x)", "x'' + (1 - x^2)*x'*(1 + x)"),
     ("x'' + sin x(t)", "x'' + sin(x)"),
+    ("x'' + x(x) + x(k1 + k2)", "x'' + x*x + x*(k1 + k2)"),
     // Typographic marks.
     ("x‘’ + x´ + 1⁄2", "x'' + x' + 1/2"),
     ("xy", "xy"),
@@ -160,6 +161,8 @@ const REFUSED: &[(&str, usize, &str)] = &[
     ("x'' + f(x)", 7, "`f(` is not a known function"),
     ("x'' + x(t-1)", 7, "x at another time"),
     ("x'(2(t-1))", 1, "x' at another time"),
+    ("x'' + x(0)", 7, "x at another time"),
+    ("x'' + x(T)", 7, "x at another time"),
     ("x'' + 2^x(1+x)", 9, "2^3*x or 2^(3*x)"),
     ("x'' + 1/x(1+x)", 10, "(1/2)*x or 1/(2*x)"),
     (r"\frac12", 1, r"write \frac{a}{b}"),

@@ -8,11 +8,11 @@ use libration::comparison::{Backbone, ExactMotion, NoExactValue, SeriesCompariso
 use libration::expression::Equation;
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
-use libration::oscillator::Oscillator;
+use libration::oscillator::{Oscillator, SymbolicOscillator};
 use libration::period_formulas::{ErrorTable, catalogue};
 use libration::perturbation::{
-    EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, TruncatedSystem, TruncatedSystemError,
-    expand, expand_watched, restoring_force,
+    EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, SymbolicExpansionError, TruncatedSystem,
+    TruncatedSystemError, expand, expand_symbolically_watched, expand_watched, restoring_force,
 };
 use libration::quantity::Displacement;
 use libration::taylor::{Effort, Moment};
@@ -94,6 +94,22 @@ fn expansions_stop_with_the_orders_that_are_certain() {
                 (Err(ExpansionError::Interrupted { known: None }), _) => true,
                 (Err(ExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
                     whole.frequency_ratio.starts_with(&known.frequency_ratio)
+                }
+                _ => false,
+            },
+        );
+    }
+}
+
+#[test]
+fn expansions_with_letters_stop_with_the_orders_that_are_found() {
+    for text in ["x'' + w^2*x + a*x^2 + b*x^3 = 0", "x'' + (k + m)*x + b*x*x'^2 = 0"] {
+        let oscillator = SymbolicOscillator::new(&equation(text)).unwrap();
+        stops(
+            |watch| expand_symbolically_watched(&oscillator, 7, &Gauge::Fundamental, watch),
+            |found, whole| match (found, whole) {
+                (Err(SymbolicExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
+                    whole.series.frequency_ratio.starts_with(&known.series.frequency_ratio)
                 }
                 _ => false,
             },

@@ -311,7 +311,8 @@ impl<C> Answer<C> {
     fn missing_orders(&self) -> Option<String> {
         let asked = self.interrupted?;
         let order = self.expansion.order;
-        let left = if order < asked { "which is certain" } else { "which is not checked by another road" };
+        let is_certain = order < asked && self.letters.is_none();
+        let left = if is_certain { "which is certain" } else { "which is not checked by another road" };
         Some(format!("order {order} of {asked}, {left}, is written"))
     }
 }

@@ -107,6 +107,11 @@ impl LaurentPolynomial {
         })
     }
 
+    /// The largest power of any letter, whatever its sign, doubled.
+    pub(crate) fn largest_half_power(&self) -> i64 {
+        self.half_powers().flat_map(|(powers, _)| powers.iter()).map(|power| power.abs()).max().unwrap_or(0)
+    }
+
     pub(crate) fn half_powers(&self) -> impl Iterator<Item = (&HalfPowers, &Rational)> {
         self.terms.iter().flatten()
     }

@@ -143,14 +143,20 @@ pub(super) struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    /// A point at which ω0² is not zero.
-    pub(super) fn new(frequency: &'a Frequency<'a>) -> Option<Self> {
+    /// A point at which ω0² is not zero, for letters up to this power, doubled. High powers of fractions are fractions of
+    /// thousands of digits: where there are such, all letters are 1.
+    pub(super) fn new(frequency: &'a Frequency<'a>, largest_half_power: i64) -> Option<Self> {
         const TRIED: i64 = 20;
-        (0..TRIED).find_map(|shift| Self::shifted(frequency, shift))
+        const HIGH: i64 = 400;
+        if largest_half_power > HIGH {
+            return Self::with_roots(frequency, |_| Some(Rational::from(1)));
+        }
+        (0..TRIED).find_map(|shift| {
+            Self::with_roots(frequency, |number| Rational::new(number + 2 + shift, 2 * number + 3))
+        })
     }
 
-    fn shifted(frequency: &'a Frequency<'a>, shift: i64) -> Option<Self> {
-        let root = |number: i64| Rational::new(number + 2 + shift, 2 * number + 3);
+    fn with_roots(frequency: &'a Frequency<'a>, root: impl Fn(i64) -> Option<Rational>) -> Option<Self> {
         let roots = (0..i64::try_from(frequency.place).ok()?).map(root).collect::<Option<Vec<_>>>()?;
         let point = Self { frequency, roots, omega0_squared: Rational::from(1) };
         let omega0_squared = point.value(frequency.square).filter(|square| !square.is_zero())?;

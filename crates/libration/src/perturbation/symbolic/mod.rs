@@ -113,12 +113,15 @@ impl Question<'_> {
         if set.numbers().iter().any(LaurentPolynomial::is_beyond_limit) {
             return Err(SymbolicExpansionError::TooManyTerms);
         }
-        if watch.is_stopped() {
+        let interrupted = |set: SeriesSet<_>| {
             let known = (set.order() > 0).then(|| Box::new(self.heading(set, Certificate::Unchecked)));
-            return Err(SymbolicExpansionError::Interrupted { known });
+            SymbolicExpansionError::Interrupted { known }
+        };
+        if watch.is_stopped() {
+            return Err(interrupted(set));
         }
         let certificate = self.certificate(&model, &set, watch)?;
-        Ok(self.heading(set, certificate))
+        if watch.is_stopped() { Err(interrupted(set)) } else { Ok(self.heading(set, certificate)) }
     }
 
     fn model<N>(&self, omega0_squared: N, values: Vec<N>) -> Model<N> {
@@ -166,14 +169,15 @@ impl Question<'_> {
 
     /// Whether the expansion with numbers, modulo primes, has the same coefficients; `None` without such.
     fn agrees_with_numbers(&self, set: &SeriesSet<LaurentPolynomial>, watch: &Watch<'_>) -> Option<bool> {
-        let point = Point::new(&self.frequency)?;
+        let own = set.numbers();
+        let largest = own.iter().map(LaurentPolynomial::largest_half_power).max().unwrap_or(0);
+        let point = Point::new(&self.frequency, largest)?;
         let values = self.oscillator.values().iter().map(|value| point.value(value));
         let model = self.model(point.omega0_squared().clone(), values.collect::<Option<Vec<_>>>()?);
         let numbers = match exact_series(&model, watch) {
             Ok(set) => set.numbers(),
             Err(Unsolved::Interrupted(_) | Unsolved::NoPrimes) => return None,
         };
-        let own = set.numbers();
         Some(
             own.len() == numbers.len()
                 && own.iter().zip(&numbers).all(|(own, number)| point.value(own).as_ref() == Some(number)),
