@@ -31,7 +31,7 @@ fn own_inertia() -> Formula {
     Name::new("I").word("C").into()
 }
 
-/// d + I_C/(Md), the length of the simple pendulum of the same period.
+/// The length of the simple pendulum of the same period.
 fn reduced_length(distance: Formula) -> Formula {
     distance.clone() + own_inertia() / (mass() * distance)
 }
