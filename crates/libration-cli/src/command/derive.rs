@@ -27,9 +27,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --road perturbation --order 7 --amplitude 60deg \\
     --format html --output series.html
   libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
-  libration derive --road perturbation quadratic --format ipynb \
+  libration derive --road perturbation quadratic --format ipynb \\
     --output quadratic.ipynb
-  libration derive --road elliptic --exercises --format html \
+  libration derive --road elliptic --exercises --format html \\
     --output exercises.html
   libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
