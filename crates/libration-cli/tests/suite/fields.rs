@@ -105,8 +105,8 @@ fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
 
 /// Whether the path leads to what is described, or to a list or object of such.
 fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
-    // The names of parameters are words of the question.
-    let is_parameter = |before: &str| before == "parameters";
+    // The names of parameters are words of the question, those of constants the answer chooses.
+    let is_parameter = |before: &str| ["parameters", "constants"].contains(&before);
     let (path, described) = (steps(path), steps(described));
     if described == ["note"] {
         return path.last() == Some(&"note");
@@ -212,7 +212,7 @@ const FURTHER: [&str; 28] = [
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",
     // Without a key, without a series, without orbits.
     "expand|x''=-x-x^2-x^3|--order|4",
-    "expand|m*x''+k*x+b*x^3=0|--order|3",
+    "expand|m*x''+sqrt(2)*k*x+b*x^3=0|--order|3",
     "expand|quadratic|--order|3|--evaluate|0.2",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",

@@ -145,6 +145,24 @@ fn what_letters_cannot_say_is_refused() {
 }
 
 #[test]
+fn constants_that_no_product_of_letters_is_are_named_and_explained() {
+    let it = answer(&["x'' + sqrt(2)*x + a*x^3 + pi*x^5 = 0", "--order", "5"]);
+    assert_eq!(it["constants"], serde_json::json!({"c1": "sqrt(2)"}));
+    assert_eq!(list(&it["frequency_ratio"])[4], "5*pi/(16*c1) - 15*a^2/(256*c1^2)");
+    let said = words(&["x'' + sqrt(2)*x + a*x^3 = 0", "--order", "3"]);
+    assert!(
+        said.contains("where ω0² = c1, so that ω0 = sqrt(c1) for positive letters, with c1 = sqrt(2)"),
+        "{said}"
+    );
+    let code = run(&["expand", "x'' + sqrt(2)*x + a*x^3 = 0", "--order", "3", "--format", "python"]);
+    let code = String::from_utf8(code.stdout).unwrap();
+    assert!(
+        code.contains("the argument c1 stands for sqrt(2)") && code.contains("(amplitude, a, c1)"),
+        "{code}"
+    );
+}
+
+#[test]
 fn letters_are_listed_among_the_fields() {
     let fields = text("fields expand");
     for name in ["letters[]", "omega0_name", "frequency[]"] {

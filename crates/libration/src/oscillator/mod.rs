@@ -24,6 +24,7 @@ mod roots;
 
 mod error;
 mod model;
+mod named_constants;
 mod symbolic;
 
 pub use catalogue::catalogue;

@@ -5,6 +5,7 @@ use std::fmt;
 use super::OscillatorError;
 use super::force::Force;
 use super::model::{Kind, force};
+use super::named_constants::{NamedConstants, free_name, value_of};
 use crate::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
 use crate::quantity::excerpt;
@@ -28,6 +29,7 @@ pub struct SymbolicOscillator {
     kind: Kind,
     odd: bool,
     letters: Vec<String>,
+    constants: Vec<(String, Expression)>,
     ring: LaurentPolynomials,
     /// The acceleration as a function of x, x′ and the letters.
     tape: Tape,
@@ -65,10 +67,16 @@ impl SymbolicOscillator {
         place: &Expression,
         names: &[String],
     ) -> Result<Self, NoSymbolicExpansion> {
-        let frequency = free_name("omega0", names);
-        let ring = LaurentPolynomials::new(names.iter().cloned().chain([frequency]).collect());
-        let equilibrium = value_of(&ring, place).ok_or(NoSymbolicExpansion::NoSeries)?;
         let mut force = Force { formula: counted_from(&force.formula, &force.x, place), ..force.clone() };
+        let variables = [force.x.clone(), force.velocity.clone()];
+        let mut named = NamedConstants::new(&variables, names);
+        force.formula = named.named(&force.formula);
+        let constants = named.constants;
+        let mut in_ring: Vec<String> =
+            names.iter().chain(constants.iter().map(|(name, _)| name)).cloned().collect();
+        in_ring.push(free_name("omega0", &in_ring));
+        let ring = LaurentPolynomials::new(in_ring);
+        let equilibrium = value_of(&ring, place).ok_or(NoSymbolicExpansion::NoSeries)?;
         let kind = if force.uses_velocity() { Kind::Reversible } else { Kind::Conservative };
         if kind == Kind::Conservative {
             force.formula = force.at_rest();
@@ -89,7 +97,19 @@ impl SymbolicOscillator {
         let omega0_squared = stiffness(&ring, &slope)?;
         let odd = force.is_odd_about(&Rational::from(0));
         let (equation, letters) = (equation.clone(), names.to_vec());
-        Ok(Self { equation, force, kind, odd, letters, ring, tape, values, equilibrium, omega0_squared })
+        Ok(Self {
+            equation,
+            force,
+            kind,
+            odd,
+            letters,
+            constants,
+            ring,
+            tape,
+            values,
+            equilibrium,
+            omega0_squared,
+        })
     }
 
     /// The equation, as it was understood.
@@ -108,6 +128,12 @@ impl SymbolicOscillator {
     #[must_use]
     pub fn letters(&self) -> &[String] {
         &self.letters
+    }
+
+    /// The names that stand for constants which are no products of letters, with these: c1 for √2, pi for π.
+    #[must_use]
+    pub fn constants(&self) -> &[(String, Expression)] {
+        &self.constants
     }
 
     /// Where it rests.
@@ -139,7 +165,7 @@ impl SymbolicOscillator {
         &self.force.formula
     }
 
-    /// The ring of the letters and, behind them, ω0.
+    /// The ring of the letters, the named constants and, behind them, ω0.
     pub(crate) fn ring(&self) -> &LaurentPolynomials {
         &self.ring
     }
@@ -183,15 +209,6 @@ fn tape(force: &Force, ring: &LaurentPolynomials) -> Option<Tape> {
     Tape::new(&[&force.formula], &inputs).ok()
 }
 
-/// A formula of the letters as an element of the ring.
-fn value_of(ring: &LaurentPolynomials, formula: &Expression) -> Option<LaurentPolynomial> {
-    let letters: Vec<Symbol> = ring.letters().iter().map(|name| Symbol::plain(name)).collect();
-    let tape = Tape::new(&[formula], &letters).ok()?;
-    let inputs: Vec<LaurentPolynomial> = (0..letters.len()).map(|number| ring.letter(number)).collect();
-    let value = Jet::new(ring, &tape, &inputs).ok()?.result(0)[0].clone();
-    (!value.is_beyond_limit()).then_some(value)
-}
-
 /// ω0², if it is positive for some positive values of the letters.
 fn stiffness(
     ring: &LaurentPolynomials,
@@ -213,15 +230,6 @@ fn counted_from(formula: &Expression, x: &Symbol, place: &Expression) -> Express
     }
     let shifted = Expression::Add(Box::new(Expression::Symbol(x.clone())), Box::new(place.clone()));
     formula.substitute(x, &shifted)
-}
-
-/// This name, or one made of it that is not among others.
-fn free_name(name: &str, others: &[String]) -> String {
-    let mut free = name.to_owned();
-    while others.contains(&free) {
-        free.push('_');
-    }
-    free
 }
 
 /// Why an oscillator with letters has no expansion.

@@ -57,6 +57,12 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
             "parameters that have no value and stand in the coefficients",
             |it| it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into(),
         ),
+        Of::<C>::present_value(
+            "constants.NAME",
+            "",
+            "with letters: the constant that this name stands for in the coefficients",
+            |it| Some(json::object(it.letters.as_ref()?.explained().cloned())),
+        ),
         Of::<C>::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
         Of::<C>::value(
             "gauge",

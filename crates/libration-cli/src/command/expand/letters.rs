@@ -38,8 +38,9 @@ fn in_words(
 ) -> Answer<LaurentPolynomial> {
     let equation = chosen.oscillator.equation().clone();
     let frequency = expansion.frequency();
-    let SymbolicExpansion { letters: names, omega0, omega0_name, series } = expansion;
+    let SymbolicExpansion { letters: names, constants, omega0, omega0_name, series } = expansion;
+    let constants = constants.into_iter().map(|(name, constant)| (name, constant.to_string())).collect();
     let omega0 = omega0.map_or_else(|| format!("sqrt({})", series.omega0_squared), |root| root.to_string());
-    let letters = Letters { names, omega0, omega0_name, frequency };
+    let letters = Letters { names, constants, omega0, omega0_name, frequency };
     Answer::of(&equation, chosen, series, Some(letters), interrupted)
 }

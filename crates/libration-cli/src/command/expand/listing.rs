@@ -86,12 +86,16 @@ fn setting<C: Coefficient>(answer: &Answer<C>) -> String {
 }
 
 /// What is said of ω0 where its square has letters.
-fn root_in_words<C>(Letters { omega0, omega0_name, .. }: &Letters<C>) -> String {
-    match omega0_name {
+fn root_in_words<C>(letters: &Letters<C>) -> String {
+    let constants: String =
+        letters.explained().map(|(name, value)| format!(", with {name} = {value}")).collect();
+    let omega0 = &letters.omega0;
+    let root = match &letters.omega0_name {
         _ if omega0 == "1" => String::new(),
         None => format!(", so that ω0 = {omega0} for positive letters"),
         Some(name) => format!(", so that ω0 = {omega0}, which is called {name} in the coefficients"),
-    }
+    };
+    root + &constants
 }
 
 /// What the variable means, and how far the series go.

@@ -142,9 +142,18 @@ struct Answer<C = Rational> {
     interrupted: Option<usize>,
 }
 
+impl<C> Letters<C> {
+    /// The names for constants that do not say themselves what they are, as π does.
+    fn explained(&self) -> impl Iterator<Item = &(String, String)> {
+        self.constants.iter().filter(|(name, constant)| name != constant)
+    }
+}
+
 /// The letters of an expansion, and ω0 by them.
 struct Letters<C> {
     names: Vec<String>,
+    /// Names in the coefficients for constants that are no products of letters.
+    constants: Vec<(String, String)>,
     omega0: String,
     /// What stands for ω0 in the coefficients.
     omega0_name: Option<String>,

@@ -21,6 +21,8 @@ use frequency::{Frequency, Point};
 pub struct SymbolicExpansion {
     /// The letters, in the order of the alphabet.
     pub letters: Vec<String>,
+    /// Names in the coefficients that stand for other constants, with these: c1 for √2, pi for π.
+    pub constants: Vec<(String, Expression)>,
     /// The positive root ω0 of ω0², where that is a product of letters and a fraction.
     pub omega0: Option<LaurentPolynomial>,
     /// The name that stands for ω0 in the coefficients, where ω0² is a sum.
@@ -197,6 +199,7 @@ impl Question<'_> {
         };
         SymbolicExpansion {
             letters: oscillator.letters().to_vec(),
+            constants: oscillator.constants().to_vec(),
             omega0: self.frequency.in_letters(),
             omega0_name: self.frequency.name(),
             series: Expansion::new(ring, heading, set, certificate),

@@ -76,13 +76,19 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
             format!("series of the limit cycle to order {order} by powers of the strength {name}")
         }
     });
+    for (name, constant) in answer.letters.iter().flat_map(|letters| &letters.constants) {
+        lines.push(format!("the argument {name} stands for {constant}"));
+    }
     lines.push(validity.to_owned());
     lines
 }
 
 fn functions<C: Coefficient>(answer: &Answer<C>, language: Language) -> Vec<Function> {
     let series = Series::new(answer);
-    let letters = answer.letters.as_ref().map_or(vec![], |letters| letters.names.clone());
+    let letters = answer.letters.as_ref().map_or(vec![], |letters| {
+        let constants = letters.constants.iter().map(|(name, _)| name.clone());
+        letters.names.iter().cloned().chain(constants).collect()
+    });
     let root_name = answer.letters.as_ref().and_then(|letters| letters.omega0_name.clone());
     let names = Names::new(language, &letters, root_name.as_deref());
     let writer = Writer { answer, language, names: &names, series: &series };
