@@ -5,7 +5,7 @@ use std::fmt;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::algebra::{LaurentPolynomial, Polynomial, Rational, Surd};
+use crate::algebra::{LaurentPolynomial, PiSum, Polynomial, Rational, Surd};
 use crate::decay::Damping;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::oscillator::Constant;
@@ -27,6 +27,7 @@ macro_rules! as_text {
 as_text!(
     Rational,
     Surd,
+    PiSum,
     Polynomial,
     LaurentPolynomial,
     Constant,

@@ -8,6 +8,7 @@ use libration::oscillator::{
     NamedOscillator, Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError,
 };
 use libration::quantity::{Angle, Displacement, is_angle_name};
+use libration::systems::NamedSystem;
 
 /// The oscillator asked about.
 #[derive(Clone, Debug, clap::Args)]
@@ -147,6 +148,42 @@ impl OscillatorOptions {
         Ok(Asked { equation, about, key, title, values, read_as })
     }
 
+    /// The equation of a key that only the systems have, such as `damped_pendulum`, with this parameter left open, or its first strength of
+    /// a damping.
+    pub(crate) fn asked_of_system(&self, open: Option<&str>) -> Option<Result<Asked, Failure>> {
+        let key = self.oscillator.trim();
+        let named = NamedSystem::by_key(key).ok().filter(|named| named.coordinates.len() == 1)?;
+        let is_oscillator = NamedOscillator::by_key(key).is_ok();
+        (!is_oscillator).then(|| self.of_system(named, open.unwrap_or(DAMPING)))
+    }
+
+    fn of_system(&self, named: &NamedSystem, open: &str) -> Result<Asked, Failure> {
+        let given = values(&self.set)?;
+        let parse =
+            |text: &str| text.parse::<Equation>().and_then(|equation| equation.with(&borrowed(&given)));
+        let equation = parse(named.equations).map_err(|error| Failure::usage("--set", error))?;
+        let letters = equation.parameters();
+        let defaults = named.parameters.iter().filter(|it| it.name != open && letters.contains(it.name));
+        let defaults: Vec<(String, Expression)> = defaults
+            .filter_map(|parameter| Some((parameter.name.to_owned(), parameter.default.parse().ok()?)))
+            .collect();
+        let equation = equation.with(&borrowed(&defaults)).map_err(|error| Failure::usage("--set", error))?;
+        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
+        let absent = |(name, value): &(String, Expression)| {
+            given.iter().any(|(own, _)| own == name) || *value != Expression::from(0)
+        };
+        let values = given.iter().cloned().chain(defaults.into_iter().filter(absent));
+        let values = values.map(|(name, value)| (name, value.to_string())).collect();
+        Ok(Asked {
+            equation,
+            about,
+            key: Some(named.key),
+            title: named.title.to_owned(),
+            values,
+            read_as: None,
+        })
+    }
+
     fn typed(&self, values: &[(String, Expression)], letters: &[String]) -> Result<Equation, Failure> {
         let equation: Equation =
             self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
@@ -157,6 +194,9 @@ impl OscillatorOptions {
         Ok(equation)
     }
 }
+
+/// What the strength of a damping is called in the systems that have one.
+const DAMPING: &str = "c";
 
 impl Asked {
     fn oscillator(&self) -> Result<Oscillator, OscillatorError> {

@@ -393,3 +393,59 @@ fn the_catalogue_is_listed_with_parameters_and_sources() {
     assert_eq!(answer["oscillators"][0]["parameters"][0]["name"], "mu");
     assert_eq!(text("oscillators duffing morse --csv").lines().count(), 3);
 }
+
+/// Coefficients by powers of the small parameter and of the amplitude.
+fn rows(value: &Value) -> Vec<Vec<&str>> {
+    value.as_array().unwrap().iter().map(list).collect()
+}
+
+#[test]
+fn a_damped_pendulum_has_a_slow_flow() {
+    let answer = json("expand damped_pendulum --set n=2 --order 4 --damping-order 2");
+    assert_eq!(answer["small_parameter"], "c");
+    assert_eq!(answer["gauge"], "x_max");
+    assert_eq!(answer["half_swing"], true);
+    // A′ = −(4c/3π)A² + …, the law of small swings.
+    let zero = ["0", "0", "0", "0", "0"];
+    assert_eq!(rows(&answer["amplitude_rate"])[0], zero);
+    assert_eq!(rows(&answer["amplitude_rate"])[1][..4], ["0", "0", "-4/(3*pi)", "0"]);
+    assert_eq!(rows(&answer["phase_rate"])[0], ["1", "0", "-1/16", "0"]);
+    assert_eq!(answer["motion"][0]["cos"].as_array().unwrap().len(), 3);
+    let shown = text("expand damped_pendulum --set n=2 --order 2 --damping-order 1");
+    assert!(shown.contains("A′ = -4/(3π) c A²\nψ′ = 1\n"), "{shown}");
+    let latex = text("expand damped_pendulum --set n=2 --order 2 --latex");
+    assert!(latex.contains(r"\dot A &= -\frac{4}{3 \pi} c A^{2} \\"), "{latex}");
+    let csv = text("expand damped_pendulum --order 1 --damping-order 2 --csv");
+    assert!(
+        csv.contains("\namplitude_rate,1,1,-1/2,-0.5\nphase_rate,0,0,1,1.0\nphase_rate,2,0,-1/8,-0.125\n"),
+        "{csv}"
+    );
+}
+
+#[test]
+fn any_letter_may_be_the_small_one() {
+    let of_key = json("expand damped_pendulum --small c2 --order 2");
+    assert_eq!(of_key["small_parameter"], "c2");
+    let fundamental = text("expand van_der_pol --damping-order 2 --order 5 --gauge fundamental");
+    // Bogoliubov and Mitropolsky's A′ = ½μA(1 − A²/4) and ψ′ = 1 − μ²(1/8 − A²/8 + 7A⁴/256).
+    assert!(fundamental.contains("A′ = 1/2 mu A - 1/8 mu A³\n"), "{fundamental}");
+    assert!(fundamental.contains("ψ′ = 1 - 1/8 mu² + 1/8 mu² A² - 7/256 mu² A⁴\n"), "{fundamental}");
+}
+
+#[test]
+fn slow_flows_that_cannot_be_are_refused() {
+    for (arguments, status, expected) in [
+        (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one open"),
+        (&["expand", "x''+c*x'+x+b*x^3=0", "--damping-order", "2"], 2, "such as --small c"),
+        (&["expand", "x''+c*x'+x+b*x^3=0", "--small", "c"], 2, "no value is given for b"),
+        (&["expand", "x''+c*x'+x=0", "--small", "k"], 2, "`k` is not a letter"),
+        (&["expand", "x''+c*x'*abs(x')+x=0", "--small", "c", "--gauge", "fundamental"], 2, "give x_max"),
+        (&["expand", "damped_pendulum", "--evaluate", "1"], 2, "not a series at one amplitude"),
+        (&["expand", "damped_pendulum", "--about", "pi"], 2, "nearest to zero"),
+        (&["expand", "damped_pendulum", "--format", "c"], 2, "written as text"),
+        (&["expand", "damped_pendulum", "--damping-order", "21"], 2, "20"),
+    ] {
+        let message = refusal(arguments, status);
+        assert!(message.contains(expected), "{arguments:?}: {message}");
+    }
+}

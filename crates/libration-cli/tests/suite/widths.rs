@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 45] = [
+pub(crate) const QUESTIONS: [&str; 46] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -34,6 +34,7 @@ pub(crate) const QUESTIONS: [&str; 45] = [
     "expand|pendulum",
     "expand|quadratic|--order|9",
     "expand|van_der_pol|--order|4",
+    "expand|damped_pendulum|--set|n=2|--order|5|--damping-order|2",
     "expand|pendulum|--evaluate|40deg",
     "expand|duffing|--evaluate|0.5|--quantity|a3",
     "expand|x''+x+sqrt(2)*x^3=0|--order|5",

@@ -42,6 +42,13 @@ pub(crate) struct HarmonicSum<N> {
     sines: Vec<N>,
 }
 
+impl<N> HarmonicSum<N> {
+    /// No higher harmonic is present.
+    pub(crate) fn highest(&self) -> usize {
+        self.cosines.len().max(self.sines.len()).saturating_sub(1)
+    }
+}
+
 impl<F: Ring> HarmonicSums<F> {
     fn constant(value: F::Element) -> HarmonicSum<F::Element> {
         HarmonicSum { cosines: vec![value], sines: vec![] }

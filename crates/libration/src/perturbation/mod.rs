@@ -37,6 +37,7 @@ mod open_gauge;
 mod restoring_force;
 mod selection;
 mod series_set;
+mod slow_flow;
 mod symbolic;
 mod truncated_system;
 
@@ -50,6 +51,10 @@ pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, 
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use restoring_force::restoring_force;
+pub use slow_flow::{
+    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowSeries, slow_flow,
+    slow_flow_watched,
+};
 pub use symbolic::{
     SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_symbolically_watched,
 };

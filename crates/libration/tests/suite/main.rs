@@ -32,6 +32,7 @@ mod quantity;
 mod serialize;
 mod series;
 mod series_evaluation;
+mod slow_flow;
 mod symbolic_expansions;
 mod systems;
 mod taylor;

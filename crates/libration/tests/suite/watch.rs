@@ -11,8 +11,9 @@ use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration::oscillator::{Oscillator, SymbolicOscillator};
 use libration::period_formulas::{ErrorTable, catalogue};
 use libration::perturbation::{
-    EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, SymbolicExpansionError, TruncatedSystem,
-    TruncatedSystemError, expand, expand_symbolically_watched, expand_watched, restoring_force,
+    EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, SlowFlowError, SymbolicExpansionError,
+    TruncatedSystem, TruncatedSystemError, expand, expand_symbolically_watched, expand_watched,
+    restoring_force, slow_flow_watched,
 };
 use libration::quantity::Displacement;
 use libration::taylor::{Effort, Moment};
@@ -115,6 +116,15 @@ fn expansions_with_letters_stop_with_the_orders_that_are_found() {
             },
         );
     }
+}
+
+#[test]
+fn slow_flows_stop_at_any_question() {
+    let damped = equation("x'' + c*x'*abs(x') + sin(x) = 0");
+    stops(
+        |watch| slow_flow_watched(&damped, None, 4, 2, &Gauge::XMax, watch),
+        |found, _| *found == Err(SlowFlowError::Interrupted),
+    );
 }
 
 #[test]

@@ -6,9 +6,10 @@ mod fields;
 mod letters;
 mod listing;
 mod mathml;
+mod slow_flow;
 mod write;
 
-use crate::arguments::{self, Chosen, NumbersOrLetters, OscillatorOptions};
+use crate::arguments::{self, Asked, Chosen, NumbersOrLetters, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::number::short;
@@ -21,7 +22,9 @@ use libration::algebra::Rational;
 use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, ExpansionError, Gauge, MAX_ORDER, expand_watched};
+use libration::perturbation::{
+    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand_watched,
+};
 use libration::quantity::is_angle_name;
 use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
@@ -33,6 +36,10 @@ use std::sync::Mutex;
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
 /// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
 /// Other parameters without a value stay letters: the coefficients are then polynomials in them.
+///
+/// Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′,
+/// how the phase runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even,
+/// x'*abs(x'), and zero, sign(x').
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7
@@ -48,11 +55,14 @@ use std::sync::Mutex;
   libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
   libration expand duffing --letters epsilon --order 9 --format c > duffing.c
+  libration expand damped_pendulum --set n=2 --order 5 --damping-order 2
+  libration expand \"x'' + c*(x^2 - 1)*x' + x + x^3 = 0\" --damping-order 3
   libration oscillators                         # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
 energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
-a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1.
+a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1. In a slow flow A is x_max, where
+the motion turns, or fundamental, the coefficient of cos ψ.
 
 Letters: parameters of a typed equation that --set gives no value, and those of
 a built-in one that --letters names. Roots are those for positive letters; where
@@ -68,9 +78,15 @@ pub(crate) struct Expand {
     /// The highest power of the expansion parameter [default: 7; 31 with --evaluate]
     #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
     order: Option<usize>,
-    /// What the expansion parameter means
-    #[arg(long, default_value = "fundamental")]
-    gauge: Gauge,
+    /// What the expansion parameter means [default: fundamental, of a slow flow `x_max`]
+    #[arg(long)]
+    gauge: Option<Gauge>,
+    /// Give the slow flow under weak damping or excitation to this power of its strength [default: 2]
+    #[arg(long, value_name = "POWER", value_parser = arguments::count::<MAX_PARAMETER_ORDER>, conflicts_with_all = ["evaluate", "letters"])]
+    damping_order: Option<usize>,
+    /// The letter that is this strength, where several have no value; the strength left open of a named system
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["evaluate", "letters"])]
+    small: Option<String>,
     /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
     /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
@@ -162,11 +178,14 @@ struct Letters<C> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    vec![fields::answers(), evaluate::answers()]
+    vec![fields::answers(), evaluate::answers(), slow_flow::answers()]
 }
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        if let Some(asked) = self.slow_flow()? {
+            return self.answer_slow_flow(out, asked);
+        }
         let chosen = match self.evaluate {
             None => self.oscillator.chosen_with_letters(&self.letters)?,
             // A value takes the values of all parameters.
@@ -175,7 +194,7 @@ impl Expand {
         let missing = match chosen {
             NumbersOrLetters::Numbers(chosen) => self.answer_in_numbers(out, chosen)?,
             NumbersOrLetters::Letters(chosen) => {
-                let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge)?;
+                let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge())?;
                 self.write(out, &answer, || {
                     "with letters nothing is known of how far the series converge".to_owned()
                 })?;
@@ -193,7 +212,7 @@ impl Expand {
         let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
         interrupt::listen()?;
         let oscillator = chosen.oscillator.clone();
-        let answer = match expanded(&chosen.oscillator, order, &self.gauge) {
+        let answer = match expanded(&chosen.oscillator, order, &self.gauge()) {
             Ok(expansion) => Answer::new(chosen, expansion, None),
             Err(ExpansionError::Interrupted { known: Some(known) }) => {
                 Answer::new(chosen, *known, Some(order))
@@ -208,6 +227,42 @@ impl Expand {
         }
         self.write(out, &answer, || validity(&oscillator, &answer.expansion))?;
         Ok(answer.missing_orders())
+    }
+
+    /// What the expansion parameter means.
+    fn gauge(&self) -> Gauge {
+        self.gauge.clone().unwrap_or(Gauge::Fundamental)
+    }
+
+    /// The equation whose slow flow is asked for, by an option or by a key that only damped systems have.
+    fn slow_flow(&self) -> Result<Option<Asked>, Failure> {
+        match self.oscillator.asked_of_system(self.small.as_deref()) {
+            Some(asked) => asked.map(Some),
+            None if self.damping_order.is_some() || self.small.is_some() => self.oscillator.asked().map(Some),
+            None => Ok(None),
+        }
+    }
+
+    fn answer_slow_flow(&self, out: &mut dyn Write, asked: Asked) -> Result<(), Failure> {
+        if self.evaluate.is_some() {
+            let reason =
+                "the slow flow is not a series at one amplitude: simulate the motion (libration simulate)";
+            return Err(Failure::usage("--evaluate", reason));
+        }
+        let latex = match self.format {
+            None => self.latex,
+            Some(Format::Latex) => true,
+            Some(_) => {
+                return Err(Failure::usage("--format", "a slow flow is written as text, latex, JSON or CSV"));
+            }
+        };
+        let order = self.order.unwrap_or(LISTED);
+        let gauge = self.gauge.clone().unwrap_or(Gauge::XMax);
+        interrupt::listen()?;
+        let orders = [order, self.damping_order.unwrap_or(slow_flow::DAMPING_ORDER)];
+        let answer = slow_flow::Answer::new(asked, self.small.as_deref(), orders, &gauge)?;
+        slow_flow::write(out, self.form.form(), latex, &answer)?;
+        Ok(out.flush()?)
     }
 
     fn write<C: Coefficient>(

@@ -1,0 +1,127 @@
+//! What is said of a slow flow: its polynomials as lists of lists of coefficients, each a text.
+
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration::perturbation::{PhaseTerm, SlowSeries};
+use serde_json::Value;
+
+/// One coefficient of a polynomial.
+pub(super) struct Coefficient {
+    quantity: String,
+    powers: [usize; 2],
+    text: String,
+    value: f64,
+}
+
+pub(super) fn of_flow() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
+            it.key.into()
+        }),
+        Of::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
+        Of::value(
+            "read_as",
+            "",
+            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
+            |it| it.read_as.clone().into(),
+        ),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
+            json::object(it.values.iter().cloned())
+        }),
+        Of::value("order", "1", "highest power of the amplitude A", |it| it.flow.order.into()),
+        Of::value("damping_order", "1", "highest power of the small parameter", |it| {
+            it.flow.parameter_order.into()
+        }),
+        Of::value("small_parameter", "", "name of the small parameter, which is left open", |it| {
+            it.flow.parameter.as_str().into()
+        }),
+        Of::value(
+            "gauge",
+            "",
+            "what A is: `x_max`, the displacement where the motion turns at ψ = 0, or `fundamental`, the coefficient of cos ψ",
+            |it| it.flow.gauge.to_string().into(),
+        ),
+        Of::value("equilibrium", "", "equilibrium x₀ without the small terms", |it| {
+            it.flow.equilibrium.to_string().into()
+        }),
+        Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |it| {
+            it.flow.omega0_squared.to_string().into()
+        }),
+        Of::value(
+            "amplitude_rate[][]",
+            "",
+            "coefficients of A′, by powers of the small parameter, and for each by powers of A",
+            |it| texts(&it.flow.amplitude_rate),
+        ),
+        Of::value("phase_rate[][]", "", "the same of ψ′", |it| texts(&it.flow.phase_rate)),
+        Of::value(
+            "half_swing",
+            "",
+            "whether the motion is given for 0 ≤ ψ ≤ π, and is the opposite at ψ + π",
+            |it| it.flow.half_swing.into(),
+        ),
+        Of::nested("motion[].", &of_term(), |it| of_term().records(&it.flow.motion)),
+    ])
+}
+
+fn of_term() -> Fields<PhaseTerm> {
+    type Of = Field<PhaseTerm>;
+    Fields::from([
+        Of::value("phase_power", "1", "power of ψ before a harmonic of the displacement", |it| {
+            it.power.into()
+        }),
+        Of::value("k", "1", "number of the harmonic", |it| it.k.into()),
+        Of::value(
+            "cos[][]",
+            "",
+            "coefficients of cos kψ, by powers of the small parameter, and for each by powers of A",
+            |it| texts(&it.cos),
+        ),
+        Of::value("sin[][]", "", "those of sin kψ", |it| texts(&it.sin)),
+    ])
+}
+
+pub(super) fn of_coefficient() -> Fields<Coefficient> {
+    type Of = Field<Coefficient>;
+    Fields::from([
+        Of::value("quantity", "", "what is expanded: A′, ψ′, or ψᵖ·cos kψ as cos_k_p", |it| {
+            it.quantity.as_str().into()
+        }),
+        Of::value("parameter_power", "1", "power of the small parameter", |it| it.powers[0].into()),
+        Of::value("amplitude_power", "1", "power of A", |it| it.powers[1].into()),
+        Of::value("coefficient", "", "their coefficient, exactly", |it| it.text.as_str().into()),
+        Of::number("value", "", "the same in digits", |it| it.value),
+    ])
+}
+
+pub(super) fn answers() -> Answers {
+    let (json, csv) = (of_flow().described(""), of_coefficient().described_in_csv());
+    Answers { command: "expand", option: "--damping-order", json, csv }
+}
+
+/// Those that are not zero.
+pub(super) fn coefficients(answer: &Answer) -> Vec<Coefficient> {
+    let mut all = vec![];
+    let mut add = |quantity: String, series: &SlowSeries| {
+        for (j, list) in series.iter().enumerate() {
+            for (n, value) in list.iter().enumerate().filter(|(_, value)| !value.is_zero()) {
+                let (quantity, text) = (quantity.clone(), value.to_string());
+                all.push(Coefficient { quantity, powers: [j, n], text, value: value.to_f64() });
+            }
+        }
+    };
+    add("amplitude_rate".to_owned(), &answer.flow.amplitude_rate);
+    add("phase_rate".to_owned(), &answer.flow.phase_rate);
+    for PhaseTerm { power, k, cos, sin } in &answer.flow.motion {
+        add(format!("cos_{k}_{power}"), cos);
+        add(format!("sin_{k}_{power}"), sin);
+    }
+    all
+}
+
+fn texts(series: &SlowSeries) -> Value {
+    json::list(series.iter().map(|list| json::list(list.iter().map(ToString::to_string))))
+}

@@ -1,0 +1,196 @@
+//! A slow flow to read, and in LaTeX.
+
+use super::Answer;
+use crate::output::series::{Style, superscript, wrapped};
+use crate::output::table::write_text;
+use libration::algebra::PiSum;
+use libration::expression::Expression;
+use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, SlowSeries};
+use std::io::{self, Write};
+
+/// Lines are broken here.
+const COLUMN: usize = 110;
+
+pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let flow = &answer.flow;
+    write_text(out, "", &answer.title)?;
+    write_text(out, if answer.read_as.is_some() { "read as " } else { "" }, &answer.equation)?;
+    if !answer.values.is_empty() {
+        let values: Vec<String> =
+            answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        write_text(out, "with ", &values.join(", "))?;
+    }
+    let Answer { variable, .. } = answer;
+    let (place, square) = (&flow.equilibrium, &flow.omega0_squared);
+    write_text(out, "", &format!("about {variable} = {place}, where ω0² = {square}"))?;
+    write_text(out, "", &meaning(answer))?;
+    writeln!(out)?;
+    let names = Names { parameter: &flow.parameter, style: Style::Text };
+    for (name, series) in [("A′ = ", &flow.amplitude_rate), ("ψ′ = ", &flow.phase_rate)] {
+        writeln!(out, "{}", wrapped(name, &names.series(series), COLUMN))?;
+    }
+    writeln!(out, "\n{}:", motion_title(answer))?;
+    for (name, series) in of_motion(flow, Style::Text) {
+        writeln!(out, "{}", wrapped(&format!("{name}: "), &names.series(series), COLUMN))?;
+    }
+    writeln!(out)?;
+    write_text(out, "", "all coefficients are exact")
+}
+
+fn meaning(answer: &Answer) -> String {
+    let SlowFlow { parameter, order, parameter_order, gauge, .. } = &answer.flow;
+    let gauge = match gauge {
+        Gauge::XMax => "A is the displacement where the motion turns, at ψ = 0",
+        _ => "A is the coefficient of cos ψ, and there is no sin ψ",
+    };
+    format!("slow flow to A{} and {parameter}{}: {gauge}", power(*order), power(*parameter_order))
+}
+
+fn power(number: usize) -> String {
+    if number == 1 { String::new() } else { superscript(number) }
+}
+
+fn motion_title(answer: &Answer) -> String {
+    let Answer { variable, flow, .. } = answer;
+    let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
+    let whole = format!("{variable}(A, ψ){place} is the sum of");
+    if flow.half_swing { format!("for 0 ≤ ψ ≤ π {whole}, and the opposite at ψ + π") } else { whole }
+}
+
+/// The functions of the phase in the motion, each with what stands before it.
+fn of_motion(flow: &SlowFlow, style: Style) -> Vec<(String, &SlowSeries)> {
+    let present = |series: &SlowSeries| series.iter().flatten().any(|value| !value.is_zero());
+    let each = |term: &'_ PhaseTerm, name: &str| function_name(term, name, style);
+    let both = flow
+        .motion
+        .iter()
+        .flat_map(|term| [(each(term, "cos"), &term.cos), (each(term, "sin"), &term.sin)].into_iter());
+    both.filter(|(_, series)| present(series)).collect()
+}
+
+/// `ψ² cos 3ψ`, and `1` for the mean.
+fn function_name(term: &PhaseTerm, function: &str, style: Style) -> String {
+    let psi = if style == Style::Text { "ψ" } else { r"\psi" };
+    let powers = match (term.power, style) {
+        (0, _) => String::new(),
+        (1, _) => format!("{psi} "),
+        (p, Style::Latex) => format!("{psi}^{{{p}}} "),
+        (p, _) => format!("{psi}{} ", superscript(p)),
+    };
+    let function = if style == Style::Text { function.to_owned() } else { format!(r"\{function}") };
+    match term.k {
+        0 if powers.is_empty() => "1".to_owned(),
+        0 => powers.trim_end().to_owned(),
+        1 => format!("{powers}{function} {psi}"),
+        k => format!("{powers}{function} {k}{psi}"),
+    }
+}
+
+/// How the terms of polynomials are written.
+struct Names<'a> {
+    parameter: &'a str,
+    style: Style,
+}
+
+impl Names<'_> {
+    fn series(&self, series: &SlowSeries) -> String {
+        let mut text = String::new();
+        for (j, list) in series.iter().enumerate() {
+            for (n, value) in list.iter().enumerate().filter(|(_, value)| !value.is_zero()) {
+                let term = self.term(value, [j, n]);
+                text.push_str(&match (text.is_empty(), term.strip_prefix('-')) {
+                    (true, _) => term,
+                    (false, Some(size)) => format!(" - {size}"),
+                    (false, None) => format!(" + {term}"),
+                });
+            }
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    fn term(&self, value: &PiSum, [j, n]: [usize; 2]) -> String {
+        let powers = [(self.parameter, j), ("A", n)].map(|(name, power)| self.power(name, power));
+        let powers: Vec<String> = powers.into_iter().filter(|text| !text.is_empty()).collect();
+        let powers = powers.join(" ");
+        let factor = self.coefficient(value);
+        match (factor.as_str(), powers.is_empty()) {
+            (_, true) => factor,
+            ("1", false) => powers,
+            ("-1", false) => format!("-{powers}"),
+            (_, false) => format!("{factor} {powers}"),
+        }
+    }
+
+    fn power(&self, name: &str, power: usize) -> String {
+        match (power, self.style) {
+            (0, _) => String::new(),
+            (1, _) => name.to_owned(),
+            (_, Style::Latex) => format!("{name}^{{{power}}}"),
+            _ => format!("{name}{}", superscript(power)),
+        }
+    }
+
+    fn coefficient(&self, value: &PiSum) -> String {
+        let text = value.to_string();
+        let [whole, inside] = match self.style {
+            Style::Text | Style::Sentence | Style::MathMl => [in_letters(&text), in_letters(&text)],
+            Style::Latex => {
+                let size = text.strip_prefix('-').filter(|_| value.terms().len() == 1);
+                let latex = size
+                    .unwrap_or(&text)
+                    .parse()
+                    .map_or_else(|_| text.clone(), |it: Expression| it.to_latex());
+                let sign = if size.is_some() { "-" } else { "" };
+                [format!("{sign}{latex}"), latex]
+            }
+        };
+        if value.terms().len() > 1 { format!("({inside})") } else { whole }
+    }
+}
+
+/// With π for pi, and without the sign of multiplication in denominators: 4/(3π).
+fn in_letters(text: &str) -> String {
+    let mut parts = text.split("/(");
+    let first = parts.next().unwrap_or_default().to_owned();
+    let whole = parts.fold(first, |text, part| format!("{text}/({}", part.replacen("*pi", "π", 1)));
+    whole.replace("pi", "π")
+}
+
+/// The polynomials as display equations.
+pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let flow = &answer.flow;
+    let parameter =
+        flow.parameter.parse().map_or_else(|_| flow.parameter.clone(), |it: Expression| it.to_latex());
+    let names = Names { parameter: &parameter, style: Style::Latex };
+    writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
+    writeln!(out, "\\begin{{align*}}")?;
+    writeln!(out, "  \\dot A &= {} \\\\", names.series(&flow.amplitude_rate))?;
+    writeln!(out, "  \\dot\\psi &= {}", names.series(&flow.phase_rate))?;
+    writeln!(out, "\\end{{align*}}")?;
+    let variable =
+        answer.variable.parse().map_or_else(|_| answer.variable.clone(), |it: Expression| it.to_latex());
+    let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
+    let terms = of_motion(flow, Style::Latex);
+    let terms: Vec<String> = terms
+        .into_iter()
+        .map(|(name, series)| {
+            let name = if name == "1" { String::new() } else { format!(r"\,{name}") };
+            format!(r"\left({}\right){name}", names.series(series))
+        })
+        .collect();
+    writeln!(out, "\\begin{{align*}}")?;
+    let range = if flow.half_swing { r",\quad 0 \le \psi \le \pi" } else { "" };
+    writeln!(out, "  {variable}{place} &= {}{range}", terms.join(" \\\\\n  &\\quad + "))?;
+    writeln!(out, "\\end{{align*}}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pi_stands_as_a_letter_where_it_cannot_be_misread() {
+        assert_eq!(in_letters("-4/(3*pi) + 8/(9*pi^2)"), "-4/(3π) + 8/(9π^2)");
+        assert_eq!(in_letters("3/4*pi - 2/pi"), "3/4*π - 2/π");
+    }
+}

@@ -1,0 +1,90 @@
+//! The slow flow of a weakly damped or excited oscillator: how amplitude and phase go.
+
+mod fields;
+mod listing;
+
+use crate::arguments::Asked;
+use crate::failure::Failure;
+use crate::output::description::Answers;
+use crate::output::{Form, json};
+use crate::{interrupt, parallel};
+use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow_watched};
+use libration::watch::Watch;
+use std::io::Write;
+
+/// The power of the damping to which a slow flow is given.
+pub(super) const DAMPING_ORDER: usize = 2;
+
+/// A slow flow with the words for it.
+pub(super) struct Answer {
+    key: Option<&'static str>,
+    title: String,
+    equation: String,
+    equation_latex: String,
+    variable: String,
+    /// The parameters with their values.
+    values: Vec<(String, String)>,
+    /// How a free equation was read.
+    read_as: Option<String>,
+    flow: SlowFlow,
+}
+
+pub(super) fn answers() -> Answers {
+    fields::answers()
+}
+
+impl Answer {
+    pub(super) fn new(
+        asked: Asked,
+        small: Option<&str>,
+        [order, damping_order]: [usize; 2],
+        gauge: &Gauge,
+    ) -> Result<Self, Failure> {
+        let Asked { equation, about, key, title, values, read_as } = asked;
+        if about.is_some() {
+            let reason = "a slow flow is given about the stable equilibrium nearest to zero";
+            return Err(Failure::usage("--about", reason));
+        }
+        let ask = |_| interrupt::go_on();
+        let how_far = || format!("slow flow to order {order}");
+        let flow = parallel::with_progress(how_far, || {
+            slow_flow_watched(&equation, small, order, damping_order, gauge, &Watch::new(&ask))
+        })
+        .map_err(failure)?;
+        Ok(Self {
+            key,
+            title,
+            equation: equation.to_string(),
+            equation_latex: equation.to_latex().join(r",\quad "),
+            variable: equation.variables().first().cloned().unwrap_or_default(),
+            values,
+            read_as,
+            flow,
+        })
+    }
+}
+
+fn failure(error: SlowFlowError) -> Failure {
+    match error {
+        SlowFlowError::Interrupted => {
+            Failure::Interrupted("interrupted before the slow flow was known".to_owned())
+        }
+        SlowFlowError::Gauge(_) => Failure::usage("--gauge", error),
+        SlowFlowError::UnknownParameter { .. } => Failure::usage("--small", error),
+        SlowFlowError::WhichIsSmall { .. } => {
+            Failure::usage("--small", format!("{error}, such as --small c"))
+        }
+        SlowFlowError::WithoutValue { .. } => Failure::usage("--set", error),
+        other => Failure::no_answer("slow flow", other),
+    }
+}
+
+pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), Failure> {
+    match form {
+        Form::Json => json::document(out, fields::of_flow().record(answer))?,
+        Form::Csv => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,
+        Form::Table if latex => listing::write_latex(out, answer)?,
+        Form::Table => listing::write(out, answer)?,
+    }
+    Ok(())
+}

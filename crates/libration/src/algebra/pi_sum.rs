@@ -1,0 +1,147 @@
+//! Numbers that are sums of powers of π times fractions or square roots.
+
+use std::f64::consts::PI;
+use std::fmt;
+
+use super::{Rational, Surd};
+
+/// A sum of whole powers of π, also negative ones, times numbers a + b√d.
+///
+/// # Examples
+/// ```
+/// use libration::algebra::{PiSum, Rational, Surd};
+/// let (third, ninth) = (Rational::new(-4, 3).ok_or("zero")?, Rational::new(8, 9).ok_or("zero")?);
+/// let sum = PiSum::new(vec![(-1, Surd::from(third)), (-2, Surd::from(ninth))]);
+/// assert_eq!(sum.to_string(), "-4/(3*pi) + 8/(9*pi^2)");
+/// assert!((sum.to_f64() + 0.33434994).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PiSum {
+    /// The powers fall.
+    terms: Vec<(i32, Surd)>,
+}
+
+impl PiSum {
+    /// The sum of terms, each a power of π with what stands before it; no power occurs twice.
+    #[must_use]
+    pub fn new(terms: Vec<(i32, Surd)>) -> Self {
+        let mut terms: Vec<_> = terms.into_iter().filter(|(_, factor)| !is_zero(factor)).collect();
+        terms.sort_by_key(|(power, _)| -power);
+        Self { terms }
+    }
+
+    /// The powers of π with what stands before them, higher ones first.
+    #[must_use]
+    pub fn terms(&self) -> &[(i32, Surd)] {
+        &self.terms
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The fraction that it is; `None` where π or a root is in it.
+    #[must_use]
+    pub fn to_rational(&self) -> Option<Rational> {
+        match self.terms.as_slice() {
+            [] => Some(Rational::from(0)),
+            [(0, factor)] => factor.to_rational().cloned(),
+            _ => None,
+        }
+    }
+
+    /// To some units in the last place of the largest term.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        let term = |(power, factor): &(i32, Surd)| {
+            let powers = (0..power.unsigned_abs()).fold(1.0, |product, _| product * PI);
+            if *power < 0 { factor.to_f64() / powers } else { factor.to_f64() * powers }
+        };
+        self.terms.iter().map(term).sum()
+    }
+}
+
+impl From<Rational> for PiSum {
+    fn from(value: Rational) -> Self {
+        Self::new(vec![(0, Surd::from(value))])
+    }
+}
+
+fn is_zero(factor: &Surd) -> bool {
+    factor.plain().is_zero() && factor.root().is_zero()
+}
+
+/// As a formula: `2/9 - 4/(3*pi)`.
+impl fmt::Display for PiSum {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.terms.is_empty() {
+            return formatter.write_str("0");
+        }
+        for (place, (power, factor)) in self.terms.iter().enumerate() {
+            let text = term(*power, factor);
+            match (place, text.strip_prefix('-')) {
+                (0, _) => formatter.write_str(&text)?,
+                (_, Some(size)) => write!(formatter, " - {size}")?,
+                (_, None) => write!(formatter, " + {text}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+fn term(power: i32, factor: &Surd) -> String {
+    let powers = match power.unsigned_abs() {
+        0 => return factor.to_string(),
+        1 => "pi".to_owned(),
+        other => format!("pi^{other}"),
+    };
+    let Some(fraction) = factor.to_rational() else {
+        let factor = if factor.plain().is_zero() { factor.to_string() } else { format!("({factor})") };
+        return if power > 0 { format!("{factor}*{powers}") } else { format!("{factor}/{powers}") };
+    };
+    let (above, below) = (fraction.numerator(), fraction.denominator());
+    match (power > 0, above.as_str(), below.as_str()) {
+        (true, "1", "1") => powers,
+        (true, "-1", "1") => format!("-{powers}"),
+        (true, _, "1") => format!("{above}*{powers}"),
+        (true, ..) => format!("{fraction}*{powers}"),
+        (false, _, "1") => format!("{above}/{powers}"),
+        (false, ..) => format!("{above}/({below}*{powers})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sum(terms: &[(i32, &str, &str)]) -> PiSum {
+        let surd = |a: &str, b: &str| Surd::new(a.parse().unwrap(), b.parse().unwrap(), Rational::from(2));
+        PiSum::new(terms.iter().map(|&(power, a, b)| (power, surd(a, b))).collect())
+    }
+
+    #[test]
+    fn sums_are_written_as_formulas_that_mean_them() {
+        for (terms, text) in [
+            (&[][..], "0"),
+            (&[(0, "-2/3", "0")], "-2/3"),
+            (&[(-1, "-4/3", "0")], "-4/(3*pi)"),
+            (&[(-2, "5", "0"), (0, "1/2", "0")], "1/2 + 5/pi^2"),
+            (&[(1, "-1", "0"), (2, "3/4", "0")], "3/4*pi^2 - pi"),
+            (&[(-1, "1", "-1")], "(1 - sqrt(2))/pi"),
+            (&[(-1, "0", "-1/2"), (1, "0", "1")], "sqrt(2)*pi - 1/2*sqrt(2)/pi"),
+        ] {
+            assert_eq!(sum(terms).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn the_value_is_that_of_the_formula() {
+        let value = sum(&[(-2, "5", "0"), (0, "1/2", "0"), (1, "0", "1")]).to_f64();
+        assert!((value - (0.5 + 5.0 / (PI * PI) + 2.0_f64.sqrt() * PI)).abs() < 1e-15);
+        assert_eq!(sum(&[(0, "3/7", "0")]).to_rational(), Rational::new(3, 7));
+        assert_eq!(sum(&[(1, "3/7", "0")]).to_rational(), None);
+    }
+}

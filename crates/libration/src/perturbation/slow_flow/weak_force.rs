@@ -1,0 +1,87 @@
+//! An oscillator and the weak force that takes or gives energy: which letter is small, and what the force is while x falls.
+
+use super::error::SlowFlowError;
+use crate::expression::{Equation, Expression, Function, Symbol};
+use crate::oscillator::Oscillator;
+
+/// x″ = F(x, x′, ε), which at ε = 0 is an oscillator without damping.
+#[derive(Clone, Debug)]
+pub(super) struct WeakForce {
+    /// The name of ε.
+    pub(super) parameter: String,
+    /// What is left at ε = 0.
+    pub(super) oscillator: Oscillator,
+    /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that of x′ < 0.
+    pub(super) acceleration: Expression,
+    /// The acceleration has kinks where the motion turns.
+    pub(super) kinked: bool,
+}
+
+impl WeakForce {
+    pub(super) fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, SlowFlowError> {
+        let parameter = small_parameter(equation, parameter)?;
+        let oscillator =
+            Oscillator::new(&equation.with(&[(&parameter, Expression::from(0))])?).map_err(|error| {
+                SlowFlowError::Oscillator { parameter: parameter.clone(), error: Box::new(error) }
+            })?;
+        let velocity = Symbol::plain(oscillator.variable()).with_primes(1);
+        let whole = equation.accelerations()[0].simplified();
+        if whole.contains(&Symbol::plain("t")) {
+            return Err(SlowFlowError::DependsOnTime);
+        }
+        let acceleration = while_falling(&whole, &velocity).simplified();
+        let kinked = has_kinks(&whole, &velocity);
+        if kinked && !is_odd(&whole, &oscillator) {
+            return Err(SlowFlowError::KinkedAndAsymmetric);
+        }
+        Ok(Self { parameter, oscillator, acceleration, kinked })
+    }
+}
+
+/// The letter that is small: the one that is named, or the only one without a value.
+fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, SlowFlowError> {
+    let mut open: Vec<String> = equation.parameters().into_iter().collect();
+    let chosen = match named {
+        Some(name) => open.iter().position(|it| it == name),
+        None => (open.len() == 1).then_some(0),
+    };
+    match chosen {
+        _ if open.is_empty() => Err(SlowFlowError::NoSmallParameter),
+        None if named.is_some() => {
+            Err(SlowFlowError::UnknownParameter { name: named.unwrap_or_default().to_owned(), open })
+        }
+        None => Err(SlowFlowError::WhichIsSmall { open }),
+        Some(place) => {
+            let parameter = open.remove(place);
+            if open.is_empty() { Ok(parameter) } else { Err(SlowFlowError::WithoutValue { names: open }) }
+        }
+    }
+}
+
+/// The formula where the velocity is negative: −x′ in the place of |x′|, and −1 in that of its sign.
+fn while_falling(formula: &Expression, velocity: &Symbol) -> Expression {
+    match formula {
+        Expression::Call(Function::Abs, of) if is_symbol(of, velocity) => Expression::Negate(of.clone()),
+        Expression::Call(Function::Sign, of) if is_symbol(of, velocity) => Expression::from(-1),
+        _ => formula.with_parts(|part| while_falling(part, velocity)),
+    }
+}
+
+fn has_kinks(formula: &Expression, velocity: &Symbol) -> bool {
+    let kink = |it: &Expression| matches!(it, Expression::Call(Function::Abs | Function::Sign, of) if is_symbol(of, velocity));
+    kink(formula) || formula.parts().any(|part| has_kinks(part, velocity))
+}
+
+fn is_symbol(formula: &Expression, symbol: &Symbol) -> bool {
+    matches!(formula, Expression::Symbol(own) if own == symbol)
+}
+
+/// Whether the acceleration is proved to be the opposite at the opposite displacement and velocity.
+fn is_odd(acceleration: &Expression, oscillator: &Oscillator) -> bool {
+    let at_zero = oscillator.equilibrium().exact().is_some_and(crate::algebra::Rational::is_zero);
+    let x = Symbol::plain(oscillator.variable());
+    let opposite = |symbol: &Symbol| Expression::Negate(Box::new(Expression::Symbol(symbol.clone())));
+    let velocity = x.with_primes(1);
+    let mirrored = acceleration.substitute(&x, &opposite(&x)).substitute(&velocity, &opposite(&velocity));
+    at_zero && Expression::Add(Box::new(mirrored), Box::new(acceleration.clone())).vanishes()
+}
