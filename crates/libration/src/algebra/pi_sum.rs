@@ -13,7 +13,7 @@ use super::{Rational, Surd};
 /// let (third, ninth) = (Rational::new(-4, 3).ok_or("zero")?, Rational::new(8, 9).ok_or("zero")?);
 /// let sum = PiSum::new(vec![(-1, Surd::from(third)), (-2, Surd::from(ninth))]);
 /// assert_eq!(sum.to_string(), "-4/(3*pi) + 8/(9*pi^2)");
-/// assert!((sum.to_f64() + 0.33434994).abs() < 1e-8);
+/// assert!((sum.to_f64() + 0.3343499072).abs() < 1e-10);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
