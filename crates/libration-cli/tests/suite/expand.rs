@@ -189,7 +189,8 @@ fn other_oscillators_have_exact_values_too() {
     for (question, period) in cases {
         let answer = json(&format!("expand {question}"));
         close(&answer["exact"], period / std::f64::consts::TAU, 1e-12);
-        assert_eq!(answer["steps"][0]["bound_is"], "estimated", "{question}");
+        let expected = if question.starts_with("duffing") { "proven" } else { "estimated" };
+        assert_eq!(answer["steps"][0]["bound_is"], expected, "{question}");
         let last = answer["steps"].as_array().unwrap().last().unwrap();
         assert!(last["error"].as_f64().unwrap().abs() < 1e-9, "{question}: {last}");
     }
@@ -448,4 +449,19 @@ fn slow_flows_that_cannot_be_are_refused() {
         let message = refusal(arguments, status);
         assert!(message.contains(expected), "{arguments:?}: {message}");
     }
+}
+
+/// What is missing from the period of a force that is an odd polynomial is bounded, not guessed; far outside there is nothing to count.
+#[test]
+fn remainders_of_odd_polynomials_are_proven() {
+    let answer = json("expand x''=-x+x^3 --order 5 --evaluate 0.999");
+    let last = answer["steps"].as_array().unwrap().last().unwrap().clone();
+    let (error, bound) = (last["error"].as_f64().unwrap().abs(), last["bound"].as_f64().unwrap());
+    assert_eq!(last["bound_is"], "proven");
+    assert!(error <= bound && bound < 1.01 * error, "{error} {bound}");
+    let outside = text("expand duffing --evaluate 1e300");
+    for word in ["inf ", "nan", "1 for 1e-3"] {
+        assert!(!outside.contains(word), "{word}: {outside}");
+    }
+    assert!(outside.contains("beyond range") && outside.contains("no bound"));
 }

@@ -7,9 +7,11 @@ use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
 use super::{Approximant, SeriesQuantity};
 use crate::algebra::{Rational, Rationals};
 use crate::elementary::count;
+use crate::expression::Symbol;
 use crate::oscillator::Oscillator;
 use crate::perturbation::{
-    Convergence, Expansion, Pade, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
+    Convergence, Expansion, Pade, PeriodMajorant, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
+    restoring_force,
 };
 use crate::quantity::Displacement;
 use crate::series::truncated::reciprocal;
@@ -89,14 +91,31 @@ impl<'a> SeriesComparison<'a> {
         &self.series
     }
 
-    /// The series in numbers, with proven remainders where there is a theorem: for the pendulum's period.
+    /// The series in numbers, with proven remainders where there is a theorem: for the period of the pendulum, and where the force
+    /// is an odd polynomial of the displacement.
     #[must_use]
     pub fn evaluation_at(&self, amplitude: f64) -> SeriesEvaluation {
         let evaluation = SeriesEvaluation::new(&self.series, amplitude);
         if self.quantity == SeriesQuantity::Period && is_pendulum(self.oscillator) {
             return evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2));
         }
-        evaluation
+        match self.period_majorant() {
+            Some(majorant) => {
+                let bound = majorant.at(amplitude);
+                evaluation.with_bound(|power| bound.after(power))
+            }
+            None => evaluation,
+        }
+    }
+
+    /// The bound of the period of an odd polynomial force.
+    fn period_majorant(&self) -> Option<PeriodMajorant> {
+        if self.quantity != SeriesQuantity::Period || self.expansion.of_amplitude.is_none() {
+            return None;
+        }
+        let x = Symbol { name: self.oscillator.variable().to_owned(), primes: 0 };
+        let degree = self.oscillator.acceleration().polynomial_coefficients(&x)?.len().checked_sub(1)?;
+        PeriodMajorant::new(&restoring_force(self.oscillator, degree)?, self.expansion.order)
     }
 
     /// Up to where the series converges; `None` when too few coefficients are given to tell.

@@ -42,8 +42,8 @@ mod symbolic;
 mod truncated_system;
 
 pub use evaluation::{
-    Certainty, Convergence, Pade, PartialSum, Pole, Remainder, SeriesEvaluation, Singularity,
-    pendulum_period_remainder,
+    Certainty, Convergence, Pade, PartialSum, PeriodMajorant, PeriodMajorantAt, Pole, Remainder,
+    SeriesEvaluation, Singularity, pendulum_period_remainder,
 };
 pub(crate) use expand::is_pendulum;
 pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};

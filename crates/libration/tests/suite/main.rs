@@ -4,6 +4,7 @@
 
 mod golden;
 mod hidden_forces;
+mod period_majorants;
 mod promises;
 mod random;
 mod ulp;

@@ -2,6 +2,7 @@
 
 mod bound;
 mod convergence;
+mod majorant;
 mod pade;
 
 use crate::algebra::{BigFloat, Rational};
@@ -10,6 +11,7 @@ use crate::elementary::count;
 
 pub use bound::pendulum_period_remainder;
 pub use convergence::{Convergence, Singularity};
+pub use majorant::{PeriodMajorant, PeriodMajorantAt};
 pub use pade::{Pade, Pole};
 
 /// A power series Σ cₙxⁿ at one x, term by term. Terms with cₙ = 0 are left out, the constant term excepted.
@@ -138,7 +140,8 @@ impl SeriesEvaluation {
     /// sum; `None` when the terms given do not reach it.
     #[must_use]
     pub fn corrections_needed(&self, tolerance: f64) -> Option<usize> {
-        let reached = |step: &PartialSum| step.remainder.size <= tolerance * step.sum.abs();
+        let reached =
+            |step: &PartialSum| step.sum.is_finite() && step.remainder.size <= tolerance * step.sum.abs();
         let good = self.steps.iter().rev().take_while(|step| reached(step)).count();
         (good > 0).then(|| self.steps.len() - good)
     }

@@ -117,8 +117,9 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             coefficient(it.coefficient(), it.precision()).into()
         })
         .numeral("coefficient", |it| shortened(it.coefficient(), it.precision())),
-        Of::number("term", "", "the term", |it| it.step.term).rounded("term", 5),
-        Of::number("sum", "", "sum up to it", |it| it.step.sum).rounded("sum so far", 15),
+        Of::number("term", "", "the term", |it| it.step.term).numeral("term", |it| in_range(it.step.term, 5)),
+        Of::number("sum", "", "sum up to it", |it| it.step.sum)
+            .numeral("sum so far", |it| in_range(it.step.sum, 15)),
         Of::nullable("error", "", "that sum minus the exact value, or null", |it| {
             it.numbers.error(it.step.sum)
         })
@@ -142,7 +143,8 @@ pub(super) fn of_approximant<'a>() -> Fields<Approximant<'a>> {
             json::list([it.quotient.degree; 2])
         })
         .words("Padé", |it| format!("[{0}/{0}]", it.quotient.degree)),
-        Of::number("value", "", "its value", |it| it.quotient.value).rounded("value", 15),
+        Of::number("value", "", "its value", |it| it.quotient.value)
+            .numeral("value", |it| in_range(it.quotient.value, 15)),
         Of::nullable("error", "", "its value minus the exact one, or null", |it| {
             it.numbers.error(it.quotient.value)
         })
@@ -179,6 +181,11 @@ impl Term<'_> {
         let smallest = self.numbers.evaluation.smallest_term();
         smallest.is_some_and(|smallest| smallest.power == self.step.power)
     }
+}
+
+/// A number to read, where it is one.
+fn in_range(value: f64, digits: usize) -> String {
+    if value.is_finite() { rounded(value, digits) } else { "beyond range".to_owned() }
 }
 
 /// Longer coefficients are written as decimals.

@@ -1,0 +1,70 @@
+//! Proven remainders of the period of odd polynomial forces, against the period by integrating the motion.
+
+use libration::comparison::{SeriesComparison, SeriesQuantity};
+use libration::oscillator::Oscillator;
+use libration::perturbation::{Certainty, Gauge, PeriodMajorant, expand};
+
+fn oscillator(equation: &str) -> Oscillator {
+    Oscillator::new(&equation.parse().unwrap()).unwrap()
+}
+
+/// The force, and the amplitude at which Σ |cₘ| A^(2m−2) is one.
+const FORCES: [(&str, f64); 7] = [
+    ("x'' = -x + x^3", 1.0),
+    ("x'' = -x - x^3", 1.0),
+    ("x'' = -4*x - 9*x^3", 2.0 / 3.0),
+    ("x'' = -x + x^5", 1.0),
+    ("x'' = -x + x^3/2 - x^5/2", 1.0),
+    ("x'' = -x - x^3/4 + x^5/4 - x^7/2", 1.0),
+    ("x'' = -1000*x - 1000000*x^3", 0.031_622_776_601_683_79),
+];
+
+#[test]
+fn the_error_is_below_the_bound_up_to_the_limit() {
+    for (equation, limit) in FORCES {
+        let oscillator = oscillator(equation);
+        for order in [5, 15, 41] {
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
+            let period = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
+            for share in [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999] {
+                let amplitude = share * limit;
+                let exact = period.exact_at(amplitude).unwrap();
+                for step in period.evaluation_at(amplitude).steps() {
+                    let remainder = step.remainder;
+                    assert_eq!(remainder.certainty, Certainty::Proven);
+                    let error = (step.sum - exact.value).abs() - exact.uncertainty - 2.0 * f64::EPSILON;
+                    assert!(error <= remainder.size, "{equation} {order} {amplitude} {step:?}: {error:e}");
+                    // Not far above it where the bounding oscillator is the oscillator itself.
+                    if equation == FORCES[0].0 && error > 1e-7 {
+                        assert!(remainder.size < 1.02 * error, "{order} {amplitude} {step:?}: {error:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// At the limit and one ulp beside it.
+#[test]
+fn there_is_no_bound_from_the_limit_on() {
+    let force = ["1", "0", "-1"].map(|text| text.parse().unwrap());
+    let majorant = PeriodMajorant::new(&force, 9).unwrap();
+    assert!(majorant.at(1.0 - 1e-12).after(8).is_finite());
+    // One ulp below it rounding may leave none.
+    assert!(majorant.at(1.0_f64.next_down()).after(8) > majorant.at(1.0 - 1e-12).after(8));
+    for amplitude in [1.0, 1.0_f64.next_up(), 1e300, f64::INFINITY] {
+        assert_eq!(majorant.at(amplitude).after(8), f64::INFINITY);
+    }
+    assert!(majorant.at(f64::NAN).after(8).is_nan());
+    assert!(majorant.at(0.0).after(8) < f64::MIN_POSITIVE);
+    assert!(majorant.at(-0.5).after(8) > 0.0);
+    for (force, is_one) in [
+        (["1", "1", "0"], false),
+        (["1", "0", "0"], false),
+        (["-1", "0", "1"], false),
+        (["2", "0", "-1"], true),
+    ] {
+        let force = force.map(|text| text.parse().unwrap());
+        assert_eq!(PeriodMajorant::new(&force, 9).is_some(), is_one, "{force:?}");
+    }
+}
