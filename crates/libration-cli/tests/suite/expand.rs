@@ -437,6 +437,8 @@ fn any_letter_may_be_the_small_one() {
 fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [
         (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one open"),
+        (&["expand", "x''+0.1*x'+x=0"], 1, "as in c*x' (libration expand --damping-order 2)"),
+        (&["expand", "x''+c*x'+x=0"], 1, "says --damping-order 2"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--damping-order", "2"], 2, "such as --small c"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--small", "c"], 2, "no value is given for b"),
         (&["expand", "x''+c*x'+x=0", "--small", "k"], 2, "`k` is not a letter"),

@@ -131,7 +131,7 @@ pub enum RejectionReason {
     /// Energy is lost or won in small oscillations.
     #[error(
         "small motions {}, because the acceleration contains {damping} times the velocity: simulate them (libration simulate); for an expansion leave \
-             that term out or, where it is the self-excitation of a linear oscillator, leave its strength open",
+             that term out, or leave its strength open, as in c*x' (libration expand --damping-order 2)",
         if damping.starts_with('-') { "decay" } else { "grow" }
     )]
     Damped {

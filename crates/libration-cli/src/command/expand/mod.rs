@@ -220,6 +220,10 @@ impl Expand {
             Err(ExpansionError::Interrupted { known: None }) => {
                 return Err(Failure::Interrupted("interrupted before any order was certain".to_owned()));
             }
+            Err(error @ ExpansionError::NoLimitCycle { .. }) => {
+                let reason = format!("{error}; how the amplitude changes instead says --damping-order 2");
+                return Err(Failure::no_answer("expansion", reason));
+            }
             Err(error) => return Err(Failure::no_answer("expansion", error)),
         };
         if let Some(amplitude) = amplitude {
