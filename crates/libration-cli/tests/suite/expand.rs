@@ -433,6 +433,20 @@ fn any_letter_may_be_the_small_one() {
     assert!(fundamental.contains("ψ′ = 1 - 1/8 mu² + 1/8 mu² A² - 7/256 mu² A⁴\n"), "{fundamental}");
 }
 
+/// The limit cycle of van der Pol's oscillator with the force of Duffing's, whose A is 2 and whose frequency rises by 3A²/8.
+#[test]
+fn slow_flows_tell_their_limit_cycles() {
+    let question = "x''+x=k*((1-x^2)*x'-x^3)";
+    let answer = json(&format!("expand {question} --small k --order 7 --damping-order 3"));
+    let cycle = &answer["limit_cycles"][0];
+    close(&cycle["amplitude"][0], 2.0, 1e-14);
+    close(&cycle["frequency"][1], 1.5, 1e-13);
+    close(&cycle["exponent"][1], -1.0, 1e-13);
+    let shown = text(&format!("expand {question} --small k --order 7 --damping-order 3"));
+    assert!(shown.contains("limit cycle, in digits, attracting for k > 0:\nA = 2 "), "{shown}");
+    assert_eq!(json("expand damped_pendulum --set n=2")["limit_cycles"], serde_json::json!([]));
+}
+
 #[test]
 fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [

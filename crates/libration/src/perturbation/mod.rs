@@ -52,8 +52,8 @@ pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use restoring_force::restoring_force;
 pub use slow_flow::{
-    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowSeries, slow_flow,
-    slow_flow_watched,
+    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowLimitCycle, SlowSeries,
+    slow_flow, slow_flow_watched,
 };
 pub use symbolic::{
     SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_symbolically_watched,

@@ -3,6 +3,7 @@
 use crate::golden::Table;
 use libration::algebra::{PiSum, Rational};
 use libration::expression::{Equation, Expression};
+use libration::orbit::Orbit;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{
     Expansion, Gauge, MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlow, SlowFlowError, SlowSeries, expand,
@@ -160,6 +161,44 @@ fn limit_cycles_are_where_the_amplitude_stays() {
             assert!(along(&flow.amplitude_rate, amplitude).iter().all(Rational::is_zero), "{key} {gauge}");
         }
     }
+}
+
+/// Limit cycles with a nonlinear force, against the orbit found by integration: its largest displacement, frequency and multiplier.
+#[test]
+fn limit_cycles_are_those_of_integration() {
+    const POWER: usize = 4;
+    for text in [
+        "x'' + x = k*((1 - x^2)*x' - x^3/2)",
+        "x'' + x = k*((1 - x'^2)*x' - x^3/3)",
+        "x'' + x = k*((1 - 3*x^2 + x^4/2)*x' + x^3/5)",
+        "x'' + 4*x = k*((1 - x^2)*x' + x^2)",
+    ] {
+        let flow = flow(text, 5 * POWER, POWER);
+        assert_eq!(flow.whole_powers, POWER, "{text}");
+        let cycles = flow.limit_cycles();
+        assert!(!cycles.is_empty(), "{text}");
+        let cycle = cycles.iter().find(|cycle| cycle.exponent[1] < 0.0).unwrap();
+        let errors = [0.08, 0.04].map(|strength| {
+            let value: Expression = strength.to_string().parse().unwrap();
+            let whole = equation(text).with(&[("k", value)]).unwrap();
+            let orbit = Orbit::limit_cycle(&whole, &[cycle.amplitude_at(strength), 0.0]).unwrap();
+            let floquet = orbit.floquet().unwrap();
+            let multiplier = floquet.multipliers.iter().map(|it| it.abs()).fold(1.0, f64::min);
+            [
+                (orbit.frequency() - cycle.frequency_at(strength)).abs(),
+                (libm::log(multiplier) / orbit.period() - cycle.exponent_at(strength)).abs(),
+            ]
+        });
+        // The first power left out is POWER + 1: half the strength leaves 1/32 of it, twice that with the next powers, or rounding.
+        for (coarse, fine) in errors[0].into_iter().zip(errors[1]) {
+            assert!(fine < 1e-11 + 2.0 * coarse / 32.0, "{text}: {errors:?}");
+            assert!(coarse < 1e-4, "{text}: {errors:?}");
+        }
+    }
+    // The force without small terms must be linear, and the order high enough.
+    assert!(flow("x'' + sin(x) = k*(1 - x^2)*x'", 9, 2).limit_cycles().is_empty());
+    assert_eq!(flow("x'' + x = k*(1 - x^2)*x'", 6, 4).whole_powers, 2);
+    assert_eq!(flow("x'' + x = k*(1 - x^2)*x'", 7, 4).whole_powers, 3);
 }
 
 #[test]

@@ -32,6 +32,7 @@
 mod averaging;
 mod error;
 mod half_swing;
+mod limit_cycle;
 mod phase_functions;
 mod weak_force;
 
@@ -39,7 +40,7 @@ use super::gauge::Gauge;
 use crate::algebra::{
     HarmonicSums, PiPolynomial, PiPowers, PiSum, Quadratic, QuadraticField, Rational, Rationals, Surd,
 };
-use crate::expression::{Equation, Symbol, Tape};
+use crate::expression::{Equation, Expression, Symbol, Tape};
 use crate::watch::Watch;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
 use half_swing::HalfSwings;
@@ -47,6 +48,7 @@ use phase_functions::{Coefficient, PhaseFunctions, Term};
 use weak_force::WeakForce;
 
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
+pub use limit_cycle::SlowLimitCycle;
 
 /// A polynomial in the small parameter and the amplitude: by the power of the parameter, then by that of A.
 pub type SlowSeries = Vec<Vec<PiSum>>;
@@ -73,6 +75,9 @@ pub struct SlowFlow {
     pub phase_rate: SlowSeries,
     /// The displacement as a sum of these; only for 0 ≤ ψ ≤ π where [`half_swing`](Self::half_swing) says so.
     pub motion: Vec<PhaseTerm>,
+    /// Up to this power of the parameter A′ and ψ′ are whole: polynomials in A of which no term is beyond [`order`](Self::order). Zero
+    /// where the force without the small terms is not linear, or the small ones are no polynomial in displacement and velocity.
+    pub whole_powers: usize,
     /// The force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
     pub half_swing: bool,
 }
@@ -274,6 +279,20 @@ impl<'a> Question<'a> {
         }
     }
 
+    /// Small terms of the degree d make polynomials of the degree 1 + k(d − 1) at εᵏ.
+    fn whole_powers(&self) -> usize {
+        let x = Symbol::plain(self.force.oscillator.variable());
+        let degree = |formula: &Expression| formula.polynomial_degree(&[x.clone(), x.with_primes(1)]);
+        if degree(self.force.oscillator.acceleration()).is_none_or(|degree| degree > 1) {
+            return 0;
+        }
+        let Some(degree) = degree(&self.force.acceleration).and_then(|it| usize::try_from(it).ok()) else {
+            return 0;
+        };
+        let powers = if degree > 1 { (self.order - 1) / (degree - 1) } else { self.parameter_order };
+        powers.min(self.parameter_order)
+    }
+
     /// The coefficients by the powers of ε and A, of γ = ε/A^q and A that they were found by.
     fn collected<R: PhaseFunctions>(
         &self,
@@ -293,6 +312,7 @@ impl<'a> Question<'a> {
             amplitude_rate: empty(),
             phase_rate: vec![vec![PiSum::new(vec![]); self.order]; self.parameter_order + 1],
             motion: vec![],
+            whole_powers: self.whole_powers(),
             half_swing: self.force.kinked,
         };
         for (n, found) in averaged.displacement.iter().enumerate() {

@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use libration::perturbation::{PhaseTerm, SlowSeries};
+use libration::perturbation::{PhaseTerm, SlowLimitCycle, SlowSeries};
 use serde_json::Value;
 
 /// One coefficient of a polynomial.
@@ -64,7 +64,30 @@ pub(super) fn of_flow() -> Fields<Answer> {
             |it| it.flow.half_swing.into(),
         ),
         Of::nested("motion[].", &of_term(), |it| of_term().records(&it.flow.motion)),
+        Of::nested("limit_cycles[].", &of_cycle(), |it| of_cycle().records(&it.flow.limit_cycles())),
     ])
+}
+
+fn of_cycle() -> Fields<SlowLimitCycle> {
+    type Of = Field<SlowLimitCycle>;
+    Fields::from([
+        Of::value("amplitude[]", "", "A of a limit cycle, by powers of the small parameter", |it| {
+            numbers(&it.amplitude)
+        }),
+        Of::value("frequency[]", "rad/s", "its angular frequency, by powers of the small parameter", |it| {
+            numbers(&it.frequency)
+        }),
+        Of::value(
+            "exponent[]",
+            "1/s",
+            "rate at which distances from it grow, by powers of the small parameter",
+            |it| numbers(&it.exponent),
+        ),
+    ])
+}
+
+fn numbers(list: &[f64]) -> Value {
+    json::list(list.iter().copied().map(json::number))
 }
 
 fn of_term() -> Fields<PhaseTerm> {

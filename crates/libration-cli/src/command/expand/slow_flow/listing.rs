@@ -1,6 +1,7 @@
 //! A slow flow to read, and in LaTeX.
 
 use super::Answer;
+use crate::output::number::short;
 use crate::output::series::{Style, superscript, wrapped};
 use crate::output::table::write_text;
 use libration::algebra::PiSum;
@@ -33,8 +34,41 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     for (name, series) in of_motion(flow, Style::Text) {
         writeln!(out, "{}", wrapped(&format!("{name}: "), &names.series(series), COLUMN))?;
     }
+    write_cycles(out, flow)?;
     writeln!(out)?;
     write_text(out, "", "all coefficients are exact")
+}
+
+/// The limit cycles, whose coefficients are digits.
+fn write_cycles(out: &mut dyn Write, flow: &SlowFlow) -> io::Result<()> {
+    for cycle in flow.limit_cycles() {
+        let side = if cycle.exponent.get(1).is_some_and(|rate| *rate < 0.0) { ">" } else { "<" };
+        writeln!(out, "\nlimit cycle, in digits, attracting for {} {side} 0:", flow.parameter)?;
+        let lines =
+            [("A = ", &cycle.amplitude), ("Ω = ", &cycle.frequency), ("exponent = ", &cycle.exponent)];
+        for (name, series) in lines {
+            writeln!(out, "{}", wrapped(name, &in_digits(series, &flow.parameter), COLUMN))?;
+        }
+    }
+    Ok(())
+}
+
+fn in_digits(series: &[f64], parameter: &str) -> String {
+    const DIGITS: usize = 10;
+    // What rounding leaves of a coefficient that is zero.
+    const ROUNDING: f64 = 1e-12;
+    let mut text = String::new();
+    for (n, value) in series.iter().enumerate().filter(|(_, value)| value.abs() > ROUNDING) {
+        let sign = match (text.is_empty(), *value < 0.0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        let power = if n == 0 { String::new() } else { format!(" {parameter}{}", power(n)) };
+        text.push_str(&format!("{sign}{}{power}", short(value.abs(), DIGITS)));
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
 }
 
 fn meaning(answer: &Answer) -> String {
