@@ -40,6 +40,11 @@ tbody tr + tr td { border-top: 1px solid var(--line) }
 details { border-left: 3px solid var(--line); padding-left: 1rem; margin: .5rem 0 }
 summary { color: var(--soft); font-size: .92rem; cursor: pointer }
 .answers { break-before: page; margin-top: 5rem }
+@media print {
+  details::details-content { content-visibility: visible; block-size: auto }
+  .formula, .formula + .check, table { break-inside: avoid }
+  h2, summary, .formula { break-after: avoid }
+}
 ";
 
 /// The derivation as a page that stands alone.
