@@ -1,6 +1,7 @@
 //! What is said of an expansion: its series as lists of coefficients, each a text.
 
 use super::Answer;
+use super::subject::of_subject;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -37,20 +38,7 @@ pub(super) struct Coefficient<'a> {
 
 pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
-    Fields::from([
-        Of::<C>::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
-            it.key.into()
-        }),
-        Of::<C>::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
-        Of::<C>::value(
-            "read_as",
-            "",
-            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
-            |it| it.read_as.clone().into(),
-        ),
-        Of::<C>::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
-            json::object(it.values.iter().cloned())
-        }),
+    let letters = Fields::from([
         Of::<C>::value(
             "letters[]",
             "",
@@ -63,6 +51,14 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
             "with letters: the constant that this name stands for in the coefficients",
             |it| Some(json::object(it.letters.as_ref()?.explained().cloned())),
         ),
+    ]);
+    of_subject().and(letters).and(of_setting()).and(of_series())
+}
+
+/// About what, by powers of what.
+fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
+    type Of<C> = Field<Answer<C>>;
+    Fields::from([
         Of::<C>::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
         Of::<C>::value(
             "gauge",
@@ -100,6 +96,12 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
             "with letters: the name that stands for ω0 in coefficients, null where none does",
             |it| it.letters.as_ref().map(|letters| letters.omega0_name.clone().into()),
         ),
+    ])
+}
+
+fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
+    type Of<C> = Field<Answer<C>>;
+    Fields::from([
         Of::<C>::present_value(
             "frequency[]",
             "",

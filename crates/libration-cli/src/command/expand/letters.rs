@@ -42,5 +42,5 @@ fn in_words(
     let constants = constants.into_iter().map(|(name, constant)| (name, constant.to_string())).collect();
     let omega0 = omega0.map_or_else(|| format!("sqrt({})", series.omega0_squared), |root| root.to_string());
     let letters = Letters { names, constants, omega0, omega0_name, frequency };
-    Answer::of(&equation, chosen, series, Some(letters), interrupted)
+    Answer::about(&equation, chosen, series, Some(letters), interrupted)
 }

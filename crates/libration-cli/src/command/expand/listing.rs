@@ -41,13 +41,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
 
 /// What is expanded about what.
 pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
-    write_text(out, "", &answer.title)?;
-    write_text(out, if answer.read_as.is_some() { "read as " } else { "" }, &answer.equation)?;
-    if !answer.values.is_empty() {
-        let values: Vec<String> =
-            answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        write_text(out, "with ", &values.join(", "))?;
-    }
+    answer.subject.write(out)?;
     write_text(out, "", &setting(answer))
 }
 
@@ -82,7 +76,7 @@ fn setting<C: Coefficient>(answer: &Answer<C>) -> String {
     let number = |value| number(value, expansion.precision);
     let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
     let root = answer.letters.as_ref().map_or(String::new(), root_in_words);
-    format!("about {} = {place}, where ω0² = {square}{root}", answer.variable)
+    format!("about {} = {place}, where ω0² = {square}{root}", answer.subject.variable)
 }
 
 /// What is said of ω0 where its square has letters.
@@ -256,7 +250,7 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C
         squared => format!(r"\sqrt{{{squared}}}\,"),
     };
     let scaled = |series: &[C]| bracketed(&unit, notation.series(series, &symbols.latex));
-    writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
+    writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
     writeln!(
         out,

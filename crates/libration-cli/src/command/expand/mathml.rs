@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
-    writeln!(out, "{}", display(&element("mtext", &[&answer.equation])))?;
+    writeln!(out, "{}", display(&element("mtext", &[&answer.subject.equation])))?;
     let variable = name(expansion.variable.name());
     let unit = unit(answer);
     let mut line = |left: String, unit: &str, series: &[C], variable: &str| {

@@ -7,6 +7,7 @@ mod letters;
 mod listing;
 mod mathml;
 mod slow_flow;
+mod subject;
 mod write;
 
 use crate::arguments::{self, Asked, Chosen, NumbersOrLetters, OscillatorOptions};
@@ -29,6 +30,7 @@ use libration::quantity::is_angle_name;
 use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
 use std::sync::Mutex;
+use subject::{About, Subject};
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
@@ -140,17 +142,8 @@ const EVALUATED: usize = 31;
 
 /// An expansion with the words for it.
 struct Answer<C = Rational> {
-    key: Option<&'static str>,
-    title: String,
-    equation: String,
-    equation_latex: String,
-    /// How a free equation was read.
-    read_as: Option<String>,
-    /// The parameters with their values.
-    values: Vec<(String, String)>,
+    subject: Subject,
     is_angle: bool,
-    /// The name of the displacement.
-    variable: String,
     /// What is said where parameters are letters.
     letters: Option<Letters<C>>,
     expansion: Expansion<C>,
@@ -338,35 +331,30 @@ fn in_words(Progress { stage, done: order, .. }: Progress) -> String {
     }
 }
 
+impl<C> About for Answer<C> {
+    fn subject(&self) -> &Subject {
+        &self.subject
+    }
+}
+
 impl Answer {
     fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
         let equation = chosen.oscillator.equation().clone();
-        Self::of(&equation, chosen, expansion, None, interrupted)
+        Self::about(&equation, chosen, expansion, None, interrupted)
     }
 }
 
 impl<C> Answer<C> {
-    fn of<O>(
+    fn about<O>(
         equation: &Equation,
         chosen: Chosen<O>,
         expansion: Expansion<C>,
         letters: Option<Letters<C>>,
         interrupted: Option<usize>,
     ) -> Self {
-        let variable = equation.variables().first().cloned().unwrap_or_default();
-        Self {
-            key: chosen.key,
-            title: chosen.title,
-            equation: equation.to_string(),
-            equation_latex: equation.to_latex().join(r",\quad "),
-            read_as: chosen.read_as,
-            is_angle: is_angle_name(&variable),
-            values: chosen.values,
-            variable,
-            letters,
-            expansion,
-            interrupted,
-        }
+        let Chosen { key, title, values, read_as, .. } = chosen;
+        let subject = Subject::new(equation, (key, title), values, read_as);
+        Self { is_angle: is_angle_name(&subject.variable), subject, letters, expansion, interrupted }
     }
 
     /// The frequency itself, where it is not Ω/ω0.

@@ -59,13 +59,11 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
     let expansion = &answer.expansion;
     let number = |value: &C| value.written(expansion.precision);
     let order = expansion.order;
-    let mut lines = vec![format!("{}: {}", answer.title, answer.equation)];
-    let values: Vec<String> = answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    if !values.is_empty() {
-        lines.push(format!("with {}", values.join(", ")));
-    }
+    let subject = &answer.subject;
+    let mut lines = vec![format!("{}: {}", subject.title, subject.equation)];
+    lines.extend(subject.values().map(|values| format!("with {values}")));
     let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
-    lines.push(format!("about {} = {place}, where omega0^2 = {square}", answer.variable));
+    lines.push(format!("about {} = {place}, where omega0^2 = {square}", subject.variable));
     lines.push(match &expansion.variable {
         ExpansionVariable::Epsilon(gauge) => format!(
             "Lindstedt-Poincare series of order {order} in the gauge {gauge}, by powers of the amplitude, the largest \

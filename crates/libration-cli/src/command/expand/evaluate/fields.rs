@@ -47,9 +47,9 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
     type Of<'a> = Field<Numbers<'a>>;
     Fields::from([
         Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
-            it.answer.key.into()
+            it.answer.subject.key.into()
         }),
-        Of::value("equation", "", "equation of motion", |it| it.answer.equation.as_str().into()),
+        Of::value("equation", "", "equation of motion", |it| it.answer.subject.equation.as_str().into()),
         Of::value("order", "1", "highest power of the expansion", |it| it.answer.expansion.order.into()),
         Of::value("quantity", "", "quantity whose series is evaluated", |it| {
             it.relation.quantity().to_string().into()

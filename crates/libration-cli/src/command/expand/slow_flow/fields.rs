@@ -1,5 +1,6 @@
 //! What is said of a slow flow: its polynomials as lists of lists of coefficients, each a text.
 
+use super::super::subject::of_subject;
 use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -17,20 +18,7 @@ pub(super) struct Coefficient {
 
 pub(super) fn of_flow() -> Fields<Answer> {
     type Of = Field<Answer>;
-    Fields::from([
-        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
-            it.key.into()
-        }),
-        Of::value("equation", "", "equation of motion", |it| it.equation.as_str().into()),
-        Of::value(
-            "read_as",
-            "",
-            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
-            |it| it.read_as.clone().into(),
-        ),
-        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
-            json::object(it.values.iter().cloned())
-        }),
+    of_subject().and([
         Of::value("order", "1", "highest power of the amplitude A", |it| it.flow.order.into()),
         Of::value("damping_order", "1", "highest power of the small parameter", |it| {
             it.flow.parameter_order.into()

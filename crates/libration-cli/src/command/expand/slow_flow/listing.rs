@@ -14,14 +14,8 @@ const COLUMN: usize = 110;
 
 pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let flow = &answer.flow;
-    write_text(out, "", &answer.title)?;
-    write_text(out, if answer.read_as.is_some() { "read as " } else { "" }, &answer.equation)?;
-    if !answer.values.is_empty() {
-        let values: Vec<String> =
-            answer.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        write_text(out, "with ", &values.join(", "))?;
-    }
-    let Answer { variable, .. } = answer;
+    answer.subject.write(out)?;
+    let variable = &answer.subject.variable;
     let (place, square) = (&flow.equilibrium, &flow.omega0_squared);
     write_text(out, "", &format!("about {variable} = {place}, where ω0² = {square}"))?;
     write_text(out, "", &meaning(answer))?;
@@ -85,7 +79,7 @@ fn power(number: usize) -> String {
 }
 
 fn motion_title(answer: &Answer) -> String {
-    let Answer { variable, flow, .. } = answer;
+    let (variable, flow) = (&answer.subject.variable, &answer.flow);
     let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
     let whole = format!("{variable}(A, ψ){place} is the sum of");
     if flow.half_swing { format!("for 0 ≤ ψ ≤ π {whole}, and the opposite at ψ + π") } else { whole }
@@ -196,13 +190,16 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()
     let parameter =
         flow.parameter.parse().map_or_else(|_| flow.parameter.clone(), |it: Expression| it.to_latex());
     let names = Names { parameter: &parameter, style: Style::Latex };
-    writeln!(out, "\\[ {} \\]", answer.equation_latex)?;
+    writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
     writeln!(out, "  \\dot A &= {} \\\\", names.series(&flow.amplitude_rate))?;
     writeln!(out, "  \\dot\\psi &= {}", names.series(&flow.phase_rate))?;
     writeln!(out, "\\end{{align*}}")?;
-    let variable =
-        answer.variable.parse().map_or_else(|_| answer.variable.clone(), |it: Expression| it.to_latex());
+    let variable = answer
+        .subject
+        .variable
+        .parse()
+        .map_or_else(|_| answer.subject.variable.clone(), |it: Expression| it.to_latex());
     let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
     let terms = of_motion(flow, Style::Latex);
     let terms: Vec<String> = terms

@@ -3,6 +3,7 @@
 mod fields;
 mod listing;
 
+use super::subject::{About, Subject};
 use crate::arguments::Asked;
 use crate::failure::Failure;
 use crate::output::description::Answers;
@@ -17,15 +18,7 @@ pub(super) const DAMPING_ORDER: usize = 2;
 
 /// A slow flow with the words for it.
 pub(super) struct Answer {
-    key: Option<&'static str>,
-    title: String,
-    equation: String,
-    equation_latex: String,
-    variable: String,
-    /// The parameters with their values.
-    values: Vec<(String, String)>,
-    /// How a free equation was read.
-    read_as: Option<String>,
+    subject: Subject,
     flow: SlowFlow,
 }
 
@@ -51,16 +44,14 @@ impl Answer {
             slow_flow_watched(&equation, small, order, damping_order, gauge, &Watch::new(&ask))
         })
         .map_err(failure)?;
-        Ok(Self {
-            key,
-            title,
-            equation: equation.to_string(),
-            equation_latex: equation.to_latex().join(r",\quad "),
-            variable: equation.variables().first().cloned().unwrap_or_default(),
-            values,
-            read_as,
-            flow,
-        })
+        let subject = Subject::new(&equation, (key, title), values, read_as);
+        Ok(Self { subject, flow })
+    }
+}
+
+impl About for Answer {
+    fn subject(&self) -> &Subject {
+        &self.subject
     }
 }
 

@@ -1,0 +1,79 @@
+//! What is expanded, in words: the oscillator of every answer.
+
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::table::write_text;
+use libration::expression::Equation;
+use std::io::{self, Write};
+
+/// An oscillator in words.
+pub(super) struct Subject {
+    pub(super) key: Option<&'static str>,
+    pub(super) title: String,
+    pub(super) equation: String,
+    pub(super) equation_latex: String,
+    /// The name of the displacement.
+    pub(super) variable: String,
+    /// The parameters with their values.
+    values: Vec<(String, String)>,
+    /// How a free equation was read.
+    read_as: Option<String>,
+}
+
+/// An answer about an oscillator.
+pub(super) trait About {
+    fn subject(&self) -> &Subject;
+}
+
+impl Subject {
+    pub(super) fn new(
+        equation: &Equation,
+        (key, title): (Option<&'static str>, String),
+        values: Vec<(String, String)>,
+        read_as: Option<String>,
+    ) -> Self {
+        Self {
+            key,
+            title,
+            equation: equation.to_string(),
+            equation_latex: equation.to_latex().join(r",\quad "),
+            variable: equation.variables().first().cloned().unwrap_or_default(),
+            values,
+            read_as,
+        }
+    }
+
+    /// `a = 1, b = 2`; `None` where there are no parameters.
+    pub(super) fn values(&self) -> Option<String> {
+        let values: Vec<String> =
+            self.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        (!values.is_empty()).then(|| values.join(", "))
+    }
+
+    pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        write_text(out, "", &self.title)?;
+        write_text(out, if self.read_as.is_some() { "read as " } else { "" }, &self.equation)?;
+        self.values().map_or(Ok(()), |values| write_text(out, "with ", &values))
+    }
+}
+
+pub(super) fn of_subject<A: About>() -> Fields<A> {
+    Fields::from([
+        Field::value(
+            "oscillator",
+            "",
+            "key of the oscillator, null where its equation was typed",
+            |it: &A| it.subject().key.into(),
+        ),
+        Field::value("equation", "", "equation of motion", |it: &A| it.subject().equation.as_str().into()),
+        Field::value(
+            "read_as",
+            "",
+            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
+            |it: &A| it.subject().read_as.clone().into(),
+        ),
+        Field::value("parameters.NAME", "", "value of the parameter with this name, as text", |it: &A| {
+            json::object(it.subject().values.iter().cloned())
+        }),
+    ])
+}
