@@ -83,23 +83,33 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
         Formula::Call(function, argument) => call(function.name(), &[argument])?,
         Formula::Apply(name, arguments) => call(&identifier(name)?, &arguments.iter().collect::<Vec<_>>())?,
         Formula::Agm(a, b) => call("agm", &[a, b])?,
+        Formula::Series { .. } | Formula::Integral { .. } | Formula::Derivative { .. } => {
+            (with_own_name(formula)?, Level::Atom)
+        }
+        Formula::DoubleFactorial(it) => call("double_factorial", &[it])?,
+        Formula::Order(it) => call("O", &[it])?,
+    })
+}
+
+/// Sums, integrals and derivatives, which have a variable of their own.
+fn with_own_name(formula: &Formula) -> Option<String> {
+    Some(match formula {
         Formula::Series { index, from, to, term } => {
             let last = to.as_deref().map_or(Some("None".to_owned()), expression)?;
             let (index, term, first) = (identifier(index)?, expression(term)?, expression(from)?);
-            (format!("total(lambda {index}: {term}, {first}, {last})"), Level::Atom)
+            format!("total(lambda {index}: {term}, {first}, {last})")
         }
         Formula::Integral { variable, from, to, integrand } => {
             let (variable, integrand) = (identifier(variable)?, expression(integrand)?);
             let (from, to) = (expression(from)?, expression(to)?);
-            (format!("integral(lambda {variable}: {integrand}, {from}, {to})"), Level::Atom)
+            format!("integral(lambda {variable}: {integrand}, {from}, {to})")
         }
-        Formula::Derivative { of, by } if by.letter == TIME => (along_the_motion(of)?, Level::Atom),
+        Formula::Derivative { of, by } if by.letter == TIME => along_the_motion(of)?,
         Formula::Derivative { of, by } => {
             let (of, by) = (expression(of)?, identifier(by)?);
-            (format!("slope(lambda {by}: {of}, {by})"), Level::Atom)
+            format!("slope(lambda {by}: {of}, {by})")
         }
-        Formula::DoubleFactorial(it) => call("double_factorial", &[it])?,
-        Formula::Order(it) => call("O", &[it])?,
+        _ => return None,
     })
 }
 

@@ -71,6 +71,8 @@ impl PeriodMajorant {
         let amplitude = amplitude.abs() / self.limit;
         // All coefficients being positive, the remainder at A is at most (A/B)^next of that at a larger B. At A itself rounding would
         // hide a remainder that is small, near the limit the period is large: the best of some is taken.
+        // With so many it is within 2 % of the remainder, where that is the bound itself, up to 0.9999 of the limit
+        // (tests/suite/period_majorants.rs).
         const PLACES: u32 = 24;
         let larger = |place: u32| amplitude + (1.0 - amplitude) * (1.0 - libm::exp2(-f64::from(place) / 2.0));
         let larger = match amplitude < 1.0 {

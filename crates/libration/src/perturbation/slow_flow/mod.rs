@@ -16,7 +16,8 @@
 //!
 //! A force such as x′|x′| or sign(x′) is a polynomial as long as the velocity has one sign. In the gauge of the turning points that is the half swing
 //! 0 ≤ ψ ≤ π, at all orders, so that on it everything is polynomials in ψ and harmonics, with fractions and powers of π for coefficients:
-//! exact where the harmonics over the whole swing would be infinitely many.
+//! exact where the harmonics over the whole swing would be infinitely many. Dry friction also stops a motion for good when the force is
+//! smaller than it; of that a slow flow knows nothing, and [`decay`](mod@crate::decay) does.
 //!
 //! ```
 //! use libration::perturbation::{Gauge, slow_flow};
