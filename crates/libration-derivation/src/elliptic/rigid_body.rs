@@ -2,15 +2,11 @@
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, derivative, integral, letter, number, sin, sqrt};
+use super::super::formula::{
+    Formula, Name, Statement, cos, derivative, integral, letter, number, sin, sqrt, tenths,
+};
 use super::super::trials::Trials;
 use super::super::words::{omega_0, period_ratio, small_swing_period};
-use libration::algebra::Rational;
-
-/// A tenth of this as a formula.
-fn tenths(numerator: i64) -> Formula {
-    Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from)
-}
 
 fn mass() -> Formula {
     letter("M")

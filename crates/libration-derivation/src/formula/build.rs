@@ -10,6 +10,11 @@ pub(crate) fn number(integer: i64) -> Formula {
     Formula::Number(Rational::from(integer))
 }
 
+/// So many tenths: a value to try a formula at.
+pub(crate) fn tenths(numerator: i64) -> Formula {
+    Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from)
+}
+
 /// A letter.
 pub(crate) fn letter(letter: &str) -> Formula {
     Formula::Name(Name::new(letter))

@@ -2,12 +2,11 @@
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum};
+use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum, tenths};
 use super::super::trials::Trials;
 use super::names::{coefficient_name, cosine, harmonic_name};
 use super::question::Question;
 use super::substitution::left_side;
-use libration::algebra::Rational;
 
 fn power_of_epsilon(n: usize) -> Formula {
     if n == 1 { letter("ε") } else { letter("ε").pow(i64::try_from(n).unwrap_or(i64::MAX)) }
@@ -75,8 +74,7 @@ fn frequency_series(question: &Question) -> CheckedEquation {
 
 pub(super) fn projection() -> Result<DerivationStep, DerivationError> {
     let (j, k, tau) = (|| letter("j"), || letter("k"), || letter("τ"));
-    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
-    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?.with(&Name::new("j"), number(3))?;
+    let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?.with(&Name::new("j"), number(3))?;
     let product = Statement::equal(
         cos(j() * tau()) * cos(k() * tau()),
         (cos((j() - k()) * tau()) + cos((j() + k()) * tau())) / 2,

@@ -2,7 +2,7 @@
 
 use super::super::check::{Check, CheckedEquation, DerivationError, OpenCondition};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin};
+use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, number, sin, tenths};
 use super::super::trials::Trials;
 use super::contributions::{Contributions, vanishes};
 use super::names::{coefficient_name, cosine};
@@ -16,8 +16,7 @@ pub(super) const CHOICES: usize = 3;
 
 pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let tau = || letter("τ");
-    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
-    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?;
+    let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?;
     let growing = tau() * sin(tau()) / 2;
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());

@@ -3,7 +3,7 @@
 
 use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, scaled};
+use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, scaled, tenths};
 use super::super::trials::Trials;
 use super::names::coefficient_name;
 use super::orders::solutions;
@@ -61,9 +61,8 @@ fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, Deri
     let product = scaled(&(Rational::from(2) * factor), first.clone() * second.clone());
     let expanded =
         squared.clone() * epsilon().squared() + product * epsilon().pow(3) + order(epsilon().pow(4));
-    let number = |numerator| Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from);
     let names = [1, 2].map(|n| Name::from(&coefficient_name(1, n)));
-    let given = names.into_iter().zip([13, 7]).map(|(name, value)| Given::Value(name, number(value)));
+    let given = names.into_iter().zip([13, 7]).map(|(name, value)| Given::Value(name, tenths(value)));
     let statement = Statement::equal(squared * other.clone().squared(), expanded);
     Ok(step
         .say(
@@ -80,8 +79,7 @@ fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, Deri
 }
 
 fn half_a_period_later() -> Result<Vec<CheckedEquation>, DerivationError> {
-    let at = Rational::new(7, 10).map_or_else(|| number(1), Formula::from);
-    let trials = Trials::new(None)?.with(&Name::new("τ"), at)?;
+    let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?;
     let (tau, k) = (|| letter("τ"), || letter("k"));
     let even = Statement::equal(cos(2 * k() * (tau() + Formula::Pi)), cos(2 * k() * tau()));
     let odd = || 2 * k() + 1;
@@ -92,8 +90,7 @@ fn half_a_period_later() -> Result<Vec<CheckedEquation>, DerivationError> {
 fn first_correction() -> Result<CheckedEquation, DerivationError> {
     let name = |letter: &str| Name::new(letter).index(1);
     let product = || Formula::from(-2) * Formula::from(name("A")) * Formula::from(name("d"));
-    let at = |numerator| Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from);
-    let trials = Trials::new(None)?.with(&name("A"), at(13))?.with(&name("d"), at(7))?;
+    let trials = Trials::new(None)?.with(&name("A"), tenths(13))?.with(&name("d"), tenths(7))?;
     let projected = integral("τ", 0, 2 * Formula::Pi, product() * cos(letter("τ")).squared());
     trials.compare_once(Statement::equal(number(1) / Formula::Pi * projected, product()))
 }

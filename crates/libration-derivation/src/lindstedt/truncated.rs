@@ -3,7 +3,7 @@
 
 use super::super::check::{Check, CheckedEquation, DerivationError, Given, failed, same_series_where};
 use super::super::document::{Cells, DerivationStep, DerivationTable};
-use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, sqrt, sum};
+use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, sqrt, sum, tenths};
 use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::amplitude::of_amplitude;
@@ -182,11 +182,10 @@ fn in_cube(factors: [[i64; 2]; 4]) -> Polynomial {
 
 /// The factors of the cosines in the cube of two, which is compared with their sum.
 fn cube_of_two() -> Result<DerivationTable, DerivationError> {
-    let fraction = |numerator| Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from);
     let trials = Trials::new(None)?
-        .with(&Name::new("τ"), fraction(7))?
-        .with(&harmonic_name(1), fraction(13))?
-        .with(&harmonic_name(3), fraction(-3))?;
+        .with(&Name::new("τ"), tenths(7))?
+        .with(&harmonic_name(1), tenths(13))?
+        .with(&harmonic_name(3), tenths(-3))?;
     let terms = CUBE.map(|(k, factors)| (cosine(k), Formula::from(&in_cube(factors))));
     let cosines = terms.clone().map(|(cosine, factor)| factor * cosine);
     trials.compare_once(Statement::equal(two().pow(3), sum(cosines.to_vec())))?;
