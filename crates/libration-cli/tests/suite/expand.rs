@@ -25,6 +25,33 @@ fn refusal(arguments: &[&str], status: i32) -> String {
     message(&output)
 }
 
+/// x″ + 3x·x′ + x³ + x = 0 has the period 2π and x = 2q·sin τ/(1 − 2q·cos τ + q²).
+#[test]
+fn a_mirrored_motion_is_written_in_sines() {
+    let question = |more: &[&str]| {
+        let words = [&["expand", "x''+3*x*x'+x^3+x=0", "--order", "4"], more].concat();
+        String::from_utf8(run(&words).stdout).unwrap()
+    };
+    let answer: Value = serde_json::from_str(&question(&["--json"])).unwrap();
+    assert_eq!(answer["phase_origin"], "passage");
+    assert_eq!(list(&answer["frequency_ratio"]), ["1", "0", "0", "0"]);
+    assert_eq!(list(&answer["harmonics"]["3"]["sin"]), ["0", "0", "0", "1/4", "0"]);
+    assert_eq!(list(&answer["harmonics"]["3"]["cos"]), ["0"; 5]);
+    assert_eq!(list(&answer["of_amplitude"]["harmonics"]["2"]["sin"]), ["0", "0", "1/2", "0", "-1/4"]);
+    let shown = question(&[]);
+    for part in ["ε is the coefficient of sin τ", "b₃ = 1/4 ε³", "x_min = -x_max", "b₂ = 1/2 A² - 1/4 A⁴"]
+    {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    assert!(!shown.contains("a₁"), "{shown}");
+    let csv = question(&["--csv"]);
+    assert!(csv.contains("sin_2,x_max,2,1/2") && !csv.contains("cos_2,x_max"), "{csv}");
+    let latex = question(&["--latex"]);
+    assert!(latex.contains("b_{3} &= ") && !latex.contains("a_{1}"), "{latex}");
+    assert_eq!(json("expand pendulum --order 3")["phase_origin"], "turning point");
+    assert_eq!(json("expand van_der_pol --order 3")["phase_origin"], "first harmonic");
+}
+
 #[test]
 fn every_field_of_the_contract_is_there() {
     let order = 7;

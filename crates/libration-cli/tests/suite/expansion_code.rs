@@ -14,7 +14,7 @@ struct Case {
     time: f64,
 }
 
-const CASES: [Case; 6] = [
+const CASES: [Case; 8] = [
     Case {
         name: "duffing",
         arguments: &["duffing", "--order", "9"],
@@ -43,6 +43,20 @@ const CASES: [Case; 6] = [
         letters: &[("a", "1.44"), ("time", "0.25")],
         amplitude: 0.2,
         time: -3.0,
+    },
+    Case {
+        name: "mirrored",
+        arguments: &["x'' + x*x' + x = 0", "--order", "7"],
+        letters: &[],
+        amplitude: 0.5,
+        time: 1.3,
+    },
+    Case {
+        name: "mirrored_with_letters",
+        arguments: &["x'' + c*x*x' + w^2*x + k*x^3 = 0", "--order", "5"],
+        letters: &[("c", "0.6"), ("k", "-0.2"), ("w", "1.3")],
+        amplitude: 0.4,
+        time: -2.1,
     },
     Case {
         name: "cycle",

@@ -175,6 +175,8 @@ pub(super) struct OrbitMotion {
     orbit: Orbit,
     equilibrium: f64,
     encloses: Option<f64>,
+    /// Whether harmonics are sines of a phase that begins at the equilibrium.
+    is_mirrored: bool,
 }
 
 /// The motion that is released from rest at a displacement.
@@ -199,7 +201,8 @@ pub(super) fn released(
         return Err(NoExactValue::NotRestoring(amplitude));
     }
     let encloses = other_equilibrium(oscillator.equation(), equilibrium, [other_side, orbit.start()[0]]);
-    Ok(OrbitMotion { orbit, equilibrium, encloses })
+    let is_mirrored = *oscillator.kind() == Kind::Mirrored;
+    Ok(OrbitMotion { orbit, equilibrium, encloses, is_mirrored })
 }
 
 /// The limit cycle at a strength of the excitation, looked for from an amplitude.
@@ -219,7 +222,7 @@ pub(super) fn limit_cycle(
     let equilibrium = oscillator.equilibrium().to_f64();
     let start = [equilibrium + near, 0.0];
     let orbit = Orbit::limit_cycle_watched(&equation.map_err(|_| refusal)?, &start, watch)?;
-    Ok(OrbitMotion { orbit, equilibrium, encloses: None })
+    Ok(OrbitMotion { orbit, equilibrium, encloses: None, is_mirrored: false })
 }
 
 impl OrbitMotion {
@@ -249,12 +252,20 @@ impl OrbitMotion {
     }
 
     /// The amplitude of the harmonic k, with the sign that it has as the coefficient of cos kΩt; of a limit cycle as if the time
-    /// were counted so that there is no sin Ωt.
+    /// were counted so that there is no sin Ωt, of a mirrored motion as the coefficient of sin kΩt without cos Ωt.
     fn cosine(&self, k: usize, unit: f64) -> (f64, f64) {
         let harmonics = self.orbit.harmonics(0);
         let term = |n: usize| harmonics.terms.get(n).copied().unwrap_or_default();
-        let turn = count(k) * libm::atan2(term(1).sine, term(1).cosine);
-        let turned = term(k).cosine * libm::cos(turn) + term(k).sine * libm::sin(turn);
+        let turned = match self.is_mirrored {
+            false => {
+                let turn = count(k) * libm::atan2(term(1).sine, term(1).cosine);
+                term(k).cosine * libm::cos(turn) + term(k).sine * libm::sin(turn)
+            }
+            true => {
+                let turn = count(k) * libm::atan2(term(1).cosine, term(1).sine);
+                term(k).cosine * libm::sin(turn) + term(k).sine * libm::cos(turn)
+            }
+        };
         let mean = if k == 0 { self.equilibrium } else { 0.0 };
         (
             (turned - mean) / unit,

@@ -12,7 +12,7 @@ pub enum SeriesQuantity {
     Period,
     /// Ω/ω0.
     Frequency,
-    /// The coefficient of cos kΩt.
+    /// The coefficient of cos kΩt; of sin kΩt where the phase begins at a [passage](crate::perturbation::PhaseOrigin::Passage).
     Cosine(usize),
 }
 

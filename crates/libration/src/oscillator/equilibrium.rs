@@ -146,7 +146,7 @@ pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Rejec
 fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, RejectionReason> {
     let (at_rest, place) = (force.at_rest(), at.digits());
     let about = Neighbourhood::new(&at_rest, &force.x, at);
-    let frequency = |passed: bool| match (passed, force.is_reversible()) {
+    let frequency = |passed: bool| match (passed, returns(force, at)) {
         (false, _) => FrequencySource::Nothing,
         (true, true) => FrequencySource::Orbits,
         (true, false) => FrequencySource::Motion,
@@ -170,9 +170,14 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Rejection
     Err(RejectionReason::NotRestoring { omega0_squared: omega0_squared.to_string() })
 }
 
+/// Whether motions about a place are proved to run back as they came, as such or seen in a mirror.
+fn returns(force: &Force, at: &Constant) -> bool {
+    force.is_reversible() || at.exact().is_some_and(|place| force.is_mirrored_about(place))
+}
+
 /// Refuses forces that take or give energy.
 fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
-    if force.is_reversible() {
+    if returns(force, at) {
         return Ok(());
     }
     let damping = value_at(force, &force.damping(), at).filter(|it| it.to_f64() != 0.0);

@@ -140,7 +140,8 @@ pub enum RejectionReason {
     },
     /// Energy is lost or won in larger ones, or it cannot be excluded.
     #[error(
-        "the acceleration is not the same for the opposite velocity, so that motions may decay or grow: simulate them (libration simulate)"
+        "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement, so that motions \
+         may decay or grow: simulate them (libration simulate)"
     )]
     Irreversible,
 }

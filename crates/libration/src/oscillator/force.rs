@@ -51,6 +51,12 @@ impl Force {
             || difference(reflected(&self.formula, &self.velocity, None), self.formula.clone()).vanishes()
     }
 
+    /// Whether F is the opposite on the other side of a place with the same velocity, and that is proved.
+    pub(super) fn is_mirrored_about(&self, place: &Rational) -> bool {
+        let other_side = reflected(&self.formula, &self.x, Some(place));
+        Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
+    }
+
     /// Whether F is the opposite on the other side of a place, with the opposite velocity, and that is proved.
     pub(super) fn is_odd_about(&self, place: &Rational) -> bool {
         let other_side = reflected(&self.formula, &self.x, Some(place));

@@ -41,6 +41,9 @@ pub enum Kind {
     Conservative,
     /// The acceleration is the same for the opposite velocity: each motion about the equilibrium runs back as it came.
     Reversible,
+    /// The acceleration is the opposite at the opposite displacement and the same velocity: each motion about the equilibrium runs
+    /// back as it came, seen in a mirror.
+    Mirrored,
     /// A self-excitation of a strength that is left open settles to a limit cycle. Without it the equation is linear,
     /// and changing the signs of strength and velocity together changes nothing.
     LimitCycle {
@@ -106,7 +109,12 @@ impl Oscillator {
     }
 
     fn centre(equation: &Equation, mut force: Force, equilibrium: Equilibrium) -> Self {
-        let kind = if force.uses_velocity() { Kind::Reversible } else { Kind::Conservative };
+        let kind = match (force.uses_velocity(), force.is_reversible()) {
+            (false, _) => Kind::Conservative,
+            (true, true) => Kind::Reversible,
+            // Only the mirror is left of what an equilibrium is accepted for.
+            (true, false) => Kind::Mirrored,
+        };
         if kind == Kind::Conservative {
             force.formula = force.at_rest();
         }

@@ -77,8 +77,14 @@ impl SymbolicOscillator {
         in_ring.push(free_name("omega0", &in_ring));
         let ring = LaurentPolynomials::new(in_ring);
         let equilibrium = value_of(&ring, place).ok_or(NoSymbolicExpansion::NoSeries)?;
-        let kind = if force.uses_velocity() { Kind::Reversible } else { Kind::Conservative };
-        if kind == Kind::Conservative {
+        let zero = Rational::from(0);
+        let kind = match (force.uses_velocity(), force.is_reversible(), force.is_mirrored_about(&zero)) {
+            (false, ..) => Some(Kind::Conservative),
+            (true, true, _) => Some(Kind::Reversible),
+            (true, false, true) => Some(Kind::Mirrored),
+            (true, false, false) => None,
+        };
+        if kind == Some(Kind::Conservative) {
             force.formula = force.at_rest();
         }
         let tape = tape(&force, &ring).ok_or(NoSymbolicExpansion::NoSeries)?;
@@ -91,11 +97,9 @@ impl SymbolicOscillator {
         if !damping.is_zero() {
             return Err(NoSymbolicExpansion::Damped { damping: excerpt(&damping.to_string()) });
         }
-        if !force.is_reversible() {
-            return Err(NoSymbolicExpansion::Irreversible);
-        }
+        let kind = kind.ok_or(NoSymbolicExpansion::Irreversible)?;
         let omega0_squared = stiffness(&ring, &slope)?;
-        let odd = force.is_odd_about(&Rational::from(0));
+        let odd = force.is_odd_about(&zero);
         let (equation, letters) = (equation.clone(), names.to_vec());
         Ok(Self {
             equation,
@@ -302,7 +306,9 @@ impl fmt::Display for NoSymbolicExpansion {
                 write!(formatter, "the acceleration contains {damping} times the velocity")
             }
             Self::Irreversible => {
-                formatter.write_str("the acceleration is not the same for the opposite velocity")
+                formatter.write_str(
+                    "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement",
+                )
             }
         }
     }

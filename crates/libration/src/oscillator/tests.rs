@@ -153,7 +153,7 @@ fn what_does_not_oscillate_is_refused_with_the_reason() {
             "small motions decay, because the acceleration contains -0.1 times the velocity",
         ),
         ("x'' = -x + 0.1*x'", "small motions grow, because the acceleration contains 0.1 times the velocity"),
-        ("x'' = -x - x'^3", "not the same for the opposite velocity"),
+        ("x'' = -x - x'^3", "neither the same for the opposite velocity"),
         ("x'' = -x + cos(t)", "depends on t"),
         ("x'' = -x; y'' = -y", "2 variables, x, y"),
         ("x'' = -k*x", "no value is given for k: give one, such as k=0.1"),

@@ -1,10 +1,10 @@
 //! Exact checks of a family's series by a road that knows no harmonics.
 
 use super::conservative::{displacement, period_ratio};
-use super::first_integral;
-use super::model::Model;
+use super::first_integral::{self, PlaneOfStates};
+use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
-use crate::algebra::{HarmonicSums, Rational, Rationals, Ring};
+use crate::algebra::{HarmonicSums, Quadratic, QuadraticField, Rational, Rationals, Ring};
 use crate::expression::Jet;
 use crate::series::truncated::product;
 use crate::watch::Watch;
@@ -66,27 +66,78 @@ fn squared_energy_amplitude<R: Ring>(
     Some(square)
 }
 
-/// Whether the period as a function of the amplitude agrees exactly with the first integral of an odd oscillator.
-/// `None` when a number is not rational.
+/// Whether the period as a function of the amplitude agrees exactly with that along the curves of the first integral. `None` when a number
+/// is not rational, or the check is interrupted.
 pub(crate) fn agrees_with_the_first_integral(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
+    watch: &Watch<'_>,
 ) -> Option<bool> {
-    let of = set.of_amplitude.as_ref()?;
-    let length = of.period.len();
-    Some(
-        first_integral::period_ratio(&model.tape, &model.values, &model.omega0_squared, length)? == of.period,
-    )
+    let period = &set.of_amplitude.as_ref()?.period;
+    let field = Fractions::with_root_of(&model.omega0_squared);
+    let plane = PlaneOfStates {
+        tape: &model.tape,
+        values: model.values.iter().map(|value| field.ring.plain(value.clone())).collect(),
+        omega0_squared: field.ring.plain(model.omega0_squared.clone()),
+        omega0: field.root(&model.omega0_squared)?,
+    };
+    let found = first_integral::period_ratio(&field.ring, plane, period.len(), watch)?;
+    Some(field.are(&found, period))
 }
 
-/// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers. `None` when it meets a root that
-/// is not rational.
+/// Fractions, and one square root that is none.
+struct Fractions {
+    ring: QuadraticField<Rationals>,
+}
+
+impl Fractions {
+    fn with_root_of(square: &Rational) -> Self {
+        Self { ring: QuadraticField { base: Rationals, square: square.clone() } }
+    }
+
+    /// `None` where it is neither a fraction nor the root that was taken in.
+    fn root(&self, square: &Rational) -> Option<Quadratic<Rational>> {
+        match square.square_root() {
+            Some(root) => Some(self.ring.plain(root)),
+            None if *square == self.ring.square => self.ring.square_root(),
+            None => None,
+        }
+    }
+
+    /// Whether numbers are these fractions.
+    fn are(&self, numbers: &[Quadratic<Rational>], fractions: &[Rational]) -> bool {
+        let is = |(number, fraction): (&Quadratic<Rational>, &Rational)| {
+            *number == self.ring.plain(fraction.clone())
+        };
+        numbers.len() == fractions.len() && numbers.iter().zip(fractions).all(is)
+    }
+}
+
+/// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers; where ω0 or the unit of a limit cycle is no fraction,
+/// arithmetic of fractions with its root. `None` when it is interrupted.
 pub(crate) fn agrees_with_plain_rationals(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
     watch: &Watch<'_>,
 ) -> Option<bool> {
-    let ring = HarmonicSums { numbers: Rationals };
-    let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
-    (!watch.is_stopped()).then(|| plain.numbers() == set.numbers())
+    let Some(square) = irrational_root(model) else {
+        let ring = HarmonicSums { numbers: Rationals };
+        let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
+        return (!watch.is_stopped()).then(|| plain.numbers() == set.numbers());
+    };
+    let field = Fractions::with_root_of(square);
+    let ring = HarmonicSums { numbers: field.ring.clone() };
+    let number = |number: &Rational| Some(field.ring.plain(number.clone()));
+    let found = model.series(&ring, number, |square| field.root(square), watch)?;
+    (!watch.is_stopped()).then(|| field.are(&found.numbers(), &set.numbers()))
+}
+
+/// What the computation takes the root of, where that is no fraction.
+fn irrational_root(model: &Model<Rational>) -> Option<&Rational> {
+    let unit = match &model.motion {
+        Motion::LimitCycle(selected) => Some(&selected.unit_squared),
+        Motion::Centre { .. } => None,
+    };
+    let omega0_squared = model.uses_velocity.then_some(&model.omega0_squared);
+    omega0_squared.into_iter().chain(unit).find(|square| square.square_root().is_none())
 }

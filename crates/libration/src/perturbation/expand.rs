@@ -10,6 +10,7 @@ use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
 use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
+use super::shape::{Shape, shape_of};
 use crate::algebra::{Rational, Rationals};
 use crate::expression::{Expression, Symbol, Tape, WithoutValue};
 use crate::oscillator::{Kind, Oscillator};
@@ -115,6 +116,8 @@ impl<'a> Question<'a> {
                     None => return Ok(None),
                 }
             }
+            // Even harmonics of mirrored motions are in proportion to ω0.
+            Kind::Mirrored if omega0_squared.square_root().is_none() => return Ok(None),
             _ => {
                 let Some(at) = self.oscillator.equilibrium().exact() else { return Ok(None) };
                 let Some(values) = values_at(&Rationals, &self.tape, at.clone()) else { return Ok(None) };
@@ -131,8 +134,12 @@ impl<'a> Question<'a> {
         }))
     }
 
+    fn shape(&self) -> Shape {
+        shape_of(self.oscillator.kind(), self.oscillator.is_odd())
+    }
+
     fn centre<N>(&self) -> Motion<N> {
-        Motion::Centre { gauge: self.gauge.clone(), symmetric: self.oscillator.is_odd() }
+        Motion::Centre { gauge: self.gauge.clone(), shape: self.shape() }
     }
 
     /// The condition on the amplitude, when it has rational coefficients.
@@ -197,8 +204,8 @@ impl<'a> Question<'a> {
                 .map(|agrees| (Certificate::PlainRationals, agrees)),
             Kind::Conservative => agrees_with_the_potential(&Rationals, model, set, PartialEq::eq, watch)
                 .map(|it| (Certificate::Potential, it)),
-            Kind::Reversible if self.oscillator.is_odd() && self.order <= FIRST_INTEGRAL_ORDER => {
-                agrees_with_the_first_integral(model, set).map(|it| (Certificate::FirstIntegral, it))
+            Kind::Reversible | Kind::Mirrored if self.order <= FIRST_INTEGRAL_ORDER => {
+                agrees_with_the_first_integral(model, set, watch).map(|it| (Certificate::FirstIntegral, it))
             }
             _ => None,
         };
@@ -251,6 +258,7 @@ impl<'a> Question<'a> {
                 Kind::LimitCycle { parameter } => ExpansionVariable::Parameter(parameter.clone()),
                 _ => ExpansionVariable::Epsilon(self.gauge.clone()),
             },
+            phase_origin: self.shape().into(),
             precision,
             equilibrium: exact(self.oscillator.equilibrium().exact()),
             omega0_squared: exact(self.oscillator.omega0_squared().exact()),

@@ -1,6 +1,7 @@
 //! The answer: all series of a family of periodic motions or of a limit cycle, in exact fractions.
 
 use super::gauge::Gauge;
+use super::phase_origin::PhaseOrigin;
 use super::series_set::{OfAmplitude, SeriesSet};
 use crate::algebra::{Rational, Ring};
 
@@ -14,6 +15,8 @@ pub struct Expansion<C = Rational> {
     pub order: usize,
     /// What the series are in.
     pub variable: ExpansionVariable,
+    /// What the motion does at Ωt = 0.
+    pub phase_origin: PhaseOrigin,
     /// Whether the coefficients are exact.
     pub precision: Precision,
     /// The equilibrium about which the motion goes.
@@ -27,9 +30,9 @@ pub struct Expansion<C = Rational> {
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
     pub unit_squared: C,
-    /// The largest displacement; about a centre it is that at Ωt = 0, for ε of the sign that A₁ has.
+    /// The largest displacement, about a centre for ε of the sign that A₁ has; from a turning point on it is that at Ωt = 0.
     pub x_max: Vec<C>,
-    /// The smallest displacement; about a centre it is that at Ωt = π, for ε of the sign that A₁ has.
+    /// The smallest displacement, about a centre for ε of the sign that A₁ has; from a turning point on it is that at Ωt = π.
     pub x_min: Vec<C>,
     /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
     pub of_amplitude: Option<AmplitudeSeries<C>>,
@@ -100,7 +103,7 @@ pub struct AmplitudeSeries<C = Rational> {
     pub period_ratio: Vec<C>,
     /// The expansion parameter ε.
     pub epsilon: Vec<C>,
-    /// The coefficient of cos kΩt, by ascending k, where it is present.
+    /// The coefficient of cos kΩt, of sin kΩt for [`PhaseOrigin::Passage`], by ascending k, where it is present.
     pub harmonics: Vec<(usize, Vec<C>)>,
 }
 
@@ -114,7 +117,7 @@ pub enum Certificate {
     /// Frequency and turning points obey the relation that the reversion of the potential gives, which proves how
     /// one depends on the other; the single series rest on the fresh primes.
     Potential,
-    /// The period by powers of the amplitude agrees exactly with the integral of the first integral, which proves it;
+    /// The period by powers of the amplitude agrees exactly with that along the curves of the first integral, which proves it;
     /// the rest rests on the fresh primes.
     FirstIntegral,
     /// All coefficients rest on the fresh primes.
@@ -150,7 +153,8 @@ impl<C> Expansion<C> {
         set: SeriesSet<C>,
         certificate: Certificate,
     ) -> Self {
-        let Heading { order, variable, precision, equilibrium, omega0_squared, unit_squared } = heading;
+        let Heading { order, variable, phase_origin, precision, equilibrium, omega0_squared, unit_squared } =
+            heading;
         let harmonics = set.harmonics.into_iter().enumerate().map(|(k, series)| {
             let (cos, sin) = series.into_iter().map(|h| (h.cosine, h.sine)).unzip();
             HarmonicSeries { k, cos, sin }
@@ -160,6 +164,7 @@ impl<C> Expansion<C> {
         Self {
             order,
             variable,
+            phase_origin,
             precision,
             equilibrium,
             omega0_squared,
@@ -180,6 +185,7 @@ impl<C> Expansion<C> {
 pub(crate) struct Heading<C = Rational> {
     pub(crate) order: usize,
     pub(crate) variable: ExpansionVariable,
+    pub(crate) phase_origin: PhaseOrigin,
     pub(crate) precision: Precision,
     pub(crate) equilibrium: C,
     pub(crate) omega0_squared: C,

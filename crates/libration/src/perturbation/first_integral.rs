@@ -1,95 +1,145 @@
-//! The independent road for odd oscillators whose acceleration depends on the velocity, x″ = F(x, x′) with
-//! F(x, −x′) = F(x, x′) = −F(−x, x′): the velocity as a function of the displacement.
+//! The independent road for oscillators whose acceleration depends on the velocity, x″ = F(x, x′): the orbit in the plane of states, which
+//! knows no time.
 //!
-//! With x = A cos φ and G = dφ/dt the equation becomes −d(H sin²φ)/dφ = (2/A)·sin φ·F for H = G², which integrates at
-//! each power of A because F takes its velocity from lower powers. The period is the mean of 2π/G.
+//! With x = r sin φ, x′ = ω0·r cos φ and F = −ω0²x + ω0²·g the equation is
+//!
+//! ```text
+//! φ′ = ω0·(1 − s·sin φ),    (1 − s·sin φ)·dr/dφ = r·s·cos φ,    s = g/r.
+//! ```
+//!
+//! r(φ) = Σ cⁿrₙ(φ) closes, as the motion runs back as it came; with r(π/2) = c its parameter is the turning point A. The period is the
+//! mean of 2π/φ′. Which c a state has is the first integral.
 
-use crate::algebra::{HarmonicPair, HarmonicSums, PhaseRing, Rational, Rationals, Ring};
+use crate::algebra::{HarmonicPair, HarmonicSums, Number, PhaseRing, Ring};
 use crate::expression::{Jet, Tape};
-use crate::series::truncated::{next_square_root, reciprocal};
+use crate::series::truncated::reciprocal;
+use crate::watch::Watch;
 
-type Sums = HarmonicSums<Rationals>;
-type Sum = <Sums as Ring>::Element;
+/// An oscillator in the numbers of a ring.
+pub(crate) struct PlaneOfStates<'a, F: Ring> {
+    pub(crate) tape: &'a Tape,
+    /// The values of the tape's places at the equilibrium.
+    pub(crate) values: Vec<F::Element>,
+    pub(crate) omega0_squared: F::Element,
+    pub(crate) omega0: F::Element,
+}
 
-const RING: Sums = HarmonicSums { numbers: Rationals };
-
-/// T/T0 by powers of the amplitude, `length` of them. `None` when a number is not rational, or the oscillator is
-/// not of this kind.
-pub(crate) fn period_ratio(
-    tape: &Tape,
-    values: &[Rational],
-    omega0_squared: &Rational,
+/// T/T0 by powers of the largest displacement, `length` of them. `None` when a number is not in the ring, the orbits do not close, or it is
+/// interrupted.
+pub(crate) fn period_ratio<F: Ring + Clone>(
+    numbers: &F,
+    plane: PlaneOfStates<'_, F>,
     length: usize,
-) -> Option<Vec<Rational>> {
-    let omega0 = omega0_squared.square_root()?;
-    let values = values.iter().map(|value| RING.rational(value)).collect::<Option<Vec<_>>>()?;
-    let mut jet = Jet::with_values(&RING, tape, values);
-    let velocity_gains = jet.gains(1).ok()?;
-    let rate = |n: usize| -> Option<Sum> { RING.rational(&Rational::from(i64::from(n == 0))) };
-    // H/ω0² and G/ω0.
-    let mut square = vec![rate(0)?];
-    let mut frequency = vec![rate(0)?];
+    watch: &Watch<'_>,
+) -> Option<Vec<F::Element>> {
+    let ring = &HarmonicSums { numbers: numbers.clone() };
+    let values = plane.values.iter().map(|value| wave(ring, 0, value.clone(), numbers.zero())).collect();
+    let mut orbit = Orbit::new(ring, plane, values)?;
     for n in 1..=length {
-        let position = if n == 1 { wave(1, Rational::from(1), Rational::from(0)) } else { RING.zero() };
-        jet.extend(&[position, RING.zero()]).ok()?;
-        if n > 1 {
-            let force = RING.divide(&jet.result(0)[n], &RING.rational(omega0_squared)?)?;
-            let next = over_squared_sine(&minus_twice_integral_with_sine(&force, n)?, n + 1)?;
-            frequency.push(next_square_root(&RING, &next, &frequency)?);
-            square.push(next);
-        }
-        let slowing = RING.multiply(&wave(1, Rational::from(0), -omega0.clone()), &frequency[n - 1]);
-        jet.amend(&velocity_gains, &slowing);
+        watch.reached(n).ok()?;
+        orbit.extend(n)?;
     }
-    let time = reciprocal(&RING, &frequency)?;
-    Some(time.iter().map(|per_angle| RING.harmonic(per_angle, 0).cosine).collect())
+    let time = reciprocal(ring, &orbit.rate)?;
+    Some(time.iter().map(|per_angle| ring.harmonic(per_angle, 0).cosine).collect())
 }
 
-fn wave(k: usize, cosine: Rational, sine: Rational) -> Sum {
-    RING.sum_of_harmonics(&[(k, HarmonicPair { cosine, sine })])
+struct Orbit<'a, R: PhaseRing> {
+    ring: &'a R,
+    jet: Jet<'a, R>,
+    gains: [Vec<R::Element>; 2],
+    omega0: Number<R>,
+    compliance: Number<R>,
+    /// rₙ and its derivative.
+    radius: Vec<R::Element>,
+    slope: Vec<R::Element>,
+    /// Of s.
+    departure: Vec<R::Element>,
+    /// Of φ′/ω0.
+    rate: Vec<R::Element>,
 }
 
-/// −∫ 2 sin φ·F dφ from φ = 0, for a sum F of cosines up to `highest`.
-fn minus_twice_integral_with_sine(force: &Sum, highest: usize) -> Option<Sum> {
-    let mut integral = RING.zero();
-    for k in 0..=highest {
-        let f = RING.harmonic(force, k).cosine;
-        // 2 sin φ cos kφ = sin (k+1)φ − sin (k−1)φ, and −∫ sin jφ = cos jφ/j − 1/j.
-        for (j, sign) in [(k + 1, 1), (k.abs_diff(1), if k == 0 { 1 } else { -1 })] {
-            if j > 0 {
-                let part =
-                    Rationals.over_integer(&Rationals.times_integer(&f, sign), u64::try_from(j).ok()?)?;
-                let both = [
-                    (j, HarmonicPair { cosine: part.clone(), sine: Rational::from(0) }),
-                    (0, HarmonicPair { cosine: -part, sine: Rational::from(0) }),
-                ];
-                integral = RING.add(&integral, &RING.sum_of_harmonics(&both));
-            }
-        }
+impl<'a, F: Ring> Orbit<'a, HarmonicSums<F>> {
+    fn new(
+        ring: &'a HarmonicSums<F>,
+        plane: PlaneOfStates<'a, F>,
+        values: Vec<<HarmonicSums<F> as Ring>::Element>,
+    ) -> Option<Self> {
+        let jet = Jet::with_values(ring, plane.tape, values);
+        Some(Self {
+            ring,
+            gains: [jet.gains(0).ok()?, jet.gains(1).ok()?],
+            jet,
+            omega0: plane.omega0,
+            compliance: ring.numbers.divide(&ring.numbers.rational(&1.into())?, &plane.omega0_squared)?,
+            radius: vec![ring.zero()],
+            slope: vec![ring.zero()],
+            departure: vec![],
+            rate: vec![],
+        })
     }
-    Some(integral)
+
+    /// rₙ, and s and φ′ of one order less.
+    fn extend(&mut self, n: usize) -> Option<()> {
+        let (ring, one) = (self.ring, self.ring.numbers.rational(&1.into())?);
+        let (sine, cosine) = (unit_sine(ring, &one), wave(ring, 1, one.clone(), ring.numbers.zero()));
+        self.jet.extend(&[ring.zero(), ring.zero()]).ok()?;
+        let radius = if n == 1 {
+            self.departure.push(ring.zero());
+            self.rate.push(wave(ring, 0, one, ring.numbers.zero()));
+            self.slope.push(ring.zero());
+            self.rate[0].clone()
+        } else {
+            let force = ring.times_number(&self.jet.result(0)[n], &self.compliance);
+            let departure = ring.subtract(&force, &ring.convolution(&self.departure[1..], &self.radius[2..]));
+            self.departure.push(departure);
+            let across = ring.convolution(&self.departure[1..], &self.slope[1..]);
+            let slope = ring.add(&ring.multiply(&force, &cosine), &ring.multiply(&across, &sine));
+            self.rate.push(ring.negate(&ring.multiply(self.departure.last()?, &sine)));
+            self.slope.push(slope.clone());
+            integral(ring, &slope)?
+        };
+        self.jet.amend(&self.gains[0], &ring.multiply(&radius, &sine));
+        let velocity = ring.times_number(&ring.multiply(&radius, &cosine), &self.omega0);
+        self.jet.amend(&self.gains[1], &velocity);
+        self.radius.push(radius);
+        Some(())
+    }
 }
 
-/// The quotient of a sum of cosines up to `highest` by sin²φ = (1 − cos 2φ)/2; `None` when it leaves a remainder.
-fn over_squared_sine(sum: &Sum, highest: usize) -> Option<Sum> {
-    let mut quotient = vec![Rational::from(0); highest + 3];
-    for k in (2..=highest).rev() {
-        let p = RING.harmonic(sum, k).cosine;
-        let known = Rationals.subtract(
-            &Rationals.times_integer(&quotient[k], 2),
-            &Rationals.add(&quotient[k + 2], &Rationals.times_integer(&p, 4)),
-        );
-        quotient[k - 2] = if k == 2 { Rationals.over_integer(&known, 2)? } else { known };
+fn wave<F: Ring>(
+    ring: &HarmonicSums<F>,
+    k: usize,
+    cosine: F::Element,
+    sine: F::Element,
+) -> <HarmonicSums<F> as Ring>::Element {
+    ring.sum_of_harmonics(&[(k, HarmonicPair { cosine, sine })])
+}
+
+fn unit_sine<F: Ring>(ring: &HarmonicSums<F>, one: &F::Element) -> <HarmonicSums<F> as Ring>::Element {
+    wave(ring, 1, ring.numbers.zero(), one.clone())
+}
+
+/// The integral from φ = π/2 on; `None` when the mean does not vanish.
+fn integral<F: Ring>(
+    ring: &HarmonicSums<F>,
+    a: &<HarmonicSums<F> as Ring>::Element,
+) -> Option<<HarmonicSums<F> as Ring>::Element> {
+    let numbers = &ring.numbers;
+    if !numbers.is_zero(&ring.harmonic(a, 0).cosine) {
+        return None;
     }
-    let terms: Vec<_> = quotient
-        .into_iter()
-        .enumerate()
-        .map(|(k, cosine)| (k, HarmonicPair { cosine, sine: Rational::from(0) }))
-        .collect();
-    let quotient = RING.sum_of_harmonics(&terms);
-    let half = |k, numerator| {
-        wave(k, Rational::new(numerator, 2).unwrap_or_else(|| Rational::from(0)), Rational::from(0))
-    };
-    let product = RING.multiply(&quotient, &RING.add(&half(0, 1), &half(2, -1)));
-    RING.is_zero(&RING.subtract(&product, sum)).then_some(quotient)
+    let mut terms = vec![];
+    let mut at_quarter = numbers.zero();
+    for k in 1..=a.highest() {
+        let HarmonicPair { cosine, sine } = ring.harmonic(a, k);
+        let over = |number: &F::Element| numbers.over_integer(number, u64::try_from(k).ok()?);
+        let (cosine, sine) = (numbers.negate(&over(&sine)?), over(&cosine)?);
+        let there = if k % 2 == 0 { cosine.clone() } else { sine.clone() };
+        // cos kπ/2 = 1, 0, −1, 0 and sin kπ/2 = 0, 1, 0, −1.
+        let sign = if matches!(k % 4, 0 | 1) { 1 } else { -1 };
+        at_quarter = numbers.add(&at_quarter, &numbers.times_integer(&there, sign));
+        terms.push((k, HarmonicPair { cosine, sine }));
+    }
+    terms.push((0, HarmonicPair { cosine: numbers.negate(&at_quarter), sine: numbers.zero() }));
+    Some(ring.sum_of_harmonics(&terms))
 }

@@ -1,7 +1,7 @@
 //! Lindstedt and Poincaré's expansion of the periodic motions about a centre, order by order, over any ring.
 //!
 //! With τ = Ωt, x = xₑ + Σ εⁿxₙ(τ) and W = (Ω/ω0)² = Σ εⁿWₙ the equation x″ = F(x, x′) reads at order n, for the
-//! harmonic cos kτ,
+//! harmonic cos kτ, or sin kτ where the phase begins at a passage through the equilibrium,
 //!
 //! ```text
 //! (1 − k²)·xₙₖ = Rₙₖ/ω0² + k²·Σ_{0<j<n} Wₙ₋ⱼ·xⱼₖ,
@@ -26,6 +26,44 @@ pub(crate) struct Centre<'a, R: PhaseRing> {
     pub(crate) omega0_squared: Number<R>,
     /// ω0, when the acceleration depends on the velocity.
     pub(crate) omega0: Option<Number<R>>,
+    /// What the motions consist of.
+    pub(crate) wave: Wave,
+}
+
+/// What the harmonics of a family of motions are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wave {
+    /// Cosines: the phase begins at a turning point.
+    Cosine,
+    /// Sines: the phase begins at a passage through the equilibrium.
+    Sine,
+}
+
+impl Wave {
+    /// The harmonic with this coefficient.
+    pub(crate) fn pair<N>(self, coefficient: N, zero: N) -> HarmonicPair<N> {
+        match self {
+            Self::Cosine => HarmonicPair { cosine: coefficient, sine: zero },
+            Self::Sine => HarmonicPair { cosine: zero, sine: coefficient },
+        }
+    }
+
+    /// The coefficient of a harmonic.
+    pub(crate) fn of<N>(self, pair: HarmonicPair<N>) -> N {
+        match self {
+            Self::Cosine => pair.cosine,
+            Self::Sine => pair.sine,
+        }
+    }
+
+    /// The derivative of the k-th harmonic with this coefficient.
+    fn slope<R: Ring>(self, ring: &R, k: usize, coefficient: &R::Element) -> HarmonicPair<R::Element> {
+        let k = i64::try_from(k).unwrap_or(i64::MAX);
+        match self {
+            Self::Cosine => Self::Sine.pair(ring.times_integer(coefficient, -k), ring.zero()),
+            Self::Sine => Self::Cosine.pair(ring.times_integer(coefficient, k), ring.zero()),
+        }
+    }
 }
 
 /// The coefficients of a family of periodic motions.
@@ -37,7 +75,7 @@ pub(crate) struct Family<E> {
     pub(crate) harmonics: Vec<Vec<HarmonicPair<E>>>,
 }
 
-/// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ; `fundamental` is 0, A₁, …, up to N.
+/// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ or sin τ; `fundamental` is 0, A₁, …, up to N.
 /// Interrupted, the family ends with the last order that was solved. `None` when a number is not in the ring.
 pub(crate) fn family<R: PhaseRing>(
     ring: &R,
@@ -66,11 +104,12 @@ struct Expansion<'a, R: PhaseRing> {
     /// 1/ω0².
     compliance: Number<R>,
     omega0: Option<Number<R>>,
+    wave: Wave,
     /// W₀, W₁, ….
     squared: Vec<Number<R>>,
     frequency: Vec<Number<R>>,
     /// xₙₖ by n and k.
-    cosines: Vec<Vec<Number<R>>>,
+    coefficients: Vec<Vec<Number<R>>>,
 }
 
 /// What the coefficients of x and of x′ change.
@@ -92,41 +131,42 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             inputs: centre.tape.inputs(),
             compliance: ring.numbers().divide(&one, &centre.omega0_squared)?,
             omega0: centre.omega0,
+            wave: centre.wave,
             squared: vec![one.clone()],
             frequency: vec![one],
-            cosines: vec![vec![]],
+            coefficients: vec![vec![]],
         })
     }
 
     /// Solves the equations of the next order, in which only these harmonics are present.
     fn extend(&mut self, gauge: &Number<R>, harmonics: &[usize]) -> Option<()> {
-        let (ring, n) = (self.ring, self.cosines.len());
+        let (ring, n) = (self.ring, self.coefficients.len());
         self.jet.extend(&vec![ring.zero(); self.inputs]).ok()?;
         let rest = self.jet.result(0)[n].clone();
         if n > 1 {
             let secular = if harmonics.contains(&1) { self.secular(&rest) } else { ring.numbers().zero() };
             self.impose_solvability(&secular)?;
         }
-        let mut cosines = vec![ring.numbers().zero(); n + 1];
+        let mut coefficients = vec![ring.numbers().zero(); n + 1];
         for &k in harmonics {
-            cosines[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
+            coefficients[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
         }
-        self.cosines.push(cosines);
-        let position = self.sum(n, |k, a| (k, HarmonicPair { cosine: a, sine: ring.numbers().zero() }));
+        self.coefficients.push(coefficients);
+        let position = self.sum(n, |_, a| self.wave.pair(a.clone(), ring.numbers().zero()));
         self.jet.amend(&self.gains.position, &position);
         self.amend_velocity(n);
         Some(())
     }
 
-    /// What drives cos τ at order n without Wₙ₋₁.
+    /// What drives the first harmonic at order n without Wₙ₋₁.
     fn secular(&self, rest: &R::Element) -> Number<R> {
         self.ring.numbers().add(&self.driving(rest, 1), &self.mixed(1))
     }
 
-    /// Wₙ₋₁ from the harmonic cos τ of order n.
+    /// Wₙ₋₁ from the first harmonic of order n.
     fn impose_solvability(&mut self, secular: &Number<R>) -> Option<()> {
         let numbers = self.ring.numbers();
-        let next = numbers.divide(&numbers.negate(secular), &self.cosines[1][1])?;
+        let next = numbers.divide(&numbers.negate(secular), &self.coefficients[1][1])?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
         Some(())
@@ -147,27 +187,24 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
 
     /// Rₙₖ/ω0².
     fn driving(&self, rest: &R::Element, k: usize) -> Number<R> {
-        self.ring.numbers().multiply(&self.ring.harmonic(rest, k).cosine, &self.compliance)
+        self.ring.numbers().multiply(&self.wave.of(self.ring.harmonic(rest, k)), &self.compliance)
     }
 
     /// Σ Wₙ₋ⱼ·xⱼₖ over 1 < j < n, and j = 1 where W is known and k ≠ 1.
     fn mixed(&self, k: usize) -> Number<R> {
-        let (numbers, n) = (self.ring.numbers(), self.cosines.len());
+        let (numbers, n) = (self.ring.numbers(), self.coefficients.len());
         let products = (2..n).filter_map(|j| {
-            let (w, x) = (&self.squared[n - j], self.cosines[j].get(k)?);
+            let (w, x) = (&self.squared[n - j], self.coefficients[j].get(k)?);
             (!numbers.is_zero(w) && !numbers.is_zero(x)).then(|| numbers.multiply(w, x))
         });
         products.fold(numbers.zero(), |sum, product| numbers.add(&sum, &product))
     }
 
     /// The harmonics of order n as a sum, each as it is told.
-    fn sum(
-        &self,
-        n: usize,
-        term: impl Fn(usize, Number<R>) -> (usize, HarmonicPair<Number<R>>),
-    ) -> R::Element {
-        let present = self.cosines[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
-        self.ring.sum_of_harmonics(&present.map(|(k, a)| term(k, a.clone())).collect::<Vec<_>>())
+    fn sum(&self, n: usize, harmonic: impl Fn(usize, &Number<R>) -> HarmonicPair<Number<R>>) -> R::Element {
+        let present =
+            self.coefficients[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
+        self.ring.sum_of_harmonics(&present.map(|(k, a)| (k, harmonic(k, a))).collect::<Vec<_>>())
     }
 
     /// The velocity of order n, ω0·Σ wₙ₋ⱼ·dxⱼ/dτ.
@@ -177,10 +214,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         let mut velocity = ring.zero();
         for j in 1..=n {
             let factor = numbers.multiply(omega0, &self.frequency[n - j]);
-            let slope = self.sum(j, |k, a| {
-                let k_negative = -i64::try_from(k).unwrap_or(i64::MAX);
-                (k, HarmonicPair { cosine: numbers.zero(), sine: numbers.times_integer(&a, k_negative) })
-            });
+            let slope = self.sum(j, |k, a| self.wave.slope(numbers, k, a));
             velocity = ring.add(&velocity, &ring.times_number(&slope, &factor));
         }
         self.jet.amend(gains, &velocity);
@@ -188,10 +222,9 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
 
     fn into_family(self) -> Family<Number<R>> {
         let zero = self.ring.numbers().zero();
-        let order = self.cosines.len() - 1;
-        let coefficient = |k: usize, n: usize| HarmonicPair {
-            cosine: self.cosines[n].get(k).unwrap_or(&zero).clone(),
-            sine: zero.clone(),
+        let order = self.coefficients.len() - 1;
+        let coefficient = |k: usize, n: usize| {
+            self.wave.pair(self.coefficients[n].get(k).unwrap_or(&zero).clone(), zero.clone())
         };
         let harmonics = (0..=order).map(|k| (0..=order).map(|n| coefficient(k, n)).collect()).collect();
         Family { frequency: self.frequency, harmonics }

@@ -34,9 +34,11 @@ mod lindstedt;
 mod model;
 mod modular;
 mod open_gauge;
+mod phase_origin;
 mod restoring_force;
 mod selection;
 mod series_set;
+mod shape;
 mod slow_flow;
 mod symbolic;
 mod truncated_system;
@@ -50,6 +52,7 @@ pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
+pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
 pub use slow_flow::{
     MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowLimitCycle, SlowSeries,

@@ -5,7 +5,8 @@ use super::gauge::Gauge;
 use super::half_turns::half_turns;
 use super::limit_cycle::{Excitation, highest_harmonic, limit_cycle};
 use super::lindstedt::{Centre, Family, family};
-use super::series_set::{Amplitudes, SeriesSet, by_inverse, half_swing, substituted};
+use super::series_set::{SeriesSet, by_inverse, half_swing, substituted};
+use super::shape::Shape;
 use crate::algebra::{Number, PhaseRing, Rational, Ring};
 use crate::expression::{Jet, Tape};
 use crate::series::truncated::{powers, powers_of_inverse};
@@ -15,7 +16,7 @@ use crate::watch::Watch;
 #[derive(Clone, Debug)]
 pub(crate) enum Motion<N> {
     /// A family about a centre, in a gauge.
-    Centre { gauge: Gauge, symmetric: bool },
+    Centre { gauge: Gauge, shape: Shape },
     /// The limit cycle of a self-excitation of total degree `degree`.
     LimitCycle(Selected<N>),
 }
@@ -69,10 +70,9 @@ impl<N> Model<N> {
         let omega0_squared = number(&self.omega0_squared)?;
         let numbers = Numbers { values, omega0: root(&self.omega0_squared), omega0_squared };
         match &self.motion {
-            Motion::Centre { gauge, symmetric } => {
-                let family = self.centre_family(ring, &numbers, gauge, watch)?;
-                let amplitudes = if *symmetric { Amplitudes::One } else { Amplitudes::Both };
-                SeriesSet::new(ring.numbers(), family, amplitudes)
+            Motion::Centre { gauge, shape } => {
+                let family = self.centre_family(ring, &numbers, gauge, *shape, watch)?;
+                SeriesSet::new(ring.numbers(), family, *shape)
             }
             Motion::LimitCycle(selected) => {
                 let (field, unit) = (ring.numbers(), root(&selected.unit_squared)?);
@@ -85,7 +85,7 @@ impl<N> Model<N> {
                     symmetric: selected.symmetric,
                 };
                 let family = limit_cycle(ring, &excitation, self.order, watch)?;
-                SeriesSet::new(field, in_units(field, family, &unit)?, Amplitudes::None)
+                SeriesSet::new(field, in_units(field, family, &unit)?, Shape::Cycle)
             }
         }
     }
@@ -95,19 +95,22 @@ impl<N> Model<N> {
         ring: &R,
         given: &Numbers<Number<R>>,
         gauge: &Gauge,
+        shape: Shape,
         watch: &Watch<'_>,
     ) -> Option<Family<Number<R>>> {
         let numbers = ring.numbers();
         let omega0 = if self.uses_velocity { Some(given.omega0.clone()?) } else { None };
         let values = given.values.iter().map(|value| constant(ring, value)).collect();
         let omega0_squared = given.omega0_squared.clone();
-        let centre = Centre { tape: &self.tape, values, omega0_squared, omega0 };
+        let centre = Centre { tape: &self.tape, values, omega0_squared, omega0, wave: shape.wave() };
         let family = family(ring, centre, &self.fundamental(numbers, gauge)?, watch)?;
         let order = family.harmonics.first().map_or(0, Vec::len) - 1;
         match gauge {
             Gauge::Fundamental | Gauge::Coefficients(_) => Some(family),
-            Gauge::XMax => by_inverse(numbers, &family, &half_turns(numbers, &family).0),
-            Gauge::HalfSwing => by_inverse(numbers, &family, &half_swing(numbers, &family)?),
+            Gauge::XMax => by_inverse(numbers, &family, &shape.turning_points(numbers, &family)?.0),
+            Gauge::HalfSwing => {
+                by_inverse(numbers, &family, &half_swing(numbers, &shape.turning_points(numbers, &family)?)?)
+            }
             Gauge::Energy => {
                 let x = self.displacement(numbers, given.values.clone(), &given.omega0_squared, order)?;
                 let inverse = powers_of_inverse(numbers, &half_turns(numbers, &family).0)?.first();

@@ -1,9 +1,9 @@
 //! All series of one family of motions, over any ring: harmonics, turning points, and everything as functions of
 //! the amplitude.
 
-use super::extremes::extremes;
-use super::half_turns::half_turns;
-use super::lindstedt::Family;
+use super::half_turns::BothTurns;
+use super::lindstedt::{Family, Wave};
+use super::shape::Shape;
 use crate::algebra::{HarmonicPair, Ring};
 use crate::series::truncated::{SeriesPowers, powers, powers_of_inverse, reciprocal};
 
@@ -18,7 +18,7 @@ pub(crate) struct SeriesSet<E> {
     pub(crate) of_half_swing: Option<OfAmplitude<E>>,
 }
 
-/// The series by powers of an amplitude.
+/// The series by powers of an amplitude. Harmonics are cosines, of mirrored motions sines.
 #[derive(Clone, Debug)]
 pub(crate) struct OfAmplitude<E> {
     pub(crate) frequency: Vec<E>,
@@ -27,32 +27,17 @@ pub(crate) struct OfAmplitude<E> {
     pub(crate) harmonics: Vec<Vec<E>>,
 }
 
-/// Which amplitudes the series are wanted in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Amplitudes {
-    /// None: the amplitude is not free.
-    None,
-    /// The largest displacement, of a symmetric well.
-    One,
-    /// The largest displacement and the half swing.
-    Both,
-}
-
 impl<E: Clone> SeriesSet<E> {
     /// All series of a family; `None` when a number is not in the ring.
-    pub(crate) fn new<R: Ring<Element = E>>(
-        ring: &R,
-        family: Family<E>,
-        amplitudes: Amplitudes,
-    ) -> Option<Self> {
-        let (x_max, x_min) = match amplitudes {
-            Amplitudes::None => extremes(ring, &family)?,
-            _ => half_turns(ring, &family),
+    pub(crate) fn new<R: Ring<Element = E>>(ring: &R, family: Family<E>, shape: Shape) -> Option<Self> {
+        let turning_points = shape.turning_points(ring, &family)?;
+        let of = |amplitude: &[E]| OfAmplitude::new(ring, &family, amplitude, shape.wave());
+        let of_amplitude = if shape == Shape::Cycle { None } else { Some(of(&turning_points.0)?) };
+        let of_half_swing = match shape {
+            Shape::Asymmetric => Some(of(&half_swing(ring, &turning_points)?)?),
+            _ => None,
         };
-        let of = |amplitude: &[E]| OfAmplitude::new(ring, &family, amplitude);
-        let of_amplitude = if amplitudes == Amplitudes::None { None } else { Some(of(&x_max)?) };
-        let of_half_swing =
-            if amplitudes == Amplitudes::Both { Some(of(&half_swing(ring, &family)?)?) } else { None };
+        let (x_max, x_min) = turning_points;
         let Family { frequency, harmonics } = family;
         Some(Self { frequency, harmonics, x_max, x_min, of_amplitude, of_half_swing })
     }
@@ -165,11 +150,12 @@ impl<E: Clone> SeriesSet<E> {
 }
 
 impl<E: Clone> OfAmplitude<E> {
-    fn new<R: Ring<Element = E>>(ring: &R, family: &Family<E>, amplitude: &[E]) -> Option<Self> {
+    fn new<R: Ring<Element = E>>(ring: &R, family: &Family<E>, amplitude: &[E], wave: Wave) -> Option<Self> {
         let inverse = powers_of_inverse(ring, amplitude)?;
         let Family { frequency, harmonics } = composed(ring, family, &inverse);
         let period = reciprocal(ring, &frequency)?;
-        let harmonics = harmonics.into_iter().map(|h| h.into_iter().map(|h| h.cosine).collect()).collect();
+        let harmonics =
+            harmonics.into_iter().map(|h| h.into_iter().map(|pair| wave.of(pair)).collect()).collect();
         Some(Self { frequency, period, epsilon: inverse.first(), harmonics })
     }
 }
@@ -217,7 +203,9 @@ fn composed<R: Ring>(
 }
 
 /// Half the distance between the turning points.
-pub(crate) fn half_swing<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<R::Element>> {
-    let (x_max, x_min) = half_turns(ring, family);
-    x_max.iter().zip(&x_min).map(|(max, min)| ring.over_integer(&ring.subtract(max, min), 2)).collect()
+pub(crate) fn half_swing<R: Ring>(
+    ring: &R,
+    (x_max, x_min): &BothTurns<R::Element>,
+) -> Option<Vec<R::Element>> {
+    x_max.iter().zip(x_min).map(|(max, min)| ring.over_integer(&ring.subtract(max, min), 2)).collect()
 }

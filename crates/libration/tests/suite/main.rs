@@ -22,6 +22,7 @@ mod expansions;
 mod expression;
 mod fourier;
 mod ledger;
+mod mirrored;
 mod motion;
 mod normal_modes;
 mod open_gauge;

@@ -7,7 +7,9 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::series;
 use libration::algebra::Rational;
-use libration::perturbation::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, Precision};
+use libration::perturbation::{
+    AmplitudeSeries, Certificate, Expansion, ExpansionVariable, PhaseOrigin, Precision,
+};
 use serde_json::Value;
 
 /// Coefficients by powers.
@@ -72,6 +74,13 @@ fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::value("variable", "", "name of the expansion parameter", |it| {
             it.expansion.variable.name().into()
         }),
+        Of::<C>::value(
+            "phase_origin",
+            "",
+            "where the phase τ is zero: at the upper `turning point`, at a `passage` upward through the equilibrium, or where the `first \
+             harmonic` has its maximum",
+            |it| phase_origin(it.expansion.phase_origin).into(),
+        ),
         Of::<C>::value("precision", "", "`exact`, or to how many digits the coefficients are known", |it| {
             precision(it.expansion.precision).into()
         }),
@@ -212,7 +221,7 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "", json, csv }
 }
 
-/// Those of all series, in the order of JSON; of harmonics in an amplitude without the sines, which vanish.
+/// Those of all series, in the order of JSON; of harmonics in an amplitude without the cosines or sines, whichever vanish.
 pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
     let mut all = vec![];
     let mut add = |quantity: String, variable, series: Series| {
@@ -238,7 +247,12 @@ pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> 
         add("frequency_ratio".to_owned(), name, of.frequency_ratio);
         add("period_ratio".to_owned(), name, of.period_ratio);
         add("epsilon".to_owned(), name, of.epsilon);
-        of.harmonics.into_iter().for_each(|Harmonic { k, cos, .. }| add(format!("cos_{k}"), name, cos));
+        for Harmonic { k, cos, sin } in of.harmonics {
+            match expansion.phase_origin {
+                PhaseOrigin::Passage => add(format!("sin_{k}"), name, sin),
+                PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => add(format!("cos_{k}"), name, cos),
+            }
+        }
     }
     all
 }
@@ -274,10 +288,14 @@ fn in_amplitude<C: series::Coefficient>(answer: &Answer<C>, of: &Option<Amplitud
 impl OfAmplitude {
     fn new<C: series::Coefficient>(expansion: &Expansion<C>, of: &AmplitudeSeries<C>) -> Self {
         let texts = |series: &[C]| texts(expansion, series);
-        let harmonic = |(k, series): &(usize, Vec<C>)| Harmonic {
-            k: *k,
-            cos: texts(series),
-            sin: vec![written(&Rational::from(0)); series.len()],
+        let harmonic = |(k, series): &(usize, Vec<C>)| {
+            let nothing = vec![written(&Rational::from(0)); series.len()];
+            match expansion.phase_origin {
+                PhaseOrigin::Passage => Harmonic { k: *k, cos: nothing, sin: texts(series) },
+                PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => {
+                    Harmonic { k: *k, cos: texts(series), sin: nothing }
+                }
+            }
         };
         Self {
             frequency_ratio: texts(&of.frequency_ratio),
@@ -285,6 +303,14 @@ impl OfAmplitude {
             epsilon: texts(&of.epsilon),
             harmonics: of.harmonics.iter().map(harmonic).collect(),
         }
+    }
+}
+
+fn phase_origin(origin: PhaseOrigin) -> &'static str {
+    match origin {
+        PhaseOrigin::TurningPoint => "turning point",
+        PhaseOrigin::Passage => "passage",
+        PhaseOrigin::FirstHarmonic => "first harmonic",
     }
 }
 

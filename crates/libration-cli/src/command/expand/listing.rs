@@ -6,7 +6,7 @@ use crate::output::series::{Coefficient, Notation, Style, subscript, superscript
 use crate::output::table::write_text;
 use libration::expression::Expression;
 use libration::perturbation::{
-    AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision,
+    AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, PhaseOrigin, Precision,
 };
 use std::io::{self, Write};
 
@@ -31,7 +31,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
         amplitudes.into_iter().filter_map(|(s, title, of)| Some((s, title, of.as_ref()?)))
     {
         writeln!(out, "\nas functions {title}:")?;
-        for (name, text) in amplitude_lines(of, notation, symbol, symbols.variable) {
+        for (name, text) in amplitude_lines(of, notation, symbol, (symbols.variable, letter_of(expansion))) {
             writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
         }
     }
@@ -100,10 +100,14 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     let order = expansion.order;
     match &expansion.variable {
         ExpansionVariable::Epsilon(gauge) => {
-            let gauge = gauge_in_words(gauge);
+            let gauge = gauge_in_words(gauge, letter_of(expansion));
             let frequency =
                 if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
-            format!("x to {}, {frequency}; {gauge}; τ = Ωt", power(order))
+            let origin = match expansion.phase_origin {
+                PhaseOrigin::Passage => ", counted from a passage upward through the equilibrium",
+                PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => "",
+            };
+            format!("x to {}, {frequency}; {gauge}; τ = Ωt{origin}", power(order))
         }
         ExpansionVariable::Parameter(_) => {
             format!("the limit cycle to {}; τ = Ωt, with the phase in which there is no sin τ", power(order))
@@ -111,15 +115,16 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     }
 }
 
-fn gauge_in_words(gauge: &libration::perturbation::Gauge) -> String {
+fn gauge_in_words(gauge: &libration::perturbation::Gauge, letter: &str) -> String {
     use libration::perturbation::Gauge;
     match gauge {
+        Gauge::Fundamental if letter == "b" => "gauge: ε is the coefficient of sin τ".to_owned(),
         Gauge::Fundamental => "gauge: ε is the coefficient of cos τ".to_owned(),
         Gauge::XMax => "gauge: ε is the largest displacement".to_owned(),
         Gauge::HalfSwing => "gauge: ε is half the distance between the turning points".to_owned(),
         Gauge::Energy => "gauge: ε = √(2E)/ω0, E the energy above the equilibrium".to_owned(),
         Gauge::Nome => "gauge: ε = 8√q, q the nome".to_owned(),
-        Gauge::Coefficients(_) => format!("gauge: {gauge} in a₁ = A₁ε + A₂ε² + …"),
+        Gauge::Coefficients(_) => format!("gauge: {gauge} in {letter}₁ = A₁ε + A₂ε² + …"),
         _ => format!("gauge: {gauge}"),
     }
 }
@@ -135,10 +140,9 @@ fn lines<C: Coefficient>(
     if let Some(frequency) = answer.frequency() {
         lines.push(("Ω = ".to_owned(), notation.series(frequency, variable)));
     }
-    for harmonic in &expansion.harmonics {
-        for (name, series) in named(harmonic) {
-            lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
-        }
+    for Part { letter, k, series } in parts(expansion) {
+        let name = format!("{letter}{}", subscript(k));
+        lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
     }
     lines.push((format!("x_max = {unit}"), bracketed(&unit, notation.series(&expansion.x_max, variable))));
     if mirrored(expansion) {
@@ -166,25 +170,40 @@ fn bracketed(unit: &str, text: String) -> String {
     if unit.is_empty() || !text.contains(' ') { text } else { format!("({text})") }
 }
 
-/// The parts of a harmonic that are present, with their names.
-fn named<C: Coefficient>(harmonic: &HarmonicSeries<C>) -> Vec<(String, &[C])> {
-    let k = harmonic.k;
-    let present = |series: &[C]| series.iter().any(|c| !c.is_zero());
-    let mut named: Vec<(String, &[C])> = vec![];
-    if k == 1 || present(&harmonic.cos) {
-        named.push((format!("a{}", subscript(k)), &harmonic.cos));
+/// The series of cos kτ, called a, or of sin kτ, called b.
+pub(super) struct Part<'a, C> {
+    pub(super) letter: &'static str,
+    pub(super) k: usize,
+    pub(super) series: &'a [C],
+}
+
+/// The parts of harmonics that are present, and the first one in any case.
+pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<Part<'_, C>> {
+    let first = letter_of(expansion);
+    let present = |it: &Part<'_, C>| {
+        (it.letter, it.k) == (first, 1) || it.series.iter().any(|coefficient| !coefficient.is_zero())
+    };
+    expansion.harmonics.iter().flat_map(both).filter(present).collect()
+}
+
+fn both<C>(harmonic: &HarmonicSeries<C>) -> [Part<'_, C>; 2] {
+    let part = |letter, series| Part { letter, k: harmonic.k, series };
+    [part("a", &harmonic.cos), part("b", &harmonic.sin)]
+}
+
+/// What the coefficients of harmonics are called that depend on the amplitude.
+pub(super) fn letter_of<C>(expansion: &Expansion<C>) -> &'static str {
+    match expansion.phase_origin {
+        PhaseOrigin::Passage => "b",
+        PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => "a",
     }
-    if present(&harmonic.sin) {
-        named.push((format!("b{}", subscript(k)), &harmonic.sin));
-    }
-    named
 }
 
 fn amplitude_lines<C: Coefficient>(
     of: &AmplitudeSeries<C>,
     notation: Notation,
     symbol: &str,
-    variable: &str,
+    (variable, letter): (&str, &str),
 ) -> Vec<(String, String)> {
     let mut lines = vec![
         ("Ω/ω0 = ".to_owned(), notation.series(&of.frequency_ratio, symbol)),
@@ -192,7 +211,7 @@ fn amplitude_lines<C: Coefficient>(
         (format!("{variable} = "), notation.series(&of.epsilon, symbol)),
     ];
     for (k, series) in &of.harmonics {
-        lines.push((format!("a{} = ", subscript(*k)), notation.series(series, symbol)));
+        lines.push((format!("{letter}{} = ", subscript(*k)), notation.series(series, symbol)));
     }
     lines
 }
@@ -260,25 +279,22 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C
     if let Some(frequency) = answer.frequency() {
         writeln!(out, "  \\Omega &= {} \\\\", notation.series(frequency, &symbols.latex))?;
     }
-    for harmonic in &expansion.harmonics {
-        for (letter, series) in [("a", &harmonic.cos), ("b", &harmonic.sin)] {
-            if (letter == "a" && harmonic.k == 1) || series.iter().any(|c| !c.is_zero()) {
-                writeln!(out, "  {letter}_{{{}}} &= {unit}{} \\\\", harmonic.k, scaled(series))?;
-            }
-        }
+    for Part { letter, k, series } in parts(expansion) {
+        writeln!(out, "  {letter}_{{{k}}} &= {unit}{} \\\\", scaled(series))?;
     }
     writeln!(out, "  x_{{\\max}} &= {unit}{} \\\\", scaled(&expansion.x_max))?;
     writeln!(out, "  x_{{\\min}} &= {unit}{}", scaled(&expansion.x_min))?;
     writeln!(out, "\\end{{align*}}")?;
     for (symbol, of) in [("A", &expansion.of_amplitude), ("h", &expansion.of_half_swing)] {
         let Some(of) = of else { continue };
+        let letter = letter_of(expansion);
         writeln!(out, "\\begin{{align*}}")?;
         let series = [
             (r"\frac{\Omega}{\omega_0}".to_owned(), &of.frequency_ratio),
             (r"\frac{T}{T_0}".to_owned(), &of.period_ratio),
             (symbols.latex.clone(), &of.epsilon),
         ];
-        let harmonics = of.harmonics.iter().map(|(k, series)| (format!("a_{{{k}}}"), series));
+        let harmonics = of.harmonics.iter().map(|(k, series)| (format!("{letter}_{{{k}}}"), series));
         let lines: Vec<String> = series
             .into_iter()
             .chain(harmonics)

@@ -1,6 +1,7 @@
 //! The expansion as formulas in MathML, one a line.
 
 use super::Answer;
+use super::listing::{Part, letter_of, parts};
 use crate::output::mathml::{display, element, name, number};
 use crate::output::series::{Coefficient, Notation, Style};
 use libration::perturbation::Precision;
@@ -21,12 +22,8 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
     if let Some(frequency) = answer.frequency() {
         line(name("Omega"), "", frequency, &variable)?;
     }
-    for harmonic in &expansion.harmonics {
-        for (letter, series) in [("a", &harmonic.cos), ("b", &harmonic.sin)] {
-            if (letter == "a" && harmonic.k == 1) || series.iter().any(|c| !c.is_zero()) {
-                line(name(&format!("{letter}{}", harmonic.k)), &unit, series, &variable)?;
-            }
-        }
+    for Part { letter, k, series } in parts(expansion) {
+        line(name(&format!("{letter}{k}")), &unit, series, &variable)?;
     }
     line(name("x_max"), &unit, &expansion.x_max, &variable)?;
     line(name("x_min"), &unit, &expansion.x_min, &variable)?;
@@ -37,7 +34,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
         line(ratio("T", "T0"), "", &of.period_ratio, &symbol)?;
         line(variable.clone(), "", &of.epsilon, &symbol)?;
         for (k, series) in &of.harmonics {
-            line(name(&format!("a{k}")), "", series, &symbol)?;
+            line(name(&format!("{}{k}", letter_of(expansion))), "", series, &symbol)?;
         }
     }
     Ok(())

@@ -53,6 +53,7 @@ use subject::{About, Subject};
   libration expand duffing --set epsilon=0.1 --evaluate 2 --quantity a3
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --order 5
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --set b=0 --latex
+  libration expand \"x'' + 3*x*x' + x^3 + x = 0\"   # every period is the same
   libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
   libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
@@ -61,7 +62,8 @@ use subject::{About, Subject};
   libration expand \"x'' + c*(x^2 - 1)*x' + x + x^3 = 0\" --damping-order 3
   libration oscillators                         # the built-in ones
 
-Gauges: fundamental (ε is the coefficient of cos Ωt), x_max, half_swing,
+Gauges: fundamental (ε is the coefficient of cos Ωt, of sin Ωt where the force
+is the opposite at -x with the same velocity), x_max, half_swing,
 energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
 a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1. In a slow flow A is x_max, where
 the motion turns, or fundamental, the coefficient of cos ψ.
@@ -93,7 +95,8 @@ pub(crate) struct Expand {
     /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
     evaluate: Option<String>,
-    /// What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+    /// What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt
+    /// or sin 3Ωt
     #[arg(long, default_value = "period", requires = "evaluate")]
     quantity: SeriesQuantity,
     /// Write LaTeX

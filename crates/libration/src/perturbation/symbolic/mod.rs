@@ -9,6 +9,7 @@ use super::gauge::Gauge;
 use super::model::{Model, Motion};
 use super::modular::{Unsolved, exact_series};
 use super::series_set::SeriesSet;
+use super::shape::{Shape, shape_of};
 use crate::algebra::{HarmonicSums, LaurentPolynomial, LaurentPolynomials, Rational, Ring};
 use crate::expression::{Expression, Function, Symbol};
 use crate::oscillator::{Kind, SymbolicOscillator};
@@ -132,9 +133,13 @@ impl Question<'_> {
             values,
             omega0_squared,
             uses_velocity: *self.oscillator.kind() != Kind::Conservative,
-            motion: Motion::Centre { gauge: self.gauge.clone(), symmetric: self.oscillator.is_odd() },
+            motion: Motion::Centre { gauge: self.gauge.clone(), shape: self.shape() },
             order: self.order,
         }
+    }
+
+    fn shape(&self) -> Shape {
+        shape_of(self.oscillator.kind(), self.oscillator.is_odd())
     }
 
     fn series(
@@ -192,6 +197,7 @@ impl Question<'_> {
         let heading = Heading {
             order: set.order(),
             variable: ExpansionVariable::Epsilon(self.gauge.clone()),
+            phase_origin: self.shape().into(),
             precision: Precision::Exact,
             equilibrium: oscillator.equilibrium().clone(),
             omega0_squared: oscillator.omega0_squared().clone(),

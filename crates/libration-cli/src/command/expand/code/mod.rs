@@ -8,7 +8,7 @@ pub(super) use language::Language;
 use super::Answer;
 use crate::output::series::Coefficient;
 use libration::algebra::Rational;
-use libration::perturbation::{ExpansionVariable, Precision};
+use libration::perturbation::{ExpansionVariable, PhaseOrigin, Precision};
 use program::{Function, Names, Program};
 use std::io::{self, Write};
 
@@ -42,7 +42,10 @@ impl<'a, C: Coefficient> Series<'a, C> {
             Some(of) => Self {
                 argument: "amplitude",
                 frequency: &of.frequency_ratio,
-                harmonics: of.harmonics.iter().map(|(k, series)| (*k, false, series.as_slice())).collect(),
+                harmonics: {
+                    let is_sine = expansion.phase_origin == PhaseOrigin::Passage;
+                    of.harmonics.iter().map(|(k, series)| (*k, is_sine, series.as_slice())).collect()
+                },
             },
             None => {
                 let parts =
@@ -121,11 +124,16 @@ impl<C: Coefficient> Writer<'_, C> {
         function
     }
 
-    /// Released at rest at its largest displacement, or with the phase in which the first harmonic is a cosine.
+    /// Released at rest at its largest displacement, passing the equilibrium, or with the phase in which the first harmonic is a cosine.
     fn displacement(&self) -> Function {
         let arguments = self.arguments(&[self.series.argument]);
         let call = format!("frequency({})", arguments.join(", "));
-        let meaning = "the displacement, where the first harmonic is a cosine of the phase";
+        let meaning = match self.answer.expansion.phase_origin {
+            PhaseOrigin::Passage => "the displacement, where all harmonics are sines of the phase",
+            PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => {
+                "the displacement, where the first harmonic is a cosine of the phase"
+            }
+        };
         let mut function =
             Function::new("displacement", meaning, self.arguments(&[self.series.argument, "time"]));
         if self.names.root.is_some() {

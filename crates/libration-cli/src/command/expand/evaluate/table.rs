@@ -1,6 +1,6 @@
 //! The series in numbers, to read.
 
-use super::super::listing::{self, Symbols};
+use super::super::listing::{self, Symbols, letter_of};
 use super::{NOT_REACHED, Numbers, Quotient, fields};
 use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{subscript, superscript};
@@ -33,11 +33,11 @@ fn symbol(numbers: &Numbers<'_>) -> String {
     }
 }
 
-fn name(quantity: SeriesQuantity) -> String {
+fn name(quantity: SeriesQuantity, letter: &str) -> String {
     match quantity {
         SeriesQuantity::Period => "T/T0".to_owned(),
         SeriesQuantity::Frequency => "Ω/ω0".to_owned(),
-        SeriesQuantity::Cosine(k) => format!("a{}", subscript(k)),
+        SeriesQuantity::Cosine(k) => format!("{letter}{}", subscript(k)),
     }
 }
 
@@ -54,7 +54,10 @@ fn subject(numbers: &Numbers<'_>) -> String {
         SeriesQuantity::Cosine(_) if *unit != Rational::from(1) => format!(", in units of √({unit})"),
         _ => String::new(),
     };
-    format!("{} by powers of {symbol}{units}, {place}", name(numbers.relation.quantity()))
+    format!(
+        "{} by powers of {symbol}{units}, {place}",
+        name(numbers.relation.quantity(), letter_of(&numbers.answer.expansion))
+    )
 }
 
 /// An amplitude, in radians and degrees when it is an angle.
