@@ -216,9 +216,12 @@ fn other_oscillators_have_exact_values_too() {
     for (question, period) in cases {
         let answer = json(&format!("expand {question}"));
         close(&answer["exact"], period / std::f64::consts::TAU, 1e-12);
-        let expected = if question.starts_with("duffing") { "proven" } else { "estimated" };
-        assert_eq!(answer["steps"][0]["bound_is"], expected, "{question}");
         let last = answer["steps"].as_array().unwrap().last().unwrap();
+        let is_polynomial = question.starts_with("duffing") || question.starts_with("quadratic");
+        let (expected, known, other) =
+            if is_polynomial { ("proven", "bound", "estimate") } else { ("estimated", "estimate", "bound") };
+        assert_eq!(last["bound_is"], expected, "{question}");
+        assert!(last[known].as_f64().unwrap() < 1e-9 && last[other].is_null(), "{question}: {last}");
         assert!(last["error"].as_f64().unwrap().abs() < 1e-9, "{question}: {last}");
     }
     // T·Ω = 2π, and the third harmonic of the pendulum at 2 rad by its nome.
@@ -303,7 +306,10 @@ fn it_is_seen_where_a_series_stops_helping() {
 #[test]
 fn the_terms_are_csv_too() {
     let rows = text("expand pendulum --evaluate 1 --order 5 --csv");
-    assert!(rows.starts_with("power,coefficient,term,sum,error,bound,bound_is\n0,1,1.0,1.0,"), "{rows}");
+    assert!(
+        rows.starts_with("power,coefficient,term,sum,error,bound,bound_is,estimate\n0,1,1.0,1.0,"),
+        "{rows}"
+    );
     assert_eq!(rows.lines().count(), 4);
     assert!(rows.contains("\n4,11/3072,"));
 }
@@ -506,5 +512,5 @@ fn remainders_of_odd_polynomials_are_proven() {
     for word in ["inf ", "nan", "1 for 1e-3"] {
         assert!(!outside.contains(word), "{word}: {outside}");
     }
-    assert!(outside.contains("beyond range") && outside.contains("no bound"));
+    assert!(outside.contains("beyond range") && outside.contains("unknown"));
 }

@@ -21,6 +21,7 @@ mod quantity;
 
 mod enclosed;
 mod exact;
+mod pendulum_harmonic;
 
 mod relation;
 

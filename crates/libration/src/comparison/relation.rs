@@ -4,14 +4,14 @@
 use std::f64::consts::PI;
 
 use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
-use super::{Approximant, SeriesQuantity};
+use super::{Approximant, SeriesQuantity, pendulum_harmonic};
 use crate::algebra::{Rational, Rationals};
 use crate::elementary::count;
 use crate::expression::Symbol;
 use crate::oscillator::Oscillator;
 use crate::perturbation::{
     Convergence, Expansion, Pade, PeriodMajorant, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
-    restoring_force,
+    restoring_force, stride,
 };
 use crate::quantity::Displacement;
 use crate::series::truncated::reciprocal;
@@ -91,28 +91,43 @@ impl<'a> SeriesComparison<'a> {
         &self.series
     }
 
-    /// The series in numbers, with proven remainders where there is a theorem: for the period of the pendulum, and where the force
-    /// is an odd polynomial of the displacement.
+    /// The series in numbers. Remainders are proven for period, frequency and harmonics of the pendulum, and for period and frequency where the
+    /// force is a polynomial of the displacement, up to an amplitude from which on no bound is known; elsewhere they are estimates.
     #[must_use]
     pub fn evaluation_at(&self, amplitude: f64) -> SeriesEvaluation {
         let evaluation = SeriesEvaluation::new(&self.series, amplitude);
-        if self.quantity == SeriesQuantity::Period && is_pendulum(self.oscillator) {
-            return evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2));
-        }
-        match self.period_majorant() {
-            Some(majorant) => {
-                let bound = majorant.at(amplitude);
+        match self.quantity {
+            _ if self.expansion.of_amplitude.is_none() => evaluation,
+            // No coefficient of Ω/ω0 is larger than that of T/T0 (`pendulum_harmonic.rs`).
+            SeriesQuantity::Period | SeriesQuantity::Frequency if is_pendulum(self.oscillator) => {
+                evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2))
+            }
+            SeriesQuantity::Cosine(k) if is_pendulum(self.oscillator) => {
+                let sizes = pendulum_harmonic::series_of_size(&self.series, k);
+                let bound = sizes.at(amplitude, PI, |amplitude| pendulum_harmonic::size(amplitude, k));
                 evaluation.with_bound(|power| bound.after(power))
             }
-            None => evaluation,
+            SeriesQuantity::Cosine(_) => evaluation,
+            SeriesQuantity::Period | SeriesQuantity::Frequency => self.bounded_by_majorant(evaluation),
         }
     }
 
-    /// The bound of the period of an odd polynomial force.
-    fn period_majorant(&self) -> Option<PeriodMajorant> {
-        if self.quantity != SeriesQuantity::Period || self.expansion.of_amplitude.is_none() {
-            return None;
+    /// With the bounds for a polynomial force, where there are any.
+    fn bounded_by_majorant(&self, evaluation: SeriesEvaluation) -> SeriesEvaluation {
+        let Some(majorant) = self.period_majorant() else { return evaluation };
+        let bound = match self.quantity {
+            SeriesQuantity::Frequency => majorant.frequency_at(evaluation.at()),
+            _ => majorant.period_at(evaluation.at()),
+        };
+        if bound.after(0).is_infinite() {
+            evaluation
+        } else {
+            evaluation.with_bound(|power| bound.after(power))
         }
+    }
+
+    /// The bound of period and frequency of a polynomial force.
+    fn period_majorant(&self) -> Option<PeriodMajorant> {
         let x = Symbol { name: self.oscillator.variable().to_owned(), primes: 0 };
         let degree = self.oscillator.acceleration().polynomial_coefficients(&x)?.len().checked_sub(1)?;
         PeriodMajorant::new(&restoring_force(self.oscillator, degree)?, self.expansion.order)
@@ -134,7 +149,7 @@ impl<'a> SeriesComparison<'a> {
     pub fn approximant(&self, degree: usize) -> Option<Approximant> {
         let present: Vec<usize> = (0..self.series.len()).filter(|n| !self.series[*n].is_zero()).collect();
         let first = *present.first()?;
-        let stride = present.iter().fold(0, |stride, n| greatest_common_divisor(stride, n - first));
+        let stride = stride(present);
         let spread: Vec<Rational> = self.series[first..].iter().step_by(stride.max(1)).cloned().collect();
         let pade = Pade::new(&spread, degree, degree)?;
         Some(Approximant { pade, first: count(first), stride: count(stride.max(1)) })
@@ -208,10 +223,6 @@ fn of_strength(expansion: &Expansion, quantity: SeriesQuantity) -> Vec<Rational>
 
 fn nothing(order: usize) -> Vec<Rational> {
     vec![Rational::from(0); order + 1]
-}
-
-fn greatest_common_divisor(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
 
 #[cfg(test)]

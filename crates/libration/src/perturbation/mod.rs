@@ -44,9 +44,10 @@ mod symbolic;
 mod truncated_system;
 
 pub use evaluation::{
-    Certainty, Convergence, Pade, PartialSum, PeriodMajorant, PeriodMajorantAt, Pole, Remainder,
-    SeriesEvaluation, Singularity, pendulum_period_remainder,
+    Certainty, Convergence, MajorantAt, Pade, PartialSum, PeriodMajorant, Pole, Remainder, SeriesEvaluation,
+    Singularity, pendulum_period_remainder,
 };
+pub(crate) use evaluation::{PositiveSeries, stride};
 pub(crate) use expand::is_pendulum;
 pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};

@@ -7,6 +7,7 @@ mod hidden_forces;
 mod period_majorants;
 mod promises;
 mod random;
+mod remainders;
 mod ulp;
 
 mod accuracy;

@@ -8,7 +8,8 @@ pub(super) const GAP: usize = 2;
 /// Columns of words are not folded to less than this, unless all they hold is shorter.
 const NARROWEST_WORDS: usize = 24;
 
-/// The blocks that stand one below the other, each with its columns and their widths. The first column stands in each.
+/// The blocks that stand one below the other, each with its columns and their widths. The first column stands in each, and what has neither
+/// title nor words in none.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub(super) blocks: Vec<Vec<ColumnPlace>>,
@@ -36,8 +37,9 @@ struct Demand {
 impl Layout {
     /// The layout of these rows in so many columns of the screen.
     pub(super) fn new(columns: &[Column], rows: &[Vec<String>], room: usize) -> Self {
+        let demand = |(index, column)| Demand::new(index, column, rows);
         let demands: Vec<Demand> =
-            columns.iter().enumerate().map(|(index, column)| Demand::new(index, column, rows)).collect();
+            columns.iter().enumerate().map(demand).filter(|demand| demand.natural > 0).collect();
         Self { blocks: grouped(&demands, room).iter().map(|block| shared(block, room)).collect() }
     }
 
@@ -48,11 +50,12 @@ impl Layout {
 
     /// Whether a row that was not seen before goes into the widths.
     pub(super) fn holds(&self, columns: &[Column], cells: &[String]) -> bool {
-        self.blocks.iter().flatten().all(|place| {
-            match (&columns[place.column].side, cells.get(place.column)) {
-                (Side::Right, Some(cell)) => columns_of(cell) <= place.width,
-                (Side::Left, Some(cell)) => longest_word(cell) <= place.width,
-                (_, None) => true,
+        let place = |column| self.blocks.iter().flatten().find(|place| place.column == column);
+        cells.iter().zip(columns).enumerate().all(|(index, (cell, column))| {
+            match (place(index), &column.side) {
+                (None, _) => cell.is_empty(),
+                (Some(place), Side::Right) => columns_of(cell) <= place.width,
+                (Some(place), Side::Left) => longest_word(cell) <= place.width,
             }
         })
     }

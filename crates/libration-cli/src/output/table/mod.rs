@@ -184,6 +184,17 @@ mod tests {
         );
     }
 
+    /// A column of remarks takes no room, and no block of its own, as long as there are none.
+    #[test]
+    fn what_has_neither_title_nor_words_is_left_out() {
+        let columns = [Column::numbers("n"), Column::numbers("x"), Column::words("")];
+        let rows = |remark| [cells(&["1", "2.00000", ""]), cells(&["2", "3.00000", remark])];
+        assert_eq!(in_columns(10, columns.to_vec(), rows("")), "n        x\n1  2.00000\n2  3.00000\n");
+        assert!(in_columns(30, columns.to_vec(), rows("← least")).ends_with("2  3.00000  ← least\n"));
+        let late = (0..=HELD_BACK).map(|row| cells(&["1", "2", if row < HELD_BACK { "" } else { "← last" }]));
+        assert!(in_columns(80, columns.to_vec(), late).ends_with("1  2  ← last\n"));
+    }
+
     #[test]
     fn a_row_that_is_wider_than_those_before_begins_a_new_head() {
         let rows = (0..=HELD_BACK).map(|row| vec![if row < HELD_BACK { "1" } else { "1000" }.to_owned()]);

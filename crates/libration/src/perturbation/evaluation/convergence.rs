@@ -1,5 +1,6 @@
 //! The radius of convergence of a series, and where its nearest singularity is, estimated from its coefficients.
 
+use super::stride::stride;
 use crate::algebra::{BigFloat, Rational};
 use crate::elementary::count;
 
@@ -69,7 +70,7 @@ impl Convergence {
         if present.len() < Self::LEAST_COEFFICIENTS {
             return None;
         }
-        let stride = present.iter().fold(0, |stride, n| greatest_common_divisor(stride, n - first));
+        let stride = stride(present);
         let spread: Vec<Rational> = coefficients[first..].iter().step_by(stride).cloned().collect();
         let found = one_singularity(&spread).or_else(|| pair_of_singularities(&spread));
         let (inverse, singularity) = found.unwrap_or_else(|| (by_roots(&spread), Singularity::Unclear));
@@ -181,8 +182,4 @@ fn by_roots(coefficients: &[Rational]) -> Inverse {
     let largest = |from: usize, to: usize| (from..=to).map(root).fold(0.0, f64::max);
     let (earlier, later) = (largest(end / 3, 2 * end / 3), largest(2 * end / 3 + 1, end));
     Inverse { value: later, uncertainty: (later - earlier).abs() + 0.25 * later }
-}
-
-fn greatest_common_divisor(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }

@@ -4,15 +4,20 @@ mod bound;
 mod convergence;
 mod majorant;
 mod pade;
+mod positive;
+mod stride;
+mod tail;
 
 use crate::algebra::{BigFloat, Rational};
 use crate::double_double::DoubleDouble;
-use crate::elementary::count;
+use tail::beyond_the_last;
 
 pub use bound::pendulum_period_remainder;
 pub use convergence::{Convergence, Singularity};
-pub use majorant::{PeriodMajorant, PeriodMajorantAt};
+pub use majorant::{MajorantAt, PeriodMajorant};
 pub use pade::{Pade, Pole};
+pub(crate) use positive::PositiveSeries;
+pub(crate) use stride::stride;
 
 /// A power series Σ cₙxⁿ at one x, term by term. Terms with cₙ = 0 are left out, the constant term excepted.
 ///
@@ -80,12 +85,15 @@ pub enum Certainty {
 
 impl SeriesEvaluation {
     /// Σ cₙxⁿ with c₀, c₁, … given; all NaN when x is not finite. The remainders are estimates: the distance from the last sum, and for what is
-    /// beyond it a geometric series with the ratio that [`Convergence`] finds.
+    /// beyond it a geometric series with the ratio of the last terms. They are infinite where these do not shrink, and where fewer than three terms
+    /// follow the first.
     #[must_use]
     pub fn new(coefficients: &[Rational], x: f64) -> Self {
         let (terms, sums) = terms_and_sums(coefficients, x);
         let last = sums.last().cloned().unwrap_or_else(|| float(0.0));
-        let beyond = beyond_the_last(coefficients, &terms, x);
+        let present: Vec<(usize, &BigFloat)> =
+            terms.iter().filter(|(_, term)| !term.is_zero()).map(|(power, term)| (*power, term)).collect();
+        let beyond = beyond_the_last(&present, Convergence::estimate(coefficients).as_ref(), x);
         let rounded = |number: &BigFloat| if x.is_finite() { number.to_f64() } else { f64::NAN };
         let steps = terms.iter().zip(sums).map(|((power, term), sum)| PartialSum {
             power: *power,
@@ -171,27 +179,4 @@ fn terms_and_sums(coefficients: &[Rational], x: f64) -> (Vec<(usize, BigFloat)>,
     };
     let sums = terms.iter().scan(float(0.0), add).collect();
     (terms, sums)
-}
-
-/// An estimate of the sum of the terms that are not given. Each of the last few terms, continued to the end with the
-/// ratio of the series, says where the next one may be.
-fn beyond_the_last(coefficients: &[Rational], terms: &[(usize, BigFloat)], x: f64) -> f64 {
-    const LAST: usize = 4;
-    let Some((end, _)) = terms.last() else { return 0.0 };
-    let Some(convergence) = Convergence::estimate(coefficients) else {
-        // Too few terms to see a ratio: what is missing is as large as what came last.
-        return terms.iter().skip(1).next_back().map_or(0.0, |(_, term)| term.to_f64().abs());
-    };
-    let ratio = x.abs() / convergence.at_least;
-    if ratio >= 1.0 {
-        return f64::INFINITY;
-    }
-    let continued = |(power, term): &(usize, BigFloat)| term.to_f64().abs() * power_of(ratio, end - power);
-    let largest = terms.iter().rev().take(LAST).map(continued).fold(0.0, f64::max);
-    let next = power_of(ratio, convergence.stride);
-    largest * next / (1.0 - next)
-}
-
-fn power_of(base: f64, exponent: usize) -> f64 {
-    libm::pow(base, count(exponent))
 }

@@ -8,7 +8,7 @@ use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{certainty, coefficient, radius_certainty};
 use libration::algebra::Rational;
 use libration::comparison::Method;
-use libration::perturbation::{PartialSum, Precision};
+use libration::perturbation::{Certainty, PartialSum, Precision, Remainder};
 
 /// A term of the series, with the sum up to it.
 pub(super) struct Term<'a> {
@@ -124,14 +124,20 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             it.numbers.error(it.step.sum)
         })
         .numeral("its error", |it| it.numbers.error_text(it.step.sum)),
-        Of::number("bound", "", "bound on what is left out, or an estimate of it", |it| {
-            it.step.remainder.size
+        Of::nullable("bound", "", "proven bound on what is left out, or null", |it| {
+            it.remainder(Certainty::Proven)
         })
-        .numeral("|error| KEY", |it| match it.step.remainder.size {
-            size if size.is_finite() => rounded(size, 3),
-            _ => "no bound".to_owned(),
+        .numeral("|error| KEY", |it| match it.step.remainder {
+            Remainder { size, .. } if size.is_finite() => rounded(size, 3),
+            Remainder { certainty: Certainty::Proven, .. } => "no bound".to_owned(),
+            Remainder { certainty: Certainty::Estimated, .. } => "unknown".to_owned(),
         }),
-        Of::value("bound_is", "", "proven or estimated", |it| certainty(it.step.remainder.certainty).into()),
+        Of::value("bound_is", "", "proven, or estimated where no bound is known", |it| {
+            certainty(it.step.remainder.certainty).into()
+        }),
+        Of::nullable("estimate", "", "estimate of what is left out where no bound is known, or null", |it| {
+            it.remainder(Certainty::Estimated)
+        }),
         Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
     ])
 }
@@ -169,6 +175,11 @@ pub(in crate::command::expand) fn answers() -> Answers {
 }
 
 impl Term<'_> {
+    /// What is left out, where it is known so well.
+    fn remainder(&self, certainty: Certainty) -> Option<f64> {
+        Some(self.step.remainder).filter(|it| it.certainty == certainty).map(|it| it.size)
+    }
+
     fn coefficient(&self) -> &Rational {
         &self.numbers.relation.series()[self.step.power]
     }

@@ -73,7 +73,7 @@ fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
     let evaluation = &numbers.evaluation;
     let bound = match evaluation.steps().first().map(|step| step.remainder.certainty) {
         Some(Certainty::Proven) => "below (proven)",
-        _ => "about (estimated)",
+        _ => "about (estimate)",
     };
     let fields = fields::of_term();
     let mut table = Table::new(fields.columns_for(bound));
