@@ -117,6 +117,11 @@ impl DerivationStep {
         self.with(Block::Paragraph(Prose::new(template, formulas)))
     }
 
+    /// A paragraph that is put together elsewhere.
+    pub(super) fn paragraph(self, prose: Prose) -> Self {
+        self.with(Block::Paragraph(prose))
+    }
+
     /// A paragraph where there is something to say.
     pub(super) fn say_where<const N: usize>(
         self,

@@ -20,9 +20,11 @@ mod document;
 mod check;
 mod evaluate;
 mod numbers;
+mod phase;
 mod trials;
 mod words;
 
+mod averaging;
 mod elliptic;
 mod lindstedt;
 mod published;
@@ -36,7 +38,9 @@ pub mod paper;
 #[cfg(test)]
 mod tests;
 
+pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging, averaging_watched};
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
+pub use check::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, ForceTerm};
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
 pub use evaluate::NoEvaluation;

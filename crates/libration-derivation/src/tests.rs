@@ -44,6 +44,8 @@ fn every_road() -> Vec<Derivation> {
         perturbation("pendulum", 7, "fundamental"),
         perturbation("pendulum", 4, "A1=1,A2=1/2"),
         perturbation("helmholtz_duffing", 5, "energy"),
+        averaged("theta'' + c*theta'*abs(theta') + sin(theta) = 0", 4, 2),
+        averaged("x'' - mu*(1 - x^2)*x' + x = 0", 5, 2),
     ]
 }
 
@@ -215,6 +217,10 @@ fn text_is_harmless_in_every_form() {
     assert!(!to_html(&derivation).contains("<b>"));
     assert!(!to_latex(&derivation).contains("\\frac"));
     assert!(to_markdown(&derivation).contains(r"&lt;b>&amp;\\frac{\$\#\_%^~\|\*\[x\](y)\`"));
+}
+
+fn averaged(equation: &str, order: usize, damping_order: usize) -> Derivation {
+    averaging(&equation.parse().unwrap(), None, order, damping_order).unwrap()
 }
 
 fn derived(key: &str, order: usize, gauge: &str) -> Result<Derivation, DerivationError> {

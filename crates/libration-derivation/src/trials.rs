@@ -97,6 +97,15 @@ impl Trials {
         Ok(trials)
     }
 
+    /// A name stands for this function of one parameter, without being shown.
+    pub(super) fn with_function(&self, name: &Name, parameter: &str, body: Formula) -> Self {
+        let mut trials = self.clone();
+        for trial in &mut trials.trials {
+            trial.values.define(name, &[parameter], body.clone());
+        }
+        trials
+    }
+
     /// Checks a statement in all digits.
     pub(super) fn compare(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE, Against::OtherSide, statement)

@@ -5,11 +5,12 @@ use crate::failure::Failure;
 use crate::output::file;
 use crate::{interrupt, parallel};
 use libration::pendulum::Amplitude;
-use libration::perturbation::Gauge;
+use libration::perturbation::{Gauge, SlowFlowError};
 use libration::quantity::Displacement;
 use libration::watch::{Progress, Watch};
 use libration_derivation::{
-    Derivation, DerivationError, HIGHEST_ORDER, Released, Swing, perturbation_watched,
+    Derivation, DerivationError, HIGHEST_DAMPING_ORDER, HIGHEST_ORDER, Released, Swing, averaging_watched,
+    perturbation_watched,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -29,6 +30,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
   libration derive --road perturbation quadratic --format ipynb \\
     --output quadratic.ipynb
+  libration derive --road averaging --set n=2 --order 5 --damping-order 2 \\
+    --format html --output damping.html
+  libration derive --road averaging van_der_pol --format ipynb \\
+    --output van_der_pol.ipynb
   libration derive --road elliptic --exercises --format html \\
     --output exercises.html
   libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
@@ -37,7 +42,7 @@ pub(crate) struct Derive {
     #[arg(long, value_enum)]
     road: Road,
     #[command(flatten)]
-    perturbation: PerturbationOptions,
+    series: SeriesOptions,
     /// Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number
     #[arg(long, value_parser = arguments::displacement)]
     amplitude: Option<Displacement>,
@@ -54,19 +59,25 @@ pub(crate) struct Derive {
     output: Option<PathBuf>,
 }
 
-/// What only the perturbation road has a choice of.
+/// What only the roads to series have a choice of.
 #[derive(Debug, clap::Args)]
-struct PerturbationOptions {
-    /// Perturbation: a key of the catalogue, such as duffing, or an equation [default: pendulum]
+struct SeriesOptions {
+    /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`]
     #[arg(value_name = "OSCILLATOR|EQUATION")]
     oscillator: Option<String>,
-    /// Perturbation: the highest power of the expansion parameter, 2 to 9 [default: 5]
+    /// Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5]
     #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
     order: Option<usize>,
+    /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
+    #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
+    damping_order: Option<usize>,
+    /// Averaging: which letter is small, where several have no value
+    #[arg(long, value_name = "LETTER")]
+    small: Option<String>,
     /// Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental]
     #[arg(long)]
     gauge: Option<Gauge>,
-    /// Perturbation: the value of a parameter; may be given several times
+    /// Series: the value of a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
     /// Perturbation: which equilibrium, where there are several
@@ -82,6 +93,9 @@ enum Road {
     Formulas,
     /// Motion and period of any conservative oscillator, order by order
     Perturbation,
+    /// Amplitude and phase under weak damping or excitation, power by power
+    #[value(alias = "damping")]
+    Averaging,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -122,12 +136,13 @@ impl Derive {
             let reason = "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg";
             return Err(Failure::Usage(reason.to_owned()));
         }
+        self.series.refuse(self.road)?;
         let derivation = match self.road {
             Road::Perturbation => return self.perturbation(),
+            Road::Averaging => return self.averaging(),
             Road::Elliptic => libration_derivation::elliptic,
             Road::Formulas => libration_derivation::formulas,
         };
-        self.perturbation.refuse()?;
         derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
     }
 
@@ -142,7 +157,7 @@ impl Derive {
     }
 
     fn perturbation(&self) -> Result<(Derivation, bool), Failure> {
-        let options = &self.perturbation;
+        let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
         let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
         let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
@@ -155,30 +170,61 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        interrupt::listen()?;
-        let done = AtomicUsize::new(0);
-        let how_far = || format!("{} parts of the derivation are done", done.load(Ordering::Relaxed));
-        parallel::with_progress(how_far, || {
-            let ask = |progress: Progress| {
-                done.store(progress.done, Ordering::Relaxed);
-                interrupt::go_on()
-            };
-            let watch = Watch::new(&ask);
-            let known = perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), &watch);
-            known.map(|known| (known, !watch.is_stopped())).map_err(failure)
-        })
+        watched(|watch| perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), watch))
+    }
+
+    fn averaging(&self) -> Result<(Derivation, bool), Failure> {
+        if self.amplitude.is_some() {
+            let reason = "averaging gives laws for all small amplitudes: leave it out, or simulate the motion (libration simulate)";
+            return Err(Failure::usage("--amplitude", reason));
+        }
+        let options = &self.series;
+        let name = options.oscillator.as_deref().unwrap_or(DAMPED_PENDULUM);
+        let small = options.small.as_deref();
+        let asked = OscillatorOptions::new(name, &options.set, None);
+        let asked = asked.asked_of_system(small).unwrap_or_else(|| asked.asked())?;
+        let order = options.order.unwrap_or(DEFAULT_ORDER);
+        let damping_order = options.damping_order.unwrap_or(DEFAULT_DAMPING_ORDER);
+        watched(|watch| averaging_watched(&asked.equation, small, order, damping_order, watch))
     }
 }
 
+/// A derivation and whether it came to its end, which it does not where it is told to stop.
+fn watched(
+    derive: impl Fn(&Watch<'_>) -> Result<Derivation, DerivationError> + Sync,
+) -> Result<(Derivation, bool), Failure> {
+    interrupt::listen()?;
+    let done = AtomicUsize::new(0);
+    let how_far = || format!("{} parts of the derivation are done", done.load(Ordering::Relaxed));
+    parallel::with_progress(how_far, || {
+        let ask = |progress: Progress| {
+            done.store(progress.done, Ordering::Relaxed);
+            interrupt::go_on()
+        };
+        let watch = Watch::new(&ask);
+        let known = derive(&watch);
+        known.map(|known| (known, !watch.is_stopped())).map_err(failure)
+    })
+}
+
 const PENDULUM: &str = "pendulum";
+const DAMPED_PENDULUM: &str = "damped_pendulum";
 const DEFAULT_ORDER: usize = 5;
+const DEFAULT_DAMPING_ORDER: usize = 2;
 
 fn failure(error: DerivationError) -> Failure {
     match error {
         DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
             Failure::no_answer("--amplitude", error)
         }
-        DerivationError::Order { .. } => Failure::usage("--order", error),
+        DerivationError::Order { .. } | DerivationError::AmplitudeOrder { .. } => {
+            Failure::usage("--order", error)
+        }
+        DerivationError::DampingOrder { .. } => Failure::usage("--damping-order", error),
+        DerivationError::SlowFlow(SlowFlowError::WhichIsSmall { .. }) => {
+            Failure::usage("--small", format!("{error}, such as --small c"))
+        }
+        DerivationError::SlowFlow(SlowFlowError::UnknownParameter { .. }) => Failure::usage("--small", error),
         DerivationError::Interrupted(_) => {
             Failure::Interrupted("interrupted before the first step: nothing is written".to_owned())
         }
@@ -186,19 +232,37 @@ fn failure(error: DerivationError) -> Failure {
     }
 }
 
-impl PerturbationOptions {
-    /// The other roads have nothing to choose.
-    fn refuse(&self) -> Result<(), Failure> {
+impl SeriesOptions {
+    /// Each road has something to choose that others have not.
+    fn refuse(&self, road: Road) -> Result<(), Failure> {
+        const SERIES: &[Road] = &[Road::Perturbation, Road::Averaging];
         let given = [
-            ("OSCILLATOR", self.oscillator.is_some()),
-            ("--order", self.order.is_some()),
-            ("--gauge", self.gauge.is_some()),
-            ("--set", !self.set.is_empty()),
-            ("--about", self.about.is_some()),
+            ("OSCILLATOR", self.oscillator.is_some(), SERIES),
+            ("--order", self.order.is_some(), SERIES),
+            ("--set", !self.set.is_empty(), SERIES),
+            ("--gauge", self.gauge.is_some(), &[Road::Perturbation]),
+            ("--about", self.about.is_some(), &[Road::Perturbation]),
+            ("--damping-order", self.damping_order.is_some(), &[Road::Averaging]),
+            ("--small", self.small.is_some(), &[Road::Averaging]),
         ];
-        match given.iter().find(|(_, given)| *given) {
-            Some((name, _)) => Err(Failure::usage(name, "is for --road perturbation only: leave it out")),
+        match given.iter().find(|(_, given, roads)| *given && !roads.contains(&road)) {
+            Some((name, _, roads)) => {
+                let names: Vec<&str> = roads.iter().map(|road| road.name()).collect();
+                let reason = format!("is for --road {} only: leave it out", names.join(" and --road "));
+                Err(Failure::usage(name, reason))
+            }
             None => Ok(()),
+        }
+    }
+}
+
+impl Road {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Elliptic => "elliptic",
+            Self::Formulas => "formulas",
+            Self::Perturbation => "perturbation",
+            Self::Averaging => "averaging",
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::evaluate::NoEvaluation;
 use libration::pendulum::PendulumError;
-use libration::perturbation::{ExpansionError, OpenGaugeError};
+use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
 use libration::watch::Interrupted;
 
 /// Why a derivation cannot be given.
@@ -39,6 +39,22 @@ pub enum DerivationError {
         /// What was asked for.
         order: usize,
     },
+    /// A power of the amplitude that is not derived step by step.
+    #[error(
+        "order {order} is not derived step by step: give 1 to 9; `libration expand --damping-order` goes on"
+    )]
+    AmplitudeOrder {
+        /// What was asked for.
+        order: usize,
+    },
+    /// A power of the small parameter that is not derived step by step.
+    #[error(
+        "damping order {order} is not derived step by step: give 1 to 4; `libration expand --damping-order` goes on"
+    )]
+    DampingOrder {
+        /// What was asked for.
+        order: usize,
+    },
     /// An acceleration that depends on the velocity.
     #[error(
         "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
@@ -49,6 +65,38 @@ pub enum DerivationError {
         "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"
     )]
     NoFractions,
+    /// A frequency that is no fraction.
+    #[error(
+        "the frequency of small swings is no fraction: choose the unit of time so that it is, as in omega0 = 1; \
+         `libration expand --damping-order` answers for others"
+    )]
+    NoFractionalFrequency,
+    /// Small terms that are no polynomial.
+    #[error(
+        "the small terms must be polynomials in displacement, velocity and small parameter, up to abs and sign of the velocity, and all that \
+         depends on the velocity must be small; `libration expand` may answer"
+    )]
+    NoPolynomial,
+    /// A letter that the derivation needs.
+    #[error("the letter {letter} stands for something else in the derivation: rename it")]
+    TakenLetter {
+        /// The letter.
+        letter: String,
+    },
+    /// No limit cycle that is expanded in fractions.
+    #[error(
+        "the limit cycle begins with no amplitude that is a fraction: the derivation is exact; `libration expand` answers in digits"
+    )]
+    NoCycle,
+    /// Two roads that should meet: an error of this program.
+    #[error("{what} do not agree: this is an error of the program")]
+    Disagreement {
+        /// What does not agree.
+        what: &'static str,
+    },
+    /// No slow flow.
+    #[error(transparent)]
+    SlowFlow(#[from] SlowFlowError),
     /// No expansion.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),

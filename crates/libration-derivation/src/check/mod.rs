@@ -1,9 +1,11 @@
 //! Equations with the checks they have passed. An equation that fails its check cannot be made.
 
+mod averaged;
 mod error;
 mod letters;
 mod words;
 
+pub use averaged::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, ForceTerm};
 pub use error::DerivationError;
 pub use letters::{Letters, OpenCondition};
 
@@ -77,6 +79,8 @@ pub enum Check {
         /// The condition that the coefficients are to satisfy, where it is one of the open gauge.
         condition: Option<Box<OpenCondition>>,
     },
+    /// A part of a slow flow, which satisfies the equation of motion as a whole.
+    Averaged(Box<AveragedFormula>),
     /// The same polynomial comes out another way.
     Polynomials,
     /// A solution that was put into its equation as a power series.

@@ -2,7 +2,7 @@
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
 use super::super::prose::Prose;
-use super::{Against, Check, ComparedAt};
+use super::{Against, AveragedClaim, Check, ComparedAt};
 
 impl Check {
     /// Whether there was something to check, and it was computed.
@@ -39,6 +39,7 @@ impl Check {
             Self::Substituted { choices, .. } => Prose::text(format!(
                 "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
             )),
+            Self::Averaged(formula) => Prose::text(averaged(&formula.claim)),
             Self::Polynomials => Prose::text("checked: the same polynomial, exactly"),
             Self::PutIn => Prose::text("checked: put into the equation above, exactly"),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
@@ -46,6 +47,26 @@ impl Check {
                 place.to_prose().and(agreement(value, *difference, *against))
             }
         }
+    }
+}
+
+fn averaged(claim: &AveragedClaim) -> &'static str {
+    match claim {
+        AveragedClaim::ChainRule => "checked: the same for several functions of amplitude and phase, exactly",
+        AveragedClaim::Forcing { .. } => "checked: the sum of the products in the table, exactly",
+        AveragedClaim::Growth { .. } | AveragedClaim::Frequency { .. } => {
+            "checked: nothing is left that would grow, exactly; another algorithm has the same"
+        }
+        AveragedClaim::Motion { .. } => "checked: put into the equation of motion, exactly",
+        AveragedClaim::Velocity { .. } => "checked: the derivative along the motion, exactly",
+        AveragedClaim::AmplitudeLaw { .. } | AveragedClaim::PhaseLaw { .. } => {
+            "checked: the motion above satisfies the equation of motion with it, exactly; another algorithm has the same coefficients"
+        }
+        AveragedClaim::FirstLaw => {
+            "checked: its product with the force is what is lost, power by power, exactly"
+        }
+        AveragedClaim::Loss { .. } => "checked: integrated over the motion above, exactly",
+        AveragedClaim::Cycle { .. } => "checked: put into the slow flow, exactly",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Derivations as a Jupyter notebook, whose cells make the checks again with Python's own fractions and floats.
 
-use super::super::check::{Check, CheckedEquation, OpenCondition};
+use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition};
 use super::super::document::{Block, Derivation, DerivationStep};
 use super::super::formula::{Name, Statement};
 use super::super::python::{self, PRELUDE};
@@ -37,6 +37,8 @@ struct Notebook<'a> {
     /// The condition whose ansatz the cells are at, and the coefficients that are known in it.
     ansatz: Option<&'a OpenCondition>,
     known: Vec<&'a Name>,
+    /// The equation whose slow flow the cells are at.
+    flow: Option<&'a FlowTerms>,
 }
 
 impl<'a> Notebook<'a> {
@@ -72,6 +74,9 @@ impl<'a> Notebook<'a> {
             lines.extend(self.lower(condition));
             self.known.extend(&condition.fixes);
         }
+        if let Check::Averaged(formula) = equation.check() {
+            self.begin_flow(&formula.flow);
+        }
         lines.push(code);
         let kind = if place.is_answer { "answer" } else { "check" };
         let name = format!("{kind}-{}-{number}", place.id);
@@ -84,6 +89,13 @@ impl<'a> Notebook<'a> {
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
             (self.ansatz, self.known) = (Some(condition), vec![]);
             self.compute(&format!("ansatz-{}", self.cells.len()), &code);
+        }
+    }
+
+    fn begin_flow(&mut self, flow: &'a FlowTerms) {
+        if let (false, Some(code)) = (self.flow == Some(flow), python::slow_flow(flow)) {
+            self.flow = Some(flow);
+            self.compute(&format!("flow-{}", self.cells.len()), &code);
         }
     }
 

@@ -1,8 +1,12 @@
 //! The check of a formula as lines of Python, which the reader's computer makes again.
 
-use super::super::check::{Check, CheckedEquation, ComparedAt, Letters, OpenCondition};
+use super::super::check::{
+    AveragedClaim, Check, CheckedEquation, ComparedAt, CycleQuantity, FlowTerms, ForceTerm, Letters,
+    OpenCondition,
+};
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
+use libration::algebra::Rational;
 
 /// The lines that make the check again; `None` where there is nothing to check, or no way to do it here.
 pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
@@ -37,6 +41,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
         Check::Digits { .. } => Some(block(given(letters)?.into_iter().chain(compared(statement)?))),
         Check::RoundedDigits => Some(block(given(letters)?.into_iter().chain([rounded(statement)?]))),
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
+        Check::Averaged(formula) => averaged(statement, &formula.claim),
         _ => None,
     }
 }
@@ -65,6 +70,57 @@ pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
         format!("                {{{}}})", frequency.join(", ")),
         format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
     ]))
+}
+
+/// The equation that a slow flow belongs to, as it is while the displacement falls.
+pub(crate) fn slow_flow(flow: &FlowTerms) -> Option<String> {
+    let number = |it: &Rational| expression(&Formula::Number(it.clone()));
+    let term = |term: &ForceTerm| {
+        Some(format!("({}, {}, {}, {})", number(&term.factor)?, term.position, term.velocity, term.parameter))
+    };
+    let terms: Option<Vec<String>> = flow.terms.iter().map(term).collect();
+    Some(block([
+        "# The frequency of small swings; factor, power of the displacement, of the velocity and of the small parameter".to_owned(),
+        "# of each further term; whether only a half swing is known; whether the parameter is counted as a power of A.".to_owned(),
+        format!("flow = SlowFlow({}, [{}],", number(&flow.omega0)?, terms?.join(", ")),
+        format!("                {}, {})", if flow.kinked { "True" } else { "False" }, flow.lift),
+    ]))
+}
+
+fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
+    let right = || statement.rest.last().and_then(|(_, side)| expression(side));
+    let at = |power: &usize, parameter: &usize| format!("{power}, {parameter}");
+    let of_phase = |method: &str, place: String, side: String| {
+        Some(format!("flow.{method}({place}, lambda pi, ψ: {side})"))
+    };
+    match claim {
+        AveragedClaim::ChainRule => None,
+        AveragedClaim::Forcing { power, parameter, known } => {
+            of_phase("forces", at(power, parameter), expression(known)?)
+        }
+        AveragedClaim::Growth { power, parameter } => of_phase("grows", at(power, parameter), right()?),
+        AveragedClaim::Frequency { power, parameter } => of_phase("turns", at(power, parameter), right()?),
+        AveragedClaim::Motion { power, parameter } => of_phase("moves", at(power, parameter), right()?),
+        AveragedClaim::Velocity { power, parameter } => {
+            of_phase("is_as_fast", at(power, parameter), right()?)
+        }
+        AveragedClaim::AmplitudeLaw { parameter } => {
+            Some(format!("flow.amplitude_law(lambda pi, A, {}: {})", identifier(parameter)?, right()?))
+        }
+        AveragedClaim::PhaseLaw { parameter } => {
+            Some(format!("flow.phase_law(lambda pi, A, {}: {})", identifier(parameter)?, right()?))
+        }
+        AveragedClaim::Loss { highest } => Some(format!("flow.loss({highest}, lambda pi, A: {})", right()?)),
+        AveragedClaim::FirstLaw => Some(format!("flow.first_law(lambda pi, A: {})", right()?)),
+        AveragedClaim::Cycle { parameter, quantity } => {
+            let method = match quantity {
+                CycleQuantity::SquaredAmplitude => "cycle_square",
+                CycleQuantity::Frequency => "cycle_frequency",
+                CycleQuantity::Exponent => "cycle_exponent",
+            };
+            Some(format!("flow.{method}(lambda {}: {})", identifier(parameter)?, right()?))
+        }
+    }
 }
 
 /// What orders below have found.

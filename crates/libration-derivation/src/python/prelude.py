@@ -28,7 +28,7 @@ class Series:
         return series(other, len(self)) - self
 
     def __mul__(self, other):
-        if isinstance(other, (Cosines, Angle)):
+        if isinstance(other, (Cosines, Angle, Phased)):
             return NotImplemented
         other = series(other, len(self))
         n = min(len(self), len(other))
@@ -110,13 +110,21 @@ def sine_and_cosine(x):
 
 
 def sin(x):
+    if isinstance(x, Phased):
+        return x.wave(1)
     return sine_and_cosine(x)[0] if isinstance(x, Series) else math.sin(x)
 
 
 def cos(x):
     if isinstance(x, Angle):
         return x.cosine()
+    if isinstance(x, Phased):
+        return x.wave(0)
     return sine_and_cosine(x)[1] if isinstance(x, Series) else math.cos(x)
+
+
+def sign(x):
+    return (x > 0) - (x < 0)
 
 
 def tan(x):
@@ -350,6 +358,245 @@ class Ansatz:
         """Whether a condition is satisfied by this coefficient, which is known from now on."""
         self.known[name] = polynomial(value)
         assert self.condition(n, k) == {}, self.condition(n, k)
+
+
+class Phased(dict):
+    """A sum of powers of pi and of a phase times its harmonics: the factor by the power of pi, that of the phase, the harmonic, and
+    whether it is a sine."""
+
+    def __add__(self, other):
+        result = dict(self)
+        for key, factor in phased(other).items():
+            result[key] = result.get(key, 0) + factor
+        return Phased({key: factor for key, factor in result.items() if factor != 0 and key[2:] != (0, 1)})
+
+    def __neg__(self):
+        return Phased({key: -factor for key, factor in self.items()})
+
+    def __sub__(self, other):
+        return self + -phased(other)
+
+    def __rsub__(self, other):
+        return phased(other) - self
+
+    def __mul__(self, other):
+        result = Phased()
+        for (e, p, j, s), a in self.items():
+            for (f, q, k, r), b in phased(other).items():
+                low, sign = abs(j - k), -1 if j < k else 1
+                # cos cos and sin sin make cosines, the others sines.
+                first = a * b / 2 if s == r else a * b / 2 * (sign if s else -sign)
+                second = -a * b / 2 if s and r else a * b / 2
+                result = result + Phased({(e + f, p + q, low, s ^ r): first})
+                result = result + Phased({(e + f, p + q, j + k, s ^ r): second})
+        return result
+
+    def __pow__(self, n):
+        result = phased(1)
+        for _ in range(n):
+            result = result * self
+        return result
+
+    def __truediv__(self, other):
+        [((e, p, k, s), factor)] = phased(other).items()
+        assert (p, k, s) == (0, 0, 0), "the quotient is no sum"
+        return self * Phased({(-e, 0, 0, 0): 1 / Q(factor)})
+
+    def __rtruediv__(self, other):
+        return phased(other) / self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def wave(self, s):
+        """The cosine or the sine of a multiple of the phase."""
+        [(key, factor)] = self.items()
+        assert key == (0, 1, 0, 0) and factor == int(factor) >= 0
+        return Phased({(0, 0, int(factor), s): Q(1)})
+
+    def slope(self):
+        result = Phased()
+        for (e, p, k, s), a in self.items():
+            result = result + Phased({(e, p, k, 1 - s): a * k if s else -a * k})
+            if p > 0:
+                result = result + Phased({(e, p - 1, k, s): a * p})
+        return result
+
+    def integral(self):
+        """From zero to the phase, by parts."""
+        result, rest = Phased(), self
+        while rest:
+            part = Phased()
+            for (e, p, k, s), a in rest.items():
+                if k == 0:
+                    part = part + Phased({(e, p + 1, 0, 0): a / (p + 1)})
+                else:
+                    part = part + Phased({(e, p, k, 1 - s): -a / k if s else a / k})
+            result, rest = result + part, rest - part.slope()
+        return result - result.at(0)
+
+    def at(self, half_turns):
+        """The value where the phase is so many times pi."""
+        result = Phased()
+        for (e, p, k, s), a in self.items():
+            if s == 0 and (p == 0 or half_turns > 0):
+                result = result + Phased({(e + p, 0, 0, 0): a * half_turns**p * (-1) ** (k * half_turns)})
+        return result
+
+
+def phased(x):
+    return x if isinstance(x, Phased) else Phased({(0, 0, 0, 0): Q(x)} if x != 0 else {})
+
+
+PHASE, PI = Phased({(0, 1, 0, 0): Q(1)}), Phased({(1, 0, 0, 0): Q(1)})
+
+
+class SlowFlow:
+    """An oscillation x(A, phase) under a weak force: x'' + omega^2 x and further terms are zero.
+
+    The coefficients of x, of the rate of A and of that of the phase are found by the power of A and that of the small parameter."""
+
+    def __init__(self, omega, terms, kinked, lift):
+        self.omega, self.terms, self.kinked, self.lift = omega, terms, kinked, lift
+        odd = kinked or all((i + k) % 2 == 1 for _, i, k, _ in terms)
+        self.half_turns = 1 if odd else 2
+        self.x, self.a, self.w = {(1, 0): cos(PHASE)}, {}, {(0, 0): phased(omega)}
+
+    def counts(self, key, place):
+        return key[1] <= place[1] and key[0] + self.lift * key[1] <= place[0] + self.lift * place[1]
+
+    def times(self, f, g, place):
+        result = {}
+        for (n, j), a in f.items():
+            for (m, i), b in g.items():
+                key = (n + m, j + i)
+                if self.counts(key, place):
+                    result[key] = result.get(key, phased(0)) + a * b
+        return result
+
+    def rate(self, f, place):
+        """The derivative by time, as A and the phase change."""
+        by_phase = self.times({key: a.slope() for key, a in f.items()}, self.w, place)
+        by_amplitude = self.times({(n - 1, j): n * a for (n, j), a in f.items() if n > 0}, self.a, place)
+        return {key: by_phase.get(key, phased(0)) + by_amplitude.get(key, phased(0)) for key in {**by_phase, **by_amplitude}}
+
+    def rest(self, place):
+        """What the equation of motion is, where it should be zero, as far as the motion is known."""
+        wide = (place[0] + 1, place[1])
+        x, v = self.x, self.rate(self.x, wide)
+        result = self.rate(v, place).get(place, phased(0)) + self.omega**2 * x.get(place, phased(0))
+        for factor, i, k, j in self.terms:
+            product = {(0, j): phased(factor)}
+            for f in [x] * i + [v] * k:
+                product = self.times(product, f, place)
+            result = result + product.get(place, phased(0))
+        return result
+
+    def forces(self, n, j, known):
+        """What lower powers bring to the right side."""
+        self.right, self.place = -self.rest((n, j)), (n, j)
+        assert self.right == phased(known(PI, PHASE)), self.right
+
+    def projected(self, wave):
+        """The part of a wave in what lower powers bring, over 2 omega: what a coefficient has to take away."""
+        factor = self.right * wave
+        return -factor.integral().at(self.half_turns) / (PI * self.half_turns * self.omega)
+
+    def grows(self, n, j, value):
+        value = phased(value(PI, PHASE))
+        assert self.place == (n, j) and self.projected(sin(PHASE)) == value, self.projected(sin(PHASE))
+        self.a[n, j] = value
+
+    def turns(self, n, j, value):
+        value = phased(value(PI, PHASE))
+        assert self.place == (n + 1, j) and self.projected(cos(PHASE)) == value, self.projected(cos(PHASE))
+        self.w[n, j] = value
+
+    def moves(self, n, j, value):
+        """Whether the motion satisfies the equation, begins at rest, and goes on as it began."""
+        x = self.x[n, j] = phased(value(PI, PHASE))
+        assert self.rest((n, j)) == {}, self.rest((n, j))
+        v = self.rate(self.x, (n, j)).get((n, j), phased(0))
+        sign = (-1) ** self.half_turns
+        for y in [x, v]:
+            assert y.at(0) == {} and y.at(self.half_turns) == sign * y.at(0), y
+        assert self.kinked or all(p == 0 for _, p, _, _ in x)
+
+    def is_as_fast(self, n, j, value):
+        v = self.rate(self.x, (n, j)).get((n, j), phased(0))
+        assert v == phased(value(PI, PHASE)), v
+
+    def law(self, coefficients, law):
+        """Whether a sum of powers has these coefficients, with several fractions for the letters and in the place of pi."""
+        for choice in range(3):
+            p, a, c = Q(7 + choice, 3), Q(5 - choice, 2), Q(3, 11 + choice)
+            known = sum(
+                (f * p**e * a**n * c**j for (n, j), value in coefficients.items() for (e, _, _, _), f in value.items()), Q(0)
+            )
+            assert known == law(p, a, c), known
+
+    def amplitude_law(self, law):
+        self.law(self.a, law)
+
+    def phase_law(self, law):
+        self.law(self.w, law)
+
+    def first_law(self, law):
+        self.law({(n, 0): value for (n, j), value in self.a.items() if j == 1}, lambda p, a, c: law(p, a))
+
+    def loss(self, last, law):
+        """The mean of what the force takes at the first power of the small parameter, to a power of A."""
+        still = SlowFlow(self.omega, [term for term in self.terms if term[3] == 0], self.kinked, 0)
+        still.x = {key: x for key, x in self.x.items() if key[1] == 0}
+        still.w = {key: w for key, w in self.w.items() if key[1] == 0}
+        v = still.rate(still.x, (last + 1, 0))
+        mean = {}
+        for factor, i, k, j in self.terms:
+            if j == 1:
+                product = {(0, 0): phased(factor)}
+                for f in [still.x] * i + [v] * (k + 1):
+                    product = still.times(product, f, (last, 0))
+                for key, f in product.items():
+                    taken = f.integral().at(self.half_turns) / (PI * self.half_turns)
+                    mean[key] = mean.get(key, phased(0)) + taken
+        self.law(mean, lambda p, a, c: law(p, a))
+
+    def along(self, coefficients, square, derived=0):
+        """Sums over powers of A and the parameter, A^2 being a series; those of A' are over A."""
+        terms = len(square)
+        result = series(0, terms)
+        for (n, j), value in coefficients.items():
+            [((e, _, _, _), f)] = value.items()
+            assert e == 0 and n % 2 == 0
+            m = n // 2
+            factor = f if not derived else f * m
+            if factor != 0 and j < terms:
+                power = square ** (m - derived)
+                result = result + variable(terms) ** j * power * factor
+        return result
+
+    def cycle_square(self, square):
+        """Whether A' vanishes where A^2 is this series."""
+        terms = len(square(variable(20)))
+        self.square = square(variable(terms))
+        over_a = {(n - 1, j): value for (n, j), value in self.a.items()}
+        # A' begins with the first power, so that its sum is known to one power more.
+        rate = self.along({(n, j - 1): value for (n, j), value in over_a.items()}, self.square)
+        assert not any(rate.c), rate.c
+
+    def cycle_frequency(self, frequency):
+        known, told = self.along(self.w, padded(self.square)), frequency(variable(len(self.square) + 1))
+        assert all(a == b for a, b in zip(known.c, told.c)), known.c
+
+    def cycle_exponent(self, exponent):
+        over_a = {(n - 1, j): value for (n, j), value in self.a.items()}
+        square = padded(self.square)
+        known, told = 2 * square * self.along(over_a, square, 1), exponent(variable(len(square)))
+        assert all(a == b for a, b in zip(known.c, told.c)), known.c
+
+
+def padded(x):
+    """With one coefficient more, which must not count."""
+    return Series(x.c + [Q(0)])
 
 
 def agree(a, b, digits=10):

@@ -29,10 +29,53 @@ pub(crate) fn latex_text(text: &str) -> String {
             '…' => escaped.push_str("\\ldots{}"),
             '°' => escaped.push_str("\\ensuremath{^\\circ}"),
             '−' => escaped.push_str("\\ensuremath{-}"),
-            letter => escaped.push(letter),
+            '′' => escaped.push_str("\\ensuremath{'}"),
+            letter => match (letter_name(letter), raised_digit(letter)) {
+                (Some(name), _) => escaped.push_str(&format!("\\ensuremath{{\\{name}}}")),
+                (_, Some(digit)) => escaped.push_str(&format!("\\ensuremath{{^{{{digit}}}}}")),
+                _ => escaped.push(letter),
+            },
         }
         escaped
     })
+}
+
+/// The name that a letter has in LaTeX, where it is not on the keyboard.
+pub(crate) fn letter_name(letter: char) -> Option<&'static str> {
+    Some(match letter {
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'δ' => "delta",
+        'ε' => "varepsilon",
+        'ζ' => "zeta",
+        'η' => "eta",
+        'θ' => "theta",
+        'ϑ' => "vartheta",
+        'κ' => "kappa",
+        'λ' => "lambda",
+        'μ' => "mu",
+        'ν' => "nu",
+        'ξ' => "xi",
+        'π' => "pi",
+        'ρ' => "rho",
+        'σ' => "sigma",
+        'τ' => "tau",
+        'φ' => "varphi",
+        'χ' => "chi",
+        'ψ' => "psi",
+        'ω' => "omega",
+        'Δ' => "Delta",
+        'Ω' => "Omega",
+        '∞' => "infty",
+        'ℓ' => "ell",
+        _ => return None,
+    })
+}
+
+/// The digit of a superscript.
+fn raised_digit(letter: char) -> Option<usize> {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|it| it == letter)
 }
 
 /// For the text of Markdown: nothing becomes emphasis, a link, a heading or HTML.

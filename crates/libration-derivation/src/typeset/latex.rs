@@ -1,5 +1,6 @@
 //! Layouts as LaTeX.
 
+use super::escape::letter_name;
 use super::layout::Layout;
 
 /// The layout in mathematics mode.
@@ -36,33 +37,10 @@ pub(super) fn latex(layout: &Layout) -> String {
 
 /// Commands end in a blank, so that the next letter does not join them.
 fn letter_latex(letter: &str) -> String {
-    let name = match letter {
-        "α" => "alpha",
-        "β" => "beta",
-        "γ" => "gamma",
-        "δ" => "delta",
-        "ε" => "varepsilon",
-        "η" => "eta",
-        "θ" => "theta",
-        "ϑ" => "vartheta",
-        "λ" => "lambda",
-        "μ" => "mu",
-        "ν" => "nu",
-        "ξ" => "xi",
-        "π" => "pi",
-        "ρ" => "rho",
-        "σ" => "sigma",
-        "τ" => "tau",
-        "φ" => "varphi",
-        "ψ" => "psi",
-        "ω" => "omega",
-        "Δ" => "Delta",
-        "Ω" => "Omega",
-        "∞" => "infty",
-        "ℓ" => "ell",
-        plain => return super::escape::latex_text(plain),
-    };
-    format!("\\{name} ")
+    match letter.chars().next().and_then(letter_name).filter(|_| letter.chars().count() == 1) {
+        Some(name) => format!("\\{name} "),
+        None => super::escape::latex_text(letter),
+    }
 }
 
 fn word_latex(word: &str) -> String {

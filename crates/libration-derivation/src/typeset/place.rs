@@ -1,6 +1,7 @@
 //! How strongly the parts of a formula hold together.
 
 use super::super::formula::Formula;
+use libration::algebra::Function;
 
 /// From what needs brackets nearly everywhere to what needs none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,6 +32,7 @@ pub(super) fn place(formula: &Formula) -> Place {
         | Formula::Fraction(..)
         | Formula::Integral { .. }
         | Formula::Derivative { .. } => Place::Product,
+        Formula::Call(Function::Abs, _) => Place::Atom,
         Formula::Call(..) | Formula::Power(..) | Formula::DoubleFactorial(_) => Place::Power,
         Formula::Number(_)
         | Formula::Decimal(_)

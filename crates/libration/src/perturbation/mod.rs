@@ -57,7 +57,7 @@ pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
 pub use slow_flow::{
     MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowLimitCycle, SlowSeries,
-    slow_flow, slow_flow_watched,
+    WeakForce, slow_flow, slow_flow_watched,
 };
 pub use symbolic::{
     SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_symbolically_watched,

@@ -46,10 +46,10 @@ use crate::watch::Watch;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
 use half_swing::HalfSwings;
 use phase_functions::{Coefficient, PhaseFunctions, Term};
-use weak_force::WeakForce;
 
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
+pub use weak_force::WeakForce;
 
 /// A polynomial in the small parameter and the amplitude: by the power of the parameter, then by that of A.
 pub type SlowSeries = Vec<Vec<PiSum>>;

@@ -6,19 +6,33 @@ use crate::oscillator::Oscillator;
 
 /// x″ = F(x, x′, ε), which at ε = 0 is an oscillator without damping.
 #[derive(Clone, Debug)]
-pub(super) struct WeakForce {
+#[non_exhaustive]
+pub struct WeakForce {
     /// The name of ε.
-    pub(super) parameter: String,
+    pub parameter: String,
     /// What is left at ε = 0.
-    pub(super) oscillator: Oscillator,
+    pub oscillator: Oscillator,
     /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that of x′ < 0.
-    pub(super) acceleration: Expression,
+    pub acceleration: Expression,
     /// The acceleration has kinks where the motion turns.
-    pub(super) kinked: bool,
+    pub kinked: bool,
 }
 
 impl WeakForce {
-    pub(super) fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, SlowFlowError> {
+    /// An equation of which one letter has no value, the small parameter, or the one that is named.
+    ///
+    /// # Errors
+    /// No letter or several, the time in the equation, no oscillator where the letter is zero, kinks without the symmetry of both half
+    /// swings.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::perturbation::WeakForce;
+    /// let force = WeakForce::new(&"x'' + c*x'*abs(x') + x = 0".parse()?, None)?;
+    /// assert_eq!((force.parameter.as_str(), force.kinked), ("c", true));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, SlowFlowError> {
         let parameter = small_parameter(equation, parameter)?;
         let oscillator =
             Oscillator::new(&equation.with(&[(&parameter, Expression::from(0))])?).map_err(|error| {

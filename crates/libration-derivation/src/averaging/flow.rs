@@ -1,0 +1,290 @@
+//! The motion, A′ and ψ′, one power of the amplitude and of the small parameter after the other, with the products of lower results that each
+//! comes from.
+
+use std::collections::BTreeMap;
+
+use super::super::check::{DerivationError, FlowTerms};
+use super::super::phase::{PhaseFunction, PiNumber, Wave};
+use super::question::Question;
+use libration::algebra::{Polynomial, Rational, Variable};
+
+/// The powers of the amplitude and of the small parameter.
+pub(crate) type Place = (usize, usize);
+
+/// What is known of an oscillation under a weak force.
+pub(crate) struct Flow {
+    /// xₙⱼ, those that are not zero.
+    pub(crate) motion: BTreeMap<Place, PhaseFunction>,
+    /// vₙⱼ of the velocity, those that are not zero.
+    pub(crate) velocity: BTreeMap<Place, PhaseFunction>,
+    /// aₙⱼ, those that are not zero.
+    pub(crate) growth: BTreeMap<Place, PiNumber>,
+    /// wₙⱼ, those that are not zero; w₀₀ = ω0.
+    pub(crate) frequency: BTreeMap<Place, PiNumber>,
+    /// How each power came about, in the order they were found.
+    pub(crate) orders: Vec<Order>,
+}
+
+/// One power of the amplitude and of the small parameter.
+pub(crate) struct Order {
+    pub(crate) place: Place,
+    /// The parts of the equation of motion with what they bring to its right side.
+    pub(crate) parts: Vec<Contribution>,
+    /// The sum of what they bring.
+    pub(crate) known: PhaseFunction,
+    pub(crate) growth: PiNumber,
+    pub(crate) frequency: PiNumber,
+    pub(crate) motion: PhaseFunction,
+}
+
+/// What a part of the equation of motion brings to its right side.
+pub(crate) struct Contribution {
+    pub(crate) part: Part,
+    /// As products of what is known.
+    pub(crate) products: Polynomial,
+    pub(crate) value: PhaseFunction,
+}
+
+/// A part of the equation of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// The square of ψ′ with the second derivative by the phase.
+    Fast,
+    /// Twice A′ψ′ with the mixed derivative.
+    Mixed,
+    /// The square of A′ with the second derivative by the amplitude.
+    Slow,
+    /// A′ with how ψ′ changes with the amplitude.
+    Detuning,
+    /// A′ with how it changes with the amplitude.
+    Drift,
+    /// The term of this number.
+    Force(usize),
+}
+
+/// Series in the amplitude and the small parameter whose coefficients are products of names.
+type Named = BTreeMap<Place, Polynomial>;
+
+impl Flow {
+    pub(crate) fn new(question: &Question) -> Result<Self, DerivationError> {
+        let mut flow = Self {
+            motion: BTreeMap::from([((1, 0), PhaseFunction::cosine())]),
+            velocity: BTreeMap::new(),
+            growth: BTreeMap::new(),
+            frequency: BTreeMap::from([((0, 0), question.omega0().clone().into())]),
+            orders: Vec::new(),
+        };
+        let omega0 = PiNumber::from(question.omega0().clone());
+        flow.velocity.insert((1, 0), PhaseFunction::sine().scaled(&omega0.negated()));
+        for place in places(question) {
+            if place != (1, 0) {
+                flow.extend(question, place)?;
+            }
+        }
+        Ok(flow)
+    }
+
+    fn extend(&mut self, question: &Question, place: Place) -> Result<(), DerivationError> {
+        let parts = self.parts(&question.flow, place);
+        let known = parts.iter().fold(PhaseFunction::default(), |sum, it| sum.plus(&it.value));
+        let omega0 = question.omega0();
+        let (growth, frequency) = secular(question, &known).ok_or(DerivationError::NoPolynomial)?;
+        let wave = secular_wave(omega0, &growth, &frequency);
+        let square = omega0.clone() * omega0.clone();
+        let scale = Rational::from(1).checked_div(&square).ok_or(DerivationError::NoPolynomial)?;
+        let forced = known.plus(&wave).scaled(&scale.into());
+        let begun = begun_at_rest(&forced);
+        // The velocity vanishes at ψ = 0.
+        let slow = self.slow_velocity(place).plus(&PhaseFunction::cosine().scaled(&growth));
+        let slope =
+            slow.at_start().scaled(&Rational::from(-1).checked_div(omega0).unwrap_or_else(|| 0.into()));
+        let motion = begun.plus(&PhaseFunction::sine().scaled(&slope));
+        if !question.flow.kinked && !motion.is_periodic() {
+            return Err(DerivationError::NoPolynomial);
+        }
+        let turn = PhaseFunction::sine().scaled(&frequency.negated());
+        let fast = motion.slope().scaled(&omega0.clone().into());
+        let velocity = slow.plus(&turn).plus(&fast);
+        let (n, j) = place;
+        insert_number(&mut self.growth, place, &growth);
+        match n.checked_sub(1) {
+            Some(below) => insert_number(&mut self.frequency, (below, j), &frequency),
+            None if frequency.is_zero() => {}
+            None => return Err(DerivationError::NoPolynomial),
+        }
+        insert(&mut self.motion, place, &motion);
+        insert(&mut self.velocity, place, &velocity);
+        self.orders.push(Order { place, parts, known, growth, frequency, motion });
+        Ok(())
+    }
+
+    /// Whether anything is found at a place.
+    pub(crate) fn is_trivial(order: &Order) -> bool {
+        order.parts.is_empty()
+            && order.motion.is_zero()
+            && order.growth.is_zero()
+            && order.frequency.is_zero()
+    }
+
+    /// What the known part of the velocity is, without the newest coefficients.
+    fn slow_velocity(&self, place: Place) -> PhaseFunction {
+        let (n, j) = place;
+        let mut sum = PhaseFunction::default();
+        for ((m, i), x) in &self.motion {
+            let Some(rest) = j.checked_sub(*i) else { continue };
+            if let Some(frequency) = n.checked_sub(*m).and_then(|below| self.frequency.get(&(below, rest))) {
+                sum = sum.plus(&x.slope().scaled(frequency));
+            }
+            if let Some(growth) = (n + 1).checked_sub(*m).and_then(|below| self.growth.get(&(below, rest))) {
+                let degree = Rational::from(i64::try_from(*m).unwrap_or(i64::MAX));
+                sum = sum.plus(&x.scaled(&growth.scaled(&degree)));
+            }
+        }
+        sum
+    }
+
+    /// What is known on the right side at a place, part by part.
+    fn parts(&self, flow: &FlowTerms, place: Place) -> Vec<Contribution> {
+        let x = names(&self.motion, "x");
+        let [slope, curvature] = ["x'", "x''"].map(|letters| names(&self.motion, letters));
+        let v = names(&self.velocity, "v");
+        let growth = names(&self.growth, "a");
+        let mut frequency = names(&self.frequency, "w");
+        frequency.insert((0, 0), Polynomial::constant(flow.omega0.clone()));
+        let one = BTreeMap::from([((0, 0), Polynomial::constant(Rational::from(1)))]);
+        let product = |factors: &[&Named]| {
+            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, place));
+            whole.get(&place).cloned().unwrap_or_default()
+        };
+        let by_amplitude = |series: &Named| derivative(series);
+        let mut parts = vec![
+            (Part::Fast, product(&[&frequency, &frequency, &curvature])),
+            (Part::Mixed, product(&[&growth, &frequency, &by_amplitude(&slope)]).scaled(&Rational::from(2))),
+            (Part::Slow, product(&[&growth, &growth, &by_amplitude(&by_amplitude(&x))])),
+            (Part::Detuning, product(&[&growth, &by_amplitude(&frequency), &slope])),
+            (Part::Drift, product(&[&growth, &by_amplitude(&growth), &by_amplitude(&x)])),
+        ];
+        for (number, term) in flow.terms.iter().enumerate() {
+            let shift = BTreeMap::from([((0, term.parameter), Polynomial::constant(term.factor.clone()))]);
+            let powers = std::iter::repeat_n(&x, term.position).chain(std::iter::repeat_n(&v, term.velocity));
+            let factors: Vec<&Named> = [&shift].into_iter().chain(powers).collect();
+            parts.push((Part::Force(number), product(&factors)));
+        }
+        let moved = parts.into_iter().map(|(part, products)| {
+            let products = -products;
+            let value = self.value(&products);
+            Contribution { part, products, value }
+        });
+        moved.filter(|it| !it.products.is_zero()).collect()
+    }
+
+    /// Products of names with what they stand for.
+    fn value(&self, products: &Polynomial) -> PhaseFunction {
+        let one = PhaseFunction::constant(Rational::from(1).into());
+        products.terms().fold(PhaseFunction::default(), |sum, (monomial, factor)| {
+            let product = monomial.factors().iter().fold(one.clone(), |product, (variable, exponent)| {
+                let value = self.named(variable);
+                (0..*exponent).fold(product, |product, _| product.times(&value))
+            });
+            sum.plus(&product.scaled(&factor.clone().into()))
+        })
+    }
+
+    fn named(&self, variable: &Variable) -> PhaseFunction {
+        let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
+        let place = (index / 10, index % 10);
+        let function = |map: &BTreeMap<Place, PhaseFunction>| map.get(&place).cloned().unwrap_or_default();
+        let number = |map: &BTreeMap<Place, PiNumber>| {
+            PhaseFunction::constant(map.get(&place).cloned().unwrap_or_default())
+        };
+        match variable.letters() {
+            "x" => function(&self.motion),
+            "x'" => function(&self.motion).slope(),
+            "x''" => function(&self.motion).slope().slope(),
+            "v" => function(&self.velocity),
+            "a" => number(&self.growth),
+            _ => number(&self.frequency),
+        }
+    }
+}
+
+/// All places, those first that others need.
+fn places(question: &Question) -> Vec<Place> {
+    let lift = question.flow.lift;
+    let all = (0..=question.order).flat_map(|level| {
+        (0..=question.parameter_order).filter_map(move |j| Some((level.checked_sub(lift * j)?, j)))
+    });
+    all.filter(|place| *place != (0, 0)).filter(|(n, j)| *n > 0 || (lift == 1 && *j > 0)).collect()
+}
+
+/// The coefficients of A′ and ψ′ with which a forced motion goes on as it began: the first harmonic of the whole force on the right vanishes,
+/// or, where only a half swing is known, its projections on both waves.
+fn secular(question: &Question, known: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
+    let half = Rational::from(-1).checked_div(&(Rational::from(2) * question.omega0().clone()))?;
+    let part = |wave: Wave| match question.flow.kinked {
+        false => known.coefficient(0, 1, wave),
+        true => {
+            let wave = PhaseFunction::term(0, 1, wave, Rational::from(1).into());
+            let whole = known.times(&wave).integral().at_half_turns(1);
+            whole.scaled(&Rational::from(2)).times_power_of_pi(-1)
+        }
+    };
+    Some((part(Wave::Sine).scaled(&half), part(Wave::Cosine).scaled(&half)))
+}
+
+/// 2ω0(w·cos ψ + a·sin ψ).
+pub(crate) fn secular_wave(omega0: &Rational, growth: &PiNumber, frequency: &PiNumber) -> PhaseFunction {
+    let twice = Rational::from(2) * omega0.clone();
+    let cosine = PhaseFunction::cosine().scaled(&frequency.scaled(&twice));
+    cosine.plus(&PhaseFunction::sine().scaled(&growth.scaled(&twice)))
+}
+
+/// The y with y″ + y = r that begins with neither value nor slope: sin ψ·∫r·cos ψ − cos ψ·∫r·sin ψ.
+fn begun_at_rest(r: &PhaseFunction) -> PhaseFunction {
+    let (cosine, sine) = (PhaseFunction::cosine(), PhaseFunction::sine());
+    let of_sine = sine.times(&r.times(&cosine).integral());
+    of_sine.minus(&cosine.times(&r.times(&sine).integral()))
+}
+
+/// The variable of a coefficient.
+pub(crate) fn variable(letters: &str, (n, j): Place) -> Variable {
+    Variable::indexed(letters, u32::try_from(10 * n + j).unwrap_or(u32::MAX))
+}
+
+fn names<V>(known: &BTreeMap<Place, V>, letters: &str) -> Named {
+    known.keys().map(|place| (*place, Polynomial::variable(variable(letters, *place)))).collect()
+}
+
+/// The derivative by the amplitude.
+fn derivative(series: &Named) -> Named {
+    let present = series.iter().filter(|((n, _), _)| *n > 0);
+    let lowered = present.map(|((n, j), it)| {
+        let degree = Rational::from(i64::try_from(*n).unwrap_or(i64::MAX));
+        ((n - 1, *j), it.scaled(&degree))
+    });
+    lowered.collect()
+}
+
+/// The product as far as it counts at a place.
+fn times(a: &Named, b: &Named, place: Place) -> Named {
+    let mut product = Named::new();
+    for ((n, j), left) in a {
+        for ((m, i), right) in b.iter().filter(|((m, i), _)| n + m <= place.0 && j + i <= place.1) {
+            let entry = product.entry((n + m, j + i)).or_default();
+            *entry = std::mem::take(entry) + left.clone() * right.clone();
+        }
+    }
+    product
+}
+
+fn insert(map: &mut BTreeMap<Place, PhaseFunction>, place: Place, value: &PhaseFunction) {
+    if !value.is_zero() {
+        map.insert(place, value.clone());
+    }
+}
+
+fn insert_number(map: &mut BTreeMap<Place, PiNumber>, place: Place, value: &PiNumber) {
+    if !value.is_zero() {
+        map.insert(place, value.clone());
+    }
+}

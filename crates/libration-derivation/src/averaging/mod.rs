@@ -1,0 +1,116 @@
+//! The road to the decay of weakly damped oscillations, and to the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's averaging, power by power.
+
+mod ansatz;
+mod cycle;
+mod energy;
+mod equation;
+mod flow;
+mod names;
+mod orders;
+mod put_back;
+mod question;
+mod result;
+mod secular;
+mod simple_law;
+mod special;
+
+#[cfg(test)]
+mod tests;
+
+use super::check::DerivationError;
+use super::document::{Block, Derivation, DerivationStep};
+use super::prose::Prose;
+use flow::Flow;
+use libration::expression::Equation;
+use libration::perturbation::SlowFlow;
+use libration::watch::{Interrupted, Stage, Watch};
+use question::Question;
+
+pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
+
+/// How amplitude and phase of an oscillator go under a weak force that takes or gives energy, as series in the amplitude, to
+/// the power `order`, and in the small parameter, to the power `parameter_order`, derived power by power. The small parameter is the letter without a value, or the
+/// one that is named; the amplitude is the displacement where the motion turns.
+///
+/// # Errors
+/// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation without slow flow, or with numbers that are no
+/// fractions; and a formula that fails its check, which would be an error of this program.
+///
+/// # Examples
+/// ```
+/// use libration_derivation::{averaging, to_markdown};
+/// let page = averaging(&"x'' + c*x'*abs(x') + x = 0".parse()?, None, 3, 1)?;
+/// assert!(to_markdown(&page).contains(r"\frac{4cA^{2}}{3\pi "));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn averaging(
+    equation: &Equation,
+    parameter: Option<&str>,
+    order: usize,
+    parameter_order: usize,
+) -> Result<Derivation, DerivationError> {
+    averaging_watched(equation, parameter, order, parameter_order, &Watch::none())
+}
+
+/// As [`averaging`]; `watch` is asked before each part. Where it stops the steps until then are given.
+///
+/// # Errors
+/// As [`averaging`], and [`DerivationError::Interrupted`] where there is no step yet.
+pub fn averaging_watched(
+    equation: &Equation,
+    parameter: Option<&str>,
+    order: usize,
+    parameter_order: usize,
+    watch: &Watch<'_>,
+) -> Result<Derivation, DerivationError> {
+    watch.begin(Stage::Whole, Some(PARTS.len()));
+    let question = Question::new(equation, parameter, [order, parameter_order])?;
+    let flow = Flow::new(&question)?;
+    put_back::check(&question, &flow)?;
+    let known = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
+        Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
+        known => known?,
+    };
+    let title = "An oscillator under a weak force, by averaging".to_owned();
+    let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
+    for (done, part) in PARTS.iter().enumerate() {
+        match watch.reached(done) {
+            Err(interrupted) if done == 0 => return Err(interrupted.into()),
+            Err(_) => break,
+            Ok(()) => derivation.steps.extend(part(&question, &flow, &known)?),
+        }
+    }
+    Ok(derivation)
+}
+
+/// Some steps of a derivation.
+type Part = fn(&Question, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;
+
+/// All of them, in their order.
+const PARTS: [Part; 12] = [
+    |question, _, _| Ok(vec![equation::step(question)?]),
+    |question, flow, _| Ok(vec![ansatz::step(question, flow)]),
+    |question, _, _| Ok(vec![ansatz::chain_rule(question)?, ansatz::gauge(question)]),
+    |question, _, _| Ok(vec![secular::step(question)?]),
+    |question, flow, _| orders::steps(question, flow),
+    |question, flow, _| Ok(vec![result::step(question, flow)]),
+    |question, flow, _| Ok(simple_law::step(question, flow)?.into_iter().collect()),
+    |question, flow, _| Ok(energy::step(question, flow)?.into_iter().collect()),
+    |question, flow, _| Ok(special::linear_spring(question, flow)?.into_iter().collect()),
+    |question, flow, _| Ok(special::pendulum(question, flow)?.into_iter().collect()),
+    |question, _, _| Ok(special::published(question)?.into_iter().collect()),
+    |question, flow, known| Ok(cycle::step(question, flow, known)?.into_iter().collect()),
+];
+
+fn introduction() -> Vec<Block> {
+    let what = Prose::text(
+        "Under a weak force an oscillation remains nearly what it is, and its amplitude and phase change slowly. How they do follows from the equation \
+         of motion by the method of Krylov, Bogoliubov and Mitropolsky: amplitude, phase and form are expanded together, so that nothing in them \
+         grows that does not belong to the amplitude.",
+    );
+    let how = Prose::text(
+        "Below each formula stands how it was checked while this text was written. The whole motion was put back into the equation of motion with exact \
+         fractions and powers of π, and every coefficient was compared with that of another algorithm, which goes to any order.",
+    );
+    vec![Block::Paragraph(what), Block::Paragraph(how)]
+}

@@ -1,0 +1,107 @@
+//! The names of coefficients, by the powers of the amplitude and of the small parameter, and sums of them as formulas.
+
+use super::super::formula::{Formula, Name, Subscript, letter, scaled, sum};
+use super::super::phase::{PiNumber, term_with};
+use super::flow::Place;
+use super::question::Question;
+use libration::algebra::{Polynomial, Rational, Variable};
+use std::collections::BTreeMap;
+
+/// A letter with the two powers below it.
+pub(super) fn indexed(name: Name, (n, j): Place) -> Name {
+    match n {
+        // A leading zero is no number.
+        0 => Name { subscript: Some(Subscript::Word(format!("0{j}"))), ..name },
+        _ => name.index(i64::try_from(10 * n + j).unwrap_or(i64::MAX)),
+    }
+}
+
+/// xₙⱼ.
+pub(super) fn motion_name(question: &Question, place: Place) -> Name {
+    indexed(question.displacement.clone(), place)
+}
+
+pub(super) fn velocity_name(place: Place) -> Name {
+    indexed(Name::new("v"), place)
+}
+
+/// aₙⱼ.
+pub(super) fn growth_name(place: Place) -> Name {
+    indexed(Name::new("a"), place)
+}
+
+/// wₙⱼ.
+pub(super) fn frequency_name(place: Place) -> Name {
+    indexed(Name::new("w"), place)
+}
+
+/// Products of coefficients as a formula.
+pub(super) fn of_products(question: &Question, products: &Polynomial) -> Formula {
+    let terms = products.terms().map(|(monomial, factor)| {
+        let factors = monomial.factors().iter().map(|(variable, exponent)| {
+            let base = Formula::from(of_variable(question, variable));
+            if *exponent == 1 { base } else { base.pow(i64::from(*exponent)) }
+        });
+        match factors.reduce(|product, factor| product * factor) {
+            None => Formula::Number(factor.clone()),
+            Some(product) => scaled(factor, product),
+        }
+    });
+    sum(terms.collect())
+}
+
+fn of_variable(question: &Question, variable: &Variable) -> Name {
+    let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
+    let primes = variable.letters().chars().filter(|letter| *letter == '\'').count();
+    let name = match variable.letters().trim_end_matches('\'') {
+        "x" => question.displacement.clone(),
+        other => Name::new(other),
+    };
+    let name = indexed(name, (index / 10, index % 10));
+    (0..primes).fold(name, |name, _| name.prime())
+}
+
+/// Aⁿcʲ.
+pub(super) fn powers(question: &Question, (n, j): Place) -> Vec<Formula> {
+    let power = |base: Formula, n: usize| match n {
+        0 => None,
+        1 => Some(base),
+        n => Some(base.pow(i64::try_from(n).unwrap_or(i64::MAX))),
+    };
+    power(question.small(), j).into_iter().chain(power(question.amplitude(), n)).collect()
+}
+
+/// Aⁿcʲ as one formula.
+pub(super) fn power(question: &Question, place: Place) -> Formula {
+    let factors = powers(question, place);
+    factors.into_iter().reduce(|product, factor| product * factor).unwrap_or_else(|| Formula::from(1))
+}
+
+/// Σ coefficient·Aⁿcʲ, lower powers of the small parameter first.
+pub(super) fn law(question: &Question, coefficients: &BTreeMap<Place, PiNumber>) -> Formula {
+    let mut places: Vec<&Place> = coefficients.keys().filter(|place| question.asks_for(**place)).collect();
+    places.sort_by_key(|(n, j)| (*j, *n));
+    let terms = places.into_iter().flat_map(|place| {
+        let value = coefficients.get(place).into_iter().flat_map(PiNumber::terms);
+        value.map(|(pi, it)| term_with(it, pi, powers(question, *place))).collect::<Vec<_>>()
+    });
+    let terms: Vec<Formula> = terms.collect();
+    if terms.is_empty() { Formula::from(0) } else { sum(terms) }
+}
+
+/// ω0, left out where it is one.
+pub(super) fn times_omega0(question: &Question, exponent: isize, formula: Formula) -> Formula {
+    let factor = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
+    scaled(&factor, formula)
+}
+
+/// A letter with several letters below it, as in aₙⱼ.
+pub(super) fn below(name: Name, letters: &[&str]) -> Name {
+    let index = letters.iter().map(|it| letter(it)).reduce(|product, it| product * it);
+    name.index(index.unwrap_or_else(|| Formula::from(0)))
+}
+
+/// ψ.
+pub(super) fn phase() -> Formula {
+    letter("ψ")
+}

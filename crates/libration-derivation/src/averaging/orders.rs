@@ -1,0 +1,275 @@
+//! One power of the amplitude and of the small parameter after the other.
+
+use super::super::check::{AveragedClaim, AveragedFormula, Check, CheckedEquation, DerivationError};
+use super::super::document::{Cells, DerivationStep, DerivationTable};
+use super::super::formula::{Formula, Name, Statement, cos, integral, monomial, number, scaled, sin, sum};
+use super::super::phase::{self, PhaseFunction, PiNumber, Wave};
+use super::super::prose::Prose;
+use super::super::trials::Trials;
+use super::ansatz::second_derivative;
+use super::flow::{Contribution, Flow, Order, Part};
+use super::names::{
+    frequency_name, growth_name, motion_name, of_products, phase, times_omega0, velocity_name,
+};
+use super::question::Question;
+use libration::algebra::Rational;
+
+/// Up to this power of the amplitude the way to each coefficient is open to the reader, beyond it folds away.
+const OPEN_TO_READ: usize = 3;
+/// Terms of what lower powers bring that are shown below an integral.
+const SHORT: usize = 2;
+
+pub(super) fn steps(question: &Question, flow: &Flow) -> Result<Vec<DerivationStep>, DerivationError> {
+    let first = beginning(question, flow);
+    let orders =
+        flow.orders.iter().filter(|order| question.asks_for(order.place) && !Flow::is_trivial(order));
+    let rest = orders.map(|order| one_power(question, flow, order));
+    std::iter::once(Ok(first)).chain(rest).collect()
+}
+
+/// The power A without the small parameter.
+fn beginning(question: &Question, flow: &Flow) -> DerivationStep {
+    let place = (1, 0);
+    let velocity = flow.velocity.get(&place).cloned().unwrap_or_default();
+    DerivationStep::new("order-1-0", "The beginning")
+        .say(
+            "In the power {} without {} there is the small swing alone, which turns at {}:",
+            [question.amplitude(), question.small(), question.amplitude()],
+        )
+        .show(CheckedEquation::definition(Statement::equal(motion_name(question, place), cos(phase()))))
+        .show(CheckedEquation::definition(Statement::equal(
+            velocity_name(place),
+            phase::series(&velocity, "ψ"),
+        )))
+}
+
+fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<DerivationStep, DerivationError> {
+    let (n, j) = order.place;
+    let heading = format!("The power {}", heading(question, order.place));
+    let step = DerivationStep::new(&format!("order-{n}-{j}"), &heading);
+    let way = |step: DerivationStep| {
+        step.say("The parts of the equation of motion bring to the right side", [])
+            .table(table(question, order))
+            .say("so that the equation in this power is", [])
+            .show(forcing(question, order))
+    };
+    let step = match n <= OPEN_TO_READ && j <= 1 {
+        true => way(step),
+        false => step.fold("What lower powers bring, and the equation", way),
+    };
+    let step = conditions(question, order, step)?;
+    let step = step.say("With that the solution that turns at the beginning is", []);
+    Ok(with_velocity(question, flow, order, step.show(motion(question, order))))
+}
+
+/// Aⁿcʲ in letters of text.
+fn heading(question: &Question, (n, j): (usize, usize)) -> String {
+    let raised = |letter: &str, n: usize| match n {
+        0 => String::new(),
+        1 => letter.to_owned(),
+        n => format!("{letter}{}", superscript(n)),
+    };
+    let text = format!("{}{}", raised(&question.parameter.letter, j), raised("A", n));
+    if j == 0 { format!("{text}, without the weak force") } else { text }
+}
+
+fn superscript(n: usize) -> String {
+    let digit =
+        |digit: char| digit.to_digit(10).and_then(|it| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(usize::try_from(it).ok()?));
+    n.to_string().chars().filter_map(digit).collect()
+}
+
+/// What each part of the equation of motion brings, as products of lower results and worked out.
+fn table(question: &Question, order: &Order) -> DerivationTable {
+    let row = |it: &Contribution| {
+        vec![
+            Prose::formula(part(question, it.part)),
+            in_groups(&of_products(question, &it.products)),
+            in_groups(&phase::series(&it.value, "ψ")),
+        ]
+    };
+    let head =
+        vec![Prose::text("part"), Prose::text("as products of what is known"), Prose::text("worked out")];
+    DerivationTable {
+        cells: Cells::Formulas,
+        head,
+        rows: order.parts.iter().map(row).collect(),
+        note: Prose::text("the signs are those on the right side; checked with their sum"),
+    }
+}
+
+/// A sum in pieces, between which a line may end.
+fn in_groups(formula: &Formula) -> Prose {
+    const GROUP: usize = 3;
+    let Formula::Sum(terms) = formula else { return Prose::formula(formula.clone()) };
+    let mut prose = Prose::text("");
+    for (place, group) in terms.chunks(GROUP).enumerate() {
+        let mut group = group.to_vec();
+        if place > 0 {
+            let sign = if is_negative(&group[0]) { " − " } else { " + " };
+            if is_negative(&group[0]) {
+                group[0] = group[0].clone().negated();
+            }
+            prose = prose.and(Prose::text(sign));
+        }
+        prose = prose.and(Prose::formula(sum(group)));
+    }
+    prose
+}
+
+fn is_negative(term: &Formula) -> bool {
+    match term {
+        Formula::Negate(_) => true,
+        Formula::Number(value) => value.is_negative(),
+        Formula::Product(factors) => factors.first().is_some_and(is_negative),
+        _ => false,
+    }
+}
+
+/// A part of the equation of motion as it stands there.
+fn part(question: &Question, part: Part) -> Formula {
+    let [fast, mixed, slow, detuning, drift] = second_derivative(question);
+    match part {
+        Part::Fast => fast,
+        Part::Mixed => mixed,
+        Part::Slow => slow,
+        Part::Detuning => detuning,
+        Part::Drift => drift,
+        Part::Force(number) => force(question, number),
+    }
+}
+
+/// A term of the force, with the velocity as it is.
+fn force(question: &Question, number: usize) -> Formula {
+    let Some(term) = question.flow.terms.get(number) else { return Formula::from(0) };
+    let velocity = Formula::from(question.displacement.clone().prime());
+    let raised = |base: Formula, n: usize| monomial(&Rational::from(1), &base, n);
+    let factors =
+        [(question.small(), term.parameter), (question.u(), term.position), (velocity, term.velocity)];
+    let product = factors.into_iter().filter(|(_, n)| *n > 0).map(|(base, n)| raised(base, n));
+    match product.reduce(|product, factor| product * factor) {
+        None => Formula::Number(term.factor.clone()),
+        Some(product) => scaled(&term.factor, product),
+    }
+}
+
+/// The equation of this power.
+fn forcing(question: &Question, order: &Order) -> CheckedEquation {
+    let (n, j) = order.place;
+    let x = |primes: usize| {
+        let name = motion_name(question, order.place);
+        Formula::from((0..primes).fold(name, |name, _| name.prime()))
+    };
+    let known = phase::series(&order.known, "ψ");
+    let left = times_omega0(question, 2, x(2)) + times_omega0(question, 2, x(0));
+    let twice = |name: Name, wave: Formula| {
+        let factor = Rational::from(2) * question.omega0().clone();
+        scaled(&factor, Formula::from(name)) * wave
+    };
+    let mut right = if order.known.is_zero() { vec![] } else { summands(known.clone()) };
+    if let Some(below) = n.checked_sub(1) {
+        right.push(twice(frequency_name((below, j)), cos(phase())));
+    }
+    if j > 0 {
+        right.push(twice(growth_name(order.place), sin(phase())));
+    }
+    let statement = Statement::equal(left, sum(right));
+    averaged(question, statement, AveragedClaim::Forcing { power: n, parameter: j, known })
+}
+
+fn summands(formula: Formula) -> Vec<Formula> {
+    match formula {
+        Formula::Sum(terms) => terms,
+        term => vec![term],
+    }
+}
+
+pub(super) fn averaged(question: &Question, statement: Statement, claim: AveragedClaim) -> CheckedEquation {
+    let formula = AveragedFormula { flow: question.flow.clone(), claim };
+    CheckedEquation::new(statement, Check::Averaged(Box::new(formula)))
+}
+
+/// What is asked of the rates of amplitude and phase.
+fn conditions(
+    question: &Question,
+    order: &Order,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
+    let found = rates(order);
+    let both = order.place.1 > 0;
+    let step = match found.as_slice() {
+        [] if both => step.say(
+            "Neither {} nor {} has a part in its right side: amplitude and phase need no correction in this power.",
+            [cos(phase()), sin(phase())],
+        ),
+        [] => step.say("{} has no part in its right side: the phase needs no correction in this power.", [cos(phase())]),
+        [(_, _, _, Wave::Sine)] if order.place.0 > 0 => {
+            step.say("The part of {} in its right side is zero by itself, that of {} for", [cos(phase()), sin(phase())])
+        }
+        [_] if both && order.place.0 > 0 => {
+            step.say("The part of {} in its right side is zero by itself, that of {} for", [sin(phase()), cos(phase())])
+        }
+        [(_, _, _, Wave::Sine)] => step.say("The part of {} in its right side is zero for", [sin(phase())]),
+        [_] => step.say("The part of {} in its right side is zero for", [cos(phase())]),
+        _ => step.say("The parts of {} and {} in its right side are zero for", [sin(phase()), cos(phase())]),
+    };
+    rates_with_integrals(question, order, found).map(|found| step.show_all(found))
+}
+
+/// The coefficients that are not zero.
+fn rates(order: &Order) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
+    let (n, j) = order.place;
+    let growth = (!order.growth.is_zero()).then(|| {
+        let claim = AveragedClaim::Growth { power: n, parameter: j };
+        (growth_name(order.place), order.growth.clone(), claim, Wave::Sine)
+    });
+    let frequency = n.checked_sub(1).filter(|_| !order.frequency.is_zero()).map(|below| {
+        let claim = AveragedClaim::Frequency { power: below, parameter: j };
+        (frequency_name((below, j)), order.frequency.clone(), claim, Wave::Cosine)
+    });
+    growth.into_iter().chain(frequency).collect()
+}
+
+/// The coefficients; on half swings and where it is short with the integral that each is.
+fn rates_with_integrals(
+    question: &Question,
+    order: &Order,
+    found: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
+) -> Result<Vec<CheckedEquation>, DerivationError> {
+    let is_short = question.flow.kinked && order.known.terms().count() <= SHORT;
+    let with_integral = |(name, value, claim, wave): (Name, PiNumber, AveragedClaim, Wave)| {
+        let value = phase::number(&value);
+        if !is_short {
+            return Ok(averaged(question, Statement::equal(name, value), claim));
+        }
+        let wave = if wave == Wave::Sine { sin(phase()) } else { cos(phase()) };
+        let under = times_omega0(question, 1, Formula::Pi);
+        let whole =
+            -(number(1) / under * integral("ψ", 0, Formula::Pi, phase::series(&order.known, "ψ") * wave));
+        Trials::new(None)?.compare_once(Statement::equal(whole.clone(), value.clone()))?;
+        Ok(averaged(question, Statement::equal(name, whole).and_equal(value), claim))
+    };
+    found.into_iter().map(with_integral).collect()
+}
+
+/// The motion of this power.
+fn motion(question: &Question, order: &Order) -> CheckedEquation {
+    let (power, parameter) = order.place;
+    let statement = Statement::equal(motion_name(question, order.place), phase::series(&order.motion, "ψ"));
+    averaged(question, statement, AveragedClaim::Motion { power, parameter })
+}
+
+fn with_velocity(question: &Question, flow: &Flow, order: &Order, step: DerivationStep) -> DerivationStep {
+    let velocity = flow.velocity.get(&order.place).cloned().unwrap_or_default();
+    let is_needed = question.flow.terms.iter().any(|term| term.velocity > 0);
+    if !is_needed || velocity == PhaseFunction::default() {
+        return step;
+    }
+    let (power, parameter) = order.place;
+    let statement = Statement::equal(velocity_name(order.place), phase::series(&velocity, "ψ"));
+    step.say("with the velocity", []).show(averaged(
+        question,
+        statement,
+        AveragedClaim::Velocity { power, parameter },
+    ))
+}

@@ -1,0 +1,173 @@
+//! The whole flow put back into the equation of motion by differentiating along it, and compared with the library's.
+
+use std::collections::BTreeMap;
+
+use super::super::check::{DerivationError, FlowTerms};
+use super::super::phase::{PhaseFunction, PiNumber, Wave};
+use super::flow::{Flow, Place};
+use super::question::Question;
+use libration::algebra::{PiSum, Rational};
+use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, slow_flow_watched};
+use libration::watch::Watch;
+
+/// A function of amplitude, parameter and phase.
+pub(crate) type Series = BTreeMap<Place, PhaseFunction>;
+
+/// Amplitude and phase in time, and up to where products count.
+pub(crate) struct Along<'a> {
+    pub(crate) growth: &'a BTreeMap<Place, PiNumber>,
+    pub(crate) frequency: &'a BTreeMap<Place, PiNumber>,
+    /// The highest power of the amplitude, that of the parameter counted with it where the terms are so.
+    pub(crate) level: usize,
+    pub(crate) parameter_order: usize,
+    pub(crate) lift: usize,
+}
+
+impl Along<'_> {
+    /// The derivative by time: ψ′ ∂/∂ψ + A′ ∂/∂A.
+    pub(crate) fn rate(&self, function: &Series) -> Series {
+        let mut rate = Series::new();
+        for ((m, i), part) in function {
+            for ((n, j), frequency) in self.frequency {
+                self.add(&mut rate, (n + m, j + i), &part.slope().scaled(frequency));
+            }
+            for ((n, j), growth) in self.growth.iter().filter(|_| *m > 0) {
+                let degree = Rational::from(i64::try_from(*m).unwrap_or(i64::MAX));
+                self.add(&mut rate, (n + m - 1, j + i), &part.scaled(&growth.scaled(&degree)));
+            }
+        }
+        rate
+    }
+
+    pub(crate) fn times(&self, a: &Series, b: &Series) -> Series {
+        let mut product = Series::new();
+        for ((n, j), left) in a {
+            for ((m, i), right) in b.iter().filter(|((m, i), _)| self.counts((n + m, j + i))) {
+                self.add(&mut product, (n + m, j + i), &left.times(right));
+            }
+        }
+        product
+    }
+
+    fn counts(&self, (n, j): Place) -> bool {
+        n + self.lift * j <= self.level && j <= self.parameter_order
+    }
+
+    fn add(&self, sum: &mut Series, place: Place, part: &PhaseFunction) {
+        if self.counts(place) {
+            let entry = sum.entry(place).or_default();
+            *entry = entry.plus(part);
+        }
+    }
+
+    /// Σ factor·xⁱ·vᵏ·cʲ.
+    fn force(&self, flow: &FlowTerms, x: &Series, v: &Series) -> Series {
+        let mut sum = Series::new();
+        for term in &flow.terms {
+            let factor = PhaseFunction::constant(term.factor.clone().into());
+            let start = Series::from([((0, term.parameter), factor)]);
+            let factors = std::iter::repeat_n(x, term.position).chain(std::iter::repeat_n(v, term.velocity));
+            let product = factors.fold(start, |product, it| self.times(&product, it));
+            product.iter().for_each(|(place, part)| self.add(&mut sum, *place, part));
+        }
+        sum
+    }
+}
+
+/// Differentiates the motion twice along the flow and compares with the force.
+pub(crate) fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
+    let along = along(question, flow);
+    let velocity = along.rate(&flow.motion);
+    let mut rest = along.rate(&velocity);
+    let square = PiNumber::from(question.omega0().clone() * question.omega0().clone());
+    flow.motion.iter().for_each(|(place, part)| along.add(&mut rest, *place, &part.scaled(&square)));
+    let force = along.force(&question.flow, &flow.motion, &velocity);
+    force.iter().for_each(|(place, part)| along.add(&mut rest, *place, part));
+    let begins = |place: &Place| flow.motion.get(place).map(PhaseFunction::at_start).unwrap_or_default();
+    let is_turn = |place: &Place, part: &PhaseFunction| {
+        part.at_start().is_zero() && (begins(place).is_zero() || *place == (1, 0))
+    };
+    let turns = velocity.iter().all(|(place, part)| is_turn(place, part));
+    let known = |place: &Place| velocity.get(place).cloned().unwrap_or_default();
+    let same = flow.velocity.iter().all(|(place, part)| known(place) == *part);
+    let (opposite, half_turns) = match question.half_turns() {
+        1 => (Rational::from(-1), 1),
+        _ => (Rational::from(1), 2),
+    };
+    let goes_on = flow
+        .motion
+        .values()
+        .chain(velocity.values())
+        .all(|part| part.at_half_turns(half_turns) == part.at_start().scaled(&opposite));
+    let is_solved = rest.values().all(PhaseFunction::is_zero);
+    match is_solved && turns && same && goes_on {
+        true => Ok(()),
+        false => Err(DerivationError::Disagreement { what: "the motion and the equation of motion" }),
+    }
+}
+
+pub(crate) fn along<'a>(question: &Question, flow: &'a Flow) -> Along<'a> {
+    let lift = question.flow.lift;
+    Along {
+        growth: &flow.growth,
+        frequency: &flow.frequency,
+        level: question.order,
+        parameter_order: question.parameter_order,
+        lift,
+    }
+}
+
+/// Compares every coefficient with the library's, which come of another algorithm.
+pub(crate) fn agrees_with_library(
+    question: &Question,
+    flow: &Flow,
+    watch: &Watch<'_>,
+) -> Result<SlowFlow, DerivationError> {
+    let (equation, name) = (&question.equation, question.force.parameter.as_str());
+    let known = slow_flow_watched(
+        equation,
+        Some(name),
+        question.order,
+        question.parameter_order,
+        &Gauge::XMax,
+        watch,
+    )?;
+    let is = |own: &BTreeMap<Place, PiNumber>, place: Place, other: &PiSum| {
+        own.get(&place).cloned().unwrap_or_default().is(other)
+    };
+    // The coefficient of a phase is found with one more power of the amplitude.
+    let same = |own: &BTreeMap<Place, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
+        let rows = series.iter().enumerate();
+        rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, it)| ((n, j), it)))
+            .filter(|((n, j), _)| question.asks_for((n + found_with, *j)))
+            .all(|(place, it)| is(own, place, it))
+    };
+    let rates = same(&flow.growth, &known.amplitude_rate, 0) && same(&flow.frequency, &known.phase_rate, 1);
+    match rates && has_the_motion(question, flow, &known.motion) {
+        true => Ok(known),
+        false => Err(DerivationError::Disagreement { what: "two computations of the slow flow" }),
+    }
+}
+
+fn has_the_motion(question: &Question, flow: &Flow, terms: &[PhaseTerm]) -> bool {
+    let shown = |place: &Place| question.asks_for(*place);
+    let mut own: BTreeMap<(Place, usize, usize, Wave), PiNumber> = BTreeMap::new();
+    for (place, part) in flow.motion.iter().filter(|(place, _)| shown(place)) {
+        for ((power, k, wave), value) in part.terms() {
+            own.insert((*place, power, k, wave), value.clone());
+        }
+    }
+    for term in terms {
+        for (wave, series) in [(Wave::Cosine, &term.cos), (Wave::Sine, &term.sin)] {
+            for (j, row) in series.iter().enumerate() {
+                for (n, other) in row.iter().enumerate().filter(|(n, _)| question.asks_for((*n, j))) {
+                    let value = own.remove(&((n, j), term.power, term.k, wave)).unwrap_or_default();
+                    if !value.is(other) {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+    own.is_empty()
+}

@@ -1,0 +1,121 @@
+//! Slow flows are derived, and are those that are known otherwise.
+
+use super::flow::Flow;
+use super::question::Question;
+use super::*;
+use crate::phase::{PhaseFunction, PiNumber};
+use crate::to_markdown;
+use libration::algebra::Rational;
+use libration::perturbation::{Gauge, slow_flow};
+
+fn page(equation: &str, orders: [usize; 2]) -> Result<String, DerivationError> {
+    let equation: Equation = equation.parse().unwrap();
+    averaging(&equation, None, orders[0], orders[1]).map(|page| to_markdown(&page))
+}
+
+fn solved(equation: &str, orders: [usize; 2]) -> (Question, Flow) {
+    let question = Question::new(&equation.parse().unwrap(), None, orders).unwrap();
+    let flow = Flow::new(&question).unwrap();
+    (question, flow)
+}
+
+/// Each page compares all coefficients with the library's and puts the motion back before it is given.
+#[test]
+fn dampings_of_every_power_are_derived_for_springs_and_pendulums() {
+    for force in ["sin(x)", "x", "x + x^3", "4*x - x^5/2"] {
+        for damping in ["x'", "x'^3", "x'*abs(x')", "sign(x')", "(x' + x'*abs(x')/3)"] {
+            let text = page(&format!("x'' + c*{damping} + {force} = 0"), [4, 2]).unwrap();
+            assert!(text.contains("How amplitude and phase go"), "{force} {damping}");
+            assert!(text.contains("The same from the energy"), "{force} {damping}");
+        }
+    }
+}
+
+#[test]
+fn asymmetric_springs_and_a_place_of_rest_elsewhere_are_derived() {
+    for equation in
+        ["x'' + c*x' + x + x^2 = 0", "x'' + c*x'^3 - x + x^3 = 0", "x'' + c*(x'^2 + x*x') + x + x^2 = 0"]
+    {
+        let refused = page(equation, [3, 2]);
+        match equation.contains("- x") {
+            // ω0² = 2 has no root among fractions.
+            true => assert!(matches!(refused, Err(DerivationError::NoFractionalFrequency))),
+            false => assert!(refused.unwrap().contains("All powers are there"), "{equation}"),
+        }
+    }
+    let moved = page("x'' + c*x' - 2*x + 2*x^3 = 0", [3, 2]).unwrap();
+    assert!(moved.contains("u:=x-1"), "{moved}");
+}
+
+/// Black and Vel's equation (54) as it is printed loses nothing on the average for the square of the velocity.
+#[test]
+fn the_published_square_of_the_velocity_is_no_damping() {
+    let equation = "x'' + c*x'^2 + sin(x) = 0".parse().unwrap();
+    let flow = slow_flow(&equation, None, 6, 4, &Gauge::XMax).unwrap();
+    assert!(flow.amplitude_rate.iter().flatten().all(libration::algebra::PiSum::is_zero));
+    let (_, own) = solved("x'' + c*x'^2 + sin(x) = 0", [6, 2]);
+    assert!(own.growth.is_empty() && own.frequency.contains_key(&(2, 2)));
+    assert!(page("x'' + c*x'*abs(x') + sin(x) = 0", [3, 1]).unwrap().contains("e^{2cx}"));
+}
+
+/// A′ = −½cA and ψ′ = √(1 − c²/4) for the linear spring, in the gauge of the turning points.
+#[test]
+fn viscous_damping_of_a_linear_spring_is_that_of_the_textbooks() {
+    let (_, flow) = solved("x'' + c*x' + x = 0", [1, 4]);
+    let fraction = |a, b| PiNumber::from(Rational::new(a, b).unwrap());
+    assert_eq!(
+        flow.growth.iter().map(|(at, it)| (*at, it.clone())).collect::<Vec<_>>(),
+        [((1, 1), fraction(-1, 2))]
+    );
+    for (j, value) in [(0, (1, 1)), (2, (-1, 8)), (4, (-1, 128))] {
+        assert_eq!(flow.frequency.get(&(0, j)), Some(&fraction(value.0, value.1)));
+    }
+}
+
+/// A change of any coefficient is seen when the motion is put back.
+#[test]
+fn a_coefficient_that_is_changed_is_found() {
+    for damping in ["x'", "x'*abs(x')", "sign(x')"] {
+        let equation = format!("x'' + c*{damping} + sin(x) = 0");
+        let (question, flow) = solved(&equation, [3, 2]);
+        assert!(put_back::check(&question, &flow).is_ok());
+        let places = |wanted: &dyn Fn(&Flow) -> Vec<(usize, usize)>| wanted(&flow);
+        for place in places(&|flow| flow.growth.keys().copied().filter(|(n, _)| *n <= 3).collect()) {
+            let (_, mut wrong) = solved(&equation, [3, 2]);
+            let value = wrong.growth[&place].scaled(&Rational::new(1001, 1000).unwrap());
+            wrong.growth.insert(place, value);
+            assert!(put_back::check(&question, &wrong).is_err(), "{damping} a {place:?}");
+        }
+        for place in places(&|flow| flow.motion.keys().copied().filter(|it| *it != (1, 0)).collect()) {
+            let (_, mut wrong) = solved(&equation, [3, 2]);
+            let more = PhaseFunction::sine().scaled(&Rational::new(1, 1000).unwrap().into());
+            let value = wrong.motion[&place].plus(&more);
+            wrong.motion.insert(place, value);
+            assert!(put_back::check(&question, &wrong).is_err(), "{damping} x {place:?}");
+        }
+    }
+}
+
+/// Van der Pol's cycle: the largest displacement 2 + μ²/96, Ω = 1 − μ²/16 (A. Dadfar, J. Geer, C. Andersen, SIAM J. Appl. Math. 44, 881 (1984)).
+#[test]
+fn limit_cycles_have_their_known_amplitude_and_frequency() {
+    let text = page("x'' + x = mu*(1 - x^2)*x'", [7, 3]).unwrap();
+    assert!(text.contains(r"A^{2}=4+\frac{1}{24}\mu ^{2}+O"), "{text}");
+    assert!(text.contains(r"\psi'=1-\frac{1}{16}\mu ^{2}+O"));
+    let rayleigh = page("x'' + x = e*(x' - x'^3)", [5, 2]).unwrap();
+    assert!(rayleigh.contains(r"A^{2}=\frac{4}{3}+O") && rayleigh.contains(r"\sqrt{4/3}"), "{rayleigh}");
+    let both = page("x'' + x = e*(2*(1 - x^2)*x' - 3*x^3)", [5, 2]).unwrap();
+    assert!(both.contains(r"\psi'=1+\frac{9}{2}e-"), "{both}");
+    assert!(!page("x'' + c*x' + x = 0", [3, 2]).unwrap().contains("The limit cycle"));
+}
+
+#[test]
+fn what_is_not_derived_is_refused_for_its_reason() {
+    let refused = |equation: &str, orders| page(equation, orders).unwrap_err().to_string();
+    assert!(refused("x'' + c*x' + x = 0", [10, 2]).contains("1 to 9"));
+    assert!(refused("x'' + c*x' + x = 0", [3, 5]).contains("1 to 4"));
+    assert!(refused("x'' + c*x' + 2*x = 0", [3, 2]).contains("unit of time"));
+    assert!(refused("x'' + c*x'/(1 + x'^2) + x = 0", [3, 2]).contains("polynomials"));
+    assert!(refused("x'' + A*x' + x = 0", [3, 2]).contains("the letter A"));
+    assert!(refused("x'' + x = 0", [3, 2]).contains("no letter"));
+}

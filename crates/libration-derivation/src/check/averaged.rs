@@ -1,0 +1,118 @@
+//! What the slow flow of a weak force is asked for, power by power.
+
+use super::super::formula::{Formula, Name};
+use libration::algebra::Rational;
+
+/// factor·xⁱ·x′ᵏ·cʲ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceTerm {
+    /// The factor.
+    pub factor: Rational,
+    /// i.
+    pub position: usize,
+    /// k.
+    pub velocity: usize,
+    /// j.
+    pub parameter: usize,
+}
+
+/// The equation x″ + ω0²·x + Σ terms = 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlowTerms {
+    /// ω0.
+    pub omega0: Rational,
+    /// The terms, as they are while x falls.
+    pub terms: Vec<ForceTerm>,
+    /// They are others while x rises.
+    pub kinked: bool,
+    /// One where a term has neither displacement nor velocity, so that its parameter is counted as a power of the amplitude.
+    pub lift: usize,
+}
+
+/// A formula of a slow flow, and the equation it belongs to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AveragedFormula {
+    /// The equation.
+    pub flow: FlowTerms,
+    /// What the formula says.
+    pub claim: AveragedClaim,
+}
+
+/// What a formula of a slow flow says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AveragedClaim {
+    /// The second derivative of x(A, ψ) by time.
+    ChainRule,
+    /// What lower powers give in a power of A and the parameter, on the right side.
+    Forcing {
+        /// The power of A.
+        power: usize,
+        /// That of the parameter.
+        parameter: usize,
+        /// It.
+        known: Formula,
+    },
+    /// A coefficient of A′.
+    Growth {
+        /// The power of A.
+        power: usize,
+        /// That of the parameter.
+        parameter: usize,
+    },
+    /// A coefficient of ψ′.
+    Frequency {
+        /// The power of A.
+        power: usize,
+        /// That of the parameter.
+        parameter: usize,
+    },
+    /// A coefficient of the motion.
+    Motion {
+        /// The power of A.
+        power: usize,
+        /// That of the parameter.
+        parameter: usize,
+    },
+    /// A coefficient of the velocity.
+    Velocity {
+        /// The power of A.
+        power: usize,
+        /// That of the parameter.
+        parameter: usize,
+    },
+    /// A′ as far as it is known.
+    AmplitudeLaw {
+        /// The small parameter.
+        parameter: Name,
+    },
+    /// ψ′ as far as it is known.
+    PhaseLaw {
+        /// The small parameter.
+        parameter: Name,
+    },
+    /// The mean of what the weak force takes, at the first power of the parameter.
+    Loss {
+        /// The highest power of A.
+        highest: usize,
+    },
+    /// A′ in the first power of the parameter.
+    FirstLaw,
+    /// The limit cycle of a slow flow: the square of its amplitude, its frequency or its exponent, in the parameter.
+    Cycle {
+        /// The small parameter.
+        parameter: Name,
+        /// What of it.
+        quantity: CycleQuantity,
+    },
+}
+
+/// What is said of a limit cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CycleQuantity {
+    /// The square of the amplitude.
+    SquaredAmplitude,
+    /// The angular frequency.
+    Frequency,
+    /// The rate at which a distance from it grows.
+    Exponent,
+}

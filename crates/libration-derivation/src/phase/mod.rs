@@ -1,0 +1,12 @@
+//! Functions of a phase that are polynomials in it times harmonics, with fractions and powers of π: what weak forces make of an oscillation.
+
+mod function;
+mod pi_number;
+mod written;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use function::{PhaseFunction, Wave};
+pub(super) use pi_number::PiNumber;
+pub(super) use written::{number, series, term_with};

@@ -1,0 +1,83 @@
+//! Sums of powers of π with fractions, such as −4/(3π).
+
+use std::collections::BTreeMap;
+
+use libration::algebra::{PiSum, Rational};
+
+/// Σ cₑ·πᵉ.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct PiNumber {
+    /// No coefficient is zero.
+    terms: BTreeMap<i32, Rational>,
+}
+
+impl From<Rational> for PiNumber {
+    fn from(value: Rational) -> Self {
+        let mut number = Self::default();
+        number.add(0, value);
+        number
+    }
+}
+
+impl PiNumber {
+    /// The powers of π with their coefficients, the lowest first.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (i32, &Rational)> {
+        self.terms.iter().map(|(power, coefficient)| (*power, coefficient))
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The fraction that it is; `None` where it has powers of π.
+    pub(crate) fn to_rational(&self) -> Option<Rational> {
+        match self.terms.len() {
+            0 => Some(Rational::from(0)),
+            1 => self.terms.get(&0).cloned(),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        other.terms.iter().for_each(|(power, coefficient)| sum.add(*power, coefficient.clone()));
+        sum
+    }
+
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let mut product = Self::default();
+        for (p, a) in &self.terms {
+            for (q, b) in &other.terms {
+                product.add(p + q, a.clone() * b.clone());
+            }
+        }
+        product
+    }
+
+    pub(crate) fn scaled(&self, factor: &Rational) -> Self {
+        self.times(&Self::from(factor.clone()))
+    }
+
+    pub(crate) fn negated(&self) -> Self {
+        self.scaled(&Rational::from(-1))
+    }
+
+    /// This times a power of π.
+    pub(crate) fn times_power_of_pi(&self, power: i32) -> Self {
+        Self { terms: self.terms.iter().map(|(p, coefficient)| (p + power, coefficient.clone())).collect() }
+    }
+
+    /// Whether it is this number of the library.
+    pub(crate) fn is(&self, other: &PiSum) -> bool {
+        let fractions = other.terms().iter().map(|(power, surd)| Some((*power, surd.to_rational()?.clone())));
+        fractions.collect::<Option<BTreeMap<i32, Rational>>>().is_some_and(|terms| terms == self.terms)
+    }
+
+    fn add(&mut self, power: i32, coefficient: Rational) {
+        let sum =
+            self.terms.remove(&power).map_or_else(|| coefficient.clone(), |old| old + coefficient.clone());
+        if !sum.is_zero() {
+            self.terms.insert(power, sum);
+        }
+    }
+}
