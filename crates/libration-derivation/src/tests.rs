@@ -6,7 +6,7 @@ use super::trials::Trials;
 use super::words::theta_0;
 use super::*;
 use libration::algebra::{Function, Rational};
-use libration::oscillator::NamedOscillator;
+use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::perturbation::Gauge;
 
@@ -253,6 +253,9 @@ fn perturbation_is_derived_for_symmetric_and_asymmetric_wells_in_every_gauge() {
 fn perturbation_is_refused_where_it_is_not_exact() {
     assert!(matches!(derived("relativistic", 5, "fundamental"), Err(DerivationError::Velocity)));
     assert!(matches!(derived("pendulum", 10, "fundamental"), Err(DerivationError::Order { order: 10 })));
+    let two_sided = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse().unwrap()).unwrap();
+    let refused = perturbation(&two_sided, 3, &Gauge::Fundamental, None);
+    assert!(matches!(refused, Err(DerivationError::TwoSided)));
     assert!(matches!(derived("duffing", 5, "nome"), Err(DerivationError::Expansion(_))));
 }
 

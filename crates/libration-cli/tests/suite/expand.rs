@@ -52,6 +52,31 @@ fn a_mirrored_motion_is_written_in_sines() {
     assert_eq!(json("expand van_der_pol --order 3")["phase_origin"], "first harmonic");
 }
 
+/// x″ + x + x|x| = 0: Ω = 1 + 4A/(3π) + ….
+#[test]
+fn a_force_with_two_sides_has_powers_of_pi() {
+    let question = |more: &[&str]| {
+        let words = [&["expand", "x''+x+x*abs(x)=0", "--gauge", "x_max", "--order", "2"], more].concat();
+        String::from_utf8(run(&words).stdout).unwrap()
+    };
+    let answer: Value = serde_json::from_str(&question(&["--json"])).unwrap();
+    assert_eq!(list(&answer["frequency_ratio"]), ["1", "4/(3*pi)"]);
+    assert_eq!(answer["precision"], "exact");
+    assert_eq!((&answer["certificate"], &answer["certified"]), (&"quadrature".into(), &false.into()));
+    assert_eq!(answer["has_all_harmonics"], false);
+    assert_eq!(json("expand pendulum --order 3")["has_all_harmonics"], true);
+    let shown = question(&[]);
+    for part in ["Ω/ω0 = 1 + 4/(3*pi) A", "there are\nharmonics without end", "those that a quadrature gives"]
+    {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    assert!(question(&["--latex"]).contains(r"1 + \frac{4}{3 \pi} \epsilon"));
+    // Functions take no π for an argument.
+    let code = question(&["--format", "python"]);
+    assert!(code.contains("def frequency(amplitude):") && code.contains("0.4244131815783876"), "{code}");
+    assert!(code.contains("the displacement is not whole"), "{code}");
+}
+
 #[test]
 fn every_field_of_the_contract_is_there() {
     let order = 7;
@@ -356,7 +381,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
         (&["expand", "x'' + 1/0*x = 0"], 2, "`1/0` has no value: division by zero"),
         (&["expand", "duffing", "--set", "epsilon=1/0"], 2, "--set: epsilon has no value: `1/0`"),
         (&["expand", "x'' + x*a/b = 0", "--set", "a=1,b=0"], 2, "division by zero"),
-        (&["expand", "x'' + x + abs(x)^3 = 0"], 1, "(libration backbone)"),
+        (&["expand", "x'' + 2*x + abs(x) = 0"], 1, "(libration backbone)"),
         (&["expand", "x'' + x^3 = 0"], 1, "the restoring force has no linear part"),
         (&["expand", "x'' - mu*(1-x^2)*x' + x + x^3 = 0"], 1, "(libration simulate)"),
         (&["expand", "x'' + x + y^2 = 0"], 1, "no value is given for y"),
@@ -385,7 +410,7 @@ fn advice_is_followed_by_an_answer() {
         let output = run(arguments);
         assert!(output.status.success(), "{arguments:?}: {}", message(&output));
     };
-    for equation in ["x'' + x + abs(x)^3 = 0", "x'' + x + x*abs(x) = 0", "x'' + x^3 = 0"] {
+    for equation in ["x'' + 2*x + abs(x) = 0", "x'' + x + x*abs(x) = 0", "x'' + x^3 = 0"] {
         answered(&["backbone", equation, "--amplitudes", "0.5"]);
     }
     let excited = "x'' - mu*(1-x^2)*x' + x + x^3 = 0";

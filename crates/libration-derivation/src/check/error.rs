@@ -60,6 +60,11 @@ pub enum DerivationError {
         "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
     )]
     Velocity,
+    /// A force with two power series.
+    #[error(
+        "the force has one power series above the equilibrium and another below: the derivation is for forces with one; `libration expand` answers for others"
+    )]
+    TwoSided,
     /// Numbers that are no fractions.
     #[error(
         "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"

@@ -41,8 +41,10 @@ impl Question {
         if !(2..=HIGHEST_ORDER).contains(&order) {
             return Err(DerivationError::Order { order });
         }
-        if *oscillator.kind() != Kind::Conservative {
-            return Err(DerivationError::Velocity);
+        match oscillator.kind() {
+            Kind::Conservative => {}
+            Kind::TwoSided => return Err(DerivationError::TwoSided),
+            _ => return Err(DerivationError::Velocity),
         }
         let exact = (oscillator.equilibrium().exact(), oscillator.omega0_squared().exact());
         let (Some(equilibrium), Some(omega0_squared)) = exact else {

@@ -5,6 +5,7 @@ use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, Reject
 use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
 use super::roots::{LARGEST_DEGREE, Scan, zeros};
+use super::sides::Sides;
 use crate::algebra::{BigFloat, Rational};
 use crate::expression::Expression;
 use crate::roots::polynomial_sign_changes;
@@ -21,6 +22,8 @@ const LONGEST_FRACTION: usize = 128;
 pub(super) struct Equilibrium {
     pub(super) at: Constant,
     pub(super) omega0_squared: Constant,
+    /// Where there is one power series above it and another below.
+    pub(super) sides: Option<Sides>,
 }
 
 /// Numbers next to which the force at rest vanishes.
@@ -133,13 +136,23 @@ fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
 
 /// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
 pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, RejectedEquilibrium> {
-    match omega0_squared_at(force, &at).and_then(|omega0_squared| {
+    let smooth = omega0_squared_at(force, &at).and_then(|omega0_squared| {
         refuse_losses(force, &at)?;
         Ok(omega0_squared)
-    }) {
-        Ok(omega0_squared) => Ok(Equilibrium { at, omega0_squared }),
-        Err(reason) => Err(RejectedEquilibrium { at: at.to_string(), reason }),
+    });
+    match (smooth, two_sided(force, &at)) {
+        (Ok(omega0_squared), _) => Ok(Equilibrium { at, omega0_squared, sides: None }),
+        (Err(RejectionReason::NotAnalytic { .. }), Some((sides, omega0_squared))) => {
+            Ok(Equilibrium { at, omega0_squared, sides: Some(sides) })
+        }
+        (Err(reason), _) => Err(RejectedEquilibrium { at: at.to_string(), reason }),
     }
+}
+
+/// The force on both sides of a place to which it drives back, and ω0².
+fn two_sided(force: &Force, at: &Constant) -> Option<(Sides, Constant)> {
+    let (sides, slope) = Sides::new(force, at)?;
+    (slope.is_negative()).then(|| (sides, Constant::Exact(-slope)))
 }
 
 /// ω0², where the force drives back in proportion to the displacement.

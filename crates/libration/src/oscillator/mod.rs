@@ -21,6 +21,7 @@ mod equilibrium;
 mod force;
 mod neighbourhood;
 mod roots;
+mod sides;
 
 mod error;
 mod model;

@@ -4,6 +4,7 @@ use super::OscillatorError;
 use super::constant::Constant;
 use super::equilibrium::{Candidates, Equilibrium, assessed, candidates, given, refined, vanishes_at};
 use super::force::Force;
+use super::sides::Sides;
 use crate::algebra::Rational;
 use crate::expression::{Equation, Expression, Symbol};
 use crate::quantity::excerpt;
@@ -44,6 +45,9 @@ pub enum Kind {
     /// The acceleration is the opposite at the opposite displacement and the same velocity: each motion about the equilibrium runs
     /// back as it came, seen in a mirror.
     Mirrored,
+    /// The acceleration depends on the position only, and has one power series above the equilibrium and another below, with the same
+    /// slope, as x + x·|x| has: energy is conserved.
+    TwoSided,
     /// A self-excitation of a strength that is left open settles to a limit cycle. Without it the equation is linear,
     /// and changing the signs of strength and velocity together changes nothing.
     LimitCycle {
@@ -110,12 +114,13 @@ impl Oscillator {
 
     fn centre(equation: &Equation, mut force: Force, equilibrium: Equilibrium) -> Self {
         let kind = match (force.uses_velocity(), force.is_reversible()) {
+            (false, _) if equilibrium.sides.is_some() => Kind::TwoSided,
             (false, _) => Kind::Conservative,
             (true, true) => Kind::Reversible,
             // Only the mirror is left of what an equilibrium is accepted for.
             (true, false) => Kind::Mirrored,
         };
-        if kind == Kind::Conservative {
+        if matches!(kind, Kind::Conservative | Kind::TwoSided) {
             force.formula = force.at_rest();
         }
         let odd = equilibrium.at.exact().is_some_and(|place| force.is_odd_about(place));
@@ -169,6 +174,11 @@ impl Oscillator {
     #[must_use]
     pub fn omega0_squared(&self) -> &Constant {
         &self.equilibrium.omega0_squared
+    }
+
+    /// The acceleration on both sides of the equilibrium, where these have different power series.
+    pub(crate) fn sides(&self) -> Option<&Sides> {
+        self.equilibrium.sides.as_ref()
     }
 
     /// What makes its motions periodic.
@@ -228,5 +238,7 @@ fn linear_rest(force: &Force, parameter: &Symbol) -> Option<Equilibrium> {
     let omega0_squared = -slope.clone();
     let at = constant.checked_div(&omega0_squared)?;
     let stable = !omega0_squared.is_negative() && !omega0_squared.is_zero();
-    stable.then_some(Equilibrium { at: Constant::Exact(at), omega0_squared: Constant::Exact(omega0_squared) })
+    let equilibrium =
+        Equilibrium { at: Constant::Exact(at), omega0_squared: Constant::Exact(omega0_squared), sides: None };
+    stable.then_some(equilibrium)
 }

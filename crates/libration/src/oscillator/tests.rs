@@ -190,17 +190,6 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
     let by_orbits = "the force points back to it: the frequency at any amplitude is found without one (libration backbone)";
     let one_way = "the force points the same way on both sides";
     for (text, parts) in [
-        (
-            "x'' = -x - abs(x)^3",
-            [
-                "at 0 the acceleration has no power series to expand: it has a derivative, omega0^2 being 1,",
-                by_orbits,
-            ],
-        ),
-        (
-            "x'' = -x/3 - x*abs(x)",
-            ["it has a derivative, omega0^2 being 1/3, but not all derivatives", by_orbits],
-        ),
         ("x'' = -x*abs(x)", ["it has a derivative, omega0^2 being 0, but not all", by_orbits]),
         (
             "x'' = -2*(x-1) - abs(x-1)",
@@ -228,6 +217,34 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
     }
     // Integration does not pass a root either, so that it is not offered.
     assert!(!refusal("x'' = -sign(x)*sqrt(abs(x))").contains("libration"));
+}
+
+#[test]
+fn a_force_with_a_power_series_on_either_side_has_two_sides() {
+    for (text, at, odd) in [
+        ("x'' = -x - abs(x)^3", "0", false),
+        ("x'' = -x/3 - x*abs(x)", "0", true),
+        ("x'' = -x - sign(x)*x^2", "0", true),
+        ("x'' = -sin(x) - x*abs(-2*x)", "0", true),
+        ("x'' = -(x - 1) - (x - 1)^3*abs(1 - x)", "1", true),
+        ("x'' = -x - abs(x*abs(x))", "0", false),
+    ] {
+        let found = oscillator(text);
+        assert_eq!((found.equilibrium().to_string().as_str(), found.is_odd()), (at, odd), "{text}");
+        assert_eq!(*found.kind(), Kind::TwoSided, "{text}");
+    }
+    // Beside the kink there is one power series.
+    assert_eq!(*oscillator("x'' = -x - (x - 1e-13)*abs(x - 1e-13) - 1e-26").kind(), Kind::Conservative);
+    for (text, part) in [
+        ("x'' = -x - 1e-6*abs(x)", "it has a kink"),
+        ("x'' = -x - 1e-6*sign(x)", "it jumps"),
+        ("x'' = -x - x*abs(x) - x*x'^2", "not all derivatives"),
+        ("x'' = -x - x*abs(x)^(1/2)", "not all derivatives"),
+        ("x'' = x + x*abs(x)", "omega0^2 being -1"),
+    ] {
+        let error = refusal(text);
+        assert!(error.contains(part), "{text}: {error}");
+    }
 }
 
 #[test]

@@ -29,15 +29,23 @@ pub(crate) fn approximate_series(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
     watch: &Watch<'_>,
 ) -> Option<Approximated> {
+    agreed(&|precision| series_at(prepare, precision, watch), watch)
+}
+
+/// The same of series that are computed in some way with so many bits.
+pub(crate) fn agreed(
+    series_at: &dyn Fn(usize) -> Option<(SeriesSet<BigFloat>, BigFloat, BigFloat)>,
+    watch: &Watch<'_>,
+) -> Option<Approximated> {
     let mut precision = bits(DIGITS) + 64;
-    let mut coarse = series_at(prepare, precision, watch)?.0;
+    let mut coarse = series_at(precision)?.0;
     for _ in 0..6 {
         if watch.is_stopped() {
             return None;
         }
         let before = precision;
         precision += precision / 2;
-        let (set, omega0_squared, equilibrium) = series_at(prepare, precision, watch)?;
+        let (set, omega0_squared, equilibrium) = series_at(precision)?;
         let fine = set.numbers();
         let coarser = coarse.in_common_with(&set).numbers();
         let pairs = coarser.iter().zip(&fine);

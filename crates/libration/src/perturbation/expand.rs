@@ -11,7 +11,8 @@ use super::modular::{Unsolved, exact_series};
 use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
 use super::shape::{Shape, shape_of};
-use crate::algebra::{Rational, Rationals};
+use super::two_sided::{MAX_PI_ORDER, TwoSided, agree};
+use crate::algebra::{LaurentPolynomial, Rational, Rationals};
 use crate::expression::{Expression, Symbol, Tape, WithoutValue};
 use crate::oscillator::{Kind, Oscillator};
 use crate::watch::{Stage, Watch};
@@ -76,6 +77,57 @@ pub fn expand_watched(
     }
 }
 
+/// The exact expansion of an oscillator with one power series above the equilibrium and another below ([`Kind::TwoSided`]), whose
+/// coefficients are fractions and powers of the letter π; [`expand`] gives the same in digits. There are harmonics without end, of which those
+/// up to the order are given. `None` for other oscillators, where a number is no fraction, and above order 15, where coefficients have
+/// thousands of terms.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::Oscillator;
+/// use libration::perturbation::{Gauge, expand_with_pi};
+/// let oscillator = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse()?)?;
+/// let expansion = expand_with_pi(&oscillator, 3, &Gauge::XMax)?.ok_or("not two-sided")?;
+/// assert_eq!(expansion.frequency_ratio[1].to_string(), "4/(3*pi)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`expand`].
+pub fn expand_with_pi(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+) -> Result<Option<Expansion<LaurentPolynomial>>, ExpansionError> {
+    expand_with_pi_watched(oscillator, order, gauge, &Watch::none())
+}
+
+/// As [`expand_with_pi`], and asks `watch` at each step of the check.
+///
+/// # Errors
+/// As [`expand`], or [`ExpansionError::Interrupted`].
+pub fn expand_with_pi_watched(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+    watch: &Watch<'_>,
+) -> Result<Option<Expansion<LaurentPolynomial>>, ExpansionError> {
+    if !(1..=MAX_ORDER).contains(&order) {
+        return Err(ExpansionError::Order(order));
+    }
+    check_gauge(gauge, oscillator.kind(), oscillator)?;
+    let two_sided = TwoSided::new(oscillator, order, gauge).filter(|_| order <= MAX_PI_ORDER);
+    let Some((question, set)) = two_sided.and_then(|it| it.with_pi().map(|set| (it, set))) else {
+        return Ok(None);
+    };
+    match question.in_digits(watch) {
+        _ if watch.is_stopped() => Err(interrupted(None)),
+        Some((digits, ..)) if !agree(&set, &digits) => Err(ExpansionError::Contradiction),
+        Some(_) => Ok(Some(question.expansion(set, Certificate::Quadrature))),
+        None => Ok(Some(question.expansion(set, Certificate::Unchecked))),
+    }
+}
+
 /// An oscillator and what is asked about it.
 struct Question<'a> {
     oscillator: &'a Oscillator,
@@ -116,6 +168,7 @@ impl<'a> Question<'a> {
                     None => return Ok(None),
                 }
             }
+            Kind::TwoSided => return Ok(None),
             // Even harmonics of mirrored motions are in proportion to ω0.
             Kind::Mirrored if omega0_squared.square_root().is_none() => return Ok(None),
             _ => {
@@ -219,6 +272,9 @@ impl<'a> Question<'a> {
     fn solve_in_digits(&self, watch: &Watch<'_>) -> Result<Expansion, ExpansionError> {
         let solved = match self.oscillator.kind() {
             Kind::LimitCycle { .. } => self.limit_cycle_in_digits(watch),
+            Kind::TwoSided => TwoSided::new(self.oscillator, self.order, self.gauge)
+                .and_then(|it| it.in_digits(watch))
+                .ok_or(ExpansionError::NoDigits),
             kind => self.centre_in_digits(*kind != Kind::Conservative, watch).ok_or(ExpansionError::NoDigits),
         };
         let (set, omega0_squared, equilibrium) = match solved {
@@ -259,6 +315,7 @@ impl<'a> Question<'a> {
                 _ => ExpansionVariable::Epsilon(self.gauge.clone()),
             },
             phase_origin: self.shape().into(),
+            has_all_harmonics: *self.oscillator.kind() != Kind::TwoSided,
             precision,
             equilibrium: exact(self.oscillator.equilibrium().exact()),
             omega0_squared: exact(self.oscillator.omega0_squared().exact()),
@@ -286,7 +343,9 @@ fn counted_from(acceleration: &Expression, x: &Symbol, place: Option<&Rational>)
 
 fn check_gauge(gauge: &Gauge, kind: &Kind, oscillator: &Oscillator) -> Result<(), ExpansionError> {
     match gauge {
-        Gauge::Energy if *kind != Kind::Conservative => Err(ExpansionError::EnergyOfVelocity),
+        Gauge::Energy if !matches!(kind, Kind::Conservative | Kind::TwoSided) => {
+            Err(ExpansionError::EnergyOfVelocity)
+        }
         Gauge::Nome if !is_pendulum(oscillator) => Err(ExpansionError::NomeOfOther),
         _ => Ok(()),
     }

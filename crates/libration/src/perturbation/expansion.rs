@@ -27,6 +27,9 @@ pub struct Expansion<C = Rational> {
     pub frequency_ratio: Vec<C>,
     /// The harmonics that are present, by ascending k.
     pub harmonics: Vec<HarmonicSeries<C>>,
+    /// Whether the harmonics that are not given begin beyond the order. Where a force has two sides they do not: there are harmonics without
+    /// end, in the same powers.
+    pub has_all_harmonics: bool,
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
     pub unit_squared: C,
@@ -124,6 +127,8 @@ pub enum Certificate {
     FreshPrimes,
     /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
     TwoPrecisions,
+    /// Coefficients with powers of π; to 30 digits they are those that a quadrature gives.
+    Quadrature,
     /// The coefficients have letters; they were computed in plain fractions, and with fractions in the place of the
     /// letters they are those of the expansion modulo primes.
     Substitution,
@@ -153,8 +158,16 @@ impl<C> Expansion<C> {
         set: SeriesSet<C>,
         certificate: Certificate,
     ) -> Self {
-        let Heading { order, variable, phase_origin, precision, equilibrium, omega0_squared, unit_squared } =
-            heading;
+        let Heading {
+            order,
+            variable,
+            phase_origin,
+            has_all_harmonics,
+            precision,
+            equilibrium,
+            omega0_squared,
+            unit_squared,
+        } = heading;
         let harmonics = set.harmonics.into_iter().enumerate().map(|(k, series)| {
             let (cos, sin) = series.into_iter().map(|h| (h.cosine, h.sine)).unzip();
             HarmonicSeries { k, cos, sin }
@@ -170,6 +183,7 @@ impl<C> Expansion<C> {
             omega0_squared,
             frequency_ratio: set.frequency,
             harmonics: harmonics.filter(present).collect(),
+            has_all_harmonics,
             unit_squared,
             x_max: set.x_max,
             x_min: set.x_min,
@@ -186,6 +200,7 @@ pub(crate) struct Heading<C = Rational> {
     pub(crate) order: usize,
     pub(crate) variable: ExpansionVariable,
     pub(crate) phase_origin: PhaseOrigin,
+    pub(crate) has_all_harmonics: bool,
     pub(crate) precision: Precision,
     pub(crate) equilibrium: C,
     pub(crate) omega0_squared: C,

@@ -42,6 +42,7 @@ mod shape;
 mod slow_flow;
 mod symbolic;
 mod truncated_system;
+mod two_sided;
 
 pub use evaluation::{
     Certainty, Convergence, MajorantAt, Pade, PartialSum, PeriodMajorant, Pole, Remainder, SeriesEvaluation,
@@ -49,7 +50,7 @@ pub use evaluation::{
 };
 pub(crate) use evaluation::{PositiveSeries, stride};
 pub(crate) use expand::is_pendulum;
-pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched};
+pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched, expand_with_pi, expand_with_pi_watched};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};

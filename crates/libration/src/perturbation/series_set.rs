@@ -31,6 +31,16 @@ impl<E: Clone> SeriesSet<E> {
     /// All series of a family; `None` when a number is not in the ring.
     pub(crate) fn new<R: Ring<Element = E>>(ring: &R, family: Family<E>, shape: Shape) -> Option<Self> {
         let turning_points = shape.turning_points(ring, &family)?;
+        Self::with_turning_points(ring, family, turning_points, shape)
+    }
+
+    /// The same where the turning points are not sums of the harmonics that are known.
+    pub(crate) fn with_turning_points<R: Ring<Element = E>>(
+        ring: &R,
+        family: Family<E>,
+        turning_points: BothTurns<E>,
+        shape: Shape,
+    ) -> Option<Self> {
         let of = |amplitude: &[E]| OfAmplitude::new(ring, &family, amplitude, shape.wave());
         let of_amplitude = if shape == Shape::Cycle { None } else { Some(of(&turning_points.0)?) };
         let of_half_swing = match shape {
@@ -183,7 +193,7 @@ pub(crate) fn by_inverse<R: Ring>(
     Some(composed(ring, family, &powers_of_inverse(ring, series)?))
 }
 
-fn composed<R: Ring>(
+pub(crate) fn composed<R: Ring>(
     ring: &R,
     family: &Family<R::Element>,
     powers: &SeriesPowers<R::Element>,

@@ -25,8 +25,8 @@ pub(crate) fn shape_of(kind: &Kind, odd: bool) -> Shape {
     match kind {
         Kind::LimitCycle { .. } => Shape::Cycle,
         Kind::Mirrored => Shape::Mirrored,
-        Kind::Conservative | Kind::Reversible if odd => Shape::Odd,
-        Kind::Conservative | Kind::Reversible => Shape::Asymmetric,
+        Kind::Conservative | Kind::Reversible | Kind::TwoSided if odd => Shape::Odd,
+        Kind::Conservative | Kind::Reversible | Kind::TwoSided => Shape::Asymmetric,
     }
 }
 

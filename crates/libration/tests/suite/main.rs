@@ -8,6 +8,7 @@ mod period_majorants;
 mod promises;
 mod random;
 mod remainders;
+mod two_sided;
 mod ulp;
 
 mod accuracy;

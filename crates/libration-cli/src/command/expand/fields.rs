@@ -133,6 +133,12 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
             |it| by_number(&harmonics(&it.expansion)),
         ),
         Of::<C>::value(
+            "has_all_harmonics",
+            "",
+            "whether harmonics that are not given begin at higher powers; false where the force has two sides, and there are harmonics without end",
+            |it| it.expansion.has_all_harmonics.into(),
+        ),
+        Of::<C>::value(
             "unit_squared",
             "",
             "square of the unit that harmonics and turning points are measured in",
@@ -328,6 +334,7 @@ fn certificate(certificate: Certificate) -> &'static str {
         Certificate::FirstIntegral => "first integral",
         Certificate::FreshPrimes => "fresh primes",
         Certificate::TwoPrecisions => "two precisions",
+        Certificate::Quadrature => "quadrature",
         Certificate::Substitution => "substitution",
         Certificate::Unchecked => "none",
     }

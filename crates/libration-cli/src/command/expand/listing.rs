@@ -107,12 +107,20 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
                 PhaseOrigin::Passage => ", counted from a passage upward through the equilibrium",
                 PhaseOrigin::TurningPoint | PhaseOrigin::FirstHarmonic => "",
             };
-            format!("x to {}, {frequency}; {gauge}; τ = Ωt{origin}", power(order))
+            let left_out = left_out(expansion).map_or_else(String::new, |words| format!("; {words}"));
+            format!("x to {}, {frequency}; {gauge}; τ = Ωt{origin}{left_out}", power(order))
         }
         ExpansionVariable::Parameter(_) => {
             format!("the limit cycle to {}; τ = Ωt, with the phase in which there is no sin τ", power(order))
         }
     }
+}
+
+/// That there are further harmonics in the same powers.
+pub(super) fn left_out<C>(expansion: &Expansion<C>) -> Option<String> {
+    let highest = expansion.harmonics.iter().map(|harmonic| harmonic.k).max();
+    let above = highest.filter(|_| !expansion.has_all_harmonics)?;
+    Some(format!("there are harmonics without end, those above {above} are left out"))
 }
 
 fn gauge_in_words(gauge: &libration::perturbation::Gauge, letter: &str) -> String {
@@ -241,6 +249,7 @@ fn checked<C>(answer: &Answer<C>) -> String {
         }
         Certificate::FreshPrimes => "confirmed modulo two further primes of 62 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
+        Certificate::Quadrature => "to 30 digits they are those that a quadrature gives",
         Certificate::Substitution | Certificate::Unchecked => "not checked by another road",
     };
     format!("{precision}; {how}")

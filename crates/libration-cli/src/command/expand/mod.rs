@@ -24,7 +24,7 @@ use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{
-    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand_watched,
+    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand_watched, expand_with_pi_watched,
 };
 use libration::quantity::is_angle_name;
 use libration::watch::{Progress, Stage, Watch};
@@ -54,6 +54,7 @@ use subject::{About, Subject};
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --order 5
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --set b=0 --latex
   libration expand \"x'' + 3*x*x' + x^3 + x = 0\"   # every period is the same
+  libration expand \"x'' + x + x*abs(x) = 0\" --order 3   # powers of pi
   libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
   libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
@@ -208,19 +209,22 @@ impl Expand {
         let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
         interrupt::listen()?;
         let oscillator = chosen.oscillator.clone();
+        if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
+            let exact = with_orders_shown(order, |watch| {
+                expand_with_pi_watched(&oscillator, order, &self.gauge(), watch)
+            });
+            if let Some(expansion) = exact.map_err(refusal)? {
+                let equation = oscillator.equation();
+                self.write(out, &Answer::about(equation, chosen, expansion, None, None), String::new)?;
+                return Ok(None);
+            }
+        }
         let answer = match expanded(&chosen.oscillator, order, &self.gauge()) {
             Ok(expansion) => Answer::new(chosen, expansion, None),
             Err(ExpansionError::Interrupted { known: Some(known) }) => {
                 Answer::new(chosen, *known, Some(order))
             }
-            Err(ExpansionError::Interrupted { known: None }) => {
-                return Err(Failure::Interrupted("interrupted before any order was certain".to_owned()));
-            }
-            Err(error @ ExpansionError::NoLimitCycle { .. }) => {
-                let reason = format!("{error}; how the amplitude changes instead says --damping-order 2");
-                return Err(Failure::no_answer("expansion", reason));
-            }
-            Err(error) => return Err(Failure::no_answer("expansion", error)),
+            Err(error) => return Err(refusal(error)),
         };
         if let Some(amplitude) = amplitude {
             return evaluate::write(out, self.form.form(), &answer, &oscillator, self.quantity, &amplitude);
@@ -284,6 +288,19 @@ impl Expand {
             Form::Table => listing::write(out, answer)?,
         }
         Ok(())
+    }
+}
+
+fn refusal(error: ExpansionError) -> Failure {
+    match error {
+        ExpansionError::Interrupted { .. } => {
+            Failure::Interrupted("interrupted before any order was certain".to_owned())
+        }
+        ExpansionError::NoLimitCycle { .. } => {
+            let reason = format!("{error}; how the amplitude changes instead says --damping-order 2");
+            Failure::no_answer("expansion", reason)
+        }
+        error => Failure::no_answer("expansion", error),
     }
 }
 

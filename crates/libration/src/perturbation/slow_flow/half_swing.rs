@@ -12,7 +12,7 @@ use crate::algebra::{
 
 /// The ring of these functions, whose coefficients are sums of powers of π.
 #[derive(Clone, Debug)]
-pub(super) struct HalfSwings<F> {
+pub(in crate::perturbation) struct HalfSwings<F> {
     sums: HarmonicSums<PiPowers<F>>,
 }
 
@@ -20,8 +20,20 @@ pub(super) struct HalfSwings<F> {
 type Sums<F> = Vec<HarmonicSum<PiPolynomial<<F as Ring>::Element>>>;
 
 impl<F: Ring> HalfSwings<F> {
-    pub(super) fn new(numbers: F) -> Self {
+    pub(in crate::perturbation) fn new(numbers: F) -> Self {
         Self { sums: HarmonicSums { numbers: PiPowers { numbers } } }
+    }
+
+    /// ψᵖ(c·cos kψ + s·sin kψ).
+    pub(in crate::perturbation) fn term(
+        &self,
+        power: usize,
+        k: usize,
+        wave: HarmonicPair<PiPolynomial<F::Element>>,
+    ) -> Sums<F> {
+        let mut sums = vec![self.sums.zero(); power];
+        sums.push(self.sums.sum_of_harmonics(&[(k, wave)]));
+        sums
     }
 
     fn zip(

@@ -44,8 +44,9 @@ use crate::algebra::{
 use crate::expression::{Equation, Expression, Symbol, Tape};
 use crate::watch::Watch;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
-use half_swing::HalfSwings;
-use phase_functions::{Coefficient, PhaseFunctions, Term};
+pub(super) use half_swing::HalfSwings;
+use phase_functions::Coefficient;
+pub(super) use phase_functions::{PhaseFunctions, Term};
 
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;

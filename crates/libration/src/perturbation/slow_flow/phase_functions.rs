@@ -3,10 +3,10 @@
 use crate::algebra::{HarmonicPair, HarmonicSum, HarmonicSums, PhaseRing, Ring};
 
 /// A coefficient of a function of the phase.
-pub(super) type Coefficient<R> = <<R as PhaseFunctions>::Numbers as Ring>::Element;
+pub(in crate::perturbation) type Coefficient<R> = <<R as PhaseFunctions>::Numbers as Ring>::Element;
 
 /// Functions of the phase that can be multiplied, and that force the oscillator y″ + y.
-pub(super) trait PhaseFunctions: Ring {
+pub(in crate::perturbation) trait PhaseFunctions: Ring {
     /// Where the coefficients come from.
     type Numbers: Ring;
 
@@ -31,16 +31,16 @@ pub(super) trait PhaseFunctions: Ring {
 }
 
 /// The wave that the forcing must not have if y is to go on as it began, and a y that the rest makes of y″ + y.
-pub(super) struct Response<R: PhaseFunctions + ?Sized> {
+pub(in crate::perturbation) struct Response<R: PhaseFunctions + ?Sized> {
     pub(super) secular: HarmonicPair<Coefficient<R>>,
     pub(super) forced: R::Element,
 }
 
 /// ψᵖ(c·cos kψ + s·sin kψ).
-pub(super) struct Term<N> {
-    pub(super) power: usize,
-    pub(super) k: usize,
-    pub(super) wave: HarmonicPair<N>,
+pub(in crate::perturbation) struct Term<N> {
+    pub(in crate::perturbation) power: usize,
+    pub(in crate::perturbation) k: usize,
+    pub(in crate::perturbation) wave: HarmonicPair<N>,
 }
 
 /// kτ-th harmonics of the derivative.

@@ -198,6 +198,7 @@ impl Question<'_> {
             order: set.order(),
             variable: ExpansionVariable::Epsilon(self.gauge.clone()),
             phase_origin: self.shape().into(),
+            has_all_harmonics: true,
             precision: Precision::Exact,
             equilibrium: oscillator.equilibrium().clone(),
             omega0_squared: oscillator.omega0_squared().clone(),

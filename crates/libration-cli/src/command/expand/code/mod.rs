@@ -6,6 +6,7 @@ mod program;
 pub(super) use language::Language;
 
 use super::Answer;
+use super::listing::left_out;
 use crate::output::series::Coefficient;
 use libration::algebra::Rational;
 use libration::perturbation::{ExpansionVariable, PhaseOrigin, Precision};
@@ -77,6 +78,7 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
             format!("series of the limit cycle to order {order} by powers of the strength {name}")
         }
     });
+    lines.extend(left_out(expansion).map(|words| format!("the displacement is not whole: {words}")));
     for (name, constant) in answer.letters.iter().flat_map(|letters| &letters.constants) {
         lines.push(format!("the argument {name} stands for {constant}"));
     }
