@@ -1,4 +1,4 @@
-//! What moves: bodies on their square beside the axes, and dots on the curves in them.
+//! What moves: bodies on their square beside the axes or above them, and dots on the curves in them.
 
 use crate::chart::{Hanging, Mechanism, MovingDot, Picture};
 use crate::frame::Frame;
@@ -15,8 +15,8 @@ const RAIL: f64 = 3.0 * BODY;
 
 /// All moving shapes of a picture on its canvas.
 pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
-    let Some(animation) = &picture.animation else { return vec![] };
-    let stage = Stage { middle: frame.middle_of_stage(), reach: 0.5 * frame.stage - BODY, em };
+    let Some((animation, square)) = picture.animation.as_ref().zip(frame.stage) else { return vec![] };
+    let stage = Stage { middle: square.middle, reach: 0.5 * square.side - BODY, em };
     let bodies = match &animation.mechanism {
         Mechanism::Plane(bodies) => stage.plane(bodies),
         Mechanism::Rails(places) => stage.rails(places),

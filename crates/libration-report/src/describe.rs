@@ -18,10 +18,9 @@ pub(crate) fn picture(picture: &Picture) -> String {
             self::panel(panel, across)
         })
         .collect();
-    let moves = picture
-        .animation
-        .as_ref()
-        .map(|animation| format!("Beside the axes it moves, once in {} s.", short(animation.seconds)));
+    let moves = picture.animation.as_ref().map(|animation| {
+        format!("It moves in a drawing of its own, once in {} s.", short(animation.seconds))
+    });
     parameters.into_iter().chain(panels.into_iter().rev()).chain(moves).collect::<Vec<_>>().join(" ")
 }
 

@@ -34,9 +34,12 @@ const AXES: f64 = 0.85;
 /// Axes that are shorter show nothing.
 const SHORTEST: f64 = 6.0;
 
-/// The side of the square beside the axes in which something moves: a part of the width, but not less than this.
+/// The side of the square in which something moves: a part of the width, but not less than this.
 const STAGE: f64 = 0.28;
 const SMALLEST_STAGE: f64 = 9.0;
+/// It is beside the axes where at least this part of the width is left for them, else above: in a column of a journal what is left are
+/// three ticks.
+const BESIDE: f64 = 0.5;
 
 /// A space at which no line is broken.
 const TIE: &str = "\u{a0}";
@@ -51,8 +54,15 @@ pub(crate) struct Frame {
     pub(crate) left: f64,
     pub(crate) right: f64,
     pub(crate) cells: Vec<Cell>,
-    /// The side of the square left of the axes in which something moves; zero where nothing does.
-    pub(crate) stage: f64,
+    /// Where something moves.
+    pub(crate) stage: Option<Stage>,
+}
+
+/// The square in which something moves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stage {
+    pub(crate) side: f64,
+    pub(crate) middle: Place,
 }
 
 /// The parts of a panel.
@@ -74,13 +84,6 @@ impl Frame {
     pub(crate) fn place(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
         let across = self.left + x * (self.right - self.left);
         (em * across, em * (cell.top + (1.0 - y) * cell.height))
-    }
-
-    /// The middle of the square in which something moves, beside the middle of all axes.
-    pub(crate) fn middle_of_stage(&self) -> Place {
-        let ends = self.cells.first().zip(self.cells.last());
-        let middle = ends.map_or(0.0, |(first, last)| 0.5 * (first.top + last.top + last.height));
-        (PADDING + 0.5 * self.stage, middle)
     }
 
     /// The frame of the picture in the format, if that holds it.
@@ -109,15 +112,46 @@ impl Frame {
 fn least_width(picture: &Picture) -> f64 {
     let axes = |panel: &Panel| ticks::least_length(&panel.x, x_extent).max(SHORTEST);
     let axes = picture.panels.iter().map(axes).fold(SHORTEST, f64::max);
-    let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
-    let least = left.fold(0.0, f64::max) + axes + right(picture) + PADDING;
-    if picture.animation.is_some() { least + SMALLEST_STAGE } else { least }
+    widest_left(picture) + axes + right(picture) + PADDING
 }
 
-/// The side of the square in which something moves.
-fn stage(picture: &Picture, wide: f64) -> f64 {
-    let side = (STAGE * wide).min(SMALLEST_STAGE + wide - least_width(picture)).max(SMALLEST_STAGE);
-    if picture.animation.is_some() { side } else { 0.0 }
+/// From the left edge of the picture to the axes at most.
+fn widest_left(picture: &Picture) -> f64 {
+    let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
+    left.fold(0.0, f64::max)
+}
+
+/// The room for what moves.
+#[derive(Clone, Copy, Debug)]
+enum Room {
+    /// Nothing moves.
+    None,
+    /// A square of this side left of the axes.
+    Beside(f64),
+    /// A square of this side above them.
+    Above(f64),
+}
+
+impl Room {
+    fn new(picture: &Picture, wide: f64) -> Self {
+        let side = (STAGE * wide).max(SMALLEST_STAGE);
+        let axes = wide - side - widest_left(picture) - right(picture) - PADDING;
+        match picture.animation {
+            None => Self::None,
+            Some(_) if axes >= BESIDE * wide => Self::Beside(side),
+            Some(_) => Self::Above(side),
+        }
+    }
+
+    /// What it takes from the width of the axes.
+    fn beside(self) -> f64 {
+        if let Self::Beside(side) = self { side } else { 0.0 }
+    }
+
+    /// What it takes from their height.
+    fn above(self) -> f64 {
+        if let Self::Above(side) = self { side } else { 0.0 }
+    }
 }
 
 /// The least height of the axes of a panel: the name beside them takes two lines or three.
@@ -157,6 +191,7 @@ struct Words {
     title: Vec<String>,
     parameters: Vec<String>,
     panels: Vec<Beside>,
+    room: Room,
 }
 
 /// What stands above and below the axes of a panel.
@@ -179,10 +214,11 @@ impl Words {
             title: wrapped(&picture.title, TITLE, across),
             parameters: wrapped(&parameters.join(", "), 1.0, across),
             panels: panels.collect(),
+            room: Room::new(picture, wide),
         }
     }
 
-    /// Above all panels.
+    /// Above all panels, and above what moves there.
     fn head(&self) -> f64 {
         let title: f64 = self.title.iter().map(|_| TITLE * LINE).sum();
         let parameters: f64 = self.parameters.iter().map(|_| LINE).sum();
@@ -191,14 +227,28 @@ impl Words {
 
     /// All that is not axes.
     fn fixed(&self) -> f64 {
-        self.head() + self.panels.iter().map(|panel| panel.above() + panel.below()).sum::<f64>() + PADDING
+        let panels = self.panels.iter().map(|panel| panel.above() + panel.below());
+        self.head() + self.room.above() + panels.sum::<f64>() + PADDING
     }
 
     fn least_height(&self, picture: &Picture) -> f64 {
         let all: f64 = picture.panels.iter().map(|panel| panel.share).sum();
         let needed = picture.panels.iter().map(|panel| shortest(panel) * all / panel.share);
-        let stage = if picture.animation.is_some() { SMALLEST_STAGE } else { 0.0 };
-        self.fixed() + needed.fold(stage, f64::max)
+        self.fixed() + needed.fold(self.room.beside(), f64::max)
+    }
+
+    /// Left of the axes in the middle of their height, or above them in the middle of the width.
+    fn stage(&self, width: f64, height: f64) -> Option<Stage> {
+        let axes = |panel: Option<&Beside>, beside: &dyn Fn(&Beside) -> f64| panel.map_or(0.0, beside);
+        let top = self.head() + axes(self.panels.first(), &Beside::above);
+        let bottom = height - PADDING - axes(self.panels.last(), &Beside::below);
+        match self.room {
+            Room::None => None,
+            Room::Beside(side) => {
+                Some(Stage { side, middle: (PADDING + 0.5 * side, f64::midpoint(top, bottom)) })
+            }
+            Room::Above(side) => Some(Stage { side, middle: (0.5 * width, self.head() + 0.5 * side) }),
+        }
     }
 
     fn laid_out(self, picture: &Picture, width: f64, height: f64) -> Frame {
@@ -215,12 +265,12 @@ impl Words {
             picture.panels.iter().zip(heights.clone()).zip(&y_ticks).map(|((panel, height), ticks)| {
                 left(panel, height, ticks.labelled.iter().map(|(_, label)| label.clone()))
             });
-        let stage = stage(picture, width);
-        let left = stage + beside.fold(0.0, f64::max);
+        let left = self.room.beside() + beside.fold(0.0, f64::max);
         let right = width - PADDING - right(picture);
-        let mut top = self.head();
+        let mut top = self.head() + self.room.above();
+        let stage = self.stage(width, height);
         let mut cells = vec![];
-        let Self { title, parameters, panels: besides } = self;
+        let Self { title, parameters, panels: besides, .. } = self;
         for (((panel, beside), height), y_ticks) in
             picture.panels.iter().zip(besides).zip(heights).zip(y_ticks)
         {

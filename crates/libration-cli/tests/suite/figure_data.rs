@@ -281,6 +281,23 @@ fn a_pendulum_swings_beside_its_curve() {
     assert!(rod.iter().flatten().all(inside));
 }
 
+/// In a column of a journal the axes have the whole width.
+#[test]
+fn a_pendulum_swings_above_its_curve_where_there_is_no_room_beside_it() {
+    let drawing = drawn("motion|150deg|--times|0:10:5|--animate|--size|column", "--figure");
+    let [rod, .., dot] = &drawing.moving[..] else { panic!("{} shapes move", drawing.moving.len()) };
+    let axes = &drawing.panels[0];
+    let above = |(x, y): &Place| (0.0..drawing.width).contains(x) && (0.0..axes.top).contains(y);
+    assert!(rod.iter().flatten().all(above), "{:?} {}", rod[0], axes.top);
+    assert!(axes.width > 0.6 * drawing.width, "{} of {}", axes.width, drawing.width);
+    let (_, degrees) = axes.data_at(dot[0][0]);
+    close(degrees, 150.0, 3.0 * axes.resolution().1);
+    // Nothing moves through words.
+    let highest = rod.iter().flatten().map(|place| place.1).fold(f64::INFINITY, f64::min);
+    let words = drawing.texts.iter().filter(|text| ["title", "parameters"].contains(&text.class.as_str()));
+    assert!(words.map(|text| text.extent()[3]).all(|bottom| bottom < highest));
+}
+
 #[test]
 fn bodies_move_as_the_system_has_them_and_long_motions_run_faster() {
     let drawing = drawn(

@@ -96,18 +96,19 @@ pub enum FitError {
     EqualLengths,
     /// A bob that reaches to the pivot where the lengths, with their offset, are shortest.
     #[error(
-        "a bob of radius {radius:?} m reaches the pivot of the shortest pendulum, whose centre the periods put {distance:.4} m \
-         below it: check the radius and the unit of the lengths"
+        "a bob of radius {radius:?} m reaches the pivot of the shortest pendulum, whose centre the periods put at most \
+         {distance:.4} m below it: check the radius and the unit of the lengths"
     )]
     BobTooLarge {
         /// In metres.
         radius: f64,
-        /// From the pivot to the centre of the bob, in metres.
+        /// From the pivot to the centre of the bob at most, in metres.
         distance: f64,
     },
-    /// A bob with which no offset explains the periods.
+    /// A bob with which the periods leave the offset open: none or several go with them.
     #[error(
-        "with a bob of radius {radius:?} m no offset of the lengths explains the periods: check the radius"
+        "with a bob of radius {radius:?} m, which nearly reaches the pivot, the periods do not determine the offset of the lengths: \
+         check the radius"
     )]
     BobRadius {
         /// In metres.

@@ -217,7 +217,7 @@ fn edges_without_the_other_one_are_told() {
     assert!(fit.unpaired > 0);
 }
 
-/// 25 mm seen from 1 m; the relative uncertainties are 3 and 4 parts in a thousand.
+/// 25 mm seen from 1 m, a chord of the circle that the middle goes on; the relative uncertainties are 3 and 4 parts in a thousand.
 #[test]
 fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let about = |value: f64, part: f64| Quantity { value, uncertainty: Some(part * value) };
@@ -225,11 +225,12 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let bob = Apparatus { bob_radius: Some(about(0.0125, 0.003)), ..Apparatus::of_length(length) };
     let geometry = GateGeometry::new(bob, None, None).unwrap();
     let width = geometry.width().unwrap();
-    assert!(
-        (width.value - 0.025).abs() < 1e-15 && (width.uncertainty.unwrap() - 0.025 * 0.005).abs() < 1e-15
-    );
+    assert!((width.value - 4.0 * libm::asin(0.00625)).abs() < 1e-15);
+    assert!((width.uncertainty.unwrap() / (0.025 * 0.005) - 1.0).abs() < 1e-4);
     let nearer = GateGeometry::new(bob, Some(exactly(0.02)), Some(exactly(0.5))).unwrap();
-    assert_eq!(nearer.width(), Some(Quantity { value: 0.04, uncertainty: Some(0.0) }));
+    let nearer_width = nearer.width().unwrap();
+    assert!((nearer_width.value - 4.0 * libm::asin(0.01)).abs() < 1e-15);
+    assert_eq!(nearer_width.uncertainty, Some(0.0));
     let unknown = GateGeometry::new(Apparatus::of_length(length), None, None).unwrap();
     assert_eq!(unknown.width(), None);
     // T0 has in common with length and radius what they do to the width; with a diameter and a distance of their own, nothing.
@@ -242,6 +243,32 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     // Opposite signs, in the proportion of the uncertainties.
     assert!((by_length / by_radius + 4.0 / 3.0).abs() < 1e-9, "{by_length} {by_radius}");
     assert_eq!(fit.correlations(&nearer), []);
+}
+
+/// 10 mm below its middle a ball of 25 mm is 15 mm wide; each of the three sizes changes that, and length and radius change g too.
+#[test]
+fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
+    let about = |value: f64| Quantity { value, uncertainty: Some(1e-4) };
+    let at = |length: f64, radius: f64, distance: f64| {
+        let bob = Apparatus { bob_radius: Some(about(radius)), ..Apparatus::of_length(about(length)) };
+        GateGeometry::new(bob, None, Some(about(distance))).unwrap()
+    };
+    let geometry = at(1.0, 0.0125, 1.01);
+    let width = geometry.width().unwrap();
+    assert!((width.value - 0.015 / 1.01).abs() < 1e-4, "{width:?}");
+    let moved = [[1e-4, 0.0, 0.0], [0.0, 1e-4, 0.0], [0.0, 0.0, 1e-4]].map(|[a, b, c]| {
+        let widths = [1.0, -1.0]
+            .map(|sign| at(1.0 + sign * a, 0.0125 + sign * b, 1.01 + sign * c).width().unwrap().value);
+        0.5 * (widths[0] - widths[1])
+    });
+    let expected = moved.iter().map(|change| change * change).sum::<f64>().sqrt();
+    assert!((width.uncertainty.unwrap() / expected - 1.0).abs() < 1e-3, "{width:?} {expected}");
+    let (times, blocked) = split(&edges(0.0, 1e-5));
+    let fit =
+        gates(&times, Some(&blocked), &GateOptions { width: Some(width), ..GateOptions::default() }).unwrap();
+    let found: Vec<f64> = fit.correlations(&geometry).iter().map(|both| both.coefficient).collect();
+    assert_eq!(found.len(), 2);
+    assert!((found[0] / found[1] / (moved[0] / moved[1]) - 1.0).abs() < 1e-3, "{found:?} {moved:?}");
 }
 
 #[test]
@@ -269,6 +296,8 @@ fn what_blocks_the_gate_is_below_the_pivot_and_reaches_the_gate() {
         // A flag above or below the bob is what blocks it.
         assert_eq!(tried(Some(0.25), Some(0.01), Some(distance)), Ok(()));
     }
+    // A large bob about a gate above its middle reaches below the pivot.
+    assert_eq!(tried(Some(0.6), None, Some(0.5)), Ok(()));
     assert_eq!(tried(Some(0.25), None, Some(1.25_f64.next_down())), Ok(()));
     assert_eq!(tried(Some(0.25), None, Some(0.75_f64.next_up())), Ok(()));
 }

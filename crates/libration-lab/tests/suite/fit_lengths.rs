@@ -141,7 +141,8 @@ fn tables_that_tell_nothing_are_refused() {
         LengthColumns { lengths: &given, periods: &[1.27, 1.55, 1.79, 2.0], ..LengthColumns::default() };
     let options = LengthsOptions { bob_radius: Some(bob), ..LengthsOptions::default() };
     let large = lengths(&LengthTable::new(&columns).unwrap(), &options);
-    assert_eq!(large.unwrap_err(), FitError::BobRadius { radius: 5.0 });
+    let large = large.unwrap_err();
+    assert!(matches!(large, FitError::BobTooLarge { radius: 5.0, distance } if distance < 0.5), "{large:?}");
     assert!(matches!(refuse(&[1.0], &[2.0]), FitError::TooFewRows { .. }));
     assert!(matches!(refuse(&[1.0, -1.0], &[2.0, 2.0]), FitError::LengthOfRow { row: 2, .. }));
     assert!(matches!(refuse(&[1.0, 2.0], &[2.0, 0.0]), FitError::Period { row: 2, .. }));
@@ -286,5 +287,41 @@ fn a_bob_about_its_pivot_is_refused() {
     assert!(found(0.025).is_ok());
     let refused = found(0.2);
     let Err(FitError::BobTooLarge { radius, distance }) = refused else { panic!("{refused:?}") };
-    assert!(radius > distance && distance < 0.15, "{refused:?}");
+    assert!(radius > distance && distance < 0.18, "{refused:?}");
+}
+
+/// Whatever the radius says, the straight line puts the bob no more than 0.175 m below the pivot of the shortest pendulum.
+#[test]
+fn a_bob_that_is_too_large_is_refused_for_that_however_large_it_is() {
+    let given = [0.15, 0.25, 0.35, 0.45, 0.55];
+    let periods = given.map(|length: f64| TAU * ((length + 0.025) / 9.81).sqrt());
+    let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
+    let table = LengthTable::new(&columns).unwrap();
+    for radius in [0.1751, 0.3, 0.5, 0.8, 1.0, 2.0, 10.0, 1e3] {
+        let bob_radius = Some(Quantity { value: radius, uncertainty: None });
+        let refused = lengths(&table, &LengthsOptions { bob_radius, ..LengthsOptions::default() });
+        let Err(FitError::BobTooLarge { radius: said, distance }) = refused else { panic!("{refused:?}") };
+        assert!(said.total_cmp(&radius).is_eq() && (distance - 0.175).abs() < 1e-9, "{radius} {distance}");
+    }
+}
+
+/// A ball of 10 cm, from 1.25 radii on.
+#[test]
+fn a_bob_right_below_its_pivot_is_found_there() {
+    let given = [0.12, 0.125, 0.145, 0.165];
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
+    let best = fitted(&given, &periods, Some(0.1)).best().clone();
+    assert!((best.g.value / G - 1.0).abs() < 1e-9, "{best:?}");
+    assert!((best.offset.unwrap().value - 0.005).abs() < 1e-9, "{best:?}");
+}
+
+/// From 1.05 to 1.3 radii, where two offsets go with the periods.
+#[test]
+fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
+    let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
+    let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
+    let bob_radius = Some(Quantity { value: 0.1, uncertainty: None });
+    let refused =
+        lengths(&table(&given, &periods, Some(&[1e-4; 6])), &LengthsOptions { bob_radius, clock: None });
+    assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }

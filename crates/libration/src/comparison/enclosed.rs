@@ -36,8 +36,11 @@ fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f
 
 /// Parts of the way to the turning point, which is none of them, in order.
 fn parts() -> Vec<f64> {
+    /// A zero of the force between two of the parts is seen where the force is of the other sign at one of them: two zeros nearer than the 256th
+    /// part of the way, or than a 23rd part of their distance from rest, may be missed.
     const EVEN: u32 = 256;
     const AN_OCTAVE: u32 = 16;
+    /// Down to 1e-6 of the way.
     const OCTAVES: u32 = 20;
     let even = (1..EVEN).map(|k| f64::from(k) / f64::from(EVEN));
     let halves = (1..=OCTAVES * AN_OCTAVE).map(|k| libm::exp2(-f64::from(k) / f64::from(AN_OCTAVE)));

@@ -37,6 +37,7 @@ pub(super) type Turn = Result<(f64, Amplitude), DecayEnding>;
 
 /// A swing that takes longer than this, beside the half period without damping, is none.
 const LONGEST: f64 = 1e3;
+/// Far below the last digit, so that a swing errs by the rounding of its steps alone.
 const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };
 
 impl HalfSwing {

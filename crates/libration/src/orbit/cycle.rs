@@ -67,6 +67,7 @@ impl Orbit {
 
 /// The motion followed from maximum to maximum until it repeats itself.
 fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, NoOrbit> {
+    /// A time that no motion comes to: the maxima or the steps end the search before.
     const FAR: f64 = 1e300;
     let mut maxima = Maxima::new(system.coordinates());
     let mut guess = None;

@@ -42,6 +42,8 @@ impl Orbit {
         start: &[f64],
         watch: &Watch<'_>,
     ) -> Result<Self, NoOrbit> {
+        /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
+        /// been given to Newton's method, which needs no transient to fall.
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
             return Err(NoOrbit::NotDriven);
@@ -63,6 +65,7 @@ impl Orbit {
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.
 fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
+    /// As many as the transient of a quality of 14 takes to fall to a tenth.
     const PERIODS: u32 = 10;
     (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
         Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))

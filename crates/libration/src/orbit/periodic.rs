@@ -62,6 +62,7 @@ impl Orbit {
     /// them: to about a thousandth of the swing, exactly at turning points where steps end.
     #[must_use]
     pub fn range(&self, number: usize) -> (f64, f64) {
+        /// Between them the k-th harmonic is missed by at most (πk/512)²/2 of itself: 2e-5 of the first, 1e-3 of the seventh.
         const LOOKS: u32 = 512;
         let times = (0..LOOKS).map(|j| self.period() * f64::from(j) / f64::from(LOOKS));
         let values = times.filter_map(|time| self.state_at(time).get(number).copied());

@@ -244,6 +244,7 @@ fn sum_at(series: &[BigFloat], time: &BigFloat) -> BigFloat {
 
 /// The coefficients in powers of the part of a step, which neither overflow nor underflow.
 fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
+    /// Bits, of which 53 are left.
     const ENOUGH: usize = 64;
     let Some(length) = BigFloat::from_f64(length, ENOUGH) else { return vec![] };
     let powers = std::iter::successors(Some(BigFloat::from_integer(1, ENOUGH)), |power| {

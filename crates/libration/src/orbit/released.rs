@@ -224,6 +224,8 @@ impl<'a> Release<'a> {
 
     /// From rest to the next rest.
     fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
+        /// What has not turned by then goes one way for good: a force that is felt at all turns a motion in the square root of what a
+        /// number can hold.
         const FAR: f64 = 1e100;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {

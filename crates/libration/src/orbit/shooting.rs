@@ -152,6 +152,7 @@ impl<'a> Newton<'a> {
 
     /// One step, shortened until it leads nearer; whether one does.
     fn improve(&mut self) -> Result<bool, NoOrbit> {
+        /// Steps below 2⁻¹² of Newton's own would need more rounds than there are to come anywhere.
         const HALVINGS: u32 = 12;
         let Some(change) = self.change(&self.round.defect) else { return Ok(false) };
         let mut part = self.largest_part(&change);

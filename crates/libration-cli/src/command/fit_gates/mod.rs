@@ -42,7 +42,7 @@ pub(crate) struct FitGates {
     /// What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern]
     #[arg(long, value_enum)]
     signals: Option<Signals>,
-    /// Diameter of what blocks the gate [default: twice the radius of the bob]
+    /// Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is]
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty, requires = "length")]
     diameter: Option<Quantity>,
     /// Distance of the gate from the pivot [default: the length of the pendulum]

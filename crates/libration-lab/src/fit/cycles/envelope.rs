@@ -17,9 +17,12 @@ use crate::statistics::{akaike, count};
 use libration::quantity::with_uncertainty;
 use libration::watch::Watch;
 
-/// Laws whose `AICc` differ by less than this are not separated by the data.
+/// Laws whose `AICc` differ by less than this are not separated by the data, as [`Comparison::INDISTINGUISHABLE`] has it of motions.
+///
+/// [`Comparison::INDISTINGUISHABLE`]: crate::fit::trace::Comparison::INDISTINGUISHABLE
 pub const SEPARATED: f64 = 4.0;
-/// Fewer extremes than this tell nothing about the law.
+/// Fewer extremes than this tell nothing about the law: the correction of `AICc` for a law with one coefficient, whose unknowns with the
+/// noise are three, is infinite for four of them.
 const FEWEST: usize = 5;
 
 /// A coefficient of the damping.

@@ -13,7 +13,8 @@ use libration::watch::Watch;
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
-/// Derivatives are differences over this part of an amplitude, or of a coefficient that would halve it.
+/// Derivatives are differences over this part of an amplitude, or of a coefficient that would halve it: with 1e-4 and 1e-6 nothing changed
+/// in seven recordings.
 const STEP: f64 = 1e-5;
 /// Rounding errors over that step, with those of hundreds of steps of the integration.
 const EXACTNESS: f64 = 1e-8;

@@ -6,9 +6,11 @@
 use crate::measurement::Observable;
 use libration::elliptic::Modulus;
 
-/// Larger amplitudes are given the shape of this one, in radians.
+/// Larger amplitudes are given the shape of this one, in radians. Of recordings from 3.1, 3.125 and 3.135 rad with 3.0 β was less certain
+/// by up to a quarter; with 3.14, where the shape is steps, nothing changed.
 pub(super) const LARGEST_AMPLITUDE: f64 = 3.13;
-/// Smaller amplitudes are given the shape of this one.
+/// Smaller amplitudes are given the shape of this one, which is that of a harmonic oscillator to A²/192 = 5e-9: with 1e-2 and 1e-5 nothing
+/// changed in 25 recordings.
 const SMALLEST_AMPLITUDE: f64 = 1e-3;
 
 /// The shape of swings of one amplitude.

@@ -37,6 +37,7 @@ pub(super) struct Swings {
 
 /// The swings of a trace.
 pub(super) fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
+    /// One cycle and a half of eight rows each. With 6 and 30 nothing changed in 21 recordings.
     const FEWEST_ROWS: usize = 12;
     if trace.len() < FEWEST_ROWS {
         return Err(CyclesError::TooFewRows(trace.len()));

@@ -1,5 +1,6 @@
 //! g by the times of a gate: the angular width of the bob, and what T0 has in common with the sizes that it is made of.
 
+use super::width::PassingDisc;
 use super::{GatesFit, T0Source};
 use crate::fit::budget::{
     Apparatus, Budget, BudgetError, BudgetInput, Correlation, MeasuredPeriod, PeriodDamping, budget,
@@ -20,13 +21,13 @@ pub struct GateGeometry {
 pub enum GateGeometryError {
     /// What blocks the gate reaches to the pivot.
     #[error(
-        "a bob or flag of diameter {diameter:?} m that passes a gate {distance:?} m from the pivot would reach the pivot: check the \
-         two lengths and their units"
+        "a bob or flag of diameter {diameter:?} m whose middle is {distance:?} m from the pivot would reach the pivot: check the two \
+         lengths and their units"
     )]
     ReachesPivot {
         /// Of what blocks the gate, in m.
         diameter: f64,
-        /// Of the gate from the pivot, in m.
+        /// Of its middle from the pivot, in m.
         distance: f64,
     },
     /// A bob that does not reach the gate, and nothing else that would block it.
@@ -45,8 +46,9 @@ pub enum GateGeometryError {
 }
 
 impl GateGeometry {
-    /// A pendulum beside its gate: the diameter of what blocks the gate, in m, is twice the radius of the bob where it is not given,
-    /// and the distance of the gate from the pivot, in m, the length of the pendulum.
+    /// A pendulum beside its gate: what blocks the gate, if its diameter in m is given, passes it with its middle; else it is the bob, by its
+    /// radius, which a gate above or below its middle cuts in a chord. The distance of the gate from the pivot, in m, is the
+    /// length of the pendulum where it is not given.
     ///
     /// # Errors
     /// What blocks the gate reaches to the pivot, or the bob does not reach the gate.
@@ -56,53 +58,67 @@ impl GateGeometry {
         distance: Option<Quantity>,
     ) -> Result<Self, GateGeometryError> {
         let geometry = Self { apparatus, diameter, distance };
-        let length = apparatus.length.value;
-        let at_gate = geometry.distance().value;
-        if let Some(diameter) = geometry.diameter().map(|diameter| diameter.value)
-            && 0.5 * diameter >= at_gate
-        {
-            return Err(GateGeometryError::ReachesPivot { diameter, distance: at_gate });
+        let Some((PassingDisc { radius, centre, beam }, _)) = geometry.disc() else { return Ok(geometry) };
+        if radius >= centre {
+            return Err(GateGeometryError::ReachesPivot { diameter: 2.0 * radius, distance: centre });
         }
-        if let (Some(radius), None) = (apparatus.bob_radius.map(|radius| radius.value), diameter)
-            && (at_gate - length).abs() >= radius
-        {
-            return Err(GateGeometryError::BobMissesGate { radius, length, distance: at_gate });
+        if (beam - centre).abs() >= radius {
+            return Err(GateGeometryError::BobMissesGate { radius, length: centre, distance: beam });
         }
         Ok(geometry)
-    }
-
-    fn diameter(&self) -> Option<Quantity> {
-        let twice = |radius: Quantity| Quantity {
-            value: 2.0 * radius.value,
-            uncertainty: radius.uncertainty.map(|spread| 2.0 * spread),
-        };
-        self.diameter.or_else(|| self.apparatus.bob_radius.map(twice))
     }
 
     fn distance(&self) -> Quantity {
         self.distance.unwrap_or(self.apparatus.length)
     }
 
+    /// What passes the gate: something with its middle there if its diameter is given, else the bob; with its radius.
+    fn disc(&self) -> Option<(PassingDisc, Quantity)> {
+        let beam = self.distance().value;
+        let half = |diameter: Quantity| Quantity {
+            value: 0.5 * diameter.value,
+            uncertainty: diameter.uncertainty.map(|spread| 0.5 * spread),
+        };
+        let (radius, centre) = match self.diameter {
+            Some(diameter) => (half(diameter), beam),
+            None => (self.apparatus.bob_radius?, self.apparatus.length.value),
+        };
+        Some((PassingDisc { radius: radius.value, centre, beam }, radius))
+    }
+
     /// The angle that the bob goes while it blocks the gate, in radians; none where neither diameter nor radius is known.
     #[must_use]
     pub fn width(&self) -> Option<Quantity> {
-        let (diameter, distance) = (self.diameter()?, self.distance());
-        let value = diameter.value / distance.value;
-        let uncertainty = Some(value * libm::hypot(relative(diameter), relative(distance)));
+        let value = self.disc()?.0.width();
+        let [by_radius, by_length, by_distance] = self.changes_of_width()?;
+        let uncertainty = Some(libm::hypot(libm::hypot(by_radius, by_length), by_distance));
         Some(Quantity { value, uncertainty })
     }
 
-    /// By which part the width changes with one standard uncertainty of length and radius, where it is made of these.
-    fn changes_of_width(&self) -> impl Iterator<Item = (BudgetInput, f64)> {
-        let length = self.distance.is_none().then(|| -relative(self.apparatus.length));
-        let radius = self.apparatus.bob_radius.filter(|_| self.diameter.is_none()).map(relative);
-        let changes = [(BudgetInput::Length, length), (BudgetInput::BobRadius, radius)];
-        changes.into_iter().filter_map(|(input, part)| Some((input, part.filter(|part| *part != 0.0)?)))
+    /// By how much the width changes with one standard uncertainty of the radius, of the length, and of a distance of its own, in radians.
+    fn changes_of_width(&self) -> Option<[f64; 3]> {
+        let (disc, radius) = self.disc()?;
+        let [by_radius, by_centre, by_beam] = disc.slopes();
+        let (by_length, by_distance) = match (self.diameter, self.distance) {
+            (_, None) => (by_centre + by_beam, 0.0),
+            (Some(_), Some(_)) => (0.0, by_centre + by_beam),
+            (None, Some(_)) => (by_centre, by_beam),
+        };
+        let spread = |quantity: Quantity| quantity.uncertainty.unwrap_or(0.0);
+        Some([
+            by_radius * spread(radius),
+            by_length * spread(self.apparatus.length),
+            by_distance * self.distance.map_or(0.0, spread),
+        ])
     }
-}
 
-fn relative(quantity: Quantity) -> f64 {
-    quantity.uncertainty.unwrap_or(0.0) / quantity.value
+    /// Those of the changes that are of inputs of g.
+    fn changes_by_inputs(&self) -> impl Iterator<Item = (BudgetInput, f64)> {
+        let [by_radius, by_length, _] = self.changes_of_width().unwrap_or_default();
+        let by_radius = if self.diameter.is_none() { by_radius } else { 0.0 };
+        let changes = [(BudgetInput::Length, by_length), (BudgetInput::BobRadius, by_radius)];
+        changes.into_iter().filter(|(_, change)| *change != 0.0)
+    }
 }
 
 impl GatesFit {
@@ -117,12 +133,11 @@ impl GatesFit {
     /// What T0 has in common with the sizes that the width comes from.
     #[must_use]
     pub fn correlations(&self, geometry: &GateGeometry) -> Vec<Correlation> {
-        let Some(width) = geometry.width() else { return vec![] };
-        let correlation = |(input, part): (BudgetInput, f64)| {
-            let coefficient = self.correlation_by_width(width.value * part)?;
+        let correlation = |(input, change): (BudgetInput, f64)| {
+            let coefficient = self.correlation_by_width(change)?;
             Some(Correlation { between: [input, BudgetInput::Period], coefficient })
         };
-        geometry.changes_of_width().filter_map(correlation).collect()
+        geometry.changes_by_inputs().filter_map(correlation).collect()
     }
 
     /// g with its budget; none without T0. The relative uncertainties of all angles and of the clock are of the amplitude that was

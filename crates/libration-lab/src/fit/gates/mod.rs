@@ -20,6 +20,8 @@ mod trend;
 mod analysis;
 mod warning;
 
+mod width;
+
 mod gravity;
 
 pub use analysis::{gates, gates_watched};
@@ -44,8 +46,8 @@ pub enum GateSignals {
 pub struct GateOptions {
     /// What the times are; inferred from their pattern where not given.
     pub signals: Option<GateSignals>,
-    /// The angle that the bob goes while it blocks the gate, in radians: its diameter over the distance of the gate from
-    /// the pivot.
+    /// The angle that the bob goes while it blocks the gate, in radians, as [`GateGeometry::width`] has it: nearly its diameter over the
+    /// distance of the gate from the pivot, where that is the length.
     pub width: Option<Quantity>,
     /// The amplitude of the release, or of the turning point before the first passage, in radians; of use where the width is not
     /// known.

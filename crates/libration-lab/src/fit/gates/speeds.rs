@@ -6,7 +6,8 @@
 use libration::elliptic::Modulus;
 use libration::roots::{Tolerance, bisect};
 
-/// The largest amplitude that is looked for, in radians.
+/// The largest amplitude that is looked for, in radians: a period is 4.2 times as long there. With 3.0 and 3.141 no T0 of 86 records
+/// changed by 1e-9.
 const LARGEST: f64 = 3.13;
 
 /// The amplitude, in radians, of a pendulum of this ω0 that blocks a gate for this time with an angle of this width, so long

@@ -69,12 +69,12 @@ impl LengthsFit {
 pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     options.check()?;
     let radius = options.bob_radius.map(|radius| radius.value);
-    let known = radius.map(gyration);
-    let fit = |model| model::fit(table, model, known.unwrap_or(0.0));
+    let known = radius.map(model::gyration);
     let free = LengthModel::ALL.into_iter();
     // A κ that is known is not free.
     let free = free.filter(|model| known.is_none() || *model != LengthModel::OffsetAndGyration);
-    let fits: Vec<LengthFit> = free.filter_map(fit).collect();
+    let fits = free.map(|model| model::fit(table, model, radius)).collect::<Result<Vec<_>, _>>()?;
+    let fits: Vec<LengthFit> = fits.into_iter().flatten().collect();
     let needed = if table.is_weighted() { 2 } else { 3 };
     if fits.is_empty() || table.len() < needed {
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "g" });
@@ -88,28 +88,10 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     }
     // The same that `best` takes.
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
-    check_bob(table, best, radius)?;
     let combined = options.combined(table, best)?;
     let mut fit = LengthsFit { fits, known_gyration: known, combined, warnings: vec![] };
     fit.warnings = warning::warnings(&fit);
     Ok(fit)
-}
-
-/// A bob is below its pivot: above it κ/(L + δ), which the offset was found with, is that of no pendulum.
-fn check_bob(table: &LengthTable, best: &LengthFit, radius: Option<f64>) -> Result<(), FitError> {
-    let Some(radius) = radius else { return Ok(()) };
-    let offset = best.offset.map_or(0.0, |offset| offset.value);
-    let shortest = table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
-    let distance = shortest + offset;
-    match distance < radius {
-        true => Err(FitError::BobTooLarge { radius, distance }),
-        false => Ok(()),
-    }
-}
-
-/// κ of a ball.
-fn gyration(radius: f64) -> f64 {
-    0.4 * radius * radius
 }
 
 impl LengthsOptions {
@@ -134,7 +116,8 @@ impl LengthsOptions {
         };
         let radius = self.bob_radius.map(|radius| {
             let refitted = |radius: f64| {
-                model::fit(table, best.model, gyration(radius)).map_or(f64::NAN, |fit| fit.g.value)
+                let fit = model::fit(table, best.model, Some(radius)).ok().flatten();
+                fit.map_or(f64::NAN, |fit| fit.g.value)
             };
             let sensitivity = budget::derivative(radius.value, radius.value, refitted);
             Contribution::judged(BudgetInput::BobRadius, radius.value, radius.uncertainty, sensitivity)

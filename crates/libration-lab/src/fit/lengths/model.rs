@@ -5,13 +5,18 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
-use crate::fit::Uncertain;
 use crate::fit::scatter::{self, Scatter};
+use crate::fit::{FitError, Uncertain};
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count, weighted_least_squares};
 
-/// Rounds in which the weights, and the term of the bob, are renewed.
+/// Rounds in which the weights are renewed: what is left falls by a factor of (σ of g)/g or so each time.
 const ROUNDS: usize = 20;
+/// Rounds in which the offset falls to that with the bob: what is left falls by q(3 + q)/(1 − q) each time, with q = 2r²/5x² at a distance x
+/// from the pivot: by 0.8 or less from 1.45 radii on.
+const ROUNDS_WITH_BOB: usize = 200;
+/// Of the shortest distance, a change of the offset that is none: rounding leaves less.
+const SETTLED: f64 = 1e-13;
 
 /// What is left free besides g.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -104,25 +109,93 @@ struct Solution {
     variances: Vec<f64>,
 }
 
-/// A law through the table; none where there are too few rows, or the rows leave it open. `known` is κ of the bob where it is
-/// known, and then not free.
-pub(super) fn fit(table: &LengthTable, model: LengthModel, known: f64) -> Option<LengthFit> {
+/// A law through the table, with the bob where its radius is known; none where there are too few rows, or the rows leave it open.
+///
+/// # Errors
+/// A bob that reaches the pivot.
+pub(super) fn fit(
+    table: &LengthTable,
+    model: LengthModel,
+    radius: Option<f64>,
+) -> Result<Option<LengthFit>, FitError> {
     let (rows, width) = (&table.rows, model.parameters());
     if rows.len() < width + usize::from(!table.weighted) {
-        return None;
+        return Ok(None);
     }
-    let mut variances = vec![1.0; rows.len()];
-    let mut offset = 0.0;
-    let mut solution = solve(rows, width, known, offset, &variances)?;
-    for _ in 0..ROUNDS {
-        let slope = solution.coefficients[0];
-        offset = solution.coefficients.get(1).map_or(0.0, |constant| constant / slope);
-        if table.weighted {
-            variances = rows.iter().map(|row| row.variance(slope)).collect();
+    let search = Search { table, width };
+    let Some(line) = search.without_bob() else { return Ok(None) };
+    let found = match radius {
+        Some(radius) => search.with_bob(line, radius)?,
+        None => Some(line),
+    };
+    let known = radius.map_or(0.0, gyration);
+    Ok(found.and_then(|(solution, offset)| solution.described(table, model, known, offset)))
+}
+
+/// κ of a ball.
+pub(super) fn gyration(radius: f64) -> f64 {
+    0.4 * radius * radius
+}
+
+/// A law that is looked for; what is found comes with the offset that its columns are of.
+struct Search<'a> {
+    table: &'a LengthTable,
+    width: usize,
+}
+
+impl Search<'_> {
+    fn without_bob(&self) -> Option<(Solution, f64)> {
+        let first = vec![1.0; self.table.rows.len()];
+        let mut found = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
+        for _ in 0..ROUNDS {
+            found = self.renewed(&found.0, 0.0)?;
         }
-        solution = solve(rows, width, known, offset, &variances)?;
+        Some(found)
     }
-    solution.described(table, model, known, offset)
+
+    /// The bob makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below any that
+    /// goes with a bob further down: from there it falls, and once it has the bob about the pivot there is none.
+    fn with_bob(&self, line: (Solution, f64), radius: f64) -> Result<Option<(Solution, f64)>, FitError> {
+        let shortest = self.table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
+        let (mut found, mut settled) = (line, false);
+        for _ in 0..ROUNDS_WITH_BOB {
+            let distance = shortest + found.0.offset();
+            if self.width > 1 && distance < radius {
+                return Err(FitError::BobTooLarge { radius, distance });
+            }
+            if settled {
+                return Ok(Some(found).filter(|found| !self.has_another(&found.0, radius, shortest)));
+            }
+            let before = found.0.offset();
+            let Some(next) = self.renewed(&found.0, gyration(radius)) else { return Ok(None) };
+            settled = (next.0.offset() - before).abs() <= SETTLED * distance;
+            found = next;
+        }
+        Ok(None)
+    }
+
+    /// Whether an offset between this one and that of a bob that touches the pivot goes with the bob as well, as below 1.3 radii, where a
+    /// pendulum that is a little longer is less slower than one without a bob would be.
+    fn has_another(&self, found: &Solution, radius: f64, shortest: f64) -> bool {
+        let touching = radius - shortest;
+        let next = self.with_offset(found, gyration(radius), touching);
+        self.width > 1 && next.is_none_or(|(next, _)| next.offset() < touching)
+    }
+
+    /// With the weights and the offset of another solution.
+    fn renewed(&self, last: &Solution, known: f64) -> Option<(Solution, f64)> {
+        self.with_offset(last, known, last.offset())
+    }
+
+    /// With the weights of another solution.
+    fn with_offset(&self, last: &Solution, known: f64, offset: f64) -> Option<(Solution, f64)> {
+        let rows = &self.table.rows;
+        let variances = match self.table.weighted {
+            true => rows.iter().map(|row| row.variance(last.coefficients[0])).collect(),
+            false => last.variances.clone(),
+        };
+        Some((solve(rows, self.width, known, offset, &variances)?, offset))
+    }
 }
 
 /// The columns of a row: what 1/g, δ/g and κ/g are multiplied by.
@@ -144,6 +217,10 @@ fn solve(rows: &[Row], width: usize, known: f64, offset: f64, variances: &[f64])
 }
 
 impl Solution {
+    fn offset(&self) -> f64 {
+        self.coefficients.get(1).map_or(0.0, |constant| constant / self.coefficients[0])
+    }
+
     fn described(
         &self,
         table: &LengthTable,

@@ -97,6 +97,7 @@ fn periods(found: &SwingsFit) -> Option<Warning> {
 
 /// Traces that are fitted as of one pendulum and are not.
 fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
+    /// [`Warning::DifferentPendulums`] says why.
     const APART: f64 = 0.01;
     let known: Vec<(&Trace, &Cycles)> = traces
         .iter()
@@ -114,6 +115,7 @@ fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
 }
 
 fn implausible_length(pendulum: &FittedPendulum) -> Option<Warning> {
+    /// [`Warning::ImplausibleLength`] says why.
     const BUILT: std::ops::RangeInclusive<f64> = 0.01..=100.0;
     let FittedPendulum::Length(length) = pendulum else { return None };
     (!BUILT.contains(&length.value)).then_some(Warning::ImplausibleLength { length: length.value })

@@ -55,6 +55,7 @@ fn outliers(found: &SwingsFit, traces: &[Trace]) -> Option<Advice> {
 
 /// Where a trace begins or ends with outliers one after the other.
 fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<EndOfTrace> {
+    /// Where one row in a hundred is an outlier, three stand at an end by chance in one trace of 500 000.
     const FEWEST: usize = 3;
     let (times, last) = (trace.times(), trace.len() - 1);
     let at_beginning = outliers.iter().enumerate().take_while(|(place, row)| place == *row).count();
@@ -79,7 +80,7 @@ fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
 
 /// The zero of the angle, where the motion is that of the pendulum.
 fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
-    /// In radians: half a degree.
+    /// In radians: half a degree, to which a protractor is read.
     const WORTH_A_WORD: f64 = 0.01;
     let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
     let offset =

@@ -26,6 +26,8 @@ pub(super) struct Sample {
     pub(super) derivatives: Vec<[f64; 2]>,
 }
 
+/// With relative errors of 1e-9 and 1e-14, absolute ones of 1e-10, and 2000 steps no parameter of 21 fits moved by 1e-6 of its uncertainty;
+/// the residuals of exact data are then 1e-12, and so is what can be tested.
 const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
 
 impl Swing {

@@ -39,12 +39,19 @@ pub struct Gap {
 }
 
 /// An interval beyond this many usual ones is a gap where the clock is even.
+///
+/// The numbers of how tables are read were varied over 106 recordings: six measured ones by cameras and an encoder, and a hundred synthetic
+/// ones, with missing rows, uneven clocks, rounded times, outliers, and rows out of order. With 1.4 clocks that are uneven by a sixth had
+/// gaps, with 1.2 frames rounded to a third of their interval too; with 2.2 single rows that were missing were not.
 const GAP: f64 = 1.6;
-/// The same where the intervals vary by themselves.
+/// The same where the intervals vary by themselves. With 3 and 4 intervals that scatter like those of a phone, exponentially, had 18 and 8
+/// gaps that are none, with 5 two; with 10 eight missing rows were not seen.
 const GAP_OF_UNEVEN_CLOCK: f64 = 5.0;
-/// A clock whose intervals vary by more than this part of them is uneven.
+/// A clock whose intervals vary by more than this part of them is uneven. With 0.1 and 0.15 nothing changed; with 0.3 two more had gaps that
+/// are none, and that phone a hundred.
 const UNEVEN: f64 = 0.2;
-/// Rounding below this part of the interval is not worth a word.
+/// Rounding below this part of the interval is not worth a word: as an error it is 0.3 % of what a row moves. With 0.03 and 0.1 three and
+/// eight recordings, two of them by cameras, were no longer taken to be even; with 0.003 one more was, of times with five digits.
 const NEGLIGIBLE_ROUNDING: f64 = 0.01;
 
 impl Clock {
@@ -55,7 +62,8 @@ impl Clock {
         let resolution = resolution(times);
         let within = intervals(&increasing).filter(|length| *length < GAP * interval);
         let jitter = root_mean_square(within.map(|length| length - interval));
-        // Where times are written more coarsely than they follow each other, each row is one step.
+        // Where times are written more coarsely than they follow each other, each row is one step. A tenth: with a fifth and a fortieth
+        // nothing changed.
         let shares_times = times.len() - kept.len() > times.len() / 10 + 1;
         let digits = SignificantDigits::detect(times, resolution);
         let by_digits = digits.and_then(|digits| grid_of_digits(times, digits, interval));
@@ -86,7 +94,9 @@ impl Clock {
     /// Whether the intervals vary, and not by rounding.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
-        self.grid.is_none() && self.significant_digits.is_none() && self.jitter > 0.05 * self.interval
+        // What a reader is told. A twentieth of the interval is some millimetres of the path of a bob at 30 rows in a second.
+        const WORTH_A_WORD: f64 = 0.05;
+        self.grid.is_none() && self.significant_digits.is_none() && self.jitter > WORTH_A_WORD * self.interval
     }
 
     /// What the errors of the rounded times do to values that change as these, of the kept rows.
@@ -107,6 +117,8 @@ fn intervals(times: &[f64]) -> impl Iterator<Item = f64> {
 /// The mean of the intervals near their median: rounded times have two or three different ones.
 fn usual_interval(times: &[f64]) -> Option<f64> {
     let median = lower_median(intervals(times).collect()).filter(|_| times.len() > 2)?;
+    // As far below the median as above it: with 0.6 clocks that are uneven by a sixth to a half had intervals too long by up to 7 %, with 0.2
+    // too short by up to 11 %.
     let near = |length: &f64| (0.4 * median..GAP * median).contains(length);
     Some(mean(intervals(times).filter(near))).filter(|length| length.is_finite())
 }
@@ -126,6 +138,7 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
         .map(|&time| (0.5 * digits.step_at(time)).max(0.5 * NEGLIGIBLE_ROUNDING * interval))
         .collect();
     let rows: Vec<usize> = (0..times.len()).collect();
+    // A tenth: with 0.03 and 0.4 nothing changed.
     let is_fine = |row: &usize| half_steps[*row] < 0.1 * (times[*row] - times[*row - 1]);
     let fine: Vec<f64> = (1..times.len()).filter(is_fine).map(|row| times[row] - times[row - 1]).collect();
     let seen = lower_median(fine).unwrap_or(interval);
@@ -203,7 +216,9 @@ fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid
     let even = EvenTimes { first: interval.mul_add(-x, t), interval, interval_uncertainty };
     let even = even.grid(times, places);
     let (rms, largest_deviation) = (even.rms_deviation, even.largest_deviation);
-    // Half a step of the rounding itself; programs that add up rounded intervals are off by more.
+    // Half a step of the rounding itself, √(1/12) in the mean square; programs that add up rounded intervals are off by more: with one step,
+    // or half of one in the mean square, a video of 4502 frames was not even; with 4, and with 1, nothing changed. A tenth is exact
+    // rounding of what is even already; with 0.2 nothing changed.
     let is_within = largest_deviation < 2.0 * resolution && rms < 0.7 * resolution;
     let is_worth_it = resolution > NEGLIGIBLE_ROUNDING * interval && rms > 0.1 * resolution;
     (interval > 0.0 && is_within && is_worth_it).then_some(even)

@@ -1,6 +1,7 @@
 //! Times that repeat, go backwards, or begin anew.
 
-/// Rows on either side of a step back that tell a new run from a stray time.
+/// Rows on either side of a step back that tell a new run from a stray time. With 3 a packet of three rows that came late began a run
+/// (`clock.rs` says of which recordings); with 8 a clock set back by eight rows did not, and its rows were left out.
 const WITNESSES: usize = 5;
 
 /// The rows with the time of the row before.

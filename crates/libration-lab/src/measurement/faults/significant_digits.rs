@@ -1,6 +1,7 @@
 //! Times written with so many significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
 
-/// More digits than these round no frames of a video away.
+/// More digits than these round no frames of a video away: 99.999 has steps of a thousandth. With 4 and 8 nothing changed in 106 recordings
+/// (`clock.rs`); with 3 times of four digits were not even.
 const MOST: usize = 5;
 
 /// How many significant digits all times have.

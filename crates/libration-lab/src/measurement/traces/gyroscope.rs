@@ -29,7 +29,8 @@ pub(super) fn about_one_axis(sheet: &Sheet, places: &[usize]) -> Option<Value> {
     principal_axis(&rows).map(|axis| Value::Axes(places, axis))
 }
 
-/// Fewer rows lie along some direction by chance.
+/// Fewer rows lie along some direction by chance: of noise alone ten rows never had 95 % of their squares along one in 20 000 trials, five
+/// one time in 330, four one in 40.
 const FEWEST: usize = 10;
 
 /// The direction with 95 % of the variance of these rates: the rest is wobble and noise, about an axis that stays as it is in the
