@@ -16,7 +16,7 @@ pub(crate) trait Kernel {
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+    if has_avx2() {
         // SAFETY: the processor has both features that `run_wide` is compiled for.
         #[expect(unsafe_code, reason = "calling a function compiled for more features than the caller")]
         return unsafe { run_wide(kernel) };
@@ -24,8 +24,40 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
 
+/// Runs a kernel over slices: with AVX-512 too, which one element gains nothing from.
+#[inline]
+pub(crate) fn dispatch_slices<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if has_avx2() && has_avx512() {
+        // SAFETY: the processor has all features that `run_widest` is compiled for.
+        #[expect(unsafe_code, reason = "calling a function compiled for more features than the caller")]
+        return unsafe { run_widest(kernel) };
+    }
+    dispatch(kernel)
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_avx2() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+/// The parts of AVX-512 that every processor with vectors of 512 bits for doubles has had since 2017.
+#[cfg(target_arch = "x86_64")]
+fn has_avx512() -> bool {
+    is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512vl")
+        && is_x86_feature_detected!("avx512bw")
+}
+
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn run_wide<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl,avx512bw")]
+fn run_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }

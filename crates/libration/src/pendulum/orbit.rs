@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use super::block::{BLOCK, Words};
 use super::state::State;
-use crate::dispatch::{Kernel, dispatch};
+use crate::dispatch::{Kernel, dispatch, dispatch_slices};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::{
     CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues,
@@ -41,10 +41,16 @@ impl<Q: Quotients> Orbit<Q> {
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
         match self.expansion {
             Expansion::Circular => {
-                dispatch(Each { orbit: self, side: PhantomData::<CircularSide>, times, angles, velocities });
+                dispatch_slices(Each {
+                    orbit: self,
+                    side: PhantomData::<CircularSide>,
+                    times,
+                    angles,
+                    velocities,
+                });
             }
             Expansion::Hyperbolic => {
-                dispatch(Each {
+                dispatch_slices(Each {
                     orbit: self,
                     side: PhantomData::<HyperbolicSide>,
                     times,

@@ -10,7 +10,7 @@ use super::period::{
     EXCESS, Excess, LOG_NOME, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
     log_inverse_nome_with, ratio_above,
 };
-use crate::dispatch::{Kernel, dispatch};
+use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::DoubleDouble;
 use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
 
@@ -39,7 +39,7 @@ impl<P: PeriodFunction> Kernel for Each<'_, P> {
 /// The slices have different lengths.
 pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(amplitudes, ratios)?;
-    dispatch(Each(OfAmplitude(Ratio), amplitudes, ratios));
+    dispatch_slices(Each(OfAmplitude(Ratio), amplitudes, ratios));
     Ok(())
 }
 
@@ -49,7 +49,7 @@ pub fn period_ratios(amplitudes: &[f64], ratios: &mut [f64]) -> Result<(), Lengt
 /// The slices have different lengths.
 pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(amplitudes, excesses)?;
-    dispatch(Each(OfAmplitude(Excess), amplitudes, excesses));
+    dispatch_slices(Each(OfAmplitude(Excess), amplitudes, excesses));
     Ok(())
 }
 
@@ -59,7 +59,7 @@ pub fn period_excesses(amplitudes: &[f64], excesses: &mut [f64]) -> Result<(), L
 /// The slices have different lengths.
 pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(complements, ratios)?;
-    dispatch(Each(RatioNearTop, complements, ratios));
+    dispatch_slices(Each(RatioNearTop, complements, ratios));
     Ok(())
 }
 

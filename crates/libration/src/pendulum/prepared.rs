@@ -6,7 +6,7 @@ use super::block::BLOCK;
 use super::motion::Motion;
 use super::state::{State, whole_turns};
 use super::table::{Cycle, Segment, Table};
-use crate::dispatch::{Kernel, dispatch};
+use crate::dispatch::{Kernel, dispatch, dispatch_slices};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{nearest_integer, nearest_integer_bits};
 
@@ -76,8 +76,8 @@ impl PreparedMotion {
         LengthMismatch::check(times, velocities)?;
         let motion = &self.motion;
         match table.cycle {
-            None => dispatch(Each { table, unwrap: Swinging, motion, times, angles, velocities }),
-            Some(cycle) => dispatch(Each { table, unwrap: cycle, motion, times, angles, velocities }),
+            None => dispatch_slices(Each { table, unwrap: Swinging, motion, times, angles, velocities }),
+            Some(cycle) => dispatch_slices(Each { table, unwrap: cycle, motion, times, angles, velocities }),
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
 use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
 use super::varying::{Factors, ReleaseSide, gauss, phase, tangent, velocity};
-use crate::dispatch::{Kernel, dispatch};
+use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 use crate::elementary::ReducedArctangent;
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, ThetaSeries, ThetaValues};
@@ -25,7 +25,7 @@ pub fn states(
     for slice in [times, angles, velocities] {
         LengthMismatch::check(amplitudes, slice)?;
     }
-    dispatch(Each { amplitudes, angular_frequency, times, angles, velocities });
+    dispatch_slices(Each { amplitudes, angular_frequency, times, angles, velocities });
     Ok(())
 }
 
