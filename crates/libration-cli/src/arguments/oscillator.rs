@@ -130,7 +130,8 @@ impl OscillatorOptions {
         self.asked_with_letters(&[])
     }
 
-    fn asked_with_letters(&self, letters: &[String]) -> Result<Asked, Failure> {
+    /// The equation, where these parameters of a built-in oscillator stay letters.
+    pub(crate) fn asked_with_letters(&self, letters: &[String]) -> Result<Asked, Failure> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
         let given = values(&self.set)?;
         let (equation, key, title) = match &named {

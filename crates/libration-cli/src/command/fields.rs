@@ -77,7 +77,8 @@ fn answers() -> Vec<Answers> {
 }
 
 const COMMAND: Row = ("command", "", "command that gives the answer");
-const OPTION: Row = ("option", "", "option that asks for this kind of answer, empty for the usual one");
+const OPTION: Row =
+    ("option", "", "option, or oscillator, that asks for this kind of answer, empty for the usual one");
 
 fn of_description() -> Fields<Description> {
     type Of = Field<Description>;

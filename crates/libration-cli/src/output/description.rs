@@ -21,7 +21,7 @@ impl Description {
 pub(crate) struct Answers {
     /// The command as it is typed, without `libration`.
     pub(crate) command: &'static str,
-    /// The option that asks for this kind; empty where there is one kind only, or for the usual one.
+    /// The option, or an oscillator, that asks for this kind; empty where there is one kind only, or for the usual one.
     pub(crate) option: &'static str,
     pub(crate) json: Vec<Description>,
     pub(crate) csv: Vec<Description>,

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 32] = [
+const FURTHER: [&str; 33] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -215,6 +215,7 @@ const FURTHER: [&str; 32] = [
     "expand|m*x''+sqrt(2)*k*x+b*x^3=0|--order|3",
     "expand|x''+x*x'+x=0|--order|3",
     "expand|x''+x+abs(x)^3=0|--order|3",
+    "expand|pure_cubic",
     "expand|quadratic|--order|3|--evaluate|0.2",
     "expand|x''+c*(x'+x'*abs(x'))+2*x=0|--order|2|--damping-order|1",
     "expand|x''+x=k*((1-x^2)*x'-x^3)|--order|5|--damping-order|1",

@@ -27,8 +27,11 @@ mod relation;
 
 mod backbone;
 
+mod scaling_law;
+
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
 pub use exact::{ExactMotion, ExactValue, Method, NoExactValue};
 pub use quantity::{NotASeriesQuantity, SeriesQuantity};
 pub use relation::{Radius, SeriesComparison};
+pub use scaling_law::{HarmonicRatio, ScalingLaw};

@@ -145,8 +145,22 @@ pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Rejec
         (Err(RejectionReason::NotAnalytic { .. }), Some((sides, omega0_squared))) => {
             Ok(Equilibrium { at, omega0_squared, sides: Some(sides) })
         }
-        (Err(reason), _) => Err(RejectedEquilibrium { at: at.to_string(), reason }),
+        (Err(reason), _) => {
+            let reason = circular_arcs(force, &at).unwrap_or(reason);
+            Err(RejectedEquilibrium { at: at.to_string(), reason })
+        }
     }
+}
+
+/// −k·sign(x) − ω²·x, as it is told.
+fn circular_arcs(force: &Force, at: &Constant) -> Option<RejectionReason> {
+    let sides = Sides::about(force, at.exact()?)?;
+    let lines = [&sides.above, &sides.below].map(|side| side.polynomial_coefficients(&force.x));
+    let [Some(above), Some(below)] = lines else { return None };
+    let [jump, slope] = above.as_slice() else { return None };
+    let drives_back = jump.is_negative() && slope.is_negative() && above == below;
+    let text = |number: &Rational| Expression::Number(number.magnitude()).to_string();
+    drives_back.then(|| RejectionReason::CircularArcs { jump: text(jump), omega_squared: text(slope) })
 }
 
 /// The force on both sides of a place to which it drives back, and ω0².

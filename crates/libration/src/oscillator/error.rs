@@ -128,6 +128,18 @@ pub enum RejectionReason {
         /// What finds a frequency there.
         frequency: FrequencySource,
     },
+    /// The force jumps between two straight lines.
+    #[error(
+        "the force jumps from {jump} to -{jump}: the frequency grows without limit as the amplitude A goes to zero, and has no expansion in it. \
+         The motion is made of circular arcs with omega^2 = {omega_squared}, and its period is exactly 4/omega*arccos(k/(k + omega^2*A)), k = {jump}; \
+         the frequency at any amplitude is found without an expansion (libration backbone)"
+    )]
+    CircularArcs {
+        /// k of the force −k·sign(x) − ω²·x.
+        jump: String,
+        /// ω².
+        omega_squared: String,
+    },
     /// Energy is lost or won in small oscillations.
     #[error(
         "small motions {}, because the acceleration contains {damping} times the velocity: simulate them (libration simulate); for an expansion leave \

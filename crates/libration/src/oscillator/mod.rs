@@ -26,6 +26,7 @@ mod sides;
 mod error;
 mod model;
 mod named_constants;
+mod pure_power;
 mod symbolic;
 
 pub use catalogue::catalogue;
@@ -35,6 +36,7 @@ pub use error::{FrequencySource, OscillatorError, RejectedEquilibrium, Rejection
 pub use model::{Kind, Oscillator};
 pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
+pub use pure_power::PurePower;
 pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};
 
 #[cfg(test)]

@@ -19,7 +19,17 @@ impl Sides {
     /// The sides, and the slope that they share; `None` where the velocity enters, a side has no power series in fractions, or the force
     /// jumps or has a kink.
     pub(super) fn new(force: &Force, at: &Constant) -> Option<(Self, Rational)> {
-        let place = at.exact().filter(|_| !force.uses_velocity())?;
+        let sides = at.exact().and_then(|place| Self::about(force, place))?;
+        let (above, below) =
+            (slope_from_rest(&sides.above, &force.x)?, slope_from_rest(&sides.below, &force.x)?);
+        (above == below).then_some((sides, above))
+    }
+
+    /// The sides of any place; `None` where the velocity enters.
+    pub(super) fn about(force: &Force, place: &Rational) -> Option<Self> {
+        if force.uses_velocity() {
+            return None;
+        }
         let at_rest = force.at_rest();
         let from = |sign: i64| {
             let distance =
@@ -28,10 +38,7 @@ impl Sides {
             let formula = without_kinks(&at_rest.substitute(&force.x, &moved), &force.x);
             Expression::Multiply(Box::new(sign.into()), Box::new(formula)).simplified()
         };
-        let sides = Self { above: from(1), below: from(-1) };
-        let (above, below) =
-            (slope_from_rest(&sides.above, &force.x)?, slope_from_rest(&sides.below, &force.x)?);
-        (above == below).then_some((sides, above))
+        Some(Self { above: from(1), below: from(-1) })
     }
 }
 

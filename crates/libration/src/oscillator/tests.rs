@@ -204,6 +204,7 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
             ["it has a derivative, omega0^2 being -1,", "the force points away from it"],
         ),
         ("x'' = -sign(x)", ["it jumps", by_orbits]),
+        ("x'' = -4*x - sign(x)", ["the force jumps from 1 to -1", "circular arcs with omega^2 = 4"]),
         ("x'' = -sqrt(x)", ["it has no value below the place", ""]),
         ("x'' = -sqrt(1 - x)", ["it has no value above the place", ""]),
         ("x'' = -sign(x)*sqrt(abs(x))", ["its slope is infinite", "the force points back to it"]),
@@ -237,7 +238,7 @@ fn a_force_with_a_power_series_on_either_side_has_two_sides() {
     assert_eq!(*oscillator("x'' = -x - (x - 1e-13)*abs(x - 1e-13) - 1e-26").kind(), Kind::Conservative);
     for (text, part) in [
         ("x'' = -x - 1e-6*abs(x)", "it has a kink"),
-        ("x'' = -x - 1e-6*sign(x)", "it jumps"),
+        ("x'' = -x - 1e-6*sign(x)", "exactly 4/omega*arccos(k/(k + omega^2*A)), k = 0.000001"),
         ("x'' = -x - x*abs(x) - x*x'^2", "not all derivatives"),
         ("x'' = -x - x*abs(x)^(1/2)", "not all derivatives"),
         ("x'' = x + x*abs(x)", "omega0^2 being -1"),

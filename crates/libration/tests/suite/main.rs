@@ -8,6 +8,7 @@ mod period_majorants;
 mod promises;
 mod random;
 mod remainders;
+mod scaling_law;
 mod two_sided;
 mod ulp;
 

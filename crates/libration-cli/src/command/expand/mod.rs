@@ -6,6 +6,7 @@ mod fields;
 mod letters;
 mod listing;
 mod mathml;
+mod scaling_law;
 mod slow_flow;
 mod subject;
 mod write;
@@ -39,6 +40,9 @@ use subject::{About, Subject};
 /// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
 /// Other parameters without a value stay letters: the coefficients are then polynomials in them.
 ///
+/// A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the answer is
+/// then its scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
+///
 /// Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′,
 /// how the phase runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even,
 /// x'*abs(x'), and zero, sign(x').
@@ -55,6 +59,7 @@ use subject::{About, Subject};
   libration expand \"x'' + w^2*x + a*x^2 + b*x^3 = 0\" --set b=0 --latex
   libration expand \"x'' + 3*x*x' + x^3 + x = 0\"   # every period is the same
   libration expand \"x'' + x + x*abs(x) = 0\" --order 3   # powers of pi
+  libration expand \"x'' + k*x*abs(x) = 0\"         # a scaling law
   libration expand \"x'' = a*x - b*x^3\" --about \"sqrt(a/b)\" --order 4
   libration expand \"\\ddot{x} + \\omega^2 x + \\alpha x^3 = 0\" --order 3
   libration expand cubic_quintic --letters alpha,beta --json
@@ -175,13 +180,16 @@ struct Letters<C> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    vec![fields::answers(), evaluate::answers(), slow_flow::answers()]
+    vec![fields::answers(), evaluate::answers(), slow_flow::answers(), scaling_law::answers()]
 }
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if let Some(asked) = self.slow_flow()? {
             return self.answer_slow_flow(out, asked);
+        }
+        if let Some(answer) = scaling_law::Answer::of(self.oscillator.asked_with_letters(&self.letters)?) {
+            return self.answer_scaling_law(out, answer);
         }
         let chosen = match self.evaluate {
             None => self.oscillator.chosen_with_letters(&self.letters)?,
@@ -266,6 +274,23 @@ impl Expand {
         let orders = [order, self.damping_order.unwrap_or(slow_flow::DAMPING_ORDER)];
         let answer = slow_flow::Answer::new(asked, self.small.as_deref(), orders, &gauge)?;
         slow_flow::write(out, self.form.form(), latex, &answer)?;
+        Ok(out.flush()?)
+    }
+
+    fn answer_scaling_law(&self, out: &mut dyn Write, answer: scaling_law::Answer) -> Result<(), Failure> {
+        let latex = match self.format {
+            None => self.latex,
+            Some(Format::Latex) => true,
+            Some(_) => {
+                let reason = "a scaling law is written as text, latex, JSON or CSV";
+                return Err(Failure::usage("--format", reason));
+            }
+        };
+        let answer = match &self.evaluate {
+            None => answer,
+            Some(text) => answer.at(text)?,
+        };
+        scaling_law::write(out, self.form.form(), latex, &answer)?;
         Ok(out.flush()?)
     }
 
