@@ -46,6 +46,7 @@ fn every_road() -> Vec<Derivation> {
         perturbation("helmholtz_duffing", 5, "energy"),
         averaged("theta'' + c*theta'*abs(theta') + sin(theta) = 0", 4, 2),
         averaged("x'' - mu*(1 - x^2)*x' + x = 0", 5, 2),
+        limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap(), None, 3).unwrap(),
     ]
 }
 

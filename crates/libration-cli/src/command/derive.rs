@@ -10,7 +10,7 @@ use libration::quantity::Displacement;
 use libration::watch::{Progress, Watch};
 use libration_derivation::{
     Derivation, DerivationError, HIGHEST_DAMPING_ORDER, HIGHEST_ORDER, Released, Swing, averaging_watched,
-    perturbation_watched,
+    limit_cycle_watched, perturbation_watched,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -32,7 +32,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
     --output quadratic.ipynb
   libration derive --road averaging --set n=2 --order 5 --damping-order 2 \\
     --format html --output damping.html
-  libration derive --road averaging van_der_pol --format ipynb \\
+  libration derive --road limit-cycle van_der_pol --order 4 --format ipynb \\
     --output van_der_pol.ipynb
   libration derive --road elliptic --exercises --format html \\
     --output exercises.html
@@ -62,16 +62,16 @@ pub(crate) struct Derive {
 /// What only the roads to series have a choice of.
 #[derive(Debug, clap::Args)]
 struct SeriesOptions {
-    /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`]
+    /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`, for limit-cycle `van_der_pol`]
     #[arg(value_name = "OSCILLATOR|EQUATION")]
     oscillator: Option<String>,
-    /// Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5]
+    /// Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4]
     #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
     order: Option<usize>,
     /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
-    /// Averaging: which letter is small, where several have no value
+    /// Averaging, limit-cycle: which letter is small, where several have no value
     #[arg(long, value_name = "LETTER")]
     small: Option<String>,
     /// Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental]
@@ -96,6 +96,8 @@ enum Road {
     /// Amplitude and phase under weak damping or excitation, power by power
     #[value(alias = "damping")]
     Averaging,
+    /// Amplitude, frequency and form of a limit cycle, by powers of its excitation
+    LimitCycle,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -140,6 +142,7 @@ impl Derive {
         let derivation = match self.road {
             Road::Perturbation => return self.perturbation(),
             Road::Averaging => return self.averaging(),
+            Road::LimitCycle => return self.limit_cycle(),
             Road::Elliptic => libration_derivation::elliptic,
             Road::Formulas => libration_derivation::formulas,
         };
@@ -174,10 +177,7 @@ impl Derive {
     }
 
     fn averaging(&self) -> Result<(Derivation, bool), Failure> {
-        if self.amplitude.is_some() {
-            let reason = "averaging gives laws for all small amplitudes: leave it out, or simulate the motion (libration simulate)";
-            return Err(Failure::usage("--amplitude", reason));
-        }
+        self.refuse_amplitude("averaging gives laws for all small amplitudes")?;
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(DAMPED_PENDULUM);
         let small = options.small.as_deref();
@@ -186,6 +186,21 @@ impl Derive {
         let order = options.order.unwrap_or(DEFAULT_ORDER);
         let damping_order = options.damping_order.unwrap_or(DEFAULT_DAMPING_ORDER);
         watched(|watch| averaging_watched(&asked.equation, small, order, damping_order, watch))
+    }
+
+    fn limit_cycle(&self) -> Result<(Derivation, bool), Failure> {
+        self.refuse_amplitude("a limit cycle has one amplitude, which is derived")?;
+        let options = &self.series;
+        let name = options.oscillator.as_deref().unwrap_or(SELF_EXCITED);
+        let asked = OscillatorOptions::new(name, &options.set, None).asked()?;
+        let order = options.order.unwrap_or(DEFAULT_CYCLE_ORDER);
+        let small = options.small.as_deref();
+        watched(|watch| limit_cycle_watched(&asked.equation, small, order, watch))
+    }
+
+    fn refuse_amplitude(&self, reason: &str) -> Result<(), Failure> {
+        let reason = format!("{reason}: leave it out, or simulate the motion (libration simulate)");
+        if self.amplitude.is_some() { Err(Failure::usage("--amplitude", reason)) } else { Ok(()) }
     }
 }
 
@@ -209,7 +224,9 @@ fn watched(
 
 const PENDULUM: &str = "pendulum";
 const DAMPED_PENDULUM: &str = "damped_pendulum";
+const SELF_EXCITED: &str = "van_der_pol";
 const DEFAULT_ORDER: usize = 5;
+const DEFAULT_CYCLE_ORDER: usize = 4;
 const DEFAULT_DAMPING_ORDER: usize = 2;
 
 fn failure(error: DerivationError) -> Failure {
@@ -217,9 +234,9 @@ fn failure(error: DerivationError) -> Failure {
         DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
             Failure::no_answer("--amplitude", error)
         }
-        DerivationError::Order { .. } | DerivationError::AmplitudeOrder { .. } => {
-            Failure::usage("--order", error)
-        }
+        DerivationError::Order { .. }
+        | DerivationError::AmplitudeOrder { .. }
+        | DerivationError::CycleOrder { .. } => Failure::usage("--order", error),
         DerivationError::DampingOrder { .. } => Failure::usage("--damping-order", error),
         DerivationError::SlowFlow(SlowFlowError::WhichIsSmall { .. }) => {
             Failure::usage("--small", format!("{error}, such as --small c"))
@@ -235,7 +252,7 @@ fn failure(error: DerivationError) -> Failure {
 impl SeriesOptions {
     /// Each road has something to choose that others have not.
     fn refuse(&self, road: Road) -> Result<(), Failure> {
-        const SERIES: &[Road] = &[Road::Perturbation, Road::Averaging];
+        const SERIES: &[Road] = &[Road::Perturbation, Road::Averaging, Road::LimitCycle];
         let given = [
             ("OSCILLATOR", self.oscillator.is_some(), SERIES),
             ("--order", self.order.is_some(), SERIES),
@@ -243,7 +260,7 @@ impl SeriesOptions {
             ("--gauge", self.gauge.is_some(), &[Road::Perturbation]),
             ("--about", self.about.is_some(), &[Road::Perturbation]),
             ("--damping-order", self.damping_order.is_some(), &[Road::Averaging]),
-            ("--small", self.small.is_some(), &[Road::Averaging]),
+            ("--small", self.small.is_some(), &[Road::Averaging, Road::LimitCycle]),
         ];
         match given.iter().find(|(_, given, roads)| *given && !roads.contains(&road)) {
             Some((name, _, roads)) => {
@@ -263,6 +280,7 @@ impl Road {
             Self::Formulas => "formulas",
             Self::Perturbation => "perturbation",
             Self::Averaging => "averaging",
+            Self::LimitCycle => "limit-cycle",
         }
     }
 }

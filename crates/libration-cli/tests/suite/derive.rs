@@ -4,7 +4,7 @@ use crate::command::{directory, libration, message, text};
 use std::fs;
 use std::process::{Command, Output};
 
-const ROADS: [&str; 4] = ["elliptic", "formulas", "perturbation", "averaging"];
+const ROADS: [&str; 5] = ["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"];
 
 #[test]
 fn every_road_is_written_in_every_format() {
@@ -22,7 +22,7 @@ fn every_road_is_written_in_every_format() {
 #[test]
 fn braces_of_latex_and_tags_of_html_are_closed() {
     for road in ROADS {
-        let numbers = if road == "averaging" { "" } else { "--amplitude 40deg" };
+        let numbers = if ["averaging", "limit-cycle"].contains(&road) { "" } else { "--amplitude 40deg" };
         let latex = text(&format!("derive --road {road} {numbers} --format latex"));
         let count = |mark: &str| latex.matches(mark).count();
         assert_eq!(count("{"), count("}"), "{road}");
@@ -86,6 +86,11 @@ fn questions_without_sense_are_refused() {
         ("derive --road averaging x''+a*x'+b*x'^3+x=0", 2, "--small"),
         ("derive --road averaging x''+a*x'+x=0 --small b", 2, "--small"),
         ("derive --road averaging x''+c*x'+2*x=0", 1, "unit of time"),
+        ("derive --road limit-cycle --amplitude 0.5", 2, "--amplitude"),
+        ("derive --road limit-cycle --damping-order 2", 2, "--damping-order"),
+        ("derive --road limit-cycle duffing", 1, "no letter"),
+        ("derive --road limit-cycle x''+c*(x'+x^3)+x=0", 1, "no limit cycle"),
+        ("derive --road limit-cycle rayleigh_cubic", 1, "fraction"),
         ("derive --road perturbation --damping-order 2", 2, "--damping-order"),
         ("derive --road formulas --small c", 2, "--small"),
         ("derive --road elliptic --output /nonexistent/a/b.md", 1, "/nonexistent/a/b.md"),
@@ -161,6 +166,9 @@ fn notebooks_check_their_formulas_again() {
         "--road damping --set n=3 --order 3 --exercises",
         "--road averaging --set n=0 --order 3",
         "--road averaging van_der_pol --order 7 --damping-order 3",
+        "--road limit-cycle --order 5",
+        "--road limit-cycle rayleigh --order 4 --exercises",
+        "--road limit-cycle x''+4*x=e*((1-x^2)*x'-x^3+x^2) --order 4",
         "--road averaging x''+c*x'-2*x+2*x^3=0 --order 2",
     ]
     .iter()
@@ -180,6 +188,7 @@ fn notebooks_find_wrong_formulas() {
         ("perturbation --order 5", 20),
         ("averaging --set n=2 --order 4", 15),
         ("averaging van_der_pol --order 5", 10),
+        ("limit-cycle --order 3", 8),
     ] {
         let seen = wrong_cells_found(&code_cells(&format!("derive --road {question} --format ipynb")));
         assert!(seen > least, "{question}: {seen}");

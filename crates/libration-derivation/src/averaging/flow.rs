@@ -7,6 +7,7 @@ use super::super::check::{DerivationError, FlowTerms};
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
+use libration::watch::Watch;
 
 /// The powers of the amplitude and of the small parameter.
 pub(crate) type Place = (usize, usize);
@@ -66,7 +67,7 @@ pub(crate) enum Part {
 type Named = BTreeMap<Place, Polynomial>;
 
 impl Flow {
-    pub(crate) fn new(question: &Question) -> Result<Self, DerivationError> {
+    pub(crate) fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: BTreeMap::from([((1, 0), PhaseFunction::cosine())]),
             velocity: BTreeMap::new(),
@@ -77,6 +78,7 @@ impl Flow {
         let omega0 = PiNumber::from(question.omega0().clone());
         flow.velocity.insert((1, 0), PhaseFunction::sine().scaled(&omega0.negated()));
         for place in places(question) {
+            watch.go_on()?;
             if place != (1, 0) {
                 flow.extend(question, place)?;
             }

@@ -13,6 +13,7 @@ mod result;
 mod secular;
 mod simple_law;
 mod special;
+mod tables;
 
 #[cfg(test)]
 mod tests;
@@ -24,9 +25,10 @@ use flow::Flow;
 use libration::expression::Equation;
 use libration::perturbation::SlowFlow;
 use libration::watch::{Interrupted, Stage, Watch};
-use question::Question;
 
+pub(super) use question::Question;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
+pub(super) use tables::in_terms;
 
 /// How amplitude and phase of an oscillator go under a weak force that takes or gives energy, as series in the amplitude, to
 /// the power `order`, and in the small parameter, to the power `parameter_order`, derived power by power. The small parameter is the letter without a value, or the
@@ -65,7 +67,7 @@ pub fn averaging_watched(
 ) -> Result<Derivation, DerivationError> {
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let question = Question::new(equation, parameter, [order, parameter_order])?;
-    let flow = Flow::new(&question)?;
+    let flow = Flow::new(&question, watch)?;
     put_back::check(&question, &flow)?;
     let known = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),

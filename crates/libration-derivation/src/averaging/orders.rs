@@ -12,6 +12,7 @@ use super::names::{
     frequency_name, growth_name, motion_name, of_products, phase, times_omega0, velocity_name,
 };
 use super::question::Question;
+use super::tables::in_terms;
 use libration::algebra::Rational;
 
 /// Up to this power of the amplitude the way to each coefficient is open to the reader, beyond it folds away.
@@ -84,8 +85,8 @@ fn table(question: &Question, order: &Order) -> DerivationTable {
     let row = |it: &Contribution| {
         vec![
             Prose::formula(part(question, it.part)),
-            in_groups(&of_products(question, &it.products)),
-            in_groups(&phase::series(&it.value, "ψ")),
+            in_terms(&of_products(question, &it.products)),
+            in_terms(&phase::series(&it.value, "ψ")),
         ]
     };
     let head =
@@ -95,34 +96,6 @@ fn table(question: &Question, order: &Order) -> DerivationTable {
         head,
         rows: order.parts.iter().map(row).collect(),
         note: Prose::text("the signs are those on the right side; checked with their sum"),
-    }
-}
-
-/// A sum in pieces, between which a line may end.
-fn in_groups(formula: &Formula) -> Prose {
-    const GROUP: usize = 3;
-    let Formula::Sum(terms) = formula else { return Prose::formula(formula.clone()) };
-    let mut prose = Prose::text("");
-    for (place, group) in terms.chunks(GROUP).enumerate() {
-        let mut group = group.to_vec();
-        if place > 0 {
-            let sign = if is_negative(&group[0]) { " − " } else { " + " };
-            if is_negative(&group[0]) {
-                group[0] = group[0].clone().negated();
-            }
-            prose = prose.and(Prose::text(sign));
-        }
-        prose = prose.and(Prose::formula(sum(group)));
-    }
-    prose
-}
-
-fn is_negative(term: &Formula) -> bool {
-    match term {
-        Formula::Negate(_) => true,
-        Formula::Number(value) => value.is_negative(),
-        Formula::Product(factors) => factors.first().is_some_and(is_negative),
-        _ => false,
     }
 }
 

@@ -113,7 +113,7 @@ fn half_swing(
         .show(example.compare_once(by_sine)?)
         .show(example.compare_once(by_cosine)?)
         .say(
-            "(the check takes some function for {}). Where the next half swing begins at the opposite, the right sides vanish; so the left sides must, and \
+            "For the check an example stands in the place of {}. Where the next half swing begins at the opposite, the right sides vanish; so the left sides must, and \
              the right side of the equation has no part of {} and {} on the half swing. Since",
             [letter("y"), sin(phase()), cos(phase())],
         )
@@ -167,7 +167,7 @@ fn solution(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, Der
         .show(trials.compare_once(first)?)
         .show(trials.compare_once(second)?)
         .say(
-            "(the check takes some force for {}). A multiple of {} is added so that the velocity at the turning point vanishes, slow parts such as that with {} \
+            "For the check an example stands in the place of {}. A multiple of {} is added so that the velocity at the turning point vanishes, slow parts such as that with {} \
              included. Or one guesses the form and compares.",
             [letter("r"), sin(phase()), below(Name::new("a"), &["n", "j"]).into()],
         ))

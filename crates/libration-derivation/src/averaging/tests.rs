@@ -15,7 +15,7 @@ fn page(equation: &str, orders: [usize; 2]) -> Result<String, DerivationError> {
 
 fn solved(equation: &str, orders: [usize; 2]) -> (Question, Flow) {
     let question = Question::new(&equation.parse().unwrap(), None, orders).unwrap();
-    let flow = Flow::new(&question).unwrap();
+    let flow = Flow::new(&question, &Watch::none()).unwrap();
     (question, flow)
 }
 

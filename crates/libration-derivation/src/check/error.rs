@@ -55,6 +55,18 @@ pub enum DerivationError {
         /// What was asked for.
         order: usize,
     },
+    /// A power of the excitation that is not derived step by step.
+    #[error("order {order} is not derived step by step: give 1 to 9; `libration expand` goes on")]
+    CycleOrder {
+        /// What was asked for.
+        order: usize,
+    },
+    /// No self-excitation.
+    #[error(
+        "there is no limit cycle that is born with the small terms, as in x'' - mu*(1 - x^2)*x' + x = 0; \
+         the derivations for others are those of perturbation and averaging"
+    )]
+    NoExcitation,
     /// An acceleration that depends on the velocity.
     #[error(
         "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"

@@ -1,11 +1,13 @@
 //! Equations with the checks they have passed. An equation that fails its check cannot be made.
 
 mod averaged;
+mod cycle;
 mod error;
 mod letters;
 mod words;
 
 pub use averaged::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, ForceTerm};
+pub use cycle::{CycleClaim, CycleFormula};
 pub use error::DerivationError;
 pub use letters::{Letters, OpenCondition};
 
@@ -81,6 +83,8 @@ pub enum Check {
     },
     /// A part of a slow flow, which satisfies the equation of motion as a whole.
     Averaged(Box<AveragedFormula>),
+    /// A part of a limit cycle, which satisfies the equation of motion as a whole.
+    Cycle(Box<CycleFormula>),
     /// The same polynomial comes out another way.
     Polynomials,
     /// A solution that was put into its equation as a power series.

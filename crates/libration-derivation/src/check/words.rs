@@ -2,7 +2,7 @@
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
 use super::super::prose::Prose;
-use super::{Against, AveragedClaim, Check, ComparedAt};
+use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim};
 
 impl Check {
     /// Whether there was something to check, and it was computed.
@@ -39,6 +39,7 @@ impl Check {
             Self::Substituted { choices, .. } => Prose::text(format!(
                 "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
             )),
+            Self::Cycle(formula) => Prose::text(cycle(&formula.claim)),
             Self::Averaged(formula) => Prose::text(averaged(&formula.claim)),
             Self::Polynomials => Prose::text("checked: the same polynomial, exactly"),
             Self::PutIn => Prose::text("checked: put into the equation above, exactly"),
@@ -47,6 +48,21 @@ impl Check {
                 place.to_prose().and(agreement(value, *difference, *against))
             }
         }
+    }
+}
+
+fn cycle(claim: &CycleClaim) -> &'static str {
+    match claim {
+        CycleClaim::Forcing { .. } => "checked: the sum of the products in the table, exactly",
+        CycleClaim::Sine { .. } => "checked: this part of the equation above, exactly",
+        CycleClaim::AmplitudeSeries { .. } => {
+            "checked: each coefficient in its condition, exactly; another algorithm has the same"
+        }
+        CycleClaim::Amplitude => "checked: put into this condition, exactly; another algorithm has the same",
+        CycleClaim::Frequency | CycleClaim::FrequencySeries { .. } => {
+            "checked: nothing of the cosine is left, exactly; another algorithm has the same"
+        }
+        CycleClaim::Motion { .. } => "checked: put into the equation of motion, exactly",
     }
 }
 

@@ -42,8 +42,8 @@ summary { color: var(--soft); font-size: .92rem; cursor: pointer }
 .answers { break-before: page; margin-top: 5rem }
 @media print {
   details::details-content { content-visibility: visible; block-size: auto }
-  .formula, .formula + .check, table { break-inside: avoid }
-  h2, summary, .formula { break-after: avoid }
+  .formula, .formula + .check, tr, table:not(.formulas) { break-inside: avoid }
+  h2, summary, .formula, p:has(+ .formula), p:has(+ .wide) { break-after: avoid }
 }
 ";
 

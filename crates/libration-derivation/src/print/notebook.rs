@@ -75,7 +75,10 @@ impl<'a> Notebook<'a> {
             self.known.extend(&condition.fixes);
         }
         if let Check::Averaged(formula) = equation.check() {
-            self.begin_flow(&formula.flow);
+            self.begin_flow(&formula.flow, python::slow_flow);
+        }
+        if let Check::Cycle(formula) = equation.check() {
+            self.begin_flow(&formula.flow, python::limit_cycle);
         }
         lines.push(code);
         let kind = if place.is_answer { "answer" } else { "check" };
@@ -92,8 +95,8 @@ impl<'a> Notebook<'a> {
         }
     }
 
-    fn begin_flow(&mut self, flow: &'a FlowTerms) {
-        if let (false, Some(code)) = (self.flow == Some(flow), python::slow_flow(flow)) {
+    fn begin_flow(&mut self, flow: &'a FlowTerms, written: fn(&FlowTerms) -> Option<String>) {
+        if let (false, Some(code)) = (self.flow == Some(flow), written(flow)) {
             self.flow = Some(flow);
             self.compute(&format!("flow-{}", self.cells.len()), &code);
         }

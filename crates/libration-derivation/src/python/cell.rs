@@ -1,8 +1,8 @@
 //! The check of a formula as lines of Python, which the reader's computer makes again.
 
 use super::super::check::{
-    AveragedClaim, Check, CheckedEquation, ComparedAt, CycleQuantity, FlowTerms, ForceTerm, Letters,
-    OpenCondition,
+    AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
+    Letters, OpenCondition,
 };
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
@@ -41,6 +41,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
         Check::Digits { .. } => Some(block(given(letters)?.into_iter().chain(compared(statement)?))),
         Check::RoundedDigits => Some(block(given(letters)?.into_iter().chain([rounded(statement)?]))),
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
+        Check::Cycle(formula) => cycle(statement, formula.order, &formula.claim),
         Check::Averaged(formula) => averaged(statement, &formula.claim),
         _ => None,
     }
@@ -85,6 +86,34 @@ pub(crate) fn slow_flow(flow: &FlowTerms) -> Option<String> {
         format!("flow = SlowFlow({}, [{}],", number(&flow.omega0)?, terms?.join(", ")),
         format!("                {}, {})", if flow.kinked { "True" } else { "False" }, flow.lift),
     ]))
+}
+
+/// The equation whose limit cycle is looked for.
+pub(crate) fn limit_cycle(flow: &FlowTerms) -> Option<String> {
+    slow_flow(flow).map(|code| format!("{code}\ncycle = LimitCycle(flow)"))
+}
+
+fn cycle(statement: &Statement, n: usize, claim: &CycleClaim) -> Option<String> {
+    let right = || statement.rest.last().and_then(|(_, side)| expression(side));
+    match claim {
+        CycleClaim::Forcing { open, known } => {
+            Some(format!("cycle.forces({n}, lambda τ, {}: {})", identifier(open)?, expression(known)?))
+        }
+        CycleClaim::Sine { open } => {
+            Some(format!("cycle.asks({n}, lambda {}: {})", identifier(open)?, expression(&statement.first)?))
+        }
+        CycleClaim::Amplitude => Some(format!("cycle.is_as_large({n}, {})", right()?)),
+        CycleClaim::Frequency => Some(format!("cycle.is_as_fast({n}, {})", right()?)),
+        CycleClaim::Motion { open } => {
+            Some(format!("cycle.moves({n}, lambda τ, {}: {})", identifier(open)?, right()?))
+        }
+        CycleClaim::AmplitudeSeries { parameter } => {
+            Some(format!("cycle.amplitude(lambda {}: {})", identifier(parameter)?, right()?))
+        }
+        CycleClaim::FrequencySeries { parameter } => {
+            Some(format!("cycle.frequency(lambda {}: {})", identifier(parameter)?, right()?))
+        }
+    }
 }
 
 fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {

@@ -594,6 +594,68 @@ class SlowFlow:
         assert all(a == b for a, b in zip(known.c, told.c)), known.c
 
 
+class LimitCycle:
+    """x(t) of a phase that runs evenly, with the frequency and the motion by powers of the excitation. The first harmonic of each power is
+    a cosine, whose amplitude the next power fixes."""
+
+    def __init__(self, flow):
+        self.omega, self.terms = flow.omega, flow.terms
+        self.forced, self.amplitudes, self.w = [phased(0)], [], [phased(flow.omega)]
+
+    def motion(self, n, amplitudes):
+        return [f + a * cos(PHASE) for f, a in zip(self.forced[:n], amplitudes)]
+
+    def product(self, f, g, n):
+        return [sum((f[i] * g[m - i] for i in range(m + 1) if i < len(f) and m - i < len(g)), phased(0)) for m in range(n + 1)]
+
+    def right(self, n, x):
+        """What these powers of the motion bring to the right side of the next one."""
+        second = [y.slope().slope() for y in x]
+        result = -self.product(self.product(self.w, self.w, n), second, n)[n]
+        v = self.product(self.w, [y.slope() for y in x], n)
+        for factor, i, k, j in self.terms:
+            product = [phased(factor)]
+            for f in [x] * i + [v] * k:
+                product = self.product(product, f, n)
+            if j <= n and n - j < len(product):
+                result = result - product[n - j]
+        return result
+
+    def with_open(self, n, amplitude):
+        return self.right(n, self.motion(n, self.amplitudes[: n - 1] + [amplitude]))
+
+    def forces(self, n, known):
+        """Whatever the amplitude one power below is: a polynomial in it is decided by so many choices."""
+        for choice in range(12 if n == 1 else 3):
+            assert self.with_open(n, Q(choice, 3)) == phased(known(PHASE, Q(choice, 3))), self.with_open(n, Q(choice, 3))
+
+    def asks(self, n, sine):
+        for choice in range(12 if n == 1 else 3):
+            assert self.with_open(n, Q(choice, 3)).get((0, 0, 1, 1), 0) == sine(Q(choice, 3))
+
+    def is_as_large(self, n, amplitude):
+        assert self.with_open(n, Q(amplitude)).get((0, 0, 1, 1), 0) == 0
+        self.amplitudes.append(Q(amplitude))
+
+    def is_as_fast(self, n, frequency):
+        self.known = self.with_open(n, self.amplitudes[n - 1]) + 2 * self.omega * self.amplitudes[0] * frequency * cos(PHASE)
+        assert self.known.get((0, 0, 1, 0), 0) == 0, self.known
+        self.w.append(phased(frequency))
+
+    def moves(self, n, motion):
+        x = phased(motion(PHASE, Q(0)))
+        assert self.omega**2 * (x.slope().slope() + x) == self.known and phased(motion(PHASE, Q(1))) - x == cos(PHASE)
+        self.forced.append(x)
+
+    def amplitude(self, told):
+        told = told(variable(40))
+        assert told.c == self.amplitudes, told.c
+
+    def frequency(self, told):
+        told = told(variable(40))
+        assert len(told) == len(self.w) and all(phased(a) == b for a, b in zip(told.c, self.w)), told.c
+
+
 def padded(x):
     """With one coefficient more, which must not count."""
     return Series(x.c + [Q(0)])

@@ -9,19 +9,23 @@ pub(crate) struct Lines {
     pub(crate) right: Vec<Layout>,
 }
 
-/// Characters that a line has room for.
-const ROOM: usize = 66;
+/// Characters that a line has room for, in print and within what folds away: with 60 the widest lines of the longest pages just fit.
+const ROOM: usize = 60;
+/// What is left for a line beside a long left side.
+const LEAST_ROOM: usize = 36;
 
 /// A chain of more than two formulas has a line for each, a sum that is too long several.
 pub(crate) fn statement(statement: &Statement) -> Lines {
     let mut right = Vec::new();
+    let first = broken(&statement.first, ROOM);
+    let left = if first.len() > 1 { 0 } else { first.iter().map(width).sum() };
+    let room = ROOM.saturating_sub(left).max(LEAST_ROOM);
     for (relation, formula) in &statement.rest {
         let mut sign = Some(sign_of(*relation));
-        for line in broken(formula) {
+        for line in broken(formula, room) {
             right.push(Layout::Row(vec![sign.take().unwrap_or(Layout::Indent), line]));
         }
     }
-    let first = broken(&statement.first);
     if first.len() > 1 {
         return Lines { left: Layout::Row(vec![]), right: first.into_iter().chain(right).collect() };
     }
@@ -29,27 +33,39 @@ pub(crate) fn statement(statement: &Statement) -> Lines {
 }
 
 /// A sum in as many lines as it needs.
-fn broken(formula: &Formula) -> Vec<Layout> {
+fn broken(formula: &Formula, room: usize) -> Vec<Layout> {
     let Layout::Row(parts) = Style::Display.formula(formula) else {
         return vec![Style::Display.formula(formula)];
     };
     if !matches!(formula, Formula::Sum(_)) {
         return vec![Layout::Row(parts)];
     }
-    let mut lines = vec![vec![]];
+    let mut lines: Vec<Vec<Layout>> = vec![vec![]];
     let mut used = 0;
-    for part in parts {
-        let width = width(&part);
-        if matches!(part, Layout::Sign(_)) && used > ROOM - 12 {
+    for summand in summands(parts) {
+        let width: usize = summand.iter().map(width).sum();
+        if used > 0 && used + width > room {
             lines.push(vec![]);
             used = 0;
         }
         used += width;
         if let Some(line) = lines.last_mut() {
-            line.push(part);
+            line.extend(summand);
         }
     }
     lines.into_iter().map(Layout::Row).collect()
+}
+
+/// The parts of a sum, each with the sign before it.
+fn summands(parts: Vec<Layout>) -> Vec<Vec<Layout>> {
+    let mut summands: Vec<Vec<Layout>> = vec![];
+    for part in parts {
+        match summands.last_mut().filter(|_| !matches!(part, Layout::Sign(_))) {
+            Some(summand) => summand.push(part),
+            None => summands.push(vec![part]),
+        }
+    }
+    summands
 }
 
 /// About how many characters wide it is.

@@ -1,0 +1,216 @@
+//! The motion and the frequency of a limit cycle, one power of the excitation after the other, with the amplitude of each power left open until the
+//! next one fixes it.
+
+use super::super::averaging::Question;
+use super::super::check::DerivationError;
+use super::super::phase::{PhaseFunction, PiNumber, Wave};
+use super::open::Open;
+use libration::algebra::{Polynomial, Rational, Variable};
+use libration::perturbation::Expansion;
+
+/// What is found in one power.
+pub(super) struct Order {
+    /// The parts of the equation of motion with what they bring to its right side: the number of the term, or none for the acceleration.
+    pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
+    /// Their sum, with the amplitude one power below open.
+    pub(super) known: Open,
+    /// That amplitude.
+    pub(super) amplitude_below: Rational,
+    /// Ωₙ.
+    pub(super) frequency: Rational,
+    /// The motion without its first cosine.
+    pub(super) forced: PhaseFunction,
+}
+
+/// A limit cycle to some power of the excitation.
+pub(super) struct Cycle {
+    pub(super) orders: Vec<Order>,
+}
+
+/// Functions of the phase by the power of the excitation, one of them with an open amplitude.
+struct Known {
+    motion: Vec<Open>,
+    velocity: Vec<Open>,
+    frequency: Vec<Rational>,
+}
+
+impl Cycle {
+    /// Begun with the amplitude that another computation found, which must satisfy the first condition.
+    pub(super) fn new(question: &Question, order: usize, begin: &Rational) -> Result<Self, DerivationError> {
+        let mut orders: Vec<Order> = vec![];
+        for n in 1..=order {
+            let next = next(question, &orders, n, begin)?;
+            orders.push(next);
+        }
+        Ok(Self { orders })
+    }
+
+    /// The motion of a power with the number for its amplitude; of the last one the amplitude is not known yet.
+    pub(super) fn motion(&self, n: usize) -> Option<PhaseFunction> {
+        let amplitude = &self.orders.get(n)?.amplitude_below;
+        let wave = PhaseFunction::cosine().scaled(&amplitude.clone().into());
+        match n.checked_sub(1) {
+            None => Some(wave),
+            Some(place) => Some(self.orders.get(place)?.forced.plus(&wave)),
+        }
+    }
+
+    pub(super) fn frequency(&self, question: &Question, n: usize) -> Rational {
+        match n.checked_sub(1) {
+            None => question.omega0().clone(),
+            Some(place) => {
+                self.orders.get(place).map_or_else(|| Rational::from(0), |it| it.frequency.clone())
+            }
+        }
+    }
+
+    /// Whether all of it is also this expansion.
+    pub(super) fn is(&self, question: &Question, known: &Expansion) -> bool {
+        let omega0 = question.omega0();
+        let frequencies = (0..=self.orders.len()).all(|n| {
+            let ratio = self.frequency(question, n).checked_div(omega0);
+            ratio.as_ref() == known.frequency_ratio.get(n)
+        });
+        let motions = (0..self.orders.len()).all(|n| {
+            let Some(own) = self.motion(n) else { return false };
+            let other = known.harmonics.iter().fold(PhaseFunction::default(), |sum, harmonic| {
+                let part = |series: &[Rational], wave| {
+                    let value = series.get(n).cloned().unwrap_or_else(|| Rational::from(0));
+                    PhaseFunction::term(0, harmonic.k, wave, PiNumber::from(value))
+                };
+                sum.plus(&part(&harmonic.cos, Wave::Cosine)).plus(&part(&harmonic.sin, Wave::Sine))
+            });
+            own == other
+        });
+        frequencies && motions
+    }
+}
+
+fn next(question: &Question, orders: &[Order], n: usize, begin: &Rational) -> Result<Order, DerivationError> {
+    let lower = Known::new(question, orders, n);
+    let parts = lower.parts(question, n);
+    let known = parts.iter().fold(Open::default(), |sum, (_, _, value)| sum.plus(value));
+    let sine = known.first_harmonic(Wave::Sine);
+    let amplitude_below = match n {
+        1 => begin.clone(),
+        _ => {
+            let zero = Rational::from(0);
+            let (fixed, factor) = (sine.first().unwrap_or(&zero), sine.get(1).unwrap_or(&zero));
+            (-fixed.clone()).checked_div(factor).ok_or(DerivationError::NoCycle)?
+        }
+    };
+    let right = known.at(&amplitude_below);
+    if !right.coefficient(0, 1, Wave::Sine).is_zero() {
+        return Err(DerivationError::NoCycle);
+    }
+    let omega0 = question.omega0();
+    let twice = Rational::from(-2) * omega0.clone() * begin.clone();
+    let cosine = right.coefficient(0, 1, Wave::Cosine).to_rational().ok_or(DerivationError::NoCycle)?;
+    let frequency = cosine.checked_div(&twice).ok_or(DerivationError::NoCycle)?;
+    let mut forced = PhaseFunction::default();
+    for ((_, k, wave), value) in right.terms().filter(|((_, k, _), _)| *k != 1) {
+        let k_squared = i64::try_from(k * k).unwrap_or(i64::MAX);
+        let stiffness = omega0.clone() * omega0.clone() * Rational::from(1 - k_squared);
+        let factor = Rational::from(1).checked_div(&stiffness).ok_or(DerivationError::NoCycle)?;
+        forced = forced.plus(&PhaseFunction::term(0, k, wave, value.scaled(&factor)));
+    }
+    Ok(Order { parts, known, amplitude_below, frequency, forced })
+}
+
+impl Known {
+    /// What is known when a power is solved: the amplitude one below is open.
+    fn new(question: &Question, orders: &[Order], n: usize) -> Self {
+        let cycle = |m: usize| -> Open {
+            let forced = m.checked_sub(1).and_then(|place| orders.get(place)).map(|it| it.forced.clone());
+            let forced = Open::from(forced.unwrap_or_default());
+            match orders.get(m) {
+                None => forced.plus(&Open::wave()),
+                Some(above) => {
+                    let wave = PhaseFunction::cosine().scaled(&above.amplitude_below.clone().into());
+                    forced.plus(&wave.into())
+                }
+            }
+        };
+        let motion: Vec<Open> = (0..n).map(cycle).collect();
+        let first = [question.omega0().clone()];
+        let frequency: Vec<Rational> =
+            first.into_iter().chain(orders.iter().map(|it| it.frequency.clone())).collect();
+        let velocity = (0..n).map(|m| {
+            let terms = (0..=m).map(|i| motion[i].slope().scaled(&frequency[m - i]));
+            terms.fold(Open::default(), |sum, it| sum.plus(&it))
+        });
+        let velocity = velocity.collect();
+        Self { motion, velocity, frequency }
+    }
+
+    fn parts(&self, question: &Question, n: usize) -> Vec<(Option<usize>, Polynomial, Open)> {
+        let names = |letters: &str, present: &dyn Fn(usize) -> bool| -> Vec<Polynomial> {
+            let of = |m: usize| match present(m) {
+                true => Polynomial::variable(variable(letters, m)),
+                false => Polynomial::zero(),
+            };
+            (0..n).map(of).collect()
+        };
+        let not_zero = |list: &[Open]| {
+            let list: Vec<bool> = list.iter().map(|it| *it != Open::default()).collect();
+            move |m: usize| list.get(m).copied().unwrap_or(false)
+        };
+        let frequencies: Vec<bool> = self.frequency.iter().map(|it| !it.is_zero()).collect();
+        let mut w = names("w", &|m| frequencies.get(m).copied().unwrap_or(false));
+        if let Some(first) = w.first_mut() {
+            *first = Polynomial::constant(question.omega0().clone());
+        }
+        let (is_moving, is_fast) = (not_zero(&self.motion), not_zero(&self.velocity));
+        let [x, curved] = ["x", "x''"].map(|letters| names(letters, &is_moving));
+        let v = names("v", &is_fast);
+        let one = vec![Polynomial::constant(Rational::from(1))];
+        let product = |factors: &[&Vec<Polynomial>], shift: usize| {
+            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, n));
+            n.checked_sub(shift).and_then(|place| whole.get(place).cloned()).unwrap_or_default()
+        };
+        let mut parts = vec![(None, product(&[&w, &w, &curved], 0))];
+        for (number, term) in question.flow.terms.iter().enumerate() {
+            let powers = std::iter::repeat_n(&x, term.position).chain(std::iter::repeat_n(&v, term.velocity));
+            let factors: Vec<&Vec<Polynomial>> = powers.collect();
+            parts.push((Some(number), product(&factors, term.parameter).scaled(&term.factor)));
+        }
+        let moved = parts.into_iter().map(|(part, products)| {
+            let products = -products;
+            let value = self.value(&products);
+            (part, products, value)
+        });
+        moved.filter(|(_, products, _)| !products.is_zero()).collect()
+    }
+
+    fn value(&self, products: &Polynomial) -> Open {
+        let constant = |value: Rational| Open::from(PhaseFunction::constant(value.into()));
+        products.terms().fold(Open::default(), |sum, (monomial, factor)| {
+            let one = constant(Rational::from(1));
+            let product = monomial.factors().iter().fold(one, |product, (variable, exponent)| {
+                let place = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
+                let of = |list: &[Open]| list.get(place).cloned().unwrap_or_default();
+                let value = match variable.letters() {
+                    "x" => of(&self.motion),
+                    "x''" => of(&self.motion).slope().slope(),
+                    "v" => of(&self.velocity),
+                    _ => constant(self.frequency.get(place).cloned().unwrap_or_else(|| Rational::from(0))),
+                };
+                (0..*exponent).fold(product, |product, _| product.times(&value))
+            });
+            sum.plus(&product.scaled(factor))
+        })
+    }
+}
+
+fn variable(letters: &str, n: usize) -> Variable {
+    Variable::indexed(letters, u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+/// The product of two series up to a power.
+fn times(a: &[Polynomial], b: &[Polynomial], last: usize) -> Vec<Polynomial> {
+    let term = |n: usize| {
+        let pairs = (0..=n).filter_map(|i| Some(a.get(i)?.clone() * b.get(n - i)?.clone()));
+        pairs.fold(Polynomial::zero(), |sum, it| sum + it)
+    };
+    (0..=last).map(term).collect()
+}

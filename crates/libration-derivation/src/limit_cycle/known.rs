@@ -1,0 +1,72 @@
+//! What other algorithms find of the limit cycle: in fractions where the library expands it, else in digits from its slow flow.
+
+use super::super::averaging::Question;
+use super::super::check::DerivationError;
+use super::cycle::Cycle;
+use libration::algebra::Rational;
+use libration::oscillator::{Kind, Oscillator};
+use libration::perturbation::{Expansion, Gauge, SlowLimitCycle, expand_watched, slow_flow_watched};
+use libration::watch::Watch;
+
+/// Denominators that are tried for an amplitude that is known in digits.
+const DENOMINATORS: i64 = 1000;
+
+pub(super) enum Known {
+    Fractions(Box<Expansion>),
+    Digits(SlowLimitCycle),
+}
+
+impl Known {
+    pub(super) fn new(question: &Question, order: usize, watch: &Watch<'_>) -> Result<Self, DerivationError> {
+        if let Some(oscillator) = Oscillator::new(&question.equation).ok().filter(is_limit_cycle) {
+            let expansion = expand_watched(&oscillator, order, &Gauge::Fundamental, watch)?;
+            return Ok(Self::Fractions(Box::new(expansion)));
+        }
+        let degree = question.flow.terms.iter().map(|term| term.position + term.velocity).max().unwrap_or(1);
+        let name = Some(question.force.parameter.as_str());
+        let powers = 1 + order * degree.saturating_sub(1);
+        let flow = slow_flow_watched(&question.equation, name, powers, order, &Gauge::Fundamental, watch)?;
+        flow.limit_cycles().into_iter().next().map(Self::Digits).ok_or(DerivationError::NoExcitation)
+    }
+
+    /// The amplitude without excitation, if it is a fraction.
+    pub(super) fn beginning(&self) -> Result<Rational, DerivationError> {
+        let found = match self {
+            Self::Fractions(known) => {
+                let is_plain = known.unit_squared == Rational::from(1);
+                known.harmonic(1).filter(|_| is_plain).and_then(|it| it.cos.first().cloned())
+            }
+            Self::Digits(known) => known.amplitude.first().copied().and_then(fraction),
+        };
+        found.ok_or(DerivationError::NoCycle)
+    }
+
+    /// Whether a limit cycle is this one.
+    pub(super) fn is(&self, question: &Question, cycle: &Cycle) -> bool {
+        let known = match self {
+            Self::Fractions(known) => return cycle.is(question, known),
+            Self::Digits(known) => known,
+        };
+        let near = |a: Rational, b: &f64| (a.to_f64() - b).abs() <= 1e-9 * b.abs().max(1.0);
+        let amplitudes = cycle.orders.iter().zip(&known.amplitude);
+        let frequencies = known.frequency.iter().enumerate();
+        known.amplitude.len() == cycle.orders.len()
+            && amplitudes.into_iter().all(|(order, it)| near(order.amplitude_below.clone(), it))
+            && frequencies.into_iter().all(|(n, it)| near(cycle.frequency(question, n), it))
+    }
+}
+
+fn is_limit_cycle(oscillator: &Oscillator) -> bool {
+    matches!(oscillator.kind(), Kind::LimitCycle { .. })
+}
+
+/// A fraction with a small denominator that is next to a number; whether it is the amplitude is checked exactly.
+fn fraction(value: f64) -> Option<Rational> {
+    let near = |below: i64| {
+        let above = Rational::new(1, below)?.to_f64();
+        let digits = format!("{:.0}", value / above);
+        let candidate = Rational::new(digits.parse().ok()?, below)?;
+        ((candidate.to_f64() - value).abs() < 1e-9).then_some(candidate)
+    };
+    (1..=DENOMINATORS).find_map(near)
+}

@@ -1,0 +1,95 @@
+//! The road to a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
+
+mod cycle;
+mod known;
+mod open;
+mod steps;
+
+#[cfg(test)]
+mod tests;
+
+use super::averaging::Question;
+use super::check::DerivationError;
+use super::document::{Block, Derivation};
+use super::prose::Prose;
+use cycle::Cycle;
+use known::Known;
+use libration::expression::Equation;
+use libration::watch::{Interrupted, Stage, Watch};
+
+/// The highest power of the excitation that is derived step by step.
+pub const HIGHEST_CYCLE_ORDER: usize = 9;
+/// The highest power of displacement and velocity that the force may have.
+const HIGHEST_DEGREE: usize = 9;
+
+/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. That is the letter without a value, or the one that is named.
+///
+/// # Errors
+/// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without limit cycle, or of which the amplitude or other numbers are no
+/// fractions; and a formula that fails its check, which would be an error of this program.
+///
+/// # Examples
+/// ```
+/// use libration_derivation::{limit_cycle, to_markdown};
+/// let page = limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?, None, 2)?;
+/// assert!(to_markdown(&page).contains(r"\Omega =1-\frac{1}{16}\mu ^{2}"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn limit_cycle(
+    equation: &Equation,
+    parameter: Option<&str>,
+    order: usize,
+) -> Result<Derivation, DerivationError> {
+    limit_cycle_watched(equation, parameter, order, &Watch::none())
+}
+
+/// As [`limit_cycle`]; `watch` is asked before each power.
+///
+/// # Errors
+/// As [`limit_cycle`], and [`DerivationError::Interrupted`] where it is told to stop.
+pub fn limit_cycle_watched(
+    equation: &Equation,
+    parameter: Option<&str>,
+    order: usize,
+    watch: &Watch<'_>,
+) -> Result<Derivation, DerivationError> {
+    watch.begin(Stage::Whole, Some(order));
+    if !(1..=HIGHEST_CYCLE_ORDER).contains(&order) {
+        return Err(DerivationError::CycleOrder { order });
+    }
+    let question = Question::new(equation, parameter, [HIGHEST_DEGREE, 1])?;
+    let is_linear = question.restoring_terms().next().is_none() && question.is_whole;
+    if !is_linear || question.flow.kinked || question.flow.lift > 0 {
+        return Err(DerivationError::NoPolynomial);
+    }
+    let known = match Known::new(&question, order, &watch.part()) {
+        Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
+        known => known?,
+    };
+    let cycle = Cycle::new(&question, order, &known.beginning()?)?;
+    if !known.is(&question, &cycle) {
+        return Err(DerivationError::Disagreement { what: "two computations of the limit cycle" });
+    }
+    let title = "A limit cycle, by powers of its excitation".to_owned();
+    let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
+    derivation.steps.push(steps::equation(&question));
+    derivation.steps.push(steps::ansatz(&question));
+    for n in 1..=order {
+        watch.reached(n)?;
+        derivation.steps.push(steps::one_power(&question, &cycle, n));
+    }
+    derivation.steps.push(steps::result(&question, &cycle));
+    Ok(derivation)
+}
+
+fn introduction() -> Vec<Block> {
+    let what = Prose::text(
+        "An oscillator that feeds small swings and limits large ones settles to one amplitude, whatever it began with. That amplitude, the frequency and the form of \
+         this motion follow from the equation of motion by the method of Lindstedt and Poincaré, as power series in the strength of the excitation.",
+    );
+    let how = Prose::text(
+        "Below each formula stands how it was checked while this text was written, with exact fractions; every coefficient was compared with that of another algorithm, \
+         which goes to any order.",
+    );
+    vec![Block::Paragraph(what), Block::Paragraph(how)]
+}
