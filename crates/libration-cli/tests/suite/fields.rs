@@ -243,6 +243,7 @@ const FURTHER: [&str; 33] = [
 const UNSEEN: &[(&str, &str, &str)] = &[
     ("expand", "interrupted", "needs Ctrl-C: interrupts.rs"),
     ("expand", "interrupted", "with --evaluate, needs Ctrl-C: interrupts.rs"),
+    ("expand", "parameters.NAME", "of a scaling law: pure_cubic has none"),
     ("backbone", "interrupted", "needs Ctrl-C: interrupts.rs"),
     ("simulate", "interrupted", "needs Ctrl-C: resume.rs"),
     ("fit trace", "rms_residual_rad_per_s", "needs a file of angular velocities: fit_trace.rs"),
