@@ -2,7 +2,7 @@
 
 use super::error::NoOrbit;
 use super::near::OrbitGuess;
-use super::path::Path;
+use super::path::{Path, sign_change, until};
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
 use crate::taylor::{Effort, IntegrationError, Moment, System, with_tangents};
@@ -34,8 +34,8 @@ pub(super) struct Round {
 
 /// What moves by less than this part of its distance from zero is measured by that.
 const LEAST_SIZE: f64 = 1e-5;
-/// Steps of one round.
-const MOST_STEPS: usize = 200_000;
+/// Steps of one round; van der Pol's oscillator with the strength 1000 takes some 2e5.
+const MOST_STEPS: usize = 1_000_000;
 
 impl<'w> Rounds<'w> {
     pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, NoOrbit> {
@@ -61,6 +61,16 @@ impl<'w> Rounds<'w> {
     ) -> Result<Path, IntegrationError> {
         let start = Moment { time: 0.0, state: state.to_vec() };
         Path::to_time(&self.plain, &start, duration, &effort(tolerance), self.watch)
+    }
+
+    /// The motion from a maximum of the first coordinate to the next, which is expected after about the period of the guess.
+    pub(super) fn turn(&self, start: &OrbitGuess, tolerance: f64) -> Result<Option<Path>, IntegrationError> {
+        let horizons = [1.5 * start.period, 2.0 * start.period];
+        let start = Moment { time: 0.0, state: start.state.clone() };
+        until(&self.plain, &start, horizons, &effort(tolerance), self.watch, |step| {
+            let rises = step.state_at(step.start())[self.coordinates] > 0.0;
+            sign_change(step, self.coordinates).filter(|_| rises)
+        })
     }
 
     /// The motion with its deviations.

@@ -5,6 +5,7 @@ use super::error::{Lost, NoOrbit, finished};
 use super::near::OrbitGuess;
 use super::path::sign_change;
 use super::periodic::Orbit;
+use super::relaxation::forgetful;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
@@ -15,8 +16,8 @@ use std::ops::ControlFlow;
 /// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
 /// gone by then.
 const MOST_MAXIMA: usize = 3000;
-/// Steps of the search, a hundred for each maximum.
-const MOST_STEPS: usize = 300_000;
+/// Steps of the search after a maximum, before it is given up: two turns of van der Pol's oscillator with the strength 1000, of some 2e5.
+const MOST_STEPS: usize = 500_000;
 /// So many maxima may lie between a state and its return: a cycle that has doubled its period three times.
 const LONGEST: usize = 8;
 /// Swings below this part of the whole range are rest: a thousand tolerances of the search.
@@ -59,6 +60,9 @@ impl Orbit {
         }
         let rounds = Rounds::new(equation, watch)?;
         let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
+        if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
+            return Ok(orbit);
+        }
         let coordinates = rounds.coordinates;
         let free = (0..2 * coordinates).filter(|number| *number != coordinates).collect();
         finished(closed(equation, &rounds, &guess, &Unknowns { free, period: true }), watch)
@@ -72,10 +76,10 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
     let mut maxima = Maxima::new(system.coordinates());
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
-    let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-12) };
+    let effort = Effort::to_tolerance(1e-12);
     let outcome = integrate_watched(system, &start, &[FAR], &effort, |step| {
         guess = maxima.watch(step).filter(|_| !maxima.vanish());
-        if guess.is_some() || maxima.found.len() >= MOST_MAXIMA || maxima.vanish() {
+        if guess.is_some() || maxima.are_enough() || maxima.vanish() {
             ControlFlow::Break(())
         } else {
             watch.flow()
@@ -90,7 +94,9 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
     let end = maxima.found.last().map_or(0.0, |moment| moment.time);
     match error {
-        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) if !maxima.vanish() => {
+        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. })
+            if !maxima.vanish() && maxima.steps < MOST_STEPS =>
+        {
             NoOrbit::NoCycle(Lost::Irregular(end))
         }
         Some(IntegrationError::Stopped {
@@ -107,6 +113,8 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
 struct Maxima {
     coordinates: usize,
     found: Vec<Moment>,
+    /// Steps since the last one.
+    steps: usize,
     /// How far each number of the state has moved since the last one.
     moved: Vec<f64>,
     /// And had moved between the last two.
@@ -121,6 +129,7 @@ impl Maxima {
         Self {
             coordinates,
             found: vec![],
+            steps: 0,
             moved: none.clone(),
             swing: none,
             range: (f64::INFINITY, f64::NEG_INFINITY),
@@ -129,6 +138,7 @@ impl Maxima {
 
     /// Takes a step into account; a guess of the cycle when one shows.
     fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
+        self.steps += 1;
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
@@ -142,6 +152,7 @@ impl Maxima {
         let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
         let guess = earlier.map(|earlier| OrbitGuess { state: state.clone(), period: time - earlier.time });
         self.found.push(Moment { time, state });
+        self.steps = 0;
         guess
     }
 
@@ -156,6 +167,11 @@ impl Maxima {
     fn is_return(&self, state: &[f64], earlier: &[f64]) -> bool {
         let differences = state.iter().zip(earlier).zip(&self.swing);
         differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
+    }
+
+    /// Whether no more are waited for.
+    fn are_enough(&self) -> bool {
+        self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
     }
 
     /// Whether the last swing is nothing beside all the way that was gone.

@@ -36,6 +36,8 @@ mod released;
 mod closing;
 mod shooting;
 
+mod relaxation;
+
 mod cycle;
 mod driven;
 

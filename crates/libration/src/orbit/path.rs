@@ -1,5 +1,6 @@
 //! A motion as the steps of its integration.
 
+use crate::quadrature::gauss;
 use crate::roots::{Tolerance, bisect};
 use crate::taylor::{
     DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_watched,
@@ -54,6 +55,16 @@ impl Path {
     /// The states at the ends of all steps.
     pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
         self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
+    }
+
+    /// The integral of a function of the state over all the time, step by step.
+    pub(super) fn integral(&self, f: impl Fn(&[f64]) -> f64) -> f64 {
+        let over = |own: &OwnedStep| {
+            let step = own.step();
+            let duration = step.end().min(self.end) - step.start();
+            duration * gauss(|part| f(&step.state_at(step.start() + part * duration))).value
+        };
+        self.steps.steps().iter().map(over).sum()
     }
 
     /// Coordinates, then velocities.

@@ -2,7 +2,7 @@
 
 use super::closing::{Round, Rounds};
 use super::error::{Lost, NoOrbit, finished};
-use super::floquet::Floquet;
+use super::floquet::{Divergence, Floquet};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
@@ -97,7 +97,12 @@ pub(super) fn closed(
         return Err(NoOrbit::NoConvergence { rounds: taken, defect: newton.miss });
     }
     let uncertainty = newton.period_uncertainty()?;
-    let floquet = Floquet::new(&newton.round.monodromy, unknowns.period);
+    let floquet = Floquet::new(&newton.round.monodromy, unknowns.period).map(|floquet| Floquet {
+        logarithm: Divergence::new(equation)
+            .filter(|_| unknowns.period)
+            .map(|divergence| divergence.along(&newton.round.path)),
+        ..floquet
+    });
     Ok(Orbit::new(equation, newton.round.path, uncertainty, floquet))
 }
 

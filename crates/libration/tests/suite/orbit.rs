@@ -149,6 +149,69 @@ fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
     }
 }
 
+/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the largest
+/// displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the corrections of
+/// later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
+#[test]
+fn van_der_pols_cycle_is_found_when_it_relaxes() {
+    const ALPHA: f64 = 2.338_107_410_459_767;
+    for (strength, period, amplitude) in [
+        ("10", 19.078_369_57, 2.014_285_36),
+        ("100", 162.837_071_09, 2.001_318_68),
+        ("1000", 1_614.401_125_81, 2.000_072_97),
+    ] {
+        let mu: f64 = strength.parse().unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        // To the digits that are written, and SciPy's tolerance.
+        assert_within(orbit.period(), period, 5e-9 + 2e-11 * period, strength);
+        assert_within(orbit.start()[0], amplitude, 1e-8, strength);
+        let (log, root) = (libm::log(mu), libm::cbrt(mu));
+        let leading = (3.0 - 2.0 * libm::log(2.0)) * mu + 3.0 * ALPHA / root;
+        let asymptotic = leading - 2.0 * log / (3.0 * mu) - 1.3246 / mu;
+        assert_within(orbit.period(), asymptotic, 2.0 / (mu * root * root), "period");
+        let largest = 2.0 + ALPHA / (3.0 * mu * root) - 16.0 * log / (27.0 * mu * mu);
+        assert_within(orbit.start()[0], largest, 1.0 / (mu * mu), "amplitude");
+        assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
+        // On the slow branches ∮ μ(1 − x²) dt = −(3/2 + 2 ln 2)μ²; the multiplier itself is below all numbers for 20 and more.
+        let floquet = orbit.floquet().unwrap();
+        let part = floquet.logarithm.unwrap() / (mu * mu) / -(1.5 + 2.0 * libm::log(2.0));
+        assert!((part - 1.0).abs() < 4.0 / (root * mu), "{strength}: {part}");
+        assert_eq!(floquet.stability, Stability::Attracting);
+        assert!(floquet.multipliers[1].re == 0.0 || mu < 20.0);
+    }
+}
+
+/// The derivative of Rayleigh's equation x″ = μ(1 − x′²/3)x′ − x is van der Pol's for x′.
+#[test]
+fn rayleighs_cycle_has_van_der_pols_period() {
+    for strength in ["3", "30"] {
+        let rayleigh = equation("x'' = mu*(1 - x'^2/3)*x' - x").with(&[("mu", strength.parse().unwrap())]);
+        let one = Orbit::limit_cycle(&rayleigh.unwrap(), &[1.0, 0.0]).unwrap();
+        let other = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let allowed = one.period_uncertainty() + other.period_uncertainty();
+        assert_within(one.period(), other.period(), allowed, strength);
+        assert!(allowed < 1e-11);
+        let logarithms = [&one, &other].map(|orbit| orbit.floquet().unwrap().logarithm.unwrap());
+        assert!((logarithms[0] / logarithms[1] - 1.0).abs() < 1e-9, "{logarithms:?}");
+    }
+}
+
+/// Both ways to a cycle where both are certain: by Newton's method, and by one turn that forgets its start.
+#[test]
+fn the_two_ways_to_a_cycle_meet() {
+    // The logarithms are −35 and −47 there: on either side of −40.
+    for strength in ["3.2", "3.6"] {
+        let found = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let guess = OrbitGuess { state: found.start(), period: found.period() };
+        let by_newton = Orbit::near(&van_der_pol(strength), &guess, &[1]).unwrap();
+        let allowed = found.period_uncertainty() + by_newton.period_uncertainty();
+        assert_within(found.period(), by_newton.period(), allowed, strength);
+    }
+    let by_newton = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let floquet = by_newton.floquet().unwrap();
+    assert_within(libm::exp(floquet.logarithm.unwrap()), floquet.multipliers[1].re, 1e-11, "Liouville");
+}
+
 /// Liouville: the product of the multipliers is the exponential of the integral of the divergence μ(1 − x²).
 #[test]
 fn multipliers_have_the_product_that_the_divergence_tells() {
