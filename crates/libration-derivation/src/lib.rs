@@ -43,6 +43,7 @@ pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging, a
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use check::{
     AveragedClaim, AveragedFormula, CycleClaim, CycleFormula, CycleQuantity, FlowTerms, ForceTerm,
+    TruncatedClaim, TruncatedFormula,
 };
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;

@@ -181,6 +181,26 @@ fn notebooks_check_their_formulas_again() {
     }
 }
 
+/// The polynomials of a few harmonics and the formulas of the catalogue are checked by cells too.
+#[test]
+fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
+    let cells = code_cells("derive --road perturbation --order 3 --format ipynb").join("\n");
+    let few = ["few.has_ratio", "few.leaves", "few.is_at_zero", "few.begins", "few.asks(5"];
+    assert!(few.iter().all(|call| cells.contains(call)));
+    let cells = code_cells("derive --road formulas --format ipynb");
+    let formulas = |call: &str| cells.iter().skip(1).filter(|cell| cell.contains(call)).count();
+    assert_eq!((formulas("error_begins("), formulas("error_vanishes_at_the_top(")), (8, 1));
+    for (right, wrong) in [("64)/(16*", "64)/(17*"), ("Q(3, 8)", "Q(3, 7)"), ("exact(8)/(pi", "exact(9)/(pi")]
+    {
+        let place =
+            cells.iter().skip(1).position(|cell| cell.contains("error_") && cell.contains(right)).unwrap();
+        let mut wrong_cells = cells.clone();
+        wrong_cells[place + 1] = wrong_cells[place + 1].replace(right, wrong);
+        let output = python("notebook_catalogue", &wrong_cells.join("\n"));
+        assert!(!output.status.success(), "{}", wrong_cells[place + 1]);
+    }
+}
+
 /// A number that is not right stops the cell it is in.
 #[test]
 fn notebooks_find_wrong_formulas() {

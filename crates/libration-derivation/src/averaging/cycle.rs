@@ -2,7 +2,7 @@
 
 use super::super::check::{AveragedClaim, CheckedEquation, CycleQuantity, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, letter, number, order, polynomial, sqrt};
+use super::super::formula::{Formula, Name, Statement, letter, order, polynomial, sqrt};
 use super::super::phase::PiNumber;
 use super::flow::Flow;
 use super::orders::averaged;
@@ -85,8 +85,8 @@ fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep 
         false => step.say("so that for small positive {} neighbours go away: the cycle is unstable, and stable where {} is negative.", [c(), c()]),
     };
     step.say(
-        "The series end where the powers of the amplitude that were asked for end: {} powers of {} are whole here.",
-        [number(i64::try_from(powers).unwrap_or(i64::MAX)), c()],
+        "The series go as far as the powers of the amplitude that were asked for: to {}, and one power less for the amplitude.",
+        [if powers == 1 { c() } else { c().pow(i64::try_from(powers).unwrap_or(i64::MAX)) }],
     )
 }
 

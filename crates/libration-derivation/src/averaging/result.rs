@@ -15,12 +15,18 @@ pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
     let step = DerivationStep::new("slow-flow", "How amplitude and phase go")
         .say("Collected, amplitude and phase go as", [])
         .show(averaged(question, amplitude, AveragedClaim::AmplitudeLaw { parameter: parameter() }))
-        .show(averaged(question, phase, AveragedClaim::PhaseLaw { parameter: parameter() }))
-        .say(
-            "The first terms with {} have a meaning each: that of {} is what the force takes or gives in a swing, that of {} how it changes the \
-             frequency. Often it does not do so in its first power.",
+        .show(averaged(question, phase, AveragedClaim::PhaseLaw { parameter: parameter() }));
+    let step = match flow.growth.is_empty() {
+        true => step.say(
+            "The amplitude stays as it is: what the force takes in one part of a swing it gives back in another. Only the frequency depends on {}.",
+            [question.small()],
+        ),
+        false => step.say(
+            "The terms with the first power of {} in {} are what the force takes or gives in a swing; those of {} are how it changes the frequency, which a \
+             force against the velocity does in its second power only.",
             [question.small(), Formula::from(Name::new("A").prime()), Formula::from(Name::new("ψ").prime())],
-        );
+        ),
+    };
     match question.flow.lift {
         0 => step,
         _ => step.remark(

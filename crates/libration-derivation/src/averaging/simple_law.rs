@@ -9,6 +9,7 @@ use super::super::formula::{
 use super::super::phase::{self, PiNumber};
 use super::super::trials::Trials;
 use super::flow::Flow;
+use super::names::growth_name;
 use super::question::Question;
 use libration::algebra::{Function, Rational};
 
@@ -39,7 +40,7 @@ fn start() -> Name {
 fn power_law(question: &Question, n: usize, beta: &PiNumber) -> Result<DerivationStep, DerivationError> {
     let (name, power) = (Name::new("β"), i64::try_from(n).unwrap_or(i64::MAX));
     let mut trials = Trials::new(None)?.with(&start(), tenths(3))?.with(&Name::new(SLOW), tenths(4))?;
-    let value = trials.define(&name, phase::number(beta))?;
+    let value = trials.define(&name, mean(question, n))?;
     let to = |formula: Formula, power: i64| match power {
         0 => number(1),
         1 => formula,
@@ -71,7 +72,7 @@ fn power_law(question: &Question, n: usize, beta: &PiNumber) -> Result<Derivatio
     let halved = Statement::equal(apply("A", [half]), a0() / 2);
     let step = DerivationStep::new("amplitude-law", "The decay of small swings")
         .say(
-            "The first term alone says how small swings decay. With slow time and the number that stands in it,",
+            "The first term alone says how small swings decay. With slow time and the number that stands in it, the first harmonic of a power of the sine,",
             [],
         )
         .show(slow_time(question))
@@ -106,7 +107,22 @@ fn kind(n: usize) -> &'static str {
     }
 }
 
-/// Where the number comes from: the first harmonic of a power of the sine.
+/// factor·ω0ⁿ⁻¹ times a formula.
+fn times_strength(question: &Question, n: usize, formula: Formula) -> Formula {
+    let factor = question.power_law().map_or_else(|| Rational::from(1), |(_, factor)| factor);
+    let exponent = isize::try_from(n).unwrap_or(isize::MAX) - 1;
+    let power = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
+    scaled(&(factor * power), formula)
+}
+
+/// The first harmonic of a power of the sine.
+fn mean(question: &Question, n: usize) -> Formula {
+    let power = i64::try_from(n + 1).unwrap_or(i64::MAX);
+    let raised = if n == 0 { sin(letter("ψ")) } else { sin(letter("ψ")).pow(power) };
+    times_strength(question, n, number(1) / Formula::Pi) * integral("ψ", 0, Formula::Pi, raised)
+}
+
+/// Its value, which is the number in the law.
 fn coefficient(
     question: &Question,
     n: usize,
@@ -115,25 +131,13 @@ fn coefficient(
     trials: &Trials,
 ) -> Result<DerivationStep, DerivationError> {
     let power = i64::try_from(n).unwrap_or(i64::MAX);
-    let Some((_, factor)) = question.power_law() else { return Ok(step) };
-    let psi = || letter("ψ");
-    let raised = |exponent: i64| if exponent == 1 { sin(psi()) } else { sin(psi()).pow(exponent) };
-    let over = |formula: Formula| {
-        let exponent = isize::try_from(n).unwrap_or(isize::MAX) - 1;
-        let scale =
-            factor.clone() * question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
-        scaled(&scale, formula)
-    };
-    let mean = over(number(1) / Formula::Pi) * integral("ψ", 0, Formula::Pi, raised(power + 1));
+    let quotient = double_factorial(power) / double_factorial(power + 1);
     let wallis = match n % 2 {
-        0 => over(number(2) / Formula::Pi) * (double_factorial(power) / double_factorial(power + 1)),
-        _ => over(double_factorial(power) / double_factorial(power + 1)),
+        0 => times_strength(question, n, number(2) / Formula::Pi) * quotient,
+        _ => times_strength(question, n, quotient),
     };
-    let chain = Statement::equal(letter("β"), mean).and_equal(wallis).and_equal(phase::number(beta));
-    let step = step.say(
-        "It is the first harmonic of a power of the sine, an integral that goes down by two powers in each step by parts:",
-        [],
-    );
+    let chain = Statement::equal(letter("β"), wallis).and_equal(phase::number(beta));
+    let step = step.say("In each step by parts the integral goes down by two powers, so that", []);
     let step = step.show(trials.compare_once(chain)?);
     harmonics(n, step, trials)
 }
@@ -186,8 +190,10 @@ fn self_excitation(question: &Question, flow: &Flow) -> Result<Option<Derivation
     }
     let (a0, tau) = (|| Formula::from(start()), || letter(SLOW));
     let mut trials = Trials::new(None)?.with(&start(), tenths(3))?.with(&Name::new(SLOW), tenths(4))?;
-    let alpha = trials.define(&Name::new("α"), alpha.clone().into())?;
-    let beta = trials.define(&Name::new("β"), beta.into())?;
+    let [first, third] = [(1, 1), (3, 1)].map(growth_name);
+    trials = trials.with(&first, alpha.clone().into())?.with(&third, (-beta).into())?;
+    let alpha = trials.define(&Name::new("α"), first.into())?;
+    let beta = trials.define(&Name::new("β"), -Formula::from(third))?;
     let decaying = call(Function::Exp, -(2 * letter("α") * tau()));
     let begun = || letter("β") * a0().squared();
     let below = begun() + (letter("α") - begun()) * decaying;

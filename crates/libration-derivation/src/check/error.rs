@@ -69,7 +69,8 @@ pub enum DerivationError {
     NoExcitation,
     /// An acceleration that depends on the velocity.
     #[error(
-        "the acceleration depends on the velocity: the derivation is for forces of the position alone; `libration expand` answers for others"
+        "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging takes such terms where a \
+         small letter multiplies them, and `libration expand` answers for others"
     )]
     Velocity,
     /// A force with two power series.

@@ -4,12 +4,14 @@ mod averaged;
 mod cycle;
 mod error;
 mod letters;
+mod truncated;
 mod words;
 
 pub use averaged::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, ForceTerm};
 pub use cycle::{CycleClaim, CycleFormula};
 pub use error::DerivationError;
 pub use letters::{Letters, OpenCondition};
+pub use truncated::{TruncatedClaim, TruncatedFormula};
 
 use std::ops::RangeInclusive;
 
@@ -17,7 +19,7 @@ use super::evaluate::{Analysis, Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Statement};
 use super::numbers::Coefficients;
 use super::typeset::statement_latex;
-use libration::algebra::{Rationals, Ring};
+use libration::algebra::{Rational, Rationals, Ring};
 use libration::series::PowerSeries;
 
 /// A statement that has passed a check.
@@ -63,6 +65,8 @@ pub enum Check {
     Catalogued {
         /// The key.
         key: String,
+        /// The first term of its error at small amplitudes: the coefficient and the power; `None` where it has none.
+        leading_error: Option<(Rational, u32)>,
     },
     /// A motion was put into the equation of motion, with exact fractions, at so many phases, which decides.
     Phases {
@@ -85,10 +89,8 @@ pub enum Check {
     Averaged(Box<AveragedFormula>),
     /// A part of a limit cycle, which satisfies the equation of motion as a whole.
     Cycle(Box<CycleFormula>),
-    /// The same polynomial comes out another way.
-    Polynomials,
-    /// A solution that was put into its equation as a power series.
-    PutIn,
+    /// A part of the algebra of a few harmonics.
+    Truncated(Box<TruncatedFormula>),
     /// The digits printed are those of the exact value.
     RoundedDigits,
     /// All sides have the same value, in many digits.

@@ -2,7 +2,7 @@
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
 use super::super::prose::Prose;
-use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim};
+use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, TruncatedClaim};
 
 impl Check {
     /// Whether there was something to check, and it was computed.
@@ -27,7 +27,7 @@ impl Check {
             )
             .and(Prose::new("to {}", [(*last).into()])),
             Self::Fraction => Prose::text("checked: the same fraction, exactly"),
-            Self::Catalogued { key } => Prose::text(format!(
+            Self::Catalogued { key, .. } => Prose::text(format!(
                 "definition; checked: it has the values of the formula {key} in the catalogue"
             )),
             Self::Phases { variable, order, phases } => Prose::new(
@@ -41,8 +41,10 @@ impl Check {
             )),
             Self::Cycle(formula) => Prose::text(cycle(&formula.claim)),
             Self::Averaged(formula) => Prose::text(averaged(&formula.claim)),
-            Self::Polynomials => Prose::text("checked: the same polynomial, exactly"),
-            Self::PutIn => Prose::text("checked: put into the equation above, exactly"),
+            Self::Truncated(formula) => Prose::text(match &formula.claim {
+                TruncatedClaim::Series { .. } => "checked: put into the equation above, exactly",
+                _ => "checked: the same polynomial, exactly",
+            }),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
             Self::Digits { place, value, difference, against } => {
                 place.to_prose().and(agreement(value, *difference, *against))

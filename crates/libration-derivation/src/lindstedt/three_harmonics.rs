@@ -1,6 +1,8 @@
 //! Three harmonics as algebra: the equations, and why the way ends there.
 
-use super::super::check::{Check, CheckedEquation, DerivationError, failed};
+use super::super::check::{
+    Check, CheckedEquation, DerivationError, TruncatedClaim, TruncatedFormula, failed,
+};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Statement, number};
 use super::names::{cosine, harmonic_name};
@@ -21,9 +23,12 @@ pub(super) fn after(question: &Question, step: DerivationStep) -> Result<Derivat
     let conditions = system.conditions();
     check(question, &conditions)?;
     let solutions = i64::try_from(system.number_of_solutions()).unwrap_or(i64::MAX);
-    let equations = conditions.iter().map(|condition| {
+    let force: Vec<Rational> = question.force.iter().take(DEGREE).cloned().collect();
+    let equations = conditions.iter().zip(HARMONICS).map(|(condition, harmonic)| {
+        let claim = TruncatedClaim::Condition { harmonic, over_first: false };
+        let formula = TruncatedFormula { force: force.clone(), harmonics: HARMONICS.to_vec(), claim };
         let statement = Statement::equal(in_ratio(condition), 0);
-        CheckedEquation::new(statement, Check::Substituted { choices: CHOICES, condition: None })
+        CheckedEquation::new(statement, Check::Truncated(Box::new(formula)))
     });
     let equations: Vec<CheckedEquation> = equations.collect();
     let step = step.say(

@@ -1,7 +1,10 @@
 //! Two harmonics and the cube of the displacement as algebra: three equations for three unknowns, eliminated by hand, and which of the
 //! solutions is the motion.
 
-use super::super::check::{Check, CheckedEquation, DerivationError, Given, failed, same_series_where};
+use super::super::check::{
+    Check, CheckedEquation, DerivationError, Given, TruncatedClaim, TruncatedFormula, failed,
+    same_series_where,
+};
 use super::super::document::{Cells, DerivationStep, DerivationTable};
 use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, sqrt, sum, tenths};
 use super::super::prose::Prose;
@@ -42,14 +45,17 @@ pub(super) fn step(question: &Question) -> Result<Option<DerivationStep>, Deriva
             "So the equation of motion leaves the factors of {}, which can be divided by {}, and of {}. They must vanish:",
             [cosine(1), a(1), cosine(3)],
         )
-        .show(checked(Statement::equal(in_ratio(&conditions[0]), 0)))
-        .show(checked(Statement::equal(in_ratio(&conditions[1]), 0)))
+        .show(elimination.checked(Statement::equal(in_ratio(&conditions[0]), 0), condition(1, true)))
+        .show(elimination.checked(Statement::equal(in_ratio(&conditions[1]), 0), condition(3, false)))
         .say("The harmonics above are left out. Both together make up the largest displacement,", [])
         .show(CheckedEquation::premise(Statement::equal(question.amplitude(), a(1) + a(3))))
         .say("The first condition gives the frequency,", [])
-        .show(checked(Statement::equal(letter("Δ").squared(), ratio_squared)))
+        .show(elimination.checked(
+            Statement::equal(letter("Δ").squared(), ratio_squared),
+            TruncatedClaim::SquaredRatio,
+        ))
         .say("and the second with that is one for the harmonics alone:", [])
-        .show(checked(Statement::equal(left, 0)));
+        .show(elimination.checked(Statement::equal(left, 0), TruncatedClaim::Eliminated));
     let step = small_swing(question, &elimination, step)?;
     Ok(Some(others(&elimination, step)))
 }
@@ -89,8 +95,8 @@ fn small_swing(
              {} may stand for {}:",
             [a(3), a(1), a(3), a(1), amplitude.clone(), a(1)],
         )
-        .show(CheckedEquation::new(Statement::equal(a(3), sum(vec![of_third, next(5)])), Check::PutIn))
-        .show(CheckedEquation::new(Statement::equal(a(1), sum([of_first, vec![next(5)]].concat())), Check::PutIn))
+        .show(elimination.in_amplitude(question, 3, vec![of_third, next(5)]))
+        .show(elimination.in_amplitude(question, 1, [of_first, vec![next(5)]].concat()))
         .say("and the frequency is", [])
         .show(same_series_where(&variable, 4, &given, expanded)?)
         .say(
@@ -112,7 +118,7 @@ fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
          again with three of its periods taken for one. The others are seen where the amplitude is zero, {} the opposite of {}:",
         [cosine(1), a(1), a(3), a(1), a(3)],
     );
-    let step = step.show(checked(Statement::equal(&at_zero, 0)));
+    let step = step.show(elimination.checked(Statement::equal(&at_zero, 0), TruncatedClaim::AtZero));
     let is_real = linear.zip(cubed).is_some_and(|(linear, cubed)| {
         let zero = Rational::from(0);
         (linear < zero) != (cubed < zero)
@@ -151,6 +157,18 @@ impl Elimination {
         }
         let statement = Statement::equal(&self.left, 0);
         Err(failed(&statement, "the equation of motion leaves something else".to_owned()))
+    }
+
+    fn checked(&self, statement: Statement, claim: TruncatedClaim) -> CheckedEquation {
+        let force = vec![Rational::from(1), Rational::from(0), self.cube.clone()];
+        let formula = TruncatedFormula { force, harmonics: vec![1, 3], claim };
+        CheckedEquation::new(statement, Check::Truncated(Box::new(formula)))
+    }
+
+    /// A harmonic as a series in the amplitude.
+    fn in_amplitude(&self, question: &Question, harmonic: usize, terms: Vec<Formula>) -> CheckedEquation {
+        let claim = TruncatedClaim::Series { amplitude: question.amplitude(), harmonic };
+        self.checked(Statement::equal(a(harmonic), sum(terms)), claim)
     }
 
     /// The factor of A³ in a₃.
@@ -229,8 +247,8 @@ pub(super) fn in_ratio(condition: &Polynomial) -> Formula {
     sum(terms)
 }
 
-fn checked(statement: Statement) -> CheckedEquation {
-    CheckedEquation::new(statement, Check::Polynomials)
+fn condition(harmonic: usize, over_first: bool) -> TruncatedClaim {
+    TruncatedClaim::Condition { harmonic, over_first }
 }
 
 fn a(k: usize) -> Formula {

@@ -43,7 +43,7 @@ summary { color: var(--soft); font-size: .92rem; cursor: pointer }
 @media print {
   details::details-content { content-visibility: visible; block-size: auto }
   .formula, .formula + .check, tr, table:not(.formulas) { break-inside: avoid }
-  h2, summary, .formula, p:has(+ .formula), p:has(+ .wide) { break-after: avoid }
+  h2, summary, .formula:has(+ .check), p:has(+ .formula), p:has(+ .wide) { break-after: avoid }
 }
 ";
 

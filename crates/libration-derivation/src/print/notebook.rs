@@ -1,11 +1,12 @@
 //! Derivations as a Jupyter notebook, whose cells make the checks again with Python's own fractions and floats.
 
-use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition};
+use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition, TruncatedFormula};
 use super::super::document::{Block, Derivation, DerivationStep};
 use super::super::formula::{Name, Statement};
 use super::super::python::{self, PRELUDE};
 use super::super::typeset::statement_latex;
 use super::{Place, markdown_text};
+use libration::algebra::Rational;
 
 /// The derivation as a notebook of format 4.5.
 #[must_use]
@@ -39,6 +40,8 @@ struct Notebook<'a> {
     known: Vec<&'a Name>,
     /// The equation whose slow flow the cells are at.
     flow: Option<&'a FlowTerms>,
+    /// The force and the harmonics that are kept.
+    few: Option<(&'a [Rational], &'a [usize])>,
 }
 
 impl<'a> Notebook<'a> {
@@ -74,6 +77,9 @@ impl<'a> Notebook<'a> {
             lines.extend(self.lower(condition));
             self.known.extend(&condition.fixes);
         }
+        if let Check::Truncated(formula) = equation.check() {
+            self.begin_few(formula);
+        }
         if let Check::Averaged(formula) = equation.check() {
             self.begin_flow(&formula.flow, python::slow_flow);
         }
@@ -92,6 +98,14 @@ impl<'a> Notebook<'a> {
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
             (self.ansatz, self.known) = (Some(condition), vec![]);
             self.compute(&format!("ansatz-{}", self.cells.len()), &code);
+        }
+    }
+
+    fn begin_few(&mut self, formula: &'a TruncatedFormula) {
+        let own = (formula.force.as_slice(), formula.harmonics.as_slice());
+        if let (false, Some(code)) = (self.few == Some(own), python::few_harmonics(formula)) {
+            self.few = Some(own);
+            self.compute(&format!("few-{}", self.cells.len()), &code);
         }
     }
 

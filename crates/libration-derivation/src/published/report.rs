@@ -42,7 +42,8 @@ pub(super) fn stated(
     let statement = Statement::defined(Formula::from(period_of(mark)) / small_swing_period(), ratio.clone());
     let catalogued = catalogued(key)?;
     trials.agrees_with(&statement, &ratio, |angle| catalogued.period_ratio(angle))?;
-    Ok(CheckedEquation::new(statement, Check::Catalogued { key: key.to_owned() }))
+    let leading_error = catalogued.leading_error().map(|it| (it.coefficient.clone(), it.power));
+    Ok(CheckedEquation::new(statement, Check::Catalogued { key: key.to_owned(), leading_error }))
 }
 
 /// The first power of the amplitude in a formula's error, which must be the one of the catalogue.

@@ -2,7 +2,7 @@
 
 use super::super::check::{
     AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
-    Letters, OpenCondition,
+    Letters, OpenCondition, TruncatedClaim, TruncatedFormula,
 };
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
@@ -41,6 +41,8 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
         Check::Digits { .. } => Some(block(given(letters)?.into_iter().chain(compared(statement)?))),
         Check::RoundedDigits => Some(block(given(letters)?.into_iter().chain([rounded(statement)?]))),
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
+        Check::Catalogued { leading_error, .. } => catalogued(statement, leading_error.as_ref()),
+        Check::Truncated(formula) => truncated(statement, &formula.claim, &formula.harmonics),
         Check::Cycle(formula) => cycle(statement, formula.order, &formula.claim),
         Check::Averaged(formula) => averaged(statement, &formula.claim),
         _ => None,
@@ -86,6 +88,51 @@ pub(crate) fn slow_flow(flow: &FlowTerms) -> Option<String> {
         format!("flow = SlowFlow({}, [{}],", number(&flow.omega0)?, terms?.join(", ")),
         format!("                {}, {})", if flow.kinked { "True" } else { "False" }, flow.lift),
     ]))
+}
+
+/// The first term of the error of a formula for the period.
+fn catalogued(statement: &Statement, leading_error: Option<&(Rational, u32)>) -> Option<String> {
+    let (_, ratio) = statement.rest.first()?;
+    let ratio = expression(ratio)?;
+    Some(match leading_error {
+        Some((coefficient, power)) => {
+            let coefficient = expression(&Formula::Number(coefficient.clone()))?;
+            format!("error_begins(lambda θ_0: {ratio}, {power}, {coefficient})")
+        }
+        None => format!("error_vanishes_at_the_top(lambda θ_0: {ratio})"),
+    })
+}
+
+/// The force and the harmonics that are kept.
+pub(crate) fn few_harmonics(formula: &TruncatedFormula) -> Option<String> {
+    let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
+    let harmonics: Vec<String> = formula.harmonics.iter().map(ToString::to_string).collect();
+    Some(block([
+        "# The force to its last power, and the harmonics that are kept.".to_owned(),
+        format!(
+            "few = FewHarmonics([{}], [{}])",
+            force.collect::<Option<Vec<String>>>()?.join(", "),
+            harmonics.join(", ")
+        ),
+    ]))
+}
+
+fn truncated(statement: &Statement, claim: &TruncatedClaim, harmonics: &[usize]) -> Option<String> {
+    let names: Vec<String> = harmonics.iter().map(|k| format!("a_{k}")).collect();
+    let letters = format!("{}, Δ", names.join(", "));
+    let (left, right) = (expression(&statement.first)?, expression(&statement.rest.last()?.1)?);
+    Some(match claim {
+        TruncatedClaim::Condition { harmonic, over_first } => {
+            let first = if *over_first { format!("{}*({left})", names.first()?) } else { left };
+            format!("few.asks({harmonic}, lambda {letters}: {first})")
+        }
+        TruncatedClaim::SquaredRatio => format!("few.has_ratio(lambda {letters}: {right})"),
+        TruncatedClaim::Eliminated => format!("few.leaves(lambda {letters}: {left})"),
+        TruncatedClaim::AtZero => format!("few.is_at_zero(lambda {letters}: {left})"),
+        TruncatedClaim::Series { amplitude, harmonic } => {
+            format!("few.begins({harmonic}, lambda {}: {right})", identifier(amplitude)?)
+        }
+    })
 }
 
 /// The equation whose limit cycle is looked for.

@@ -2,7 +2,7 @@
 
 mod cell;
 
-pub(super) use cell::{ansatz, check, known, limit_cycle, slow_flow};
+pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, slow_flow};
 
 use super::evaluate::TIME;
 use super::formula::{DecimalUnit, Formula, Name, Subscript};

@@ -360,6 +360,85 @@ class Ansatz:
         assert self.condition(n, k) == {}, self.condition(n, k)
 
 
+class FewHarmonics:
+    """A few harmonics under a force that is cut off: what the factors of the cosines ask of them."""
+
+    def __init__(self, force, harmonics):
+        self.force, self.harmonics = force, harmonics
+        self.letters = letters(" ".join([f"a_{k}" for k in harmonics] + ["Δ"]))
+
+    def condition(self, k):
+        """The factor of a cosine in the equation of motion."""
+        u = Cosines({(0, j): a for j, a in zip(self.harmonics, self.letters)})
+        result = -k * k * self.letters[-1] ** 2 * u[0, k]
+        powers = u
+        for place, factor in enumerate(self.force):
+            if place > 0:
+                powers = powers.times(u, 0)
+            result = result + factor * powers.get((0, k), polynomial(0))
+        return result
+
+    def told(self, formula):
+        return polynomial(formula(*self.letters))
+
+    def asks(self, k, formula):
+        proportional(self.condition(k), self.told(formula))
+
+    def at_ratio(self, k):
+        """A condition with what the square of the frequency is."""
+        result = Polynomial()
+        for product, factor in self.condition(k).items():
+            rest = Polynomial({tuple(name for name in product if name != "Δ"): factor})
+            result = result + (rest * self.squared if "Δ" in product else rest)
+        return result
+
+    def has_ratio(self, formula):
+        self.squared = self.told(formula)
+        assert self.at_ratio(self.harmonics[0]) == {}, self.at_ratio(self.harmonics[0])
+
+    def leaves(self, formula):
+        self.left, self.series = self.told(formula), {}
+        proportional(self.at_ratio(self.harmonics[1]), self.left)
+
+    def is_at_zero(self, formula):
+        first, second = self.letters[:2]
+        proportional(self.left.put({next(iter(first))[0]: -second}), self.told(formula))
+
+    def begins(self, k, formula):
+        """A harmonic as a series in the amplitude; with both of them nothing may be left to the order given."""
+        self.series[f"a_{k}"] = formula(variable(20))
+        if len(self.series) == 2:
+            known = min(map(len, self.series.values()))
+            amplitude = sum(self.series.values(), Q(0))
+            assert amplitude.c == variable(known).c, amplitude.c
+            rest = series(0, known)
+            for product, factor in self.left.items():
+                term = series(factor, known)
+                for name in product:
+                    term = term * self.series[name]
+                rest = rest + term
+            assert not any(rest.c), rest.c
+
+
+def proportional(a, b):
+    """Polynomials that are the same up to a number."""
+    product = next(iter(a))
+    assert product in b and {p: f * b[product] for p, f in a.items()} == {p: f * a[product] for p, f in b.items()}, (a, b)
+
+
+def error_begins(ratio, power, coefficient):
+    """The first term of the error of a formula for the period over that of small swings."""
+    amplitude = variable(power + 6)
+    error = ratio(amplitude) * agm(1, cos(amplitude / 2)) - 1
+    assert len(error) > power and error.c[: power + 1] == [Q(0)] * power + [coefficient], error.c
+
+
+def error_vanishes_at_the_top(ratio):
+    """A formula without series at small swings, for large ones."""
+    errors = [abs(ratio(pi - rest) * agm(1, math.sin(rest / 2)) - 1) for rest in (1e-1, 1e-2, 1e-3)]
+    assert errors[2] < 1e-7 and all(below < above / 50 for above, below in zip(errors, errors[1:])), errors
+
+
 class Phased(dict):
     """A sum of powers of pi and of a phase times its harmonics: the factor by the power of pi, that of the phase, the harmonic, and
     whether it is a sine."""

@@ -1,0 +1,40 @@
+//! What a cut-off force asks of a few harmonics.
+
+use super::super::formula::Name;
+use libration::algebra::Rational;
+
+/// A formula about a few harmonics under a force that is cut off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TruncatedFormula {
+    /// The factors of u, u², … in the restoring force over ω0², to the last power that is kept.
+    pub force: Vec<Rational>,
+    /// The harmonics that are kept.
+    pub harmonics: Vec<usize>,
+    /// What the formula says.
+    pub claim: TruncatedClaim,
+}
+
+/// What a formula about a few harmonics says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TruncatedClaim {
+    /// The factor of a cosine that must vanish, up to a number.
+    Condition {
+        /// Which cosine.
+        harmonic: usize,
+        /// It was divided by the first harmonic.
+        over_first: bool,
+    },
+    /// The square of the frequency by the first condition.
+    SquaredRatio,
+    /// The second condition with that, up to a number.
+    Eliminated,
+    /// The same where the amplitude is zero.
+    AtZero,
+    /// A harmonic as a series in the amplitude, to be put into the eliminated condition.
+    Series {
+        /// The amplitude.
+        amplitude: Name,
+        /// The harmonic.
+        harmonic: usize,
+    },
+}
