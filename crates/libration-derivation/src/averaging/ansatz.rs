@@ -156,6 +156,9 @@ fn why_these(question: &Question) -> &'static str {
             "Those powers are missing whose sum is even: the equation of the half swing remains the same when displacement, velocity and the \
              small parameter all change their signs, which an amplitude and a parameter of the other sign do too."
         }
+        None if question.flow.kinked => {
+            "All powers are there: the equation of the half swing has no symmetry that would leave any out."
+        }
         None => "All powers are there: the equation has no symmetry that would leave any out.",
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationErro
         false => step,
     };
     let step = frequency(question, step);
-    if question.is_whole {
+    if question.is_whole && question.variable == question.displacement {
         return Ok(step);
     }
     taylor(question, step)
@@ -87,7 +87,14 @@ fn taylor(question: &Question, step: DerivationStep) -> Result<DerivationStep, D
         }
     }
     let next = i64::try_from(coefficients.len()).unwrap_or(i64::MAX);
-    let series = polynomial(&coefficients, &question.u()) + order(question.u().pow(next));
+    let series = polynomial(&coefficients, &question.u());
+    let (series, told) = match question.is_whole {
+        true => (series, "From there the restoring force is"),
+        false => (
+            series + order(question.u().pow(next)),
+            "The swings are small enough for a power series of the restoring force, which is needed to the power asked for:",
+        ),
+    };
     let mut given = Vec::new();
     if question.variable != question.displacement {
         let place = Formula::from(question.equilibrium.clone()) + question.u();
@@ -97,7 +104,5 @@ fn taylor(question: &Question, step: DerivationStep) -> Result<DerivationStep, D
     let length = coefficients.len();
     let statement = Statement::equal(force, series);
     let equation = same_series_where(&question.displacement, length, &given, statement)?;
-    Ok(step
-        .say("The swings are small enough for a power series of the restoring force, which is needed to the power asked for:", [])
-        .show(equation))
+    Ok(step.say(told, []).show(equation))
 }

@@ -7,6 +7,9 @@ use crate::phase::{PhaseFunction, PiNumber};
 use crate::to_markdown;
 use libration::algebra::Rational;
 use libration::perturbation::{Gauge, slow_flow};
+use libration::watch::Progress;
+use std::cell::Cell;
+use std::ops::ControlFlow;
 
 fn page(equation: &str, orders: [usize; 2]) -> Result<String, DerivationError> {
     let equation: Equation = equation.parse().unwrap();
@@ -44,7 +47,7 @@ fn asymmetric_springs_and_a_place_of_rest_elsewhere_are_derived() {
         }
     }
     let moved = page("x'' + c*x' - 2*x + 2*x^3 = 0", [3, 2]).unwrap();
-    assert!(moved.contains("u:=x-1"), "{moved}");
+    assert!(moved.contains("u:=x-1") && moved.contains("=4u+6u^{2}+2u^{3}\n"), "{moved}");
 }
 
 /// Black and Vel's equation (54) as it is printed loses nothing on the average for the square of the velocity.
@@ -85,6 +88,8 @@ fn a_coefficient_that_is_changed_is_found() {
             let value = wrong.growth[&place].scaled(&Rational::new(1001, 1000).unwrap());
             wrong.growth.insert(place, value);
             assert!(put_back::check(&question, &wrong).is_err(), "{damping} a {place:?}");
+            let other = put_back::agrees_with_library(&question, &wrong, &Watch::none());
+            assert!(matches!(other, Err(DerivationError::Disagreement { .. })), "{damping} a {place:?}");
         }
         for place in places(&|flow| flow.motion.keys().copied().filter(|it| *it != (1, 0)).collect()) {
             let (_, mut wrong) = solved(&equation, [3, 2]);
@@ -118,4 +123,26 @@ fn what_is_not_derived_is_refused_for_its_reason() {
     assert!(refused("x'' + c*x'/(1 + x'^2) + x = 0", [3, 2]).contains("polynomials"));
     assert!(refused("x'' + A*x' + x = 0", [3, 2]).contains("the letter A"));
     assert!(refused("x'' + x = 0", [3, 2]).contains("no letter"));
+}
+
+/// A watch that stops later leaves the steps that are done, one that stops at once leaves nothing.
+#[test]
+fn a_derivation_that_is_stopped_keeps_its_steps() {
+    let equation: Equation = "x'' + c*x' + x = 0".parse().unwrap();
+    let steps_after = |limit: usize| {
+        let asked = Cell::new(0);
+        let ask = |_: Progress| {
+            asked.set(asked.get() + 1);
+            if asked.get() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let known = averaging_watched(&equation, None, 1, 1, &Watch::new(&ask));
+        known.map(|known| known.steps.len())
+    };
+    assert!(matches!(steps_after(0), Err(DerivationError::Interrupted(_))));
+    let whole = steps_after(usize::MAX).unwrap();
+    let some: Vec<usize> = (1..30).step_by(4).filter_map(|limit| steps_after(limit).ok()).collect();
+    assert!(
+        some.iter().any(|steps| (1..whole).contains(steps)) && some.contains(&whole),
+        "{some:?} of {whole}"
+    );
 }
