@@ -3,6 +3,7 @@
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::range::around;
 use super::style;
+use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnvelope, EnvelopeLaw, TurningPoint};
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
@@ -16,12 +17,20 @@ pub(crate) struct MeasuredCycle {
 }
 
 /// The turning points between both laws; below, the times of the cycles beside the exact period of the averaged amplitude.
-pub(crate) fn dying_swings(decay: &Decay, turns: &[&TurningPoint], cycles: &[MeasuredCycle]) -> Picture {
+///
+/// The slow flow is drawn beside both laws where it is given, and its cycles beside the exact period.
+pub(crate) fn dying_swings(
+    decay: &Decay,
+    slow: Option<&SlowDecay>,
+    turns: &[&TurningPoint],
+    cycles: &[MeasuredCycle],
+) -> Picture {
     let (_, to) = around(turns.iter().map(|turn| turn.time));
     let times: Vec<f64> = (0..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES)).collect();
     let x = Axis::linear("time t / s", 0.0, to);
     let unlabelled = x.unlabelled();
-    let (amplitudes, periods) = (amplitudes(decay, turns, &times), periods(decay, cycles, &times));
+    let amplitudes = amplitudes(decay, slow, turns, &times);
+    let periods = periods(decay, slow, cycles, &times);
     let panel = |x: Axis, label: &str, series: Vec<Series>, share: f64| {
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
         Panel { x, y: Axis::linear(label, low, high), series, share }
@@ -32,20 +41,39 @@ pub(crate) fn dying_swings(decay: &Decay, turns: &[&TurningPoint], cycles: &[Mea
     Picture::new("Decay of a damped pendulum", vec![above, panel(x, "period / s", periods, 0.42)])
 }
 
-fn amplitudes(decay: &Decay, turns: &[&TurningPoint], times: &[f64]) -> Vec<Series> {
+fn amplitudes(
+    decay: &Decay,
+    slow: Option<&SlowDecay>,
+    turns: &[&TurningPoint],
+    times: &[f64],
+) -> Vec<Series> {
     let curve = |label: &str, look, envelope: DecayEnvelope<'_>| {
         Series::line(label, look, times.iter().map(|&time| (time, envelope.amplitude_at(time).to_degrees())))
     };
     let point = |turn: &&TurningPoint| Point::new(turn.time, turn.amplitude.radians().to_degrees());
-    vec![
+    let laws = [
         curve("averaged", style::curve(0), decay.envelope(EnvelopeLaw::Averaged)),
         curve("law of small amplitudes", style::curve(1), decay.envelope(EnvelopeLaw::SmallAmplitude)),
-        markers("turning points", turns.iter().map(point).collect()),
-    ]
+    ];
+    let slow = slow.map(|slow| {
+        let places = slow.at_times(times).into_iter().filter(|place| place.amplitude.is_finite());
+        let degrees = places.map(|place| (place.time, place.amplitude.to_degrees()));
+        Series::line("slow flow", style::curve(3), degrees)
+    });
+    let turns = markers("turning points", turns.iter().map(point).collect());
+    laws.into_iter().chain(slow).chain([turns]).collect()
+}
+
+/// The times of the cycles of the slow flow, each at its middle, as far as the axis goes.
+fn slow_cycles(slow: &SlowDecay, cycles: usize) -> Series {
+    let turns = slow.turning_points(2 * cycles + 1);
+    let whole = turns.windows(3).step_by(2);
+    let points = whole.map(|turns| (turns[1].time, turns[2].time - turns[0].time));
+    Series::line("cycles of the slow flow", style::curve(3), points)
 }
 
 /// The time of a cycle stands at its middle.
-fn periods(decay: &Decay, cycles: &[MeasuredCycle], times: &[f64]) -> Vec<Series> {
+fn periods(decay: &Decay, slow: Option<&SlowDecay>, cycles: &[MeasuredCycle], times: &[f64]) -> Vec<Series> {
     let (pendulum, envelope) = (decay.pendulum(), decay.envelope(EnvelopeLaw::Averaged));
     let exact = times.iter().filter_map(|&time| {
         let amplitude = Amplitude::new(Angle::from_radians(envelope.amplitude_at(time)).ok()?).ok()?;
@@ -53,12 +81,13 @@ fn periods(decay: &Decay, cycles: &[MeasuredCycle], times: &[f64]) -> Vec<Series
     });
     let ends = [times.first(), times.last()]
         .map(|time| (time.copied().unwrap_or(0.0), pendulum.small_angle_period()));
+    let slow = slow.map(|slow| slow_cycles(slow, cycles.len()));
     let cycles = cycles.iter().map(|cycle| Point::new(cycle.middle, cycle.duration));
-    vec![
+    let exact = [
         Series::line("exact T of the averaged amplitude", style::curve(2), exact),
         Series::line("T₀", style::reference(), ends),
-        markers("times of cycles", cycles.collect()),
-    ]
+    ];
+    exact.into_iter().chain(slow).chain([markers("times of cycles", cycles.collect())]).collect()
 }
 
 fn markers(label: &str, points: Vec<Point>) -> Series {

@@ -25,6 +25,50 @@ fn the_three_laws_stand_beside_each_other() {
     assert!(answer["ending"].is_null());
 }
 
+/// A linear spring's law is A₀·e^(−ct/2), to which powers of A add; the phase and the cycles are those of the integration within what is said.
+#[test]
+fn the_slow_flow_stands_beside_the_integration_with_its_errors() {
+    let question = "decay 30deg --linear 0.1 --omega0 1 --cycles 3 --order 7 --damping-order 4";
+    let answer = json(question);
+    assert_eq!([&answer["slow_flow_order"], &answer["slow_flow_damping_order"]], [7, 4]);
+    let turns = answer["turning_points"].as_array().unwrap();
+    let mut largest = [0.0_f64; 2];
+    for (turn, number) in turns.iter().zip(0_u32..) {
+        let value = |name: &str| turn[name].as_f64().unwrap();
+        let [amplitude, phase] = [value("slow_flow_error_rad"), value("slow_flow_phase_error_rad")];
+        close(&turn["slow_flow_rad"], value("amplitude_rad") + amplitude, 1e-15);
+        close(&turn["slow_flow_phase_rad"], std::f64::consts::PI * f64::from(number) + phase, 1e-14);
+        largest = [largest[0].max(amplitude.abs()), largest[1].max(phase.abs())];
+        if number > 0 && number.is_multiple_of(2) {
+            let cycle = value("duration_of_the_cycle_s") + value("slow_flow_duration_error_s");
+            close(&turn["slow_flow_duration_s"], cycle, 1e-14);
+            assert!(value("slow_flow_duration_error_s").abs() < 2e-6, "{turn}");
+        } else {
+            assert!(turn["slow_flow_duration_s"].is_null());
+        }
+    }
+    close(&answer["largest_error_slow_flow_rad"], largest[0], 1e-15);
+    close(&answer["largest_phase_error_slow_flow_rad"], largest[1], 1e-15);
+    // A⁸ of 30° over π is 6e-7, and c⁵ 1e-5 of A.
+    assert!(largest.iter().all(|error| (1e-12..2e-6).contains(error)), "{largest:?}");
+    let shown = text(question);
+    assert!(shown.contains("slow flow") && shown.contains("4 of the damping"), "{shown}");
+    assert!(json("decay 30deg --linear 0.1")["slow_flow_order"].is_null());
+}
+
+#[test]
+fn a_slow_flow_that_is_not_known_is_refused() {
+    for (question, status, reason) in [
+        ("decay 30deg --power 1.5:0.1 --order 3", 2, "whole powers of the velocity"),
+        ("decay 30deg --linear 0.1 --order 61", 2, "--order"),
+        ("decay 30deg --linear 0.1 --damping-order 3", 2, "--order"),
+    ] {
+        let refused = libration(question);
+        assert_eq!(refused.status.code(), Some(status), "{question}");
+        assert!(message(&refused).contains(reason), "{}", message(&refused));
+    }
+}
+
 #[test]
 fn dry_friction_ends_it() {
     let answer = json("decay 1rad --dry 0.05 --omega0 1 --cycles 1000");

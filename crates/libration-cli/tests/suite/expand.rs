@@ -531,6 +531,28 @@ fn slow_flows_tell_their_limit_cycles() {
     assert_eq!(json("expand damped_pendulum --set n=2")["limit_cycles"], serde_json::json!([]));
 }
 
+/// Where the cubic term is not small the amplitude is not 2; the number is that of integrations of the whole equation.
+#[test]
+fn limit_cycles_over_exact_orbits_stand_below_the_slow_flow() {
+    let question = "x''+x+x^3=e*(1-x^2)*x'";
+    let answer = json(&format!("expand {question} --small e --order 3"));
+    let cycle = &answer["leading_limit_cycles"][0];
+    close(&cycle["amplitude"], 1.935_091_977_5, 1e-9);
+    close(&cycle["other_side"], -1.935_091_977_5, 1e-9);
+    assert!(
+        cycle["amplitude_uncertainty"].as_f64().unwrap() < 1e-12 && cycle["exponent"].as_f64().unwrap() < 0.0
+    );
+    assert_eq!(answer["limit_cycles"], serde_json::json!([]));
+    let shown = text(&format!("expand {question} --small e --order 3"))
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(shown.contains("attracting for e > 0: from -1.935091977 to A = 1.93509197"), "{shown}");
+    let takes =
+        text("expand x''+x+x^3+e*x'=0 --small e --order 3").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(takes.contains("for e > 0 the small terms take energy over every exact orbit"), "{takes}");
+}
+
 #[test]
 fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [

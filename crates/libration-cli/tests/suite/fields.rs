@@ -210,6 +210,7 @@ const FURTHER: [&str; 33] = [
     "fourier|0|--velocity|7rad/s",
     "formulas|--amplitude|90deg|--tolerance|1e-3",
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",
+    "decay|1|--quadratic|0.1|--omega0|1|--cycles|2|--order|3",
     // Without a key, without a series, without orbits.
     "expand|x''=-x-x^2-x^3|--order|4",
     "expand|m*x''+sqrt(2)*k*x+b*x^3=0|--order|3",

@@ -9,6 +9,7 @@ use std::fs;
 const FIRST: &str = "#0072b2";
 const SECOND: &str = "#d55e00";
 const THIRD: &str = "#009e73";
+const FOURTH: &str = "#cc79a7";
 const BLACK: &str = "#000000";
 const GREY: &str = "#767676";
 const LAW: &str = SECOND;
@@ -206,6 +207,24 @@ fn a_decay_with_its_laws() {
     let cycles = times.iter().skip(2).step_by(2).zip(times.iter().skip(1).step_by(2));
     let expected = cycles.map(|(end, middle)| (middle[1], end[6])).collect();
     same_points(&drawing, 1, drawing.markers(1, BLACK), expected);
+}
+
+/// The slow flow's law, and its cycles where the table has them.
+#[test]
+fn a_decay_with_its_slow_flow() {
+    let drawing = drawn("decay|30deg|--linear|0.1|--cycles|5|--order|5", "--figure");
+    let law = drawing.curves(0, FOURTH).concat();
+    assert!(law.iter().all(|(t, amplitude)| (amplitude - 30.0 * (-0.05 * t).exp()).abs() < 0.2), "{law:?}");
+    let rows = numbers(&text("decay 30deg --linear 0.1 --cycles 5 --order 5 --csv"));
+    let ends = rows.iter().skip(2).step_by(2).zip(rows.iter().skip(1).step_by(2));
+    let expected: Vec<(f64, f64)> = ends.map(|(end, middle)| (middle[1], end[12])).collect();
+    let cycles = drawing.curves(1, FOURTH).concat();
+    assert_eq!(cycles.len(), expected.len());
+    let (x, y) = drawing.panels[1].resolution();
+    for (found, expected) in cycles.iter().zip(expected) {
+        close(found.0, expected.0, 3.0 * x);
+        close(found.1, expected.1, 3.0 * y);
+    }
 }
 
 /// The numbers of a table below its head; of empty cells NaN.

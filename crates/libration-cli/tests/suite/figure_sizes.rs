@@ -126,7 +126,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
     let questions = [
         "motion 90deg --compare small-angle,fourier-3,fourier-5,fourier-7".to_owned(),
         "motion 1e-7deg".to_owned(),
-        "decay 60deg --linear 0.1".to_owned(),
+        "decay 60deg --linear 0.1 --order 3".to_owned(),
         "backbone pendulum --amplitudes 10deg:170deg:20deg".to_owned(),
         "simulate double_pendulum --initial theta1=1 --times 0:3:0.1 --events turning".to_owned(),
         "simulate spring_pendulum --initial theta=0.001 --times 0:3:0.1".to_owned(),

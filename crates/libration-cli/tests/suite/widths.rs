@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 46] = [
+pub(crate) const QUESTIONS: [&str; 47] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -30,6 +30,7 @@ pub(crate) const QUESTIONS: [&str; 46] = [
     "formulas|--tolerance|1e-3|--formulas|black_vel_1,black_vel_3,butikov",
     "formulas|--crossovers|--formulas|black_vel_1,butikov",
     "decay|60deg|--linear|0.1|--cycles|3",
+    "decay|60deg|--linear|0.1|--cycles|3|--order|5",
     "decay|60deg|--dry|0.5|--quadratic|0.1|--power|1.5:0.1|--cycles|3",
     "expand|pendulum",
     "expand|quadratic|--order|9",

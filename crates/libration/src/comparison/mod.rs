@@ -27,11 +27,16 @@ mod relation;
 
 mod backbone;
 
+mod leading_cycles;
 mod scaling_law;
+mod slow_decay;
+mod work;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
 pub use exact::{ExactMotion, ExactValue, Method, NoExactValue};
+pub use leading_cycles::{LeadingLimitCycle, LeadingLimitCycles, NoLeadingLimitCycles};
 pub use quantity::{NotASeriesQuantity, SeriesQuantity};
 pub use relation::{Radius, SeriesComparison};
 pub use scaling_law::{HarmonicRatio, ScalingLaw};
+pub use slow_decay::{NoSlowDecay, SlowDecay, SlowState};

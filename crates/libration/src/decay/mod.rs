@@ -105,6 +105,11 @@ impl Decay {
         &self.damping
     }
 
+    /// The terms of the damping with 1/ω0 as the unit of time.
+    pub(crate) fn scaled_terms(&self) -> &[PowerLawTerm] {
+        self.scaled.terms()
+    }
+
     /// The amplitude from which it is released.
     #[must_use]
     pub fn start(&self) -> Amplitude {

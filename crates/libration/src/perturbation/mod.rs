@@ -56,6 +56,7 @@ pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
 pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
+pub(crate) use slow_flow::FirstOrder;
 pub use slow_flow::{
     MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowLimitCycle, SlowSeries,
     WeakForce, slow_flow, slow_flow_watched,

@@ -276,6 +276,12 @@ fn errors(text: &str, full: &SlowFlow, k: usize, c: f64, start: f64) -> [f64; 2]
 }
 
 /// Each halving of c must divide the errors of order k by nearly 2ᵏ or more, unless they are at the floor of the truncation in A.
+///
+/// *Nearly*: the next power of c changes the quotient by a part of the order of c, a tenth and a half of that at the two halvings, of which a
+/// fifth is left. The *floors* and amplitudes belong together: the first power of A that is left out changes the frequency by some
+/// (A/R)^(order + 1), with the nearest singularity at R (π for the pendulum, 1 for the spring, ½ for the well), and the phase, as A falls, by that
+/// over 8c: 1.5e-11 for the pendulum from 0.6 and 3e-11 for the spring from 0.2 at c = 0.025, with coefficients of a tenth or less. Under the
+/// drag of a fast flow A falls more slowly, and that is 4e-10; in the well it grows, from 0.04 to 0.066, and that is 6e-12.
 fn fall_with_the_order(
     text: &str,
     start: f64,

@@ -1,6 +1,7 @@
 //! What is said of a decay, of its turning points, and of its whole cycles.
 
 use super::report::{Cycle, Report, Row};
+use super::slow_flow;
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -141,7 +142,16 @@ pub(crate) fn answers() -> Vec<Answers> {
         of_decay().described(""),
         of_turning().described("turning_points[]."),
         of_cycle().described("turning_points[]."),
+        // With --order.
+        slow_flow::of_all().described(""),
+        slow_flow::of_turn().described("turning_points[]."),
+        slow_flow::of_cycle().described("turning_points[]."),
     ];
-    let csv = [of_turning().described_in_csv(), of_cycle().described_in_csv()];
+    let csv = [
+        of_turning().described_in_csv(),
+        of_cycle().described_in_csv(),
+        slow_flow::of_turn().described_in_csv(),
+        slow_flow::of_cycle().described_in_csv(),
+    ];
     vec![Answers { command: "decay", option: "", json: json.concat(), csv: csv.concat() }]
 }

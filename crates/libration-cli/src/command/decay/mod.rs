@@ -3,6 +3,7 @@
 mod fields;
 mod options;
 mod report;
+mod slow_flow;
 mod write;
 
 use crate::arguments::{self, PendulumOptions};
@@ -12,7 +13,7 @@ use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
-use options::{DampingOptions, Extent};
+use options::{DampingOptions, Extent, SlowFlowOptions};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -33,6 +34,7 @@ use report::{Cycle, Report};
   libration decay 90deg --dry 0.2 --linear 0.02     # until friction holds it
   libration decay 150deg --quadratic 0.05 --until 60s --figure decay.svg
   libration decay 40deg --power 1.5:0.1 --csv       # any power of the velocity
+  libration decay 30deg --quadratic 0.1 --order 5   # the slow flow beside it
 
 Coefficients are divided by the moment of inertia, in SI units: a drag torque of
 b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")]
@@ -44,6 +46,8 @@ pub(crate) struct Decay {
     damping: DampingOptions,
     #[command(flatten)]
     extent: Extent,
+    #[command(flatten)]
+    slow_flow: SlowFlowOptions,
     /// Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the cycles
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -79,14 +83,18 @@ impl Decay {
         let decay = libration::decay::Decay::new(pendulum, damping, self.amplitude)
             .map_err(|error| Failure::no_answer("decay", error))?;
         interrupt::listen()?;
-        let report = Report::new(&decay, self.extent)?;
+        let slow = self.slow_flow.orders().map(|orders| slow_flow::follow(&decay, orders)).transpose()?;
+        let mut report = Report::new(&decay, self.extent)?;
+        if let Some(slow) = &slow {
+            report.compare_with(slow);
+        }
         let drawn = match &self.figure {
             Some(path) => {
                 let turns: Vec<&TurningPoint> = report.turns.iter().map(|turn| &turn.point).collect();
                 let cycles = report.rows(&decay).filter_map(|row| row.whole);
                 let cycles: Vec<MeasuredCycle> =
                     cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
-                let picture = figure::decay::dying_swings(&decay, &turns, &cycles);
+                let picture = figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles);
                 let picture = picture.with_parameters(self.made_with(&decay));
                 vec![figure::file::write(path, &picture, &self.sizes)?]
             }
@@ -94,7 +102,8 @@ impl Decay {
         };
         let given = self.omega0.is_none().then_some(self.pendulum);
         let listed = drawn.is_empty();
-        write::Answer { given, decay: &decay, report: &report, listed }.write(out, self.form.form())?;
+        write::Answer { given, decay: &decay, slow: slow.as_ref(), report: &report, listed }
+            .write(out, self.form.form())?;
         announce(out, self.form.form(), &drawn)?;
         if report.interrupted {
             out.flush()?;

@@ -3,6 +3,7 @@
 use crate::arguments;
 use crate::failure::Failure;
 use libration::decay::{Damping, PowerLawTerm};
+use libration::perturbation::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER};
 use libration::quantity::{Dimension, parse};
 
 /// The coefficients of the damping.
@@ -53,6 +54,26 @@ fn term(text: &str) -> Result<PowerLawTerm, String> {
 fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok()
 }
+
+/// The slow flow beside it.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(super) struct SlowFlowOptions {
+    /// Compare with the slow flow too, its amplitude law to this power of the amplitude (whole powers of the velocity)
+    #[arg(long, value_parser = arguments::count::<MAX_SLOW_ORDER>)]
+    order: Option<usize>,
+    /// Power of the damping to which the slow flow is expanded [default: 2]
+    #[arg(long, value_parser = arguments::count::<MAX_PARAMETER_ORDER>, requires = "order")]
+    damping_order: Option<usize>,
+}
+
+impl SlowFlowOptions {
+    /// The powers of amplitude and damping, if it is asked for.
+    pub(super) fn orders(self) -> Option<[usize; 2]> {
+        Some([self.order?, self.damping_order.unwrap_or(DAMPING_ORDER)])
+    }
+}
+
+const DAMPING_ORDER: usize = 2;
 
 /// How far the motion is followed.
 #[derive(Clone, Copy, Debug, clap::Args)]

@@ -1,11 +1,14 @@
 //! What is found of a decay: its turning points with both laws beside them, and its cycles.
 
 use super::options::Extent;
+use super::slow_flow::{SlowCycle, SlowTurn};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::number::short;
 use crate::output::progress::ProgressLine;
+use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding, EnvelopeLaw, TurningPoint};
+use std::f64::consts::TAU;
 
 /// The turning points, the first of which is the release, and why there are no more.
 pub(crate) struct Report {
@@ -14,6 +17,8 @@ pub(crate) struct Report {
     pub(crate) ending: Option<DecayEnding>,
     /// Whether somebody has ended the work early.
     pub(crate) interrupted: bool,
+    /// When the slow flow turns, in seconds, if it is asked for.
+    slow_turns: Vec<f64>,
 }
 
 /// A turning point, and the amplitude (rad) at its time by averaging and by the law of small amplitudes.
@@ -21,6 +26,8 @@ pub(crate) struct Turn {
     pub(crate) point: TurningPoint,
     pub(crate) averaged: f64,
     pub(crate) small: f64,
+    /// If it is asked for.
+    pub(crate) slow: Option<SlowTurn>,
 }
 
 /// A turning point with its number in cycles.
@@ -41,6 +48,8 @@ pub(crate) struct Cycle {
     pub(crate) duration: f64,
     /// The exact period of the amplitude in its middle.
     pub(crate) exact_period: f64,
+    /// If it is asked for.
+    pub(crate) slow: Option<SlowCycle>,
 }
 
 impl Report {
@@ -62,14 +71,42 @@ impl Report {
             }
             let [averaged, small] = [averaged, small].map(|envelope| envelope.amplitude_at(point.time));
             progress.show(|| format!("{} cycles, t = {:.6} s", in_cycles(turns.len()), point.time));
-            turns.push(Turn { point, averaged, small });
+            turns.push(Turn { point, averaged, small, slow: None });
             interrupted = interrupt::asked();
         }
-        let report = Self { turns, ending: swings.ending(), interrupted };
+        let report = Self { turns, ending: swings.ending(), interrupted, slow_turns: vec![] };
         report
             .ending
             .filter(|_| report.turns.len() == 1)
             .map_or(Ok(report), |ending| Err(no_swing(decay, ending)))
+    }
+
+    /// Puts the slow flow beside each turning point and each cycle.
+    pub(super) fn compare_with(&mut self, slow: &SlowDecay) {
+        let times: Vec<f64> = self.turns.iter().map(|turn| turn.point.time).collect();
+        for ((number, turn), at) in self.turns.iter_mut().enumerate().zip(slow.at_times(&times)) {
+            let (amplitude, phase) = (at.amplitude, at.phase);
+            turn.slow = Some(SlowTurn {
+                amplitude,
+                phase,
+                amplitude_error: amplitude - turn.point.amplitude.radians(),
+                phase_error: phase - TAU * in_cycles(number),
+            });
+        }
+        self.slow_turns = slow.turning_points(times.len()).iter().map(|turn| turn.time).collect();
+    }
+
+    /// The largest error of the slow flow at a turning point; NaN where it has no value at one.
+    pub(super) fn largest_slow_error(&self, error: impl Fn(&SlowTurn) -> f64) -> f64 {
+        let errors = self.turns.iter().filter_map(|turn| Some(error(&turn.slow?).abs()));
+        errors.fold(0.0, |largest, error| if error.is_nan() || error > largest { error } else { largest })
+    }
+
+    fn slow_cycle(&self, number: usize, duration: f64) -> Option<SlowCycle> {
+        self.turns[number].slow?;
+        let ends = self.slow_turns.get(number - 2).zip(self.slow_turns.get(number));
+        let own = ends.map_or(f64::NAN, |(begin, end)| end - begin);
+        Some(SlowCycle { duration: own, error: own - duration })
     }
 
     /// All turning points.
@@ -79,7 +116,8 @@ impl Report {
             let whole = (number > 0 && number.is_multiple_of(2)).then(|| {
                 let [start, middle] = [&self.turns[number - 2].point, &self.turns[number - 1].point];
                 let duration = turn.point.time - start.time;
-                Cycle { middle: middle.time, duration, exact_period: pendulum.period(&middle.amplitude) }
+                let exact_period = pendulum.period(&middle.amplitude);
+                Cycle { middle: middle.time, duration, exact_period, slow: self.slow_cycle(number, duration) }
             });
             Row { cycle: in_cycles(number), turn, whole }
         })

@@ -2,12 +2,14 @@
 
 use super::fields::{self, Found, Turning};
 use super::report::{Report, Turn, in_cycles};
+use super::slow_flow::{self, Compared};
 use crate::arguments::PendulumOptions;
 use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::number::{seconds, short};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
+use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding};
 use std::io::{self, Write};
 
@@ -16,6 +18,8 @@ pub(super) struct Answer<'a> {
     /// Length and gravity, if the pendulum was given by them.
     pub(super) given: Option<PendulumOptions>,
     pub(super) decay: &'a Decay,
+    /// If it is asked for.
+    pub(super) slow: Option<&'a SlowDecay>,
     pub(super) report: &'a Report,
     /// Whether the table lists the cycles; a picture shows them better.
     pub(super) listed: bool,
@@ -35,7 +39,17 @@ impl Answer<'_> {
         let terms = fields::of_term().records(self.decay.damping().terms());
         let given = self.given.map_or_else(Record::new, PendulumOptions::record);
         let record = fields::of_pendulum().added_to(given, self.decay).with("damping", terms);
-        fields::of_decay().added_to(record, &Found { decay: self.decay, report: self.report })
+        let record = fields::of_decay().added_to(record, &Found { decay: self.decay, report: self.report });
+        match self.compared() {
+            Some(compared) => slow_flow::of_all().added_to(record, &compared),
+            None => record,
+        }
+    }
+
+    fn compared(&self) -> Option<Compared<'_>> {
+        let amplitude = self.report.largest_slow_error(|slow| slow.amplitude_error);
+        let phase = self.report.largest_slow_error(|slow| slow.phase_error);
+        Some(Compared { slow: self.slow?, largest_errors: [amplitude, phase] })
     }
 
     fn turnings(&self) -> impl Iterator<Item = Turning<'_>> {
@@ -44,10 +58,16 @@ impl Answer<'_> {
 
     fn records(&self) -> impl Iterator<Item = Record> {
         let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
+        let (of_slow_turn, of_slow_cycle) = (slow_flow::of_turn(), slow_flow::of_cycle());
         self.turnings().map(move |turning| {
-            let record = of_turning.record(&turning);
-            match &turning.row.whole {
-                Some(cycle) => of_cycle.added_to(record, cycle),
+            let mut record = of_turning.record(&turning);
+            if let Some(slow) = &turning.row.turn.slow {
+                record = of_slow_turn.added_to(record, slow);
+            }
+            let Some(cycle) = &turning.row.whole else { return record };
+            let record = of_cycle.added_to(record, cycle);
+            match &cycle.slow {
+                Some(slow) => of_slow_cycle.added_to(record, slow),
                 None => record,
             }
         })
@@ -55,10 +75,18 @@ impl Answer<'_> {
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
-        csv::line(out, &[of_turning.csv_names(), of_cycle.csv_names()].concat())?;
+        let (of_slow_turn, of_slow_cycle) = (slow_flow::of_turn(), slow_flow::of_cycle());
+        let slow_names = [of_slow_turn.csv_names(), of_slow_cycle.csv_names()].concat();
+        let slow_names = if self.slow.is_some() { slow_names } else { vec![] };
+        csv::line(out, &[of_turning.csv_names(), of_cycle.csv_names(), slow_names].concat())?;
         for turning in self.turnings() {
-            let whole = of_cycle.csv_cells_or_blanks(turning.row.whole.as_ref());
-            csv::line(out, &[of_turning.csv_cells(&turning), whole].concat())?;
+            let whole = turning.row.whole.as_ref();
+            let mut cells = [of_turning.csv_cells(&turning), of_cycle.csv_cells_or_blanks(whole)].concat();
+            if let Some(slow) = &turning.row.turn.slow {
+                cells.extend(of_slow_turn.csv_cells(slow));
+                cells.extend(of_slow_cycle.csv_cells_or_blanks(whole.and_then(|cycle| cycle.slow.as_ref())));
+            }
+            csv::line(out, &cells)?;
         }
         Ok(())
     }
@@ -71,12 +99,20 @@ impl Answer<'_> {
         }
         writeln!(out)?;
         let (of_turning, of_cycle) = (fields::of_turning(), fields::of_cycle());
-        let mut table = Table::new([of_turning.columns(), of_cycle.columns()].concat());
+        let (of_slow_turn, of_slow_cycle) = (slow_flow::of_turn(), slow_flow::of_cycle());
+        let slow = [of_slow_turn.columns(), of_slow_cycle.columns()].concat();
+        let slow = if self.slow.is_some() { slow } else { vec![] };
+        let mut table = Table::new([of_turning.columns(), of_cycle.columns(), slow].concat());
         let last = self.report.turns.len() - 1;
         for (number, turning) in self.turnings().enumerate() {
             if number.is_multiple_of(2) || number == last {
-                let whole = of_cycle.cells_or_blanks(turning.row.whole.as_ref());
-                table.row(out, [of_turning.cells(&turning), whole].concat())?;
+                let whole = turning.row.whole.as_ref();
+                let mut cells = [of_turning.cells(&turning), of_cycle.cells_or_blanks(whole)].concat();
+                if let Some(slow) = &turning.row.turn.slow {
+                    cells.extend(of_slow_turn.cells(slow));
+                    cells.extend(of_slow_cycle.cells_or_blanks(whole.and_then(|cycle| cycle.slow.as_ref())));
+                }
+                table.row(out, cells)?;
             }
         }
         table.finish(out)
@@ -92,6 +128,7 @@ impl Answer<'_> {
             ("small amplitudes", self.report.largest_error(|turn| turn.small)),
         ];
         lines.extend(errors.map(|(law, error)| (law, self.error(error))));
+        lines.extend(self.compared().map(|compared| ("slow flow", slow_flow::line(&compared))));
         lines.push(("end", self.ending()));
         lines
     }

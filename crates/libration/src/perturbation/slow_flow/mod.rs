@@ -50,6 +50,7 @@ pub(super) use phase_functions::{PhaseFunctions, Term};
 
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
+pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;
 
 /// A polynomial in the small parameter and the amplitude: by the power of the parameter, then by that of A.

@@ -52,6 +52,31 @@ impl WeakForce {
     }
 }
 
+/// What an equation is at ε = 0, and what it is multiplied with to first order: x″ = F(x, x′) + ε·f(x, x′).
+#[derive(Clone, Debug)]
+pub(crate) struct FirstOrder {
+    /// The name of ε.
+    pub(crate) parameter: String,
+    /// x″ = F(x, x′).
+    pub(crate) unperturbed: Equation,
+    /// f, a formula of x and x′.
+    pub(crate) force: Expression,
+}
+
+impl FirstOrder {
+    pub(crate) fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, SlowFlowError> {
+        let parameter = small_parameter(equation, parameter)?;
+        if equation.accelerations()[0].contains(&Symbol::plain("t")) {
+            return Err(SlowFlowError::DependsOnTime);
+        }
+        let (symbol, zero) = (Symbol::plain(&parameter), Expression::from(0));
+        let slope = equation.accelerations()[0].derivative(&symbol);
+        let force = slope.substitute(&symbol, &zero).simplified();
+        let unperturbed = equation.with(&[(&parameter, zero)])?;
+        Ok(Self { parameter, unperturbed, force })
+    }
+}
+
 /// The letter that is small: the one that is named, or the only one without a value.
 fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, SlowFlowError> {
     let mut open: Vec<String> = equation.parameters().into_iter().collect();

@@ -1,7 +1,7 @@
 //! What is said of a slow flow: its polynomials as lists of lists of coefficients, each a text.
 
 use super::super::subject::of_subject;
-use super::Answer;
+use super::{Answer, leading_cycles};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -54,6 +54,7 @@ pub(super) fn of_flow() -> Fields<Answer> {
         Of::nested("motion[].", &of_term(), |it| of_term().records(&it.flow.motion)),
         Of::nested("limit_cycles[].", &of_cycle(), |it| of_cycle().records(&it.flow.limit_cycles())),
     ])
+    .and(leading_cycles::of_answer())
 }
 
 fn of_cycle() -> Fields<SlowLimitCycle> {

@@ -1,6 +1,6 @@
 //! A slow flow to read, and in LaTeX.
 
-use super::Answer;
+use super::{Answer, leading_cycles};
 use crate::output::number::short;
 use crate::output::series::{Style, superscript, wrapped};
 use crate::output::table::write_text;
@@ -30,7 +30,8 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     }
     write_cycles(out, flow)?;
     writeln!(out)?;
-    write_text(out, "", "all coefficients are exact")
+    write_text(out, "", "all coefficients are exact")?;
+    leading_cycles::write(out, answer)
 }
 
 /// The limit cycles, whose coefficients are digits.

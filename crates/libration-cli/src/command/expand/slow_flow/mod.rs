@@ -1,6 +1,7 @@
 //! The slow flow of a weakly damped or excited oscillator: how amplitude and phase go.
 
 mod fields;
+mod leading_cycles;
 mod listing;
 
 use super::subject::{About, Subject};
@@ -9,6 +10,7 @@ use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::{Form, json};
 use crate::{interrupt, parallel};
+use libration::comparison::{LeadingLimitCycles, NoLeadingLimitCycles};
 use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow_watched};
 use libration::watch::Watch;
 use std::io::Write;
@@ -20,6 +22,8 @@ pub(super) const DAMPING_ORDER: usize = 2;
 pub(super) struct Answer {
     subject: Subject,
     flow: SlowFlow,
+    /// By the work over exact orbits.
+    leading: Result<LeadingLimitCycles, NoLeadingLimitCycles>,
 }
 
 pub(super) fn answers() -> Answers {
@@ -44,8 +48,15 @@ impl Answer {
             slow_flow_watched(&equation, small, order, damping_order, gauge, &Watch::new(&ask))
         })
         .map_err(failure)?;
+        let how_far = || "work over exact orbits".to_owned();
+        let leading = parallel::with_progress(how_far, || {
+            LeadingLimitCycles::new_watched(&equation, small, &Watch::new(&ask))
+        });
+        if leading == Err(NoLeadingLimitCycles::Interrupted) {
+            return Err(failure(SlowFlowError::Interrupted));
+        }
         let subject = Subject::new(&equation, (key, title), values, read_as);
-        Ok(Self { subject, flow })
+        Ok(Self { subject, flow, leading })
     }
 }
 

@@ -1,0 +1,114 @@
+//! The slow flow beside a decay: what is asked of it, and what is said.
+
+use crate::failure::Failure;
+use crate::output::field::{Field, Fields};
+use crate::output::number::short;
+use crate::{interrupt, parallel};
+use libration::comparison::{NoSlowDecay, SlowDecay};
+use libration::decay::Decay;
+use libration::perturbation::SlowFlowError;
+use libration::watch::Watch;
+
+/// The slow flow at a turning point of the integrated motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SlowTurn {
+    /// At its time, in radians.
+    pub(crate) amplitude: f64,
+    pub(crate) phase: f64,
+    /// Less what is integrated, in radians.
+    pub(crate) amplitude_error: f64,
+    pub(crate) phase_error: f64,
+}
+
+/// The cycle of the slow flow beside one of the integrated motion, in seconds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SlowCycle {
+    pub(crate) duration: f64,
+    pub(crate) error: f64,
+}
+
+/// What is said of all turning points.
+pub(super) struct Compared<'a> {
+    pub(super) slow: &'a SlowDecay,
+    /// Of the amplitude and of the phase, in radians.
+    pub(super) largest_errors: [f64; 2],
+}
+
+pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Result<SlowDecay, Failure> {
+    let ask = |_| interrupt::go_on();
+    let how_far = || format!("slow flow to order {order}");
+    let found = parallel::with_progress(how_far, || {
+        SlowDecay::new_watched(decay, order, damping_order, &Watch::new(&ask))
+    });
+    found.map_err(|error| match error {
+        NoSlowDecay::SlowFlow(SlowFlowError::Interrupted) => {
+            Failure::Interrupted("interrupted before the slow flow was known".to_owned())
+        }
+        NoSlowDecay::Exponent(_) => Failure::usage("--order", error),
+        other => Failure::no_answer("slow flow", other),
+    })
+}
+
+pub(super) fn of_all<'a>() -> Fields<Compared<'a>> {
+    type Of<'a> = Field<Compared<'a>>;
+    Fields::from([
+        Of::value(
+            "slow_flow_order",
+            "1",
+            "highest power of the amplitude in the slow flow, which --order asks for",
+            |it| it.slow.flow().order.into(),
+        ),
+        Of::value("slow_flow_damping_order", "1", "highest power of the damping in the slow flow", |it| {
+            it.slow.flow().parameter_order.into()
+        }),
+        Of::number(
+            "largest_error_slow_flow_rad",
+            "rad",
+            "largest error of the slow flow's amplitude at a turning point",
+            |it| it.largest_errors[0],
+        ),
+        Of::number(
+            "largest_phase_error_slow_flow_rad",
+            "rad",
+            "largest error of the slow flow's phase at a turning point",
+            |it| it.largest_errors[1],
+        ),
+    ])
+}
+
+pub(super) fn of_turn() -> Fields<SlowTurn> {
+    type Of = Field<SlowTurn>;
+    Fields::from([
+        Of::number("slow_flow_rad", "rad", "amplitude at that time by the slow flow", |it| it.amplitude)
+            .degrees("slow flow / °", 8),
+        Of::number("slow_flow_error_rad", "rad", "that less the integrated amplitude", |it| {
+            it.amplitude_error
+        }),
+        Of::number("slow_flow_phase_rad", "rad", "phase at that time by the slow flow", |it| it.phase),
+        Of::number(
+            "slow_flow_phase_error_rad",
+            "rad",
+            "that less the phase of the turning point, a multiple of π",
+            |it| it.phase_error,
+        )
+        .short("error of the phase / rad", 3),
+    ])
+}
+
+pub(super) fn of_cycle() -> Fields<SlowCycle> {
+    type Of = Field<SlowCycle>;
+    Fields::from([
+        Of::number("slow_flow_duration_s", "s", "time of that cycle by the slow flow", |it| it.duration)
+            .rounded("slow flow / s", 8),
+        Of::number("slow_flow_duration_error_s", "s", "that less the integrated time", |it| it.error),
+    ])
+}
+
+/// What the slow flow is worth, in a line.
+pub(super) fn line(Compared { slow, largest_errors: [amplitude, phase] }: &Compared<'_>) -> String {
+    let (degrees, phase) = (short(amplitude.to_degrees(), 2), short(*phase, 2));
+    let [order, damping_order] = [slow.flow().order, slow.flow().parameter_order];
+    format!(
+        "to the power {order} of the amplitude and {damping_order} of the damping: error at most {degrees}°, and {phase} rad of the phase"
+    )
+}

@@ -1,0 +1,114 @@
+//! Limit cycles over the exact orbits, to leading order in the small parameter.
+
+use super::Answer;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::short;
+use crate::output::table::write_text;
+use libration::comparison::{LeadingLimitCycle, LeadingLimitCycles};
+use libration::quantity::with_uncertainty;
+use serde_json::Value;
+use std::io::{self, Write};
+
+pub(super) fn of_answer() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::nested("leading_limit_cycles[].", &of_cycle(), |it| {
+            of_cycle().records(it.leading.as_ref().map_or(&[][..], |found| &found.cycles))
+        }),
+        Of::value(
+            "leading_amplitudes_searched[]",
+            "",
+            "least and greatest amplitude whose exact orbit was looked at; null where no orbits are known",
+            |it| {
+                it.leading.as_ref().map_or(Value::Null, |found| json::list(found.searched.map(json::number)))
+            },
+        ),
+        Of::value(
+            "leading_work_signs[]",
+            "1",
+            "sign of the work of the small terms over these two orbits, for a positive parameter",
+            |it| it.leading.as_ref().map_or(Value::Null, |found| json::list(found.signs.map(json::number))),
+        ),
+        Of::value(
+            "leading_orbits_end",
+            "",
+            "whether the orbits about the equilibrium end at the greatest amplitude",
+            |it| it.leading.as_ref().map_or(Value::Null, |found| found.family_ends.into()),
+        ),
+        Of::value("leading_reason", "", "why no exact orbits were looked at; null where they were", |it| {
+            it.leading.as_ref().err().map_or(Value::Null, |error| error.to_string().into())
+        }),
+    ])
+}
+
+fn of_cycle() -> Fields<LeadingLimitCycle> {
+    type Of = Field<LeadingLimitCycle>;
+    Fields::from([
+        Of::number(
+            "amplitude",
+            "",
+            "largest displacement of a limit cycle for a small parameter, over the exact orbits",
+            |it| it.amplitude,
+        ),
+        Of::number("amplitude_uncertainty", "", "how far the amplitude may be off", |it| {
+            it.amplitude_uncertainty
+        }),
+        Of::number("other_side", "", "displacement at the other turning point", |it| it.other_side),
+        Of::number("period", "s", "its period, that of the exact orbit", |it| it.period),
+        Of::number("period_uncertainty", "s", "how far the period may be off", |it| it.period_uncertainty),
+        Of::number(
+            "exponent",
+            "1/s",
+            "rate at which distances from it grow, over the small parameter",
+            |it| it.exponent,
+        ),
+        Of::number("exponent_uncertainty", "1/s", "how far the exponent may be off", |it| {
+            it.exponent_uncertainty
+        }),
+    ])
+}
+
+/// Where the small terms take and give over exact orbits.
+pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    writeln!(out)?;
+    match &answer.leading {
+        Ok(found) if found.cycles.is_empty() => write_text(out, "", &without_cycle(found)),
+        Ok(found) => found.cycles.iter().try_for_each(|cycle| write_cycle(out, cycle, &found.parameter)),
+        Err(error) => write_text(out, "", &format!("no limit cycles over exact orbits: {error}")),
+    }
+}
+
+fn without_cycle(found: &LeadingLimitCycles) -> String {
+    let (parameter, largest) = (&found.parameter, short(found.searched[1], 6));
+    let end = if found.family_ends { ", where the orbits end" } else { "" };
+    let amplitudes = format!("amplitudes up to {largest}{end}");
+    match found.signs[1] {
+        _ if found.is_without_work() => format!(
+            "to first order in {parameter} the small terms take as much as they give over every exact orbit: {amplitudes} were looked at"
+        ),
+        sign => {
+            let does = if sign < 0.0 { "take" } else { "give" };
+            format!(
+                "no limit cycle to leading order: for {parameter} > 0 the small terms {does} energy over every exact orbit, of {amplitudes}"
+            )
+        }
+    }
+}
+
+fn write_cycle(out: &mut dyn Write, cycle: &LeadingLimitCycle, parameter: &str) -> io::Result<()> {
+    let side = if cycle.exponent < 0.0 { ">" } else { "<" };
+    let with = |value: f64, uncertainty: f64| with_uncertainty(value, uncertainty, "");
+    let amplitude = with(cycle.amplitude, cycle.amplitude_uncertainty);
+    let other = short(cycle.other_side, 10);
+    let period = with(cycle.period, cycle.period_uncertainty);
+    let exponent = with(cycle.exponent, cycle.exponent_uncertainty);
+    write_text(
+        out,
+        "",
+        &format!(
+            "limit cycle over the exact orbits, to leading order in {parameter}, attracting for {parameter} {side} 0: from {other} to \
+             A = {amplitude}, with the period {period} and the exponent {exponent} times {parameter}"
+        ),
+    )
+}
