@@ -34,7 +34,7 @@ pub(super) struct Round {
 
 /// What moves by less than this part of its distance from zero is measured by that.
 const LEAST_SIZE: f64 = 1e-5;
-/// Steps of one round; van der Pol's oscillator with the strength 1000 takes some 2e5.
+/// Steps of one round; van der Pol's oscillator with the strength 1000 takes 3e5.
 const MOST_STEPS: usize = 1_000_000;
 
 impl<'w> Rounds<'w> {

@@ -16,7 +16,8 @@ use std::ops::ControlFlow;
 /// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
 /// gone by then.
 const MOST_MAXIMA: usize = 3000;
-/// Steps of the search after a maximum, before it is given up: two turns of van der Pol's oscillator with the strength 1000, of some 2e5.
+/// Steps of the search after a maximum, before it is given up: a turn of van der Pol's oscillator with the strength
+/// 1000 takes 3e5, and their number grows as the square of the strength.
 const MOST_STEPS: usize = 500_000;
 /// So many maxima may lie between a state and its return: a cycle that has doubled its period three times.
 const LONGEST: usize = 8;

@@ -34,14 +34,17 @@ pub(super) fn forgetful(
     }
     let (first_start, first_period) = (guess.state[0], first.end_time());
     let start = turned(&first);
+    // A turn may have some 1e5 steps.
+    drop(first);
     let Some(path) = rounds.turn(&start, 1e-17)? else { return Ok(None) };
-    let Some(other) = rounds.turn(&start, 1e-16)? else { return Ok(None) };
+    let other = rounds.turn(&start, 1e-16)?.map(|path| path.end_time());
+    let Some(other) = other else { return Ok(None) };
     let period = path.end_time();
     let missed = (path.state_at(period)[0] - start.state[0]).abs();
     // How much the period changes with the start, as both turns tell.
     let slope = (first_period - period) / (first_start - start.state[0]);
     let late = if slope.is_finite() { missed * slope.abs() } else { 0.0 };
-    let uncertainty = 4.0 * ((period - other.end_time()).abs() + late + f64::EPSILON * period);
+    let uncertainty = 4.0 * ((period - other).abs() + late + f64::EPSILON * period);
     let floquet = Floquet::of_cycle(divergence.along(&path));
     Ok(Some(Orbit::new(equation, path, uncertainty, Some(floquet))))
 }

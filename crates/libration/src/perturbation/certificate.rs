@@ -74,15 +74,28 @@ pub(crate) fn agrees_with_the_first_integral(
     watch: &Watch<'_>,
 ) -> Option<bool> {
     let period = &set.of_amplitude.as_ref()?.period;
+    if let Some(omega0) = model.omega0_squared.square_root() {
+        let plane = plane_of_states(model, Rational::clone, omega0);
+        return Some(first_integral::period_ratio(&Rationals, plane, period.len(), watch)? == *period);
+    }
     let field = Fractions::with_root_of(&model.omega0_squared);
-    let plane = PlaneOfStates {
-        tape: &model.tape,
-        values: model.values.iter().map(|value| field.ring.plain(value.clone())).collect(),
-        omega0_squared: field.ring.plain(model.omega0_squared.clone()),
-        omega0: field.root(&model.omega0_squared)?,
-    };
+    let plane = plane_of_states(model, |value| field.ring.plain(value.clone()), field.ring.square_root()?);
     let found = first_integral::period_ratio(&field.ring, plane, period.len(), watch)?;
     Some(field.are(&found, period))
+}
+
+/// A model in the numbers of a ring that holds ω0.
+fn plane_of_states<F: Ring>(
+    model: &Model<Rational>,
+    number: impl Fn(&Rational) -> F::Element,
+    omega0: F::Element,
+) -> PlaneOfStates<'_, F> {
+    PlaneOfStates {
+        tape: &model.tape,
+        values: model.values.iter().map(&number).collect(),
+        omega0_squared: number(&model.omega0_squared),
+        omega0,
+    }
 }
 
 /// Fractions, and one square root that is none.

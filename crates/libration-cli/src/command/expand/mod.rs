@@ -23,7 +23,7 @@ use code::Language;
 use libration::algebra::Rational;
 use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
-use libration::oscillator::Oscillator;
+use libration::oscillator::{Kind, Oscillator};
 use libration::perturbation::{
     Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand_watched, expand_with_pi_watched,
 };
@@ -85,7 +85,7 @@ pub(crate) struct Expand {
     /// Parameters of a built-in oscillator that stay letters, with commas between
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     letters: Vec<String>,
-    /// The highest power of the expansion parameter [default: 7; 31 with --evaluate]
+    /// The highest power of the expansion parameter [default: 7; 31 with --evaluate, 15 where no powers vanish]
     #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
     order: Option<usize>,
     /// What the expansion parameter means [default: fundamental, of a slow flow `x_max`]
@@ -148,6 +148,8 @@ impl Format {
 const LISTED: usize = 7;
 /// The order to which an expansion is evaluated.
 const EVALUATED: usize = 31;
+/// The same where no powers vanish, so that there are as many terms.
+const EVALUATED_OF_TWO_SIDES: usize = 15;
 
 /// An expansion with the words for it.
 struct Answer<C = Rational> {
@@ -214,7 +216,12 @@ impl Expand {
     fn answer_in_numbers(&self, out: &mut dyn Write, chosen: Chosen) -> Result<Option<String>, Failure> {
         let amplitude =
             self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
-        let order = self.order.unwrap_or(if amplitude.is_some() { EVALUATED } else { LISTED });
+        let usual = match (&amplitude, chosen.oscillator.kind()) {
+            (None, _) => LISTED,
+            (Some(_), Kind::TwoSided) => EVALUATED_OF_TWO_SIDES,
+            (Some(_), _) => EVALUATED,
+        };
+        let order = self.order.unwrap_or(usual);
         interrupt::listen()?;
         let oscillator = chosen.oscillator.clone();
         if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
