@@ -11,6 +11,7 @@ use crate::oscillator::Oscillator;
 use crate::perturbation::{FirstOrder, SlowFlowError};
 use crate::roots::{Tolerance, zero_between};
 use crate::watch::{Interrupted, Watch};
+use std::cell::Cell;
 
 /// A limit cycle for a small value of the parameter ε, to leading order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -217,11 +218,35 @@ fn extremum(
     if !dips {
         return Ok(None);
     }
-    let slope = |amplitude: f64| work.at(amplitude, watch).map_or(f64::NAN, |found| found.slope);
+    let slope = |found: &Work| found.slope;
     let ends = [(below.amplitude, below.slope), (above.amplitude, above.slope)];
-    let place = zero_between(ends, Tolerance::relative(AT_EXTREMUM), slope);
-    watch.go_on()?;
-    Ok(place.and_then(|place| work.at(place, watch).ok()).filter(Work::is_some))
+    let found = at_zero(work, ends, AT_EXTREMUM, &slope, watch)?;
+    Ok(found.filter(Work::is_some))
+}
+
+/// The work where something about it vanishes; nobody is asked again after a stop.
+fn at_zero(
+    work: &WorkOverOrbits<'_>,
+    ends: [(f64, f64); 2],
+    tolerance: f64,
+    of: &dyn Fn(&Work) -> f64,
+    watch: &Watch<'_>,
+) -> Result<Option<Work>, NoLeadingLimitCycles> {
+    let stopped = Cell::new(None);
+    let at = |amplitude: f64| match work.at(amplitude, watch) {
+        Err(NoOrbit::Interrupted(reason)) => {
+            stopped.set(Some(reason));
+            None
+        }
+        found => found.ok().filter(|_| stopped.get().is_none()),
+    };
+    let value = |amplitude: f64| match stopped.get() {
+        Some(_) => f64::NAN,
+        None => at(amplitude).map_or(f64::NAN, |found| of(&found)),
+    };
+    let zero = zero_between(ends, Tolerance::relative(tolerance), value);
+    let found = zero.filter(|_| stopped.get().is_none()).and_then(at);
+    stopped.get().map_or(Ok(found), |reason| Err(reason.into()))
 }
 
 /// Of the amplitude, within which an extremum is found: the work is flat there, so that its sign is that of the extremum unless two cycles
@@ -236,13 +261,9 @@ fn cycle(
     watch: &Watch<'_>,
 ) -> Result<Option<LeadingLimitCycle>, NoLeadingLimitCycles> {
     // W goes with the square of the amplitude where that is small.
-    let value = |amplitude: f64| {
-        work.at(amplitude, watch).map_or(f64::NAN, |found| found.value / (amplitude * amplitude))
-    };
-    let bracket = ends.map(|end| (end.amplitude, end.value / (end.amplitude * end.amplitude)));
-    let zero = zero_between(bracket, Tolerance::relative(AT_ZERO), value);
-    watch.go_on()?;
-    let Some(found) = zero.and_then(|zero| work.at(zero, watch).ok()) else { return Ok(None) };
+    let value = |found: &Work| found.value / (found.amplitude * found.amplitude);
+    let bracket = ends.map(|end| (end.amplitude, value(&end)));
+    let Some(found) = at_zero(work, bracket, AT_ZERO, &value, watch)? else { return Ok(None) };
     let by_amplitude = (found.slope * found.energy_slope).abs();
     let amplitude_uncertainty =
         (found.uncertainty + found.value.abs()) / by_amplitude + 2.0 * AT_ZERO * found.amplitude;

@@ -4,7 +4,10 @@ use libration::chaos::{
     Continuation, Family, LyapunovError, Points, Schedule, Section, bifurcation_diagram_watched,
     lyapunov_exponent_watched, section_watched,
 };
-use libration::comparison::{Backbone, ExactMotion, NoExactValue, SeriesComparison, SeriesQuantity};
+use libration::comparison::{
+    Backbone, ExactMotion, LeadingLimitCycles, NoExactValue, NoLeadingLimitCycles, SeriesComparison,
+    SeriesQuantity,
+};
 use libration::expression::Equation;
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
@@ -233,4 +236,11 @@ fn tables_of_errors_stop_at_any_question() {
         |watch| ErrorTable::new_watched(formulas, watch).map(|table| table.crossovers(0, 1)),
         |found, _| *found == Err(Interrupted),
     );
+}
+
+#[test]
+fn limit_cycles_over_exact_orbits_stop() {
+    let equation = equation("x'' + x + x^3 = e*(1 - x^2)*x'");
+    let none = Err(NoLeadingLimitCycles::Interrupted);
+    stops(|watch| LeadingLimitCycles::new_watched(&equation, None, watch), |found, _| *found == none);
 }

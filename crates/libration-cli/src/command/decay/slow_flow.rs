@@ -106,9 +106,13 @@ pub(super) fn of_cycle() -> Fields<SlowCycle> {
 
 /// What the slow flow is worth, in a line.
 pub(super) fn line(Compared { slow, largest_errors: [amplitude, phase] }: &Compared<'_>) -> String {
-    let (degrees, phase) = (short(amplitude.to_degrees(), 2), short(*phase, 2));
     let [order, damping_order] = [slow.flow().order, slow.flow().parameter_order];
-    format!(
-        "to the power {order} of the amplitude and {damping_order} of the damping: error at most {degrees}°, and {phase} rad of the phase"
-    )
+    let orders = format!("to the power {order} of the amplitude and {damping_order} of the damping");
+    if amplitude.is_nan() {
+        return format!(
+            "{orders}: it ends before the motion, for which the damping or the amplitude is too large"
+        );
+    }
+    let (degrees, phase) = (short(amplitude.to_degrees(), 2), short(*phase, 2));
+    format!("{orders}: error at most {degrees}°, and {phase} rad of the phase")
 }
