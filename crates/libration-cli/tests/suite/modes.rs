@@ -92,7 +92,11 @@ fn the_backbone_of_the_pendulum_has_three_roads() {
     close(&point["frequency"], 0.847_213_084_793_979_1, 1e-14);
     close(&point["series"], 0.847_213_084_793_979_1, 1e-6);
     close(&point["other_turning_point"], -std::f64::consts::FRAC_PI_2, 1e-14);
-    assert_eq!(point["series_remainder_is"], "estimated");
+    assert_eq!(point["series_remainder_is"], "proven");
+    let missing = (point["series"].as_f64().unwrap() - 0.847_213_084_793_979_1).abs();
+    assert!((missing..1e-5).contains(&point["series_remainder"].as_f64().unwrap()), "{point}");
+    let morse = json("backbone morse --amplitudes 0.1 --order 21");
+    assert_eq!(morse["points"][0]["series_remainder_is"], "estimated");
     assert!(point["exact_uncertainty"].as_f64().unwrap() < 1e-15);
     let sheet = text("backbone pendulum --amplitudes 40deg,90deg");
     assert!(sheet.contains("90°  0.8472130847939"), "{sheet}");

@@ -40,7 +40,7 @@ pub struct Gap {
 
 /// An interval beyond this many usual ones is a gap where the clock is even.
 ///
-/// The numbers of how tables are read were varied over 106 recordings: six measured ones by cameras and an encoder, and a hundred synthetic
+/// The numbers of how tables are read were varied over 99 recordings: six measured ones by cameras and an encoder, and 93 synthetic
 /// ones, with missing rows, uneven clocks, rounded times, outliers, and rows out of order. With 1.4 clocks that are uneven by a sixth had
 /// gaps, with 1.2 frames rounded to a third of their interval too; with 2.2 single rows that were missing were not.
 const GAP: f64 = 1.6;

@@ -5,7 +5,7 @@ use super::super::faults::order;
 use crate::statistics::lower_median;
 
 /// A clock that goes back more often than once in so many rows is none: an angle, which goes back in half of them, or a sorted column. With 15
-/// one more of 106 recordings (`faults/clock.rs`) was put in order, with 30 one less.
+/// one more of 99 recordings (`faults/clock.rs`) was put in order, with 30 one less.
 const ROWS_PER_STEP_BACK: usize = 20;
 /// A row belongs between two others if they are further apart than usual, by this many usual intervals or more on either side.
 /// With 0.2 and 0.45 nothing changed; with 0.1 a time that belongs nowhere had a place, with 0.6 that of a late row had none.
