@@ -10,7 +10,7 @@ use libration::systems::{Model, ModelError, NamedSystem};
 /// The system asked about.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
-    /// A key from `libration systems` or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y"
+    /// A key from `libration systems` or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
     #[arg(value_name = "SYSTEM|EQUATION")]
     system: String,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times

@@ -16,6 +16,7 @@ mod figure_data;
 mod figure_sizes;
 mod figures;
 mod files;
+mod first_order;
 mod fit;
 mod fit_budget;
 mod fit_lengths_and_gates;

@@ -25,7 +25,7 @@ const LONGEST: i64 = 1000;
 pub fn drive_period(equation: &Equation) -> Option<f64> {
     let time = Symbol::plain(TIME);
     let mut frequencies = vec![];
-    let mut formulas = equation.accelerations().iter();
+    let mut formulas = equation.derivatives().iter();
     if !formulas.all(|formula| collect_frequencies(formula, &time, &mut frequencies)) {
         return None;
     }

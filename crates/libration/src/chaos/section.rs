@@ -20,7 +20,7 @@ pub enum Section {
         /// At which part of the period after t = 0, from 0 to 1.
         phase: f64,
     },
-    /// Whenever a formula of coordinates, velocities and time changes its sign.
+    /// Whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,

@@ -1,6 +1,7 @@
 //! What the form of the equations tells about their motions.
 
 use crate::expression::{Equation, Expression, Function, Symbol};
+use crate::taylor::StateLayout;
 
 /// The name of the time in equations.
 pub(super) const TIME: &str = "t";
@@ -18,19 +19,19 @@ pub(super) const TIME: &str = "t";
 pub fn angles(equation: &Equation) -> Vec<bool> {
     let is_angle = |name: &String| {
         let symbol = Symbol::plain(name);
-        let mut formulas = equation.accelerations().iter();
+        let mut formulas = equation.derivatives().iter();
         occurs(equation, &symbol) && formulas.all(|formula| turns_leave(formula, &symbol))
     };
     equation.variables().iter().map(is_angle).collect()
 }
 
-/// For each coordinate, whether no acceleration depends on it.
+/// For each coordinate, whether nothing in the equations depends on it.
 pub(super) fn cyclic(equation: &Equation) -> Vec<bool> {
     equation.variables().iter().map(|name| !occurs(equation, &Symbol::plain(name))).collect()
 }
 
 fn occurs(equation: &Equation, symbol: &Symbol) -> bool {
-    equation.accelerations().iter().any(|formula| formula.contains(symbol))
+    equation.derivatives().iter().any(|formula| formula.contains(symbol))
 }
 
 /// Whether a formula is the same after a turn of the coordinate.
@@ -60,15 +61,15 @@ pub(super) fn has_jumps(equation: &Equation) -> bool {
     fn jumps(formula: &Expression) -> bool {
         matches!(formula, Expression::Call(Function::Sign, _)) || formula.parts().any(jumps)
     }
-    equation.accelerations().iter().any(jumps)
+    equation.derivatives().iter().any(jumps)
 }
 
 /// Why no motion of a system can be chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Theorem {
-    /// One coordinate without the time, or several that know nothing of each other: in a plane bounded motions tend to
-    /// equilibria and periodic motions (Poincaré and Bendixson).
+    /// One coordinate without the time, or several that know nothing of each other, or two whose equations are of the first order: in a
+    /// plane bounded motions tend to equilibria and periodic motions (Poincaré and Bendixson).
     Plane,
     /// Accelerations of the first degree in coordinates and velocities: deviations grow alike on all motions.
     Linear,
@@ -81,16 +82,20 @@ pub(super) fn theorem(equation: &Equation) -> Option<Theorem> {
     }
     let state = state_symbols(equation);
     let linear = |formula: &Expression| formula.polynomial_degree(&state).is_some_and(|degree| degree <= 1);
-    equation.accelerations().iter().all(linear).then_some(Theorem::Linear)
+    equation.derivatives().iter().all(linear).then_some(Theorem::Linear)
 }
 
-/// Whether each acceleration depends on its own coordinate and velocity alone.
+/// Whether a state has two numbers at most, or each equation depends on its own coordinate and velocity alone; always without the time.
 fn planes(equation: &Equation) -> bool {
+    let time = Symbol::plain(TIME);
+    if StateLayout::new(equation).numbers() <= 2 && !occurs(equation, &time) {
+        return true;
+    }
     let own = |(name, formula): (&String, &Expression)| {
         let mut symbols = formula.symbols().into_iter();
         symbols.all(|symbol| symbol.name == *name)
     };
-    equation.variables().iter().zip(equation.accelerations()).all(own)
+    equation.variables().iter().zip(equation.derivatives()).all(own)
 }
 
 fn state_symbols(equation: &Equation) -> Vec<Symbol> {
@@ -129,6 +134,11 @@ mod tests {
         let cases = [
             ("x'' = x - x^3 - x'/3", Some(Theorem::Plane)),
             ("x'' = -sin(x); y'' = -y*y'^2", Some(Theorem::Plane)),
+            ("x' = x - x*y; y' = x*y - y", Some(Theorem::Plane)),
+            ("x' = x - x*y; y' = x*y - y*cos(t)", None),
+            ("x' = -y - z; y' = x + y/5; z' = 1 + z*(x - 6)", None),
+            ("x'' = -x*q; q' = -q", None),
+            ("x' = -y - z*sin(t); y' = x + y/5; z' = 1 + z", Some(Theorem::Linear)),
             ("x'' = -2x + y*cos(t); y'' = x - y' + exp(t)", Some(Theorem::Linear)),
             ("x'' = -sin(x) + cos(t)", None),
             ("x'' = -sin(x); y'' = x - y", None),

@@ -4,7 +4,7 @@
 use super::enclosed::other_equilibrium;
 use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use crate::algebra::BigFloat;
-use crate::expression::{Equation, Expression, Symbol};
+use crate::expression::{Equation, Expression, NotSecondOrder, Symbol};
 use crate::orbit::{NoOrbit, Orbit, ReleasePlace};
 use crate::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand_watched};
@@ -57,6 +57,9 @@ pub enum NoBackbone {
     /// Several coordinates.
     #[error("there are {0} coordinates: give one equation of motion, or compute normal modes")]
     SeveralCoordinates(usize),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
     /// The time in the force.
     #[error("the acceleration depends on t: set the strength of the driving to zero")]
     DependsOnTime,
@@ -137,6 +140,7 @@ impl Backbone {
         if equation.variables().len() != 1 {
             return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
         }
+        equation.refuse_first_order()?;
         if equation.accelerations()[0].contains(&Symbol::plain("t")) {
             return Err(NoBackbone::DependsOnTime);
         }

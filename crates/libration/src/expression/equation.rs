@@ -1,6 +1,7 @@
-//! Equations of motion from text, solved for the accelerations.
+//! Equations of motion from text, solved for the accelerations, or for the rates of change where they are of the first order.
 
 mod error;
+mod order;
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -11,11 +12,14 @@ use super::parser::Parser;
 use super::simplify::{difference, negative, quotient, sum};
 use super::{Expression, Symbol};
 
-pub use error::EquationError;
+pub use error::{EquationError, NotSecondOrder};
+pub use order::Order;
+use order::own_derivatives;
 
-/// Equations of motion of the second order, one for each variable, solved for the accelerations.
+/// Equations of motion, one for each variable, solved for its highest derivative: the acceleration, or the rate of change of a
+/// variable whose equation is of the first order.
 ///
-/// A variable is what has two primes; t is the time; all other names are parameters.
+/// A variable is what has two primes, or one prime in an equation without two; t is the time; all other names are parameters.
 ///
 /// # Examples
 /// ```
@@ -24,21 +28,38 @@ pub use error::EquationError;
 /// assert_eq!(equation.accelerations()[0].to_string(), "-k*x/m");
 /// let equation = equation.with(&[("m", "2".parse()?), ("k", "0.5".parse()?)])?;
 /// assert_eq!(equation.to_string(), "2*x'' + 0.5*x = 0");
+/// // A motor: the current q drives the mass, whose velocity induces a voltage.
+/// let motor: Equation = "m x'' = k q; L q' + R q = -k x'".parse()?;
+/// assert_eq!(motor.derivatives()[1].to_string(), "(-k*x' - R*q)/L");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Equation {
     variables: Vec<String>,
-    written: Vec<(Expression, Expression)>,
-    accelerations: Vec<Expression>,
+    orders: Vec<Order>,
+    written: Vec<Sides>,
+    derivatives: Vec<Expression>,
 }
+
+/// What stands left and right of an equals sign.
+type Sides = (Expression, Expression);
 
 impl Equation {
     /// The equations that give each variable its acceleration.
     pub(crate) fn of_accelerations(variables: Vec<String>, accelerations: Vec<Expression>) -> Self {
-        let acceleration = |name: &String| Expression::Symbol(Symbol::plain(name).with_primes(2));
-        let written = variables.iter().map(acceleration).zip(accelerations.iter().cloned()).collect();
-        Self { variables, written, accelerations }
+        let orders = vec![Order::Second; variables.len()];
+        Self::of_derivatives(variables, orders, accelerations)
+    }
+
+    /// The equations that give each variable its highest derivative.
+    pub(crate) fn of_derivatives(
+        variables: Vec<String>,
+        orders: Vec<Order>,
+        derivatives: Vec<Expression>,
+    ) -> Self {
+        let own = |(name, order): (&String, &Order)| Expression::Symbol(order.derivative_of(name));
+        let written = variables.iter().zip(&orders).map(own).zip(derivatives.iter().cloned()).collect();
+        Self { variables, orders, written, derivatives }
     }
 
     /// The names of the variables, in the order of their equations.
@@ -47,19 +68,73 @@ impl Equation {
         &self.variables
     }
 
-    /// The second derivative of each variable, as a formula in variables, first derivatives, t and parameters.
+    /// Of which order the equation of each variable is.
     #[must_use]
-    pub fn accelerations(&self) -> &[Expression] {
-        &self.accelerations
+    pub fn orders(&self) -> &[Order] {
+        &self.orders
     }
 
-    /// What multiplies each second derivative as the equations are written: the masses, in `m x'' + k x = 0`.
+    /// The highest derivative of each variable, as a formula in variables, the first derivatives of those whose equation is of the second
+    /// order, t and parameters.
+    #[must_use]
+    pub fn derivatives(&self) -> &[Expression] {
+        &self.derivatives
+    }
+
+    /// The second derivative of each variable, as a formula in variables, first derivatives, t and parameters. Of equations of the first
+    /// order, which [`Self::refuse_first_order`] keeps out, the rates of change.
+    #[must_use]
+    pub fn accelerations(&self) -> &[Expression] {
+        &self.derivatives
+    }
+
+    /// Refuses equations of the first order, for what only accelerations have.
+    ///
+    /// # Errors
+    /// The first variable whose equation is of the first order.
+    pub fn refuse_first_order(&self) -> Result<(), NotSecondOrder> {
+        let mut pairs = self.variables.iter().zip(&self.orders);
+        match pairs.find(|(_, order)| **order == Order::First) {
+            Some((variable, _)) => Err(NotSecondOrder { variable: variable.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// What multiplies each highest derivative as the equations are written: the masses, in `m x'' + k x = 0`.
     pub(crate) fn inertias(&self) -> Vec<Expression> {
-        let factor = |((left, right), name): (&(Expression, Expression), &String)| {
-            let own = Symbol::plain(name).with_primes(2);
+        let factor = |((left, right), own): (&Sides, Symbol)| {
             difference(left.derivative(&own), right.derivative(&own))
         };
-        self.written.iter().zip(&self.variables).map(factor).collect()
+        self.written.iter().zip(self.own_derivatives()).map(factor).collect()
+    }
+
+    /// What each equation is solved for: `x''`, or `x'` where it is of the first order.
+    pub(crate) fn own_derivatives(&self) -> impl Iterator<Item = Symbol> {
+        self.variables.iter().zip(&self.orders).map(|(name, order)| order.derivative_of(name))
+    }
+
+    /// A formula with the equations in the place of rates of change that are no numbers of a state: those of variables whose equation is
+    /// of the first order.
+    ///
+    /// ```
+    /// use libration::expression::Equation;
+    /// let decay: Equation = "x' = -x/2".parse()?;
+    /// assert_eq!(decay.with_rates(&"x'/x".parse()?).to_string(), "-1/2");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_rates(&self, formula: &Expression) -> Expression {
+        let own = self.own_derivatives().zip(&self.derivatives);
+        let rates = own.filter(|(own, _)| own.primes == 1 && formula.contains(own));
+        let rates: Vec<_> = rates.collect();
+        match rates.is_empty() {
+            true => formula.clone(),
+            false => {
+                let put_in =
+                    |formula: Expression, (own, rate): (Symbol, &Expression)| formula.substitute(&own, rate);
+                rates.into_iter().fold(formula.clone(), put_in).simplified()
+            }
+        }
     }
 
     /// The names that are neither variables nor the time.
@@ -83,7 +158,7 @@ impl Equation {
     ///
     /// # Errors
     /// A name that is no parameter, or is given twice; a value that has symbols in it, or is none, as 1/0; an equation
-    /// whose second derivative drops out, or that has no value with these.
+    /// whose highest derivative drops out, or that has no value with these.
     pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
         let known = self.parameters();
         let mut written = self.written.clone();
@@ -102,25 +177,35 @@ impl Equation {
                 *side = side.with_value(&symbol, value);
             }
         }
+        refuse_without_value(&written)?;
+        for (sides, (own, order)) in written.iter().zip(self.own_derivatives().zip(&self.orders)) {
+            let (left, right) = sides;
+            if !left.contains(&own) && !right.contains(&own) {
+                return Err(match order {
+                    Order::First => EquationError::DropsOut(own),
+                    Order::Second => EquationError::without_acceleration(left, right),
+                });
+            }
+        }
         Self::solved(written)
     }
 
-    /// Solves each equation for its own second derivative.
-    fn solved(written: Vec<(Expression, Expression)>) -> Result<Self, EquationError> {
-        let sides = written.iter().flat_map(|(left, right)| [left, right]);
-        if let Some(missing) = sides.into_iter().find_map(Expression::without_value) {
-            return Err(missing.into());
-        }
-        let own: Vec<Symbol> = written.iter().map(own_acceleration).collect::<Result<_, _>>()?;
+    /// Solves each equation for its own highest derivative.
+    fn solved(written: Vec<Sides>) -> Result<Self, EquationError> {
+        refuse_without_value(&written)?;
+        let own = own_derivatives(&written)?;
         if let Some(twice) = own.iter().enumerate().find_map(|(i, it)| own[..i].contains(it).then_some(it)) {
-            return Err(EquationError::SolvedTwice(twice.name.clone()));
+            return Err(EquationError::SolvedTwice(twice.clone()));
         }
         let variables: Vec<String> = own.iter().map(|symbol| symbol.name.clone()).collect();
         refuse_foreign_derivatives(&written, &variables)?;
         let pairs = written.iter().zip(&own);
-        let accelerations =
+        let derivatives =
             pairs.map(|((left, right), symbol)| solve(left, right, symbol)).collect::<Result<_, _>>()?;
-        Ok(Self { variables, written, accelerations })
+        let orders = own.iter().map(Order::of).collect();
+        let solved = Self { variables, orders, written, derivatives };
+        let derivatives = solved.derivatives.iter().map(|formula| solved.with_rates(formula)).collect();
+        Ok(Self { derivatives, ..solved })
     }
 
     /// How equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is;
@@ -141,8 +226,7 @@ impl Equation {
     /// The equations in LaTeX, one string each.
     #[must_use]
     pub fn to_latex(&self) -> Vec<String> {
-        let one =
-            |(left, right): &(Expression, Expression)| format!("{} = {}", left.to_latex(), right.to_latex());
+        let one = |(left, right): &Sides| format!("{} = {}", left.to_latex(), right.to_latex());
         self.written.iter().map(one).collect()
     }
 }
@@ -158,26 +242,14 @@ fn parameter(name: &str, known: &BTreeSet<String>) -> Result<Symbol, EquationErr
     }
 }
 
-/// The one second derivative of an equation.
-fn own_acceleration((left, right): &(Expression, Expression)) -> Result<Symbol, EquationError> {
-    let mut symbols = left.symbols();
-    symbols.extend(right.symbols());
-    if let Some(symbol) = symbols.iter().find(|symbol| symbol.primes > 2) {
-        return Err(EquationError::ThirdOrder(symbol.clone()));
-    }
-    let mut second = symbols.iter().filter(|symbol| symbol.primes == 2);
-    let own = second.next().ok_or_else(|| EquationError::without_acceleration(left, right))?;
-    if let Some(other) = second.next() {
-        return Err(EquationError::Coupled { first: own.clone(), second: other.clone() });
-    }
-    if own.name == TIME { Err(EquationError::TimeAsVariable) } else { Ok(own.clone()) }
+/// Refuses parts such as 1/0.
+fn refuse_without_value(written: &[Sides]) -> Result<(), EquationError> {
+    let mut sides = written.iter().flat_map(|(left, right)| [left, right]);
+    sides.find_map(Expression::without_value).map_or(Ok(()), |missing| Err(missing.into()))
 }
 
 /// Refuses derivatives of what is no variable.
-fn refuse_foreign_derivatives(
-    written: &[(Expression, Expression)],
-    variables: &[String],
-) -> Result<(), EquationError> {
+fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result<(), EquationError> {
     let sides = written.iter().flat_map(|(left, right)| [left, right]);
     let mut symbols = sides.flat_map(Expression::symbols);
     match symbols.find(|symbol| symbol.primes > 0 && !variables.contains(&symbol.name)) {
@@ -186,7 +258,7 @@ fn refuse_foreign_derivatives(
     }
 }
 
-/// Solves left = right, of the form a·x″ + b = 0, for x″.
+/// Solves left = right, of the form a·x″ + b = 0, for x″, or x′ in its place.
 fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expression, EquationError> {
     if *left == Expression::Symbol(own.clone()) && !right.contains(own) {
         return Ok(right.simplified());
@@ -215,8 +287,8 @@ fn opposite(a: Expression) -> Expression {
 /// Reads one equation, or several with `;` between them.
 ///
 /// # Errors
-/// Text that is no formula; no `=`, or two; no second derivative or more than one in an equation; an equation that is
-/// not linear in it; derivatives of the third order; parts that have no value, as 1/0.
+/// Text that is no formula; no `=`, or two; an equation that is for none or for several derivatives, or not linear in its own;
+/// derivatives of the third order; parts that have no value, as 1/0.
 impl FromStr for Equation {
     type Err = EquationError;
 
@@ -226,7 +298,7 @@ impl FromStr for Equation {
 }
 
 /// The sides of each equation, and whether they are written more freely than they are written back.
-fn sides(text: &str) -> Result<(Vec<(Expression, Expression)>, bool), EquationError> {
+fn sides(text: &str) -> Result<(Vec<Sides>, bool), EquationError> {
     let mut parser = Parser::new(text)?;
     let mut written = Vec::new();
     loop {
@@ -241,7 +313,7 @@ fn sides(text: &str) -> Result<(Vec<(Expression, Expression)>, bool), EquationEr
     }
 }
 
-fn one_equation(parser: &mut Parser) -> Result<(Expression, Expression), EquationError> {
+fn one_equation(parser: &mut Parser) -> Result<Sides, EquationError> {
     let left = parser.formula()?;
     if parser.take('=') {
         return Ok((left, parser.formula()?));

@@ -41,7 +41,7 @@ mod value;
 use crate::algebra::Rational;
 
 pub use crate::algebra::Function;
-pub use equation::{Equation, EquationError};
+pub use equation::{Equation, EquationError, NotSecondOrder, Order};
 pub use error::{Fault, ParseError};
 pub(crate) use instruction::{Evaluator, Instruction, Value, Weighted};
 pub(crate) use jet::{Jet, NoSeries};

@@ -1,6 +1,6 @@
 //! Why there are no normal modes.
 
-use crate::expression::WithoutValue;
+use crate::expression::{NotSecondOrder, WithoutValue};
 use crate::watch::Interrupted;
 
 /// Why a system has no normal modes.
@@ -10,6 +10,9 @@ pub enum NoModes {
     /// A parameter that is left open.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
     /// Accelerations that change in time.
     #[error("the accelerations depend on the time t: set the strength of the driving to zero")]
     DependsOnTime,

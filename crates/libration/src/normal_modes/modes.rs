@@ -66,6 +66,7 @@ impl NormalModes {
     /// # Errors
     /// As [`about`](Self::about), and [`NoModes::Interrupted`].
     pub fn about_watched(equation: &Equation, guess: &[f64], watch: &Watch<'_>) -> Result<Self, NoModes> {
+        equation.refuse_first_order()?;
         let wanted = equation.variables().len();
         if guess.len() != wanted || !guess.iter().all(|x| x.is_finite()) {
             return Err(NoModes::Guess { guess: guess.to_vec(), wanted });

@@ -5,7 +5,7 @@ use super::near::OrbitGuess;
 use super::path::{Path, sign_change, until};
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
-use crate::taylor::{Effort, IntegrationError, Moment, System, with_tangents};
+use crate::taylor::{Effort, IntegrationError, Moment, StateLayout, System, with_tangents};
 use crate::watch::Watch;
 use std::f64::consts::TAU;
 
@@ -15,8 +15,8 @@ pub(super) struct Rounds<'w> {
     plain: System,
     /// One deviation for each number of the state.
     with_deviations: System,
-    accelerations: Tape,
-    pub(super) coordinates: usize,
+    derivatives: Tape,
+    pub(super) layout: StateLayout,
     watch: &'w Watch<'w>,
 }
 
@@ -39,17 +39,13 @@ const MOST_STEPS: usize = 1_000_000;
 
 impl<'w> Rounds<'w> {
     pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, NoOrbit> {
-        let coordinates = equation.variables().len();
         let plain = System::new(equation)?;
-        let with_deviations = System::new(&with_tangents(equation, 2 * coordinates))?;
-        let names = equation.variables().iter().map(|name| Symbol::plain(name));
-        let mut inputs: Vec<Symbol> = [0, 1]
-            .into_iter()
-            .flat_map(|primes| names.clone().map(move |symbol| symbol.with_primes(primes)))
-            .collect();
+        let layout = StateLayout::new(equation);
+        let with_deviations = System::new(&with_tangents(equation, layout.numbers()))?;
+        let mut inputs = layout.symbols(equation.variables());
         inputs.push(Symbol::plain("t"));
-        let accelerations = Tape::new(&equation.accelerations().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { plain, with_deviations, accelerations, coordinates, watch })
+        let derivatives = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
+        Ok(Self { plain, with_deviations, derivatives, layout, watch })
     }
 
     /// The motion alone.
@@ -63,13 +59,14 @@ impl<'w> Rounds<'w> {
         Path::to_time(&self.plain, &start, duration, &effort(tolerance), self.watch)
     }
 
-    /// The motion from a maximum of the first coordinate to the next, which is expected after about the period of the guess.
+    /// The motion of one coordinate with a velocity from a maximum to the next, which is expected after about the period of the guess.
     pub(super) fn turn(&self, start: &OrbitGuess, tolerance: f64) -> Result<Option<Path>, IntegrationError> {
         let horizons = [1.5 * start.period, 2.0 * start.period];
         let start = Moment { time: 0.0, state: start.state.clone() };
         until(&self.plain, &start, horizons, &effort(tolerance), self.watch, |step| {
-            let rises = step.state_at(step.start())[self.coordinates] > 0.0;
-            sign_change(step, self.coordinates).filter(|_| rises)
+            let velocity = self.layout.driven(0);
+            let rises = step.state_at(step.start())[velocity] > 0.0;
+            sign_change(step, velocity).filter(|_| rises)
         })
     }
 
@@ -83,19 +80,33 @@ impl<'w> Rounds<'w> {
         Ok(Round { path, defect, monodromy, rate })
     }
 
-    /// The state of the system with deviations is x, δ₁x, δ₂x, …, x′, δ₁x′, δ₂x′, ….
-    fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, NoOrbit> {
-        let (n, numbers) = (self.coordinates, 2 * self.coordinates);
-        let place = |deviation: usize, number: usize| {
-            let half = if number < n { 0 } else { n * (1 + numbers) };
-            half + n * (1 + deviation) + number % n
-        };
-        let mut start = vec![0.0; 2 * n * (1 + numbers)];
-        for number in 0..numbers {
-            start[place(number, number)] = 1.0;
+    /// The number of the state that keeps its value while a cycle is closed that begins at a maximum of the first coordinate: the
+    /// velocity, and without one what moves fastest there, since the coordinate itself stands still.
+    pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, NoOrbit> {
+        if let Some(velocity) = self.layout.velocity(0) {
+            return Ok(velocity);
         }
-        start[..n].copy_from_slice(&state[..n]);
-        start[n * (1 + numbers)..][..n].copy_from_slice(&state[n..]);
+        let round = self.round(&guess.state, guess.period)?;
+        let rate = self.rate(&guess.state, 0.0)?;
+        let paces: Vec<f64> = rate
+            .iter()
+            .zip(round.sizes(&self.layout, guess))
+            .map(|(rate, size)| (rate / size).abs())
+            .collect();
+        let fastest = (0..paces.len()).max_by(|a, b| paces[*a].total_cmp(&paces[*b]));
+        Ok(fastest.unwrap_or(0))
+    }
+
+    /// How the state after a time depends on that at the start, by rows.
+    fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, NoOrbit> {
+        let numbers = self.layout.numbers();
+        let place =
+            |deviation: usize, number: usize| self.layout.place_in_copy(number, 1 + deviation, numbers);
+        let mut start = vec![0.0; numbers * (1 + numbers)];
+        for (number, value) in state.iter().enumerate() {
+            start[place(number, number)] = 1.0;
+            start[self.layout.place_in_copy(number, 0, numbers)] = *value;
+        }
         let start = Moment { time: 0.0, state: start };
         let end = Path::to_time(&self.with_deviations, &start, duration, &effort(1e-15), self.watch)?
             .state_at(duration);
@@ -103,31 +114,37 @@ impl<'w> Rounds<'w> {
     }
 
     /// The derivative of the state by the time.
-    fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, NoOrbit> {
+    pub(super) fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, NoOrbit> {
         let inputs: Vec<f64> = state.iter().copied().chain([time]).collect();
-        let refusal = |_| NoOrbit::Start { state: state.to_vec(), wanted: 2 * self.coordinates };
-        let jet = Jet::new(&Doubles, &self.accelerations, &inputs).map_err(refusal)?;
-        let accelerations = (0..self.coordinates).map(|i| jet.result(i)[0]);
-        Ok(state[self.coordinates..].iter().copied().chain(accelerations).collect())
+        let refusal = |_| NoOrbit::Start { state: state.to_vec(), wanted: self.layout.numbers() };
+        let jet = Jet::new(&Doubles, &self.derivatives, &inputs).map_err(refusal)?;
+        let mut rate = vec![0.0; state.len()];
+        for coordinate in 0..self.layout.coordinates() {
+            if let Some(velocity) = self.layout.velocity(coordinate) {
+                rate[coordinate] = state[velocity];
+            }
+            rate[self.layout.driven(coordinate)] = jet.result(coordinate)[0];
+        }
+        Ok(rate)
     }
 }
 
 impl Round {
     /// How far each number of the state goes on the way, in which its errors are measured: at least [`LEAST_SIZE`] of the
     /// coordinate, and as far as the others of its kind if it hardly moves at all.
-    pub(super) fn sizes(&self, start: &OrbitGuess) -> Vec<f64> {
-        let numbers = start.state.len();
+    pub(super) fn sizes(&self, layout: &StateLayout, start: &OrbitGuess) -> Vec<f64> {
         let pace = TAU / start.period;
         let least = |number: usize| {
-            let place = LEAST_SIZE * start.state[number % (numbers / 2)].abs();
-            if number < numbers / 2 { place } else { place * pace }
+            let coordinate = layout.driving(number).unwrap_or(number);
+            let place = LEAST_SIZE * start.state[coordinate].abs();
+            if layout.is_velocity(number) { place * pace } else { place }
         };
-        let ranges = self.ranges(numbers);
-        let kinds = ranges.chunks((numbers / 2).max(1)).enumerate();
-        let sizes = kinds.flat_map(|(kind, ranges)| {
+        let ranges = self.ranges(layout.numbers());
+        let (places, velocities) = ranges.split_at(layout.coordinates());
+        let kinds = [(0, places), (layout.coordinates(), velocities)].into_iter();
+        let sizes = kinds.flat_map(|(first, ranges)| {
             let largest = ranges.iter().copied().fold(0.0, f64::max);
             let size = move |range: f64| if range > 1e-9 * largest { range } else { largest };
-            let first = kind * numbers / 2;
             ranges.iter().enumerate().map(move |(i, range)| size(*range).max(least(first + i)))
         });
         sizes.map(|size| if size > 0.0 { size } else { 1.0 }).collect()

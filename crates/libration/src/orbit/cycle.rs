@@ -3,13 +3,13 @@
 use super::closing::Rounds;
 use super::error::{Lost, NoOrbit, finished};
 use super::near::OrbitGuess;
-use super::path::sign_change;
+use super::path::turn_in;
 use super::periodic::Orbit;
 use super::relaxation::forgetful;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_watched};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_watched};
 use crate::watch::Watch;
 use std::ops::ControlFlow;
 
@@ -64,8 +64,9 @@ impl Orbit {
         if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
             return Ok(orbit);
         }
-        let coordinates = rounds.coordinates;
-        let free = (0..2 * coordinates).filter(|number| *number != coordinates).collect();
+        let numbers = rounds.layout.numbers();
+        let held = finished(rounds.held_at_maximum(&guess), watch)?;
+        let free = (0..numbers).filter(|number| *number != held).collect();
         finished(closed(equation, &rounds, &guess, &Unknowns { free, period: true }), watch)
     }
 }
@@ -74,7 +75,7 @@ impl Orbit {
 fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, NoOrbit> {
     /// A time that no motion comes to: the maxima or the steps end the search before.
     const FAR: f64 = 1e300;
-    let mut maxima = Maxima::new(system.coordinates());
+    let mut maxima = Maxima::new(system.layout());
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(1e-12);
@@ -112,7 +113,8 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
 
 /// The maxima of the first coordinate so far.
 struct Maxima {
-    coordinates: usize,
+    /// The number of the first coordinate's velocity.
+    velocity: Option<usize>,
     found: Vec<Moment>,
     /// Steps since the last one.
     steps: usize,
@@ -125,10 +127,10 @@ struct Maxima {
 }
 
 impl Maxima {
-    fn new(coordinates: usize) -> Self {
-        let none = vec![0.0; 2 * coordinates];
+    fn new(layout: &StateLayout) -> Self {
+        let none = vec![0.0; layout.numbers()];
         Self {
-            coordinates,
+            velocity: layout.velocity(0),
             found: vec![],
             steps: 0,
             moved: none.clone(),
@@ -143,11 +145,13 @@ impl Maxima {
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
-        let rises = step.state_at(step.start())[self.coordinates] > 0.0;
-        let time = sign_change(step, self.coordinates).filter(|_| rises)?;
+        let rises = step.speeds_at(step.start())[0] > 0.0;
+        let time = turn_in(step).filter(|_| rises)?;
         let mut state = step.state_at(time);
-        // Of a maximum only rounding makes something that still moves.
-        state[self.coordinates] = 0.0;
+        if let Some(velocity) = self.velocity {
+            // Of a maximum only rounding makes something that still moves.
+            state[velocity] = 0.0;
+        }
         self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
         let recent = self.found.iter().rev().take(LONGEST);
         let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));

@@ -49,7 +49,7 @@ impl Orbit {
             return Err(NoOrbit::NotDriven);
         }
         let rounds = Rounds::new(equation, watch)?;
-        let unknowns = Unknowns { free: (0..2 * rounds.coordinates).collect(), period: false };
+        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {

@@ -1,6 +1,6 @@
 //! Why there is no periodic orbit, or why it is not found.
 
-use crate::expression::WithoutValue;
+use crate::expression::{NotSecondOrder, WithoutValue};
 use crate::taylor::{Cause, IntegrationError};
 use crate::watch::{Interrupted, Watch};
 
@@ -11,6 +11,9 @@ pub enum NoOrbit {
     /// A parameter that is left open.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
+    /// A release from rest of what has no velocity.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
     /// A release of more or less than one coordinate.
     #[error("a release from rest is for one coordinate, and there are {0}: give a guess of the whole orbit")]
     SeveralCoordinates(usize),

@@ -31,6 +31,7 @@ impl Divergence {
     /// `None` for several coordinates, or a derivative without values.
     pub(super) fn new(equation: &Equation) -> Option<Self> {
         let [variable] = equation.variables() else { return None };
+        equation.refuse_first_order().ok()?;
         let x = Symbol::plain(variable);
         let velocity = x.with_primes(1);
         let slope = equation.accelerations()[0].derivative(&velocity).simplified();

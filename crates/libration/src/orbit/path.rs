@@ -121,9 +121,17 @@ pub(super) fn until(
 /// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.
 /// A step that begins with zero has the sign that it takes soon after.
 pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
+    zero_in(step, |time| step.state_at(time)[number])
+}
+
+/// When the rate of change of the first coordinate changes its sign in a step, to the last bit, as that of [`sign_change`].
+pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
+    zero_in(step, |time| step.speeds_at(time)[0])
+}
+
+fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
     /// Of the step, in which no series that is followed to the tolerance changes its sign twice: its shortest wave is longer than a step.
     const SOON: f64 = 1e-3;
-    let value = |time: f64| step.state_at(time)[number];
     let (mut before, after) = (step.start(), step.end());
     if value(before) == 0.0 {
         before += SOON * (after - before);

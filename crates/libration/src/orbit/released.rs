@@ -98,6 +98,7 @@ impl<'a> Release<'a> {
         let [_] = equation.variables() else {
             return Err(NoOrbit::SeveralCoordinates(equation.variables().len()));
         };
+        equation.refuse_first_order()?;
         if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
     }
 
@@ -293,5 +294,5 @@ fn why_lost(error: IntegrationError) -> Lost {
 /// Whether the time stands in one of the accelerations.
 pub(super) fn depends_on_time(equation: &Equation) -> bool {
     let time = Symbol::plain("t");
-    equation.accelerations().iter().any(|formula: &Expression| formula.contains(&time))
+    equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))
 }

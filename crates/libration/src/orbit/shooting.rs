@@ -54,7 +54,7 @@ impl Orbit {
             return Err(NoOrbit::DependsOnTime);
         }
         let rounds = Rounds::new(equation, watch)?;
-        let free = (0..2 * rounds.coordinates).filter(|number| !fixed.contains(number)).collect();
+        let free = (0..rounds.layout.numbers()).filter(|number| !fixed.contains(number)).collect();
         let unknowns = Unknowns { free, period: true };
         finished(closed(equation, &rounds, guess, &unknowns), watch)
     }
@@ -107,7 +107,7 @@ pub(super) fn closed(
 }
 
 fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
-    let wanted = 2 * rounds.coordinates;
+    let wanted = rounds.layout.numbers();
     if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
         return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
     }
@@ -131,14 +131,14 @@ struct Newton<'a> {
 impl<'a> Newton<'a> {
     fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
         let round = rounds.round(&guess.state, guess.period)?;
-        let sizes = round.sizes(guess);
+        let sizes = round.sizes(&rounds.layout, guess);
         let miss = miss(&round.defect, &sizes);
         Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
     }
 
     /// The largest swing of a coordinate.
     fn size(&self) -> f64 {
-        self.sizes[..self.rounds.coordinates].iter().copied().fold(0.0, f64::max)
+        self.sizes[..self.rounds.layout.coordinates()].iter().copied().fold(0.0, f64::max)
     }
 
     /// Rounds until they improve nothing; how many there were.

@@ -2,7 +2,7 @@
 
 use super::neighbourhood::{Roughness, Tendency};
 use super::roots::SEARCHED;
-use crate::expression::EquationError;
+use crate::expression::{EquationError, NotSecondOrder};
 
 /// Why an equation of motion cannot be taken as an oscillator about an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -11,6 +11,9 @@ pub enum OscillatorError {
     /// An equation or values that are not understood.
     #[error(transparent)]
     Equation(#[from] EquationError),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
     /// More than one variable.
     #[error(
         "there are {} variables, {}: give one equation of motion, or compute normal modes (libration modes)",

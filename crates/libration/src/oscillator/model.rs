@@ -200,6 +200,7 @@ pub(super) fn force(equation: &Equation) -> Result<Force, OscillatorError> {
     let [variable] = equation.variables() else {
         return Err(OscillatorError::SeveralVariables { names: equation.variables().to_vec() });
     };
+    equation.refuse_first_order()?;
     let formula = equation.accelerations()[0].simplified();
     if formula.contains(&Symbol::plain("t")) {
         return Err(OscillatorError::DependsOnTime);

@@ -20,6 +20,7 @@ use crate::taylor::Moment;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Bodies {
+    coordinates: usize,
     tape: Tape,
 }
 
@@ -39,14 +40,14 @@ impl Bodies {
         let formulas: Vec<&Expression> = places.iter().flatten().flatten().collect();
         let time = [Symbol::plain("t")];
         let inputs: Vec<Symbol> = names.iter().cloned().chain(time).collect();
-        Ok(Self { tape: Tape::new(&formulas, &inputs)? })
+        Ok(Self { coordinates: names.len(), tape: Tape::new(&formulas, &inputs)? })
     }
 
     /// The bodies in a state; NaN where a formula has no value.
     #[must_use]
     pub fn at(&self, moment: &Moment) -> Vec<Body> {
-        let coordinates = moment.state.len() / 2;
-        let inputs: Vec<f64> = moment.state[..coordinates].iter().copied().chain([moment.time]).collect();
+        let inputs: Vec<f64> =
+            moment.state[..self.coordinates].iter().copied().chain([moment.time]).collect();
         let formulas = self.tape.results().len();
         let values: Vec<f64> = match Jet::new(&Doubles, &self.tape, &inputs) {
             Ok(jet) => (0..formulas).map(|formula| jet.result(formula)[0]).collect(),

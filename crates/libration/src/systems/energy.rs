@@ -5,7 +5,7 @@ use super::line_integral::work;
 use crate::algebra::Doubles;
 use crate::double_double::DoubleDouble;
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
-use crate::taylor::Moment;
+use crate::taylor::{Moment, StateLayout};
 
 /// The conserved energy of a system.
 ///
@@ -49,6 +49,7 @@ impl Energy {
     /// equations if that is a positive constant, and else one. That the forces have a potential is proved by
     /// ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
     pub(super) fn of_forces(equation: &Equation) -> Result<Self, NoEnergy> {
+        equation.refuse_first_order()?;
         let masses =
             masses(equation).unwrap_or_else(|| vec![Expression::from(1); equation.variables().len()]);
         let force = |(mass, acceleration): (&Expression, &Expression)| {
@@ -75,8 +76,7 @@ impl Energy {
     }
 
     fn on_tape(equation: &Equation, formulas: &[&Expression], holds: Holds) -> Result<Self, NoEnergy> {
-        let places = equation.variables().iter().map(|name| Symbol::plain(name));
-        let inputs: Vec<Symbol> = places.clone().chain(places.map(|symbol| symbol.with_primes(1))).collect();
+        let inputs = StateLayout::new(equation).symbols(equation.variables());
         let tape = Tape::new(formulas, &inputs)?;
         Ok(Self { coordinates: equation.variables().len(), tape, holds, masses: vec![] })
     }

@@ -1,7 +1,7 @@
 //! Why there is no such model, or no energy of it.
 
 use crate::catalogue::UnknownKey;
-use crate::expression::{EquationError, Symbol, WithoutValue};
+use crate::expression::{EquationError, NotSecondOrder, Symbol, WithoutValue};
 
 /// Why there is no such model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -62,4 +62,7 @@ pub enum NoEnergy {
     /// A parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
+    /// An equation of the first order.
+    #[error("the equation for {variable}' is of the first order: an energy is found for accelerations only", variable = .0.variable)]
+    NotSecondOrder(#[from] NotSecondOrder),
 }

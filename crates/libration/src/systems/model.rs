@@ -3,7 +3,7 @@
 use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
 use crate::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
 use crate::oscillator::{NamedOscillator, Oscillator};
-use crate::taylor::{Moment, StateNameError, System, named_state};
+use crate::taylor::{Moment, StateLayout, StateNameError, System, named_state};
 
 /// Equations of motion with values for their parameters, ready to be integrated.
 ///
@@ -153,25 +153,30 @@ impl Model {
         self.equation.parameters().into_iter().collect()
     }
 
+    /// Which number of a state is what.
+    #[must_use]
+    pub fn layout(&self) -> StateLayout {
+        StateLayout::new(&self.equation)
+    }
+
     /// The names of the numbers of a state: coordinates, then velocities.
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
-        let names = self.coordinates.iter().map(|coordinate| coordinate.name.clone());
-        names.clone().chain(names.map(|name| name + "'")).collect()
+        self.layout().symbols(self.equation.variables()).iter().map(ToString::to_string).collect()
     }
 
     /// The units of the numbers of a state, empty where they are not known.
     #[must_use]
     pub fn state_units(&self) -> Vec<String> {
         let own = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
-        own.chain(self.coordinates.iter().map(Coordinate::velocity_unit)).collect()
+        self.layout().arrange(own, |coordinate| self.coordinates[coordinate].velocity_unit())
     }
 
     /// The state of rest: every coordinate where it is at rest, without velocity.
     #[must_use]
     pub fn state_at_rest(&self) -> Vec<f64> {
         let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
-        places.chain(self.coordinates.iter().map(|_| 0.0)).collect()
+        self.layout().arrange(places, |_| 0.0)
     }
 
     /// A state at the time zero from names and values; numbers that are not named are those of rest.
@@ -214,7 +219,11 @@ impl Model {
         let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
         let places = match &self.known {
             Some(known) => known.bodies.clone(),
-            None if self.coordinates.iter().all(Coordinate::is_angle) => names.iter().map(hanging).collect(),
+            None if self.layout().is_of_second_order()
+                && self.coordinates.iter().all(Coordinate::is_angle) =>
+            {
+                names.iter().map(hanging).collect()
+            }
             None => return None,
         };
         Bodies::new(&places, &names).ok()

@@ -2,10 +2,11 @@
 
 use std::ops::{Index, IndexMut};
 
-use super::Step;
 use super::ends::Ends;
 use super::step::{elapsed, grown};
+use super::{StateLayout, Step};
 use crate::double_double::DoubleDouble;
+use std::sync::Arc;
 
 /// One series of a block, by its first coefficient in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +32,7 @@ pub(super) struct Block<const N: usize> {
     coefficients: Vec<[f64; N]>,
     /// What the first coefficients lack of the state.
     low: Vec<[f64; N]>,
+    layout: Arc<StateLayout>,
     /// How many coefficients each row has.
     terms: usize,
 }
@@ -53,17 +55,24 @@ impl<const N: usize> IndexMut<Row> for Block<N> {
 
 impl<const N: usize> Block<N> {
     /// A block of so many rows, the first of which are the numbers of a state.
-    pub(super) fn new(rows: usize, numbers: usize, order: usize) -> Self {
+    pub(super) fn new(rows: usize, layout: &Arc<StateLayout>, order: usize) -> Self {
         let terms = order + 1;
         let coefficients = vec![[0.0; N]; rows * terms];
-        let low = vec![[0.0; N]; numbers];
-        Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, low, terms }
+        let low = vec![[0.0; N]; layout.numbers()];
+        let layout = Arc::clone(layout);
+        Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, low, layout, terms }
     }
 
     /// How many numbers a state has.
     #[inline(always)]
     pub(super) fn numbers(&self) -> usize {
         self.low.len()
+    }
+
+    /// Which of them is what.
+    #[inline(always)]
+    pub(super) fn layout(&self) -> &StateLayout {
+        &self.layout
     }
 
     /// The row of this number, numbers of the state first.
@@ -102,7 +111,7 @@ impl<const N: usize> Block<N> {
     #[inline(always)]
     pub(super) fn ends(&self, number: usize) -> Ends<N> {
         let series = self.series(number);
-        let slope_low = self.low.get(number + self.numbers() / 2).map_or([0.0; N], |low| *low);
+        let slope_low = self.layout.velocity(number).map_or([0.0; N], |velocity| self.low[velocity]);
         let mut times = [(0.0, 0.0); N];
         for (lane, (units, remainder)) in times.iter_mut().enumerate() {
             (*units, *remainder) = elapsed(self.start[lane], self.end[lane]);
@@ -151,6 +160,7 @@ impl<const N: usize> Block<N> {
             unit: self.unit[lane],
             coefficients: self.coefficients.as_flattened(),
             low: self.low.as_flattened(),
+            layout: &self.layout,
             terms: self.terms,
             lanes: N,
             lane,

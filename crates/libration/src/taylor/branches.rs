@@ -88,7 +88,7 @@ impl<const N: usize> Branches<N> {
         wrong
     }
 
-    /// Keeps at zero the velocities that can leave it to neither side.
+    /// Keeps at zero the velocities, and others whose rate of change an equation tells, that can leave it to neither side.
     fn stick(
         &mut self,
         wrong: &[[bool; N]],
@@ -99,7 +99,7 @@ impl<const N: usize> Branches<N> {
         let mut outcomes = [Ok(()); N];
         for (modulus, wrong) in wrong.iter().enumerate() {
             for lane in (0..N).filter(|&lane| wrong[lane]) {
-                match expander.system.velocity_in_modulus(modulus) {
+                match expander.system.driven_in_modulus(modulus) {
                     Some(number) => {
                         block.stop(number, lane);
                         surroundings.sticks[modulus][lane] = true;
@@ -162,7 +162,7 @@ impl<const N: usize> Branches<N> {
                 surroundings.sticks[modulus][lane] = false;
                 let series = block[expander.sign(block, modulus)].iter().map(|c| c[lane]);
                 *sign = scaled(series, first * units).iter().sum::<f64>().signum();
-                // Velocity and acceleration.
+                // The velocity, say, and the acceleration.
                 *zeros = 2;
             } else if changes_now {
                 *sign = -*sign;

@@ -50,7 +50,7 @@ impl Checkpoint {
     pub(super) fn fits(&self, system: &System) -> bool {
         let numbers = self.state.iter().flatten().chain([&self.time, &self.unit]);
         let signs = self.moduli.iter().all(|modulus| modulus.sign.abs() <= 1.0);
-        self.state.len() == 2 * system.coordinates()
+        self.state.len() == system.layout().numbers()
             && self.moduli.len() == system.moduli()
             && self.events.len() == system.events().len()
             && numbers.into_iter().all(|number| number.is_finite())

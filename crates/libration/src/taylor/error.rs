@@ -67,11 +67,11 @@ pub enum IntegrationError {
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Cause {
-    /// A state in which the accelerations or their time derivatives have no finite value.
-    #[error("the accelerations have no finite value, or no derivative,")]
+    /// A state in which the accelerations or rates of change, or their time derivatives, have no finite value.
+    #[error("the accelerations or rates of change have no finite value, or no derivative,")]
     Singularity,
     /// A formula some part of which is larger than double precision holds, though it has a value.
-    #[error("a part of the accelerations is beyond 1.8e308, the range of numbers,")]
+    #[error("a part of the equations of motion is beyond 1.8e308, the range of numbers,")]
     Overflow,
     /// Steps that become shorter than the times can tell, as before a singularity.
     #[error("the steps become too short, as they do before a singularity,")]

@@ -34,9 +34,9 @@ pub(super) struct Expander<'a> {
 impl<'a> Expander<'a> {
     pub(super) fn new(system: &'a System, order: usize) -> Self {
         const ENDLESS: usize = usize::MAX;
-        let state = std::iter::repeat_n(ENDLESS, 2 * system.coordinates());
+        let state = std::iter::repeat_n(ENDLESS, system.layout().numbers());
         let parameters = std::iter::repeat_n(0, system.parameters().len());
-        let signs = (0..system.moduli()).map(|modulus| match system.velocity_in_modulus(modulus) {
+        let signs = (0..system.moduli()).map(|modulus| match system.driven_in_modulus(modulus) {
             Some(_) => ENDLESS,
             None => 0,
         });
@@ -56,7 +56,7 @@ impl<'a> Expander<'a> {
 
     /// The memory that the series need.
     pub(super) fn block<const N: usize>(&self) -> Block<N> {
-        let mut block = Block::new(self.program.rows, 2 * self.system.coordinates(), self.order);
+        let mut block = Block::new(self.program.rows, self.system.shared_layout(), self.order);
         for &(row, value) in &self.program.constants {
             block[row][0] = [value; N];
         }
@@ -158,18 +158,21 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
 }
 
 impl Expander<'_> {
-    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎.
+    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎; of the first order x₍ₙ₎ = a₍ₙ₋₁₎/n.
     #[inline(always)]
     pub(super) fn extend_state<const N: usize>(&self, block: &mut Block<N>, n: usize) {
-        let coordinates = self.system.coordinates();
-        for i in 0..coordinates {
-            let (coordinate, velocity) = (block.row(i), block.row(coordinates + i));
-            let speed = &block[velocity][n - 1];
-            let rate = lanes(|lane| speed[lane] * block.unit[lane]);
-            block[coordinate][n] = over_integer(&rate, n);
+        let layout = self.system.layout();
+        for i in 0..layout.coordinates() {
+            if let Some(velocity) = layout.velocity(i) {
+                let (coordinate, velocity) = (block.row(i), block.row(velocity));
+                let speed = &block[velocity][n - 1];
+                let rate = lanes(|lane| speed[lane] * block.unit[lane]);
+                block[coordinate][n] = over_integer(&rate, n);
+            }
+            let driven = block.row(layout.driven(i));
             let acceleration = &block[self.acceleration(i)][n - 1];
             let rate = lanes(|lane| acceleration[lane] * block.unit[lane]);
-            block[velocity][n] = over_integer(&rate, n);
+            block[driven][n] = over_integer(&rate, n);
         }
     }
 
@@ -179,6 +182,7 @@ impl Expander<'_> {
         self.order - usize::from(self.system.events().is_empty())
     }
 
+    /// What the equation of a coordinate tells: its acceleration, or its rate of change.
     #[inline(always)]
     pub(super) fn acceleration(&self, coordinate: usize) -> Row {
         self.program.results[coordinate]

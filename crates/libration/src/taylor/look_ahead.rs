@@ -141,11 +141,13 @@ impl<const N: usize> Stepper<'_, N> {
         let step = self.block.step(lane);
         let state = step.state_at(time);
         let Self { expander, scratch, surroundings, .. } = self;
-        let coordinates = expander.system.coordinates();
+        let layout = expander.system.layout();
         let exact = expander.accelerations(scratch, time, &state, surroundings);
         let parts = exact.enumerate().map(|(i, exact)| {
-            let own = step.slope_at(coordinates + i, time);
-            let speed = step.coefficient(coordinates + i, 0).abs().max((own * length).abs());
+            let driven = layout.driven(i);
+            let own = step.slope_at(driven, time);
+            let held = if layout.is_velocity(driven) { step.coefficient(driven, 0).abs() } else { 0.0 };
+            let speed = held.max((own * length).abs());
             let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
             let error = (exact[lane] - own).abs();
             if error == 0.0 { 0.0 } else { error * rate }

@@ -21,6 +21,7 @@
 
 mod error;
 mod event;
+mod layout;
 mod system;
 mod tangent;
 
@@ -68,6 +69,7 @@ pub use dense_solution::{DenseSolution, integrate_dense};
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
+pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
 pub use solution::{Moment, Solution};
 pub use state_names::StateNameError;

@@ -1,6 +1,7 @@
 //! A step that outlives the integration.
 
-use super::Step;
+use super::{StateLayout, Step};
+use std::sync::Arc;
 
 /// A step of an integration with numbers of its own.
 #[derive(Clone, Debug)]
@@ -11,6 +12,7 @@ pub struct OwnedStep {
     terms: usize,
     coefficients: Vec<f64>,
     low: Vec<f64>,
+    layout: Arc<StateLayout>,
 }
 
 impl Step<'_> {
@@ -26,6 +28,7 @@ impl Step<'_> {
             terms: self.terms,
             coefficients: series.map(|(number, n)| self.coefficient(number, n)).collect(),
             low: numbers.map(|number| self.low(number)).collect(),
+            layout: Arc::clone(self.layout),
         }
     }
 }
@@ -34,7 +37,8 @@ impl OwnedStep {
     /// A step that was found elsewhere: coordinate and velocity in powers of the time in a unit, as many terms of each.
     pub(crate) fn new(start: f64, end: f64, unit: f64, series: [Vec<f64>; 2]) -> Self {
         let terms = series[0].len();
-        Self { start, end, unit, terms, coefficients: series.concat(), low: vec![0.0; 2] }
+        let layout = Arc::new(StateLayout::one_coordinate());
+        Self { start, end, unit, terms, coefficients: series.concat(), low: vec![0.0; 2], layout }
     }
 
     /// The step as it was.
@@ -46,6 +50,7 @@ impl OwnedStep {
             unit: self.unit,
             coefficients: &self.coefficients,
             low: &self.low,
+            layout: &self.layout,
             terms: self.terms,
             lanes: 1,
             lane: 0,

@@ -1,6 +1,8 @@
 //! One step: the state as polynomials of the time.
 
+use super::StateLayout;
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
+use std::sync::Arc;
 
 /// A step of an integration, which gives the state at every time inside it.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +15,7 @@ pub struct Step<'a> {
     pub(super) coefficients: &'a [f64],
     /// What the first coefficients lack of the state.
     pub(super) low: &'a [f64],
+    pub(super) layout: &'a Arc<StateLayout>,
     pub(super) terms: usize,
     pub(super) lanes: usize,
     pub(super) lane: usize,
@@ -58,9 +61,18 @@ impl Step<'_> {
         let h = elapsed / self.unit;
         let higher = (2..self.terms).rev().fold(0.0, |sum, n| (sum + self.coefficient(number, n)) * h);
         let base = DoubleDouble::new(self.coefficient(number, 0), self.low(number));
-        let slope_low = self.low(number + self.numbers() / 2) * self.unit;
+        let slope_low = self.layout.velocity(number).map_or(0.0, |velocity| self.low(velocity) * self.unit);
         let value = grown(base, self.coefficient(number, 1), slope_low, higher, h);
         if remainder == 0.0 { value } else { value + self.slope_at(number, time) * remainder }
+    }
+
+    /// How fast each coordinate changes at a time: its velocity, or the slope of its polynomial where the state has none.
+    pub(crate) fn speeds_at(&self, time: f64) -> Vec<f64> {
+        let speed = |coordinate: usize| match self.layout.velocity(coordinate) {
+            Some(velocity) => self.component_at(velocity, time).to_f64(),
+            None => self.slope_at(coordinate, time),
+        };
+        (0..self.layout.coordinates()).map(speed).collect()
     }
 
     /// The time derivative of one number of the state at a time.

@@ -12,7 +12,7 @@ use crate::elementary::rough::{exp2, log2};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Effort {
     /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
-    /// a part of how far it moves. So it depends neither on units nor on where zero is.
+    /// a part of how far it moves, of whatever order its equation is. So it depends neither on units nor on where zero is.
     pub relative: f64,
     /// The error of each number of the state, in its own units, below which no step need come; zero if there is none.
     pub absolute: f64,
@@ -119,8 +119,9 @@ fn radius_of_state<const N: usize>(block: &Block<N>, terms: usize, floor: f64) -
     let mut radius = Log2Radius { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
     for number in 0..block.numbers() {
         let series = block.series(number);
-        // Of a coordinate the zeroth coefficient only says where it is.
-        let velocity = number >= block.numbers() / 2;
+        // Of a coordinate the zeroth coefficient only says where it is; one of the first order may be a phase or a temperature, which
+        // moves by as little of itself as any other.
+        let velocity = block.layout().is_velocity(number);
         let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
         radius = radius.smaller(&log2_radius(&series[..terms.min(series.len())], &size));
     }

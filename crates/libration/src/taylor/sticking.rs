@@ -50,14 +50,14 @@ impl Expander<'_> {
         block: &mut Block<N>,
         surroundings: &mut Surroundings<N>,
     ) -> Vec<Unknown<N>> {
-        let coordinates = self.system.coordinates();
         let moduli =
             (0..self.system.moduli()).filter(|&modulus| surroundings.sticks[modulus].contains(&true));
         let moduli: Vec<usize> = moduli.collect();
         let mut unknown = vec![];
         for modulus in moduli {
-            let Some(number) = self.system.velocity_in_modulus(modulus) else { continue };
-            let acceleration = self.acceleration(number - coordinates);
+            let Some(number) = self.system.driven_in_modulus(modulus) else { continue };
+            let Some(coordinate) = self.system.layout().driving(number) else { continue };
+            let acceleration = self.acceleration(coordinate);
             let (sticks, given) = (surroundings.sticks[modulus], surroundings.signs[modulus]);
             let mut with = |sign: f64| {
                 surroundings.signs[modulus] = lanes(|lane| if sticks[lane] { sign } else { given[lane] });

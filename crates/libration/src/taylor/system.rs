@@ -3,16 +3,20 @@
 use super::moduli::Moduli;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
-use super::{Event, Moment, StateNameError};
+use super::{Event, Moment, StateLayout, StateNameError};
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
+use std::sync::Arc;
 
-/// Equations of motion whose state is all coordinates, then all velocities, in the order of the equations.
+/// Equations of motion whose state is all coordinates, then the velocities, in the order of the equations. A coordinate whose equation
+/// is of the first order has none.
 ///
 /// # Examples
 /// ```
 /// use libration::taylor::System;
 /// let system = System::new(&"x'' = y - x; y'' = x - y".parse()?)?;
 /// assert_eq!(system.state_names(), ["x", "y", "x'", "y'"]);
+/// let motor = System::new(&"q' = -q - x'; x'' = q".parse()?)?;
+/// assert_eq!(motor.state_names(), ["q", "x", "x'"]);
 /// assert!(System::new(&"x'' = -k x".parse()?).is_err());
 /// assert!(System::with_parameters(&"x'' = -k x".parse()?, &["k"]).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -20,14 +24,14 @@ use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 #[derive(Clone, Debug)]
 pub struct System {
     equation: Equation,
-    variables: Vec<Symbol>,
+    layout: Arc<StateLayout>,
     parameters: Vec<Symbol>,
     events: Vec<Event>,
-    /// The accelerations, then what stands between the bars of each |…|, then the formulas of the events; the inputs are
+    /// The accelerations and rates of change, then what stands between the bars of each |…|, then the formulas of the events; the inputs are
     /// coordinates, velocities, the time, the open parameters, and the sign of what stands in each |…|.
     tape: Tape,
-    /// Of what stands in each |…| the number in a state, if it is one of the velocities.
-    velocities_in_moduli: Vec<Option<usize>>,
+    /// Of what stands in each |…| the number in a state, if it is one whose rate of change an equation tells, as of a velocity.
+    driven_in_moduli: Vec<Option<usize>>,
     /// The events whose formulas the series of a whole step do not show.
     sharp: Vec<Option<SharpFormula>>,
 }
@@ -59,33 +63,35 @@ impl System {
     }
 
     fn build(equation: Equation, parameters: Vec<Symbol>, events: Vec<Event>) -> Result<Self, WithoutValue> {
-        let variables: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
-        let state = state(&variables);
+        let layout = StateLayout::new(&equation);
+        let state = layout.symbols(equation.variables());
         let mut moduli = Moduli::default();
-        let watched = events.iter().map(|event| &event.formula);
-        let formulas = equation.accelerations().iter().chain(watched);
+        let watched: Vec<Expression> =
+            events.iter().map(|event| equation.with_rates(&event.formula)).collect();
+        let formulas = equation.derivatives().iter().chain(&watched);
         let formulas: Vec<Expression> = formulas.map(|formula| moduli.taken_out(formula)).collect();
-        let (accelerations, watched) = formulas.split_at(variables.len());
+        let (derivatives, in_moduli) = formulas.split_at(layout.coordinates());
         let mut inputs = state.clone();
         inputs.push(Symbol::plain("t"));
         inputs.extend(parameters.iter().cloned());
-        let sharp = events.iter().map(|event| SharpFormula::new(&event.formula, &inputs)).collect();
+        let sharp = watched.iter().map(|formula| SharpFormula::new(formula, &inputs)).collect();
         inputs.extend(moduli.signs());
         let arguments = moduli.into_arguments();
-        let formulas: Vec<&Expression> = accelerations.iter().chain(&arguments).chain(watched).collect();
+        let formulas: Vec<&Expression> = derivatives.iter().chain(&arguments).chain(in_moduli).collect();
         let tape = Tape::new(&formulas, &inputs)?;
-        let velocity = |argument: &Expression| {
+        let driven = |argument: &Expression| {
             let number = state.iter().position(|symbol| *argument == Expression::Symbol(symbol.clone()));
-            number.filter(|&number| number >= variables.len())
+            number.filter(|&number| layout.driving(number).is_some())
         };
-        let velocities_in_moduli = arguments.iter().map(velocity).collect();
-        Ok(Self { equation, variables, parameters, events, tape, velocities_in_moduli, sharp })
+        let driven_in_moduli = arguments.iter().map(driven).collect();
+        let layout = Arc::new(layout);
+        Ok(Self { equation, layout, parameters, events, tape, driven_in_moduli, sharp })
     }
 
     /// The names of the numbers of a state: `theta`, `theta'`.
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
-        state(&self.variables).iter().map(ToString::to_string).collect()
+        self.state_symbols().iter().map(ToString::to_string).collect()
     }
 
     /// A state at the time zero from names and values, as `theta` and `theta'`; numbers that are not named are zero.
@@ -102,14 +108,25 @@ impl System {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn start(&self, values: &[(&str, f64)]) -> Result<Moment, StateNameError> {
-        let rest = vec![0.0; 2 * self.coordinates()];
+        let rest = vec![0.0; self.layout.numbers()];
         Ok(Moment { time: 0.0, state: named_state(&self.state_names(), rest, values)? })
     }
 
-    /// How many coordinates there are, and how many velocities.
+    /// How many coordinates there are, one for each equation.
     #[must_use]
     pub fn coordinates(&self) -> usize {
-        self.variables.len()
+        self.layout.coordinates()
+    }
+
+    /// Which number of a state is what.
+    #[must_use]
+    pub fn layout(&self) -> &StateLayout {
+        &self.layout
+    }
+
+    /// The same, to be kept.
+    pub(super) fn shared_layout(&self) -> &Arc<StateLayout> {
+        &self.layout
     }
 
     /// The names of the parameters that were left open.
@@ -131,29 +148,27 @@ impl System {
 
     /// How many different |…| there are.
     pub(super) fn moduli(&self) -> usize {
-        self.velocities_in_moduli.len()
+        self.driven_in_moduli.len()
     }
 
-    /// The number in a state of the velocity that stands in a |…|.
-    pub(super) fn velocity_in_modulus(&self, modulus: usize) -> Option<usize> {
-        self.velocities_in_moduli[modulus]
+    /// The number in a state that stands in a |…|, if it is one whose rate of change an equation tells, as of a velocity.
+    pub(super) fn driven_in_modulus(&self, modulus: usize) -> Option<usize> {
+        self.driven_in_moduli[modulus]
     }
 
-    /// The accelerations alone, with their |…|, as functions of the state, the time and the open parameters.
+    fn state_symbols(&self) -> Vec<Symbol> {
+        self.layout.symbols(self.equation.variables())
+    }
+
+    /// The accelerations and rates of change alone, with their |…|, as functions of the state, the time and the open parameters.
     pub(super) fn accelerations(&self) -> Option<Tape> {
         let time = Symbol::plain("t");
         let inputs: Vec<Symbol> =
-            state(&self.variables).into_iter().chain([time]).chain(self.parameters.iter().cloned()).collect();
-        Tape::new(&self.equation.accelerations().iter().collect::<Vec<_>>(), &inputs).ok()
+            self.state_symbols().into_iter().chain([time]).chain(self.parameters.iter().cloned()).collect();
+        Tape::new(&self.equation.derivatives().iter().collect::<Vec<_>>(), &inputs).ok()
     }
 
     pub(super) fn tape(&self) -> &Tape {
         &self.tape
     }
-}
-
-/// The coordinates, then the velocities.
-fn state(variables: &[Symbol]) -> Vec<Symbol> {
-    let velocities = variables.iter().map(|symbol| symbol.with_primes(1));
-    variables.iter().cloned().chain(velocities).collect()
 }

@@ -1,12 +1,13 @@
 //! Equations of motion beside those of small deviations from the motion.
 
-use crate::expression::{Equation, Expression, Symbol};
+use crate::expression::{Equation, Expression, Order, Symbol};
 
 /// The equations of motion, followed by so many copies of the equations of an infinitely small deviation:
 /// δx″ = Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, taken along the motion.
 ///
 /// The deviations of x are called `delta1 x`, `delta2 x`, …, names that no text can have. The state is, as always, all
-/// coordinates and then all velocities: for one variable and two deviations x, δ₁x, δ₂x, x′, δ₁x′, δ₂x′.
+/// coordinates and then all velocities: for one variable and two deviations x, δ₁x, δ₂x, x′, δ₁x′, δ₂x′. The deviations of a variable
+/// whose equation is of the first order have equations of the first order.
 ///
 /// # Examples
 /// ```
@@ -39,11 +40,13 @@ pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
 #[must_use]
 pub fn with_sensitivities(equation: &Equation, parameters: &[&str], deviations: usize) -> Equation {
     let mut variables = equation.variables().to_vec();
-    let mut accelerations = equation.accelerations().to_vec();
+    let mut orders = equation.orders().to_vec();
+    let mut derivatives = equation.derivatives().to_vec();
     let starts = std::iter::repeat_n(None, deviations);
     for (number, parameter) in (1..).zip(parameters.iter().map(Some).chain(starts)) {
         let deviation = |name: &str| format!("delta{number} {name}");
         variables.extend(equation.variables().iter().map(|name| deviation(name)));
+        orders.extend(equation.orders());
         let change = |formula: &Expression| {
             let by_motion = total_differential(formula, equation, &deviation);
             match parameter {
@@ -51,9 +54,9 @@ pub fn with_sensitivities(equation: &Equation, parameters: &[&str], deviations: 
                 None => by_motion.simplified(),
             }
         };
-        accelerations.extend(equation.accelerations().iter().map(change));
+        derivatives.extend(equation.derivatives().iter().map(change));
     }
-    Equation::of_accelerations(variables, accelerations)
+    Equation::of_derivatives(variables, orders, derivatives)
 }
 
 fn sum(a: Expression, b: Expression) -> Expression {
@@ -66,9 +69,11 @@ fn total_differential(
     equation: &Equation,
     deviation: &impl Fn(&str) -> String,
 ) -> Expression {
-    let names = equation.variables().iter();
-    let pairs = names
-        .flat_map(|name| [0, 1].map(|primes| (Symbol::plain(name), Symbol::plain(&deviation(name)), primes)));
+    let names = equation.variables().iter().zip(equation.orders());
+    let pairs = names.flat_map(|(name, order)| {
+        let primes: &[u8] = if *order == Order::First { &[0] } else { &[0, 1] };
+        primes.iter().map(|primes| (Symbol::plain(name), Symbol::plain(&deviation(name)), *primes))
+    });
     let terms = pairs.map(|(variable, deviation, primes)| {
         let slope = formula.derivative(&variable.with_primes(primes));
         let deviation = Expression::Symbol(deviation.with_primes(primes));

@@ -17,7 +17,7 @@ pub struct Trajectory<'a> {
 impl Trajectory<'_> {
     pub(super) fn check(&self, system: &System) -> Result<(), IntegrationError> {
         let Self { start, parameters, times } = self;
-        let (got, wanted) = (start.state.len(), 2 * system.coordinates());
+        let (got, wanted) = (start.state.len(), system.layout().numbers());
         if got != wanted {
             return Err(IntegrationError::StateLength { got, wanted });
         }

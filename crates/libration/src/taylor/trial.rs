@@ -117,14 +117,16 @@ impl<const N: usize> Stepper<'_, N> {
         let state = step.state_at(time);
         let length = (end - self.block.start[lane]).abs();
         let units = length / self.block.unit[lane];
-        let coordinates = state.len() / 2;
-        let own: Vec<f64> = (0..coordinates).map(|i| step.slope_at(coordinates + i, time)).collect();
-        let velocity = |i: usize, n: usize| step.coefficient(coordinates + i, n).abs();
+        let layout = self.block.layout();
+        let own: Vec<f64> =
+            (0..layout.coordinates()).map(|i| step.slope_at(layout.driven(i), time)).collect();
         let floor = self.effort.absolute / self.effort.relative;
-        let sizes: Vec<f64> = (0..coordinates)
+        let sizes: Vec<f64> = (0..layout.coordinates())
             .map(|i| {
-                let gain = (own[i] * length).abs();
-                size_of([velocity(i, 0), velocity(i, 1), velocity(i, 2)], gain, units, floor)
+                let driven = layout.driven(i);
+                let [zeroth, first, second] = [0, 1, 2].map(|n| step.coefficient(driven, n).abs());
+                let held = if layout.is_velocity(driven) { zeroth } else { 0.0 };
+                size_of([held, first, second], (own[i] * length).abs(), units, floor)
             })
             .collect();
         let exact = self.accelerations(lane, time, &state);
@@ -195,7 +197,8 @@ fn end_in_noise(trials: &[Trial]) -> Option<f64> {
     (trials.len() - first >= 2 * SHORT).then(|| trials[first].end)
 }
 
-/// The size of a velocity in a step, by its first coefficients and what it would gain as it does at the end.
+/// The size of a velocity in a step, by its first coefficients and what it would gain as it does at the end; without the zeroth one how
+/// far a coordinate moves.
 #[inline(always)]
 fn size_of([zeroth, first, second]: [f64; 3], gain: f64, units: f64, floor: f64) -> f64 {
     let change = larger((first + second * units) * units, gain);
@@ -237,15 +240,18 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
         expander.begin(scratch, surroundings);
         let floor = effort.absolute / effort.relative;
         let mut misfits = [0.0; N];
-        let coordinates = expander.system.coordinates();
+        let layout = expander.system.layout();
         let length: [f64; N] = lanes(|lane| (block.end[lane] - block.start[lane]).abs());
         let units: [f64; N] = lanes(|lane| (block.end[lane] - block.start[lane]) / block.unit[lane]);
-        for i in 0..coordinates {
-            let velocity = block.series(coordinates + i);
-            let slope = slopes(velocity, &units);
+        for i in 0..layout.coordinates() {
+            let driven = layout.driven(i);
+            let is_velocity = layout.is_velocity(driven);
+            let series = block.series(driven);
+            let slope = slopes(series, &units);
             let exact = &scratch[expander.acceleration(i)][0];
             misfits = lanes(|lane| {
-                let first = [velocity[0][lane].abs(), velocity[1][lane].abs(), velocity[2][lane].abs()];
+                let held = if is_velocity { series[0][lane].abs() } else { 0.0 };
+                let first = [held, series[1][lane].abs(), series[2][lane].abs()];
                 let own = slope[lane] / block.unit[lane];
                 let size = size_of(first, (own * length[lane]).abs(), units[lane].abs(), floor);
                 let error = (exact[lane] - own).abs();

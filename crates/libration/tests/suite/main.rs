@@ -23,6 +23,7 @@ mod events;
 mod exact;
 mod expansions;
 mod expression;
+mod first_order;
 mod fourier;
 mod leading_cycles;
 mod ledger;

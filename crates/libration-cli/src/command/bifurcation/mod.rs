@@ -125,7 +125,7 @@ impl Bifurcation {
     fn axis(&self, model: &Model) -> Result<usize, Failure> {
         match &self.axis {
             Some(name) => place_in_state(model, "--axis", name),
-            None if angles(model.equation())[0] => Ok(model.coordinates().len()),
+            None if angles(model.equation())[0] => Ok(model.layout().driven(0)),
             None => Ok(0),
         }
     }

@@ -173,8 +173,8 @@ fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, Failure>) -> Result<Ve
 
 /// A coordinate that grows has a velocity that may not.
 fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> Failure {
-    let (names, place) = (run.model.state_names(), shown.place);
-    let reason = match (error, names.get(place + run.system.coordinates())) {
+    let place = shown.place;
+    let reason = match (error, run.system.layout().velocity(place)) {
         (NoSpectrum::Trend { first, last }, Some(_)) => {
             let name = shown.name();
             format!(

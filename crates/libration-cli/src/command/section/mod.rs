@@ -96,13 +96,16 @@ impl PoincareQuestion {
         answer.failure().map_or(Ok(()), Err)
     }
 
-    /// What the picture shows: the first coordinate that is not the surface itself, and its velocity.
+    /// What the picture shows: the first coordinate that is not the surface itself, and its velocity, or the next coordinate where it has
+    /// none.
     fn axes(&self, model: &Model) -> Result<[usize; 2], Failure> {
         let coordinates = model.coordinates();
         let on_surface = |name: &str| self.section.is_at(name);
-        let first = coordinates.iter().position(|coordinate| !on_surface(&coordinate.name)).unwrap_or(0);
+        let mut off = (0..coordinates.len()).filter(|&place| !on_surface(&coordinates[place].name));
+        let first = off.next().unwrap_or(0);
         let Some(names) = &self.axes else {
-            return Ok([first, coordinates.len() + first]);
+            let second = model.layout().velocity(first).or_else(|| off.next());
+            return Ok([first, second.unwrap_or(first)]);
         };
         places_in_state(model, "--axes", names)
     }

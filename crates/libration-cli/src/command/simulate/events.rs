@@ -112,7 +112,8 @@ fn zero_of(text: &str, model: &Model) -> Result<Kind, Failure> {
     let formula = values
         .fold(written.clone(), |formula, (name, value)| formula.substitute(&Symbol::plain(name), value));
     let known = model.state_names();
-    let unknown = formula.symbols().into_iter().map(|symbol| symbol.to_string());
+    let in_state = model.equation().with_rates(&formula);
+    let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
     if let Some(name) = unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
         let reason =
             format!("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "));

@@ -46,6 +46,8 @@ pub(crate) use fields::answers;
     --times 0:60:1 --figure plane.svg --axes \"theta,theta'\"
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 \\
     --times 0,1,10 --json
+  libration simulate \"x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z\" \\
+    --initial x=1,y=1,z=1 --times 0:20:0.01 --figure lorenz.svg --axes x,z
   libration simulate pendulum --initial theta=179deg --times 0:50:1 \\
     --events \"turning,theta'-1\" --json
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\

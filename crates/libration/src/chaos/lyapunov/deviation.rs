@@ -1,6 +1,6 @@
 //! A small deviation from a motion, carried along by the linearised equations.
 
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, System, integrate};
 
 /// A motion with a small deviation from it, whose size is set back to one at the beginning of each interval.
 ///
@@ -9,6 +9,8 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate};
 pub(super) struct Deviation<'a> {
     /// The equations of motion and those of one deviation.
     system: &'a System,
+    /// Of a state of the motion alone.
+    layout: &'a StateLayout,
     /// What counts as one in each number of the state.
     units: &'a [f64],
     effort: Effort,
@@ -19,9 +21,15 @@ pub(super) struct Deviation<'a> {
 
 impl<'a> Deviation<'a> {
     /// A deviation in all coordinates and velocities.
-    pub(super) fn new(system: &'a System, start: Moment, units: &'a [f64], effort: Effort) -> Self {
+    pub(super) fn new(
+        system: &'a System,
+        layout: &'a StateLayout,
+        start: Moment,
+        units: &'a [f64],
+        effort: Effort,
+    ) -> Self {
         let deviation = units.iter().zip(1..).map(|(unit, n)| unit * unequal_part(n)).collect();
-        Self { system, units, effort, moment: start, deviation }
+        Self { system, layout, units, effort, moment: start, deviation }
     }
 
     /// Where the motion is.
@@ -34,10 +42,14 @@ impl<'a> Deviation<'a> {
         let before = self.size();
         self.deviation.iter_mut().for_each(|number| *number /= before);
         let end = self.moment.time + time;
-        let start = Moment { time: self.moment.time, state: merged(&self.moment.state, &self.deviation) };
+        let start = Moment {
+            time: self.moment.time,
+            state: merged(self.layout, &self.moment.state, &self.deviation),
+        };
         let solution = integrate(self.system, &start, &[end], &self.effort);
-        let mut state = solution.map_err(cause)?.end.state;
-        self.deviation = split(&mut state);
+        let both = solution.map_err(cause)?.end.state;
+        let [state, deviation] = split(self.layout, &both);
+        self.deviation = deviation;
         self.moment = Moment { time: end, state };
         let growth = libm::log(self.size());
         if growth.is_finite() { Ok(growth) } else { Err(Cause::Singularity) }
@@ -64,16 +76,19 @@ fn cause(error: IntegrationError) -> Cause {
     }
 }
 
-/// Coordinates of both, then velocities of both.
-fn merged(motion: &[f64], deviation: &[f64]) -> Vec<f64> {
-    let half = motion.len() / 2;
-    [&motion[..half], &deviation[..half], &motion[half..], &deviation[half..]].concat()
+/// The state of the equations together with those of one deviation.
+fn merged(layout: &StateLayout, motion: &[f64], deviation: &[f64]) -> Vec<f64> {
+    let mut both = vec![0.0; 2 * layout.numbers()];
+    for (copy, state) in [motion, deviation].into_iter().enumerate() {
+        for (number, value) in state.iter().enumerate() {
+            both[layout.place_in_copy(number, copy, 1)] = *value;
+        }
+    }
+    both
 }
 
-/// Takes the deviation's numbers out of a state of both.
-fn split(state: &mut Vec<f64>) -> Vec<f64> {
-    let quarter = state.len() / 4;
-    let velocities: Vec<f64> = state.drain(3 * quarter..).collect();
-    let coordinates: Vec<f64> = state.drain(quarter..2 * quarter).collect();
-    [coordinates, velocities].concat()
+/// The motion and the deviation in such a state.
+fn split(layout: &StateLayout, both: &[f64]) -> [Vec<f64>; 2] {
+    let number = |number, copy| both[layout.place_in_copy(number, copy, 1)];
+    [0, 1].map(|copy| (0..layout.numbers()).map(|n| number(n, copy)).collect())
 }

@@ -55,7 +55,8 @@ impl<'a> Laboratory<'a> {
     /// Follows a motion through the schedule, or until `watch` stops it.
     fn follow(&self, settled: Moment, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         let mut evidence = Evidence::new(self.schedule.interval, settled.state.len());
-        let mut deviation = Deviation::new(&self.extended, settled, &self.units, *self.effort);
+        let mut deviation =
+            Deviation::new(&self.extended, self.plain.layout(), settled, &self.units, *self.effort);
         let going = |evidence: &Evidence| evidence.record.intervals() < self.schedule.intervals;
         while going(&evidence) && evidence.stopped.is_none() {
             match deviation.go_on(self.schedule.interval) {

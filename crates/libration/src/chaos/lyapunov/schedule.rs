@@ -45,32 +45,33 @@ impl Schedule {
     }
 }
 
-/// About a period of the fastest coordinate: 2π times half its width over its largest velocity.
+/// About a period of the fastest coordinate: 2π times half its width over its largest speed.
 fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Result<f64, LyapunovError> {
     const STEPS: usize = 400;
     const LONG: f64 = 1e9;
     let system = System::new(equation)?;
     let effort = Effort { most_steps: STEPS, ..*effort };
     let mut extent = Extent::new(start.state.len());
+    let mut speeds = Extent::new(system.coordinates());
     let end = start.time + LONG;
     let outcome = integrate_watched(&system, start, &[end], &effort, |step| {
         extent.include(&step.state_at(step.end()));
+        speeds.include(&step.speeds_at(step.end()));
         ControlFlow::Continue(())
     });
     match outcome {
         Ok(_) | Err(IntegrationError::Stopped { cause: Cause::StepLimit, .. }) => {
-            Ok(fastest_period(&extent, equation))
+            Ok(fastest_period(&extent, &speeds, equation))
         }
         Err(error) => Err(error.into()),
     }
 }
 
 /// One where nothing moves.
-fn fastest_period(extent: &Extent, equation: &Equation) -> f64 {
-    let (widths, speeds) = (extent.units(&angles(equation)), extent.sizes());
-    let coordinates = equation.variables().len();
+fn fastest_period(extent: &Extent, speeds: &Extent, equation: &Equation) -> f64 {
+    let (widths, speeds) = (extent.units(&angles(equation)), speeds.sizes());
     let period = |(width, speed): (&f64, &f64)| 0.5 * TAU * width / speed;
-    let periods = widths.iter().take(coordinates).zip(&speeds[coordinates..]).map(period);
+    let periods = widths.iter().zip(&speeds).map(period);
     let fastest = periods.filter(|period| period.is_finite()).fold(f64::INFINITY, f64::min);
     if fastest.is_finite() { fastest } else { 1.0 }
 }

@@ -24,7 +24,16 @@ pub enum EquationError {
     /// a = b = c.
     #[error("an equation has one = sign: separate several equations by ;")]
     SecondEqualsSign,
-    /// No second derivative.
+    /// No derivative.
+    #[error(
+        "`{equation}` has no derivative: mark the acceleration with two primes, as in x'' = -x, or a rate of change with one, as in \
+         x' = -x"
+    )]
+    WithoutDerivative {
+        /// The equation, shortened.
+        equation: String,
+    },
+    /// An equation of the second order that has lost its second derivative.
     #[error("`{equation}` has no second derivative: mark the acceleration with two primes, as in x'' = -x")]
     WithoutAcceleration {
         /// The equation, shortened.
@@ -36,9 +45,22 @@ pub enum EquationError {
     /// t''.
     #[error("t is the time and cannot be a variable: call the variable x, say")]
     TimeAsVariable,
-    /// Two second derivatives in one equation.
+    /// x' = y beside x'' = -x.
     #[error(
-        "`{first}` and `{second}` appear in one equation: solve for each of them, as in x'' = …; y'' = …"
+        "`{equation}` is an equation for {rate}, but {name} has one for {name}'' already, with which {rate} is the velocity: leave one of \
+         them out, or call one of the two variables something else",
+        name = .rate.name
+    )]
+    RateOfAccelerated {
+        /// The equation, shortened.
+        equation: String,
+        /// Its derivative.
+        rate: Symbol,
+    },
+    /// Two second derivatives in one equation, or two rates of change.
+    #[error(
+        "`{first}` and `{second}` appear in one equation: solve for each of them, as in x{primes} = …; y{primes} = …",
+        primes = "'".repeat(usize::from(.first.primes))
     )]
     Coupled {
         /// One of them.
@@ -47,15 +69,15 @@ pub enum EquationError {
         second: Symbol,
     },
     /// Two equations for one variable.
-    #[error("there are two equations for {0}'': give one for each variable")]
-    SolvedTwice(String),
+    #[error("there are two equations for {0}: give one for each variable")]
+    SolvedTwice(Symbol),
     /// A derivative of what has no equation.
     #[error("`{0}` is a derivative, but no equation has {name}'': write one, after a ;", name = .0.name)]
     ForeignDerivative(Symbol),
     /// x''^2, sin(x'') or the like.
     #[error("the equation is not linear in {0}: write it solved for {0}, as in {0} = …")]
     NotLinear(Symbol),
-    /// A second derivative with a factor of zero.
+    /// A highest derivative with a factor of zero.
     #[error("{0} drops out of the equation, because its factor is zero: write an equation that contains it")]
     DropsOut(Symbol),
     /// A part that has no value, as 1/0.
@@ -101,8 +123,16 @@ impl EquationError {
         Self::WithoutEqualsSign { formula: text, example }
     }
 
+    pub(super) fn without_derivative(left: &Expression, right: &Expression) -> Self {
+        Self::WithoutDerivative { equation: equation_text(left, right) }
+    }
+
+    pub(super) fn rate_of_accelerated(left: &Expression, right: &Expression, rate: Symbol) -> Self {
+        Self::RateOfAccelerated { equation: equation_text(left, right), rate }
+    }
+
     pub(super) fn without_acceleration(left: &Expression, right: &Expression) -> Self {
-        Self::WithoutAcceleration { equation: excerpt(&format!("{left} = {right}")) }
+        Self::WithoutAcceleration { equation: equation_text(left, right) }
     }
 
     pub(super) fn unknown_parameter(name: &str, known: &BTreeSet<String>) -> Self {
@@ -114,4 +144,19 @@ impl EquationError {
         };
         Self::UnknownParameter { name: excerpt(name), known }
     }
+}
+
+fn equation_text(left: &Expression, right: &Expression) -> String {
+    excerpt(&format!("{left} = {right}"))
+}
+
+/// An equation of the first order where only accelerations have an answer.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the equation for {variable}' is of the first order, and this needs an acceleration: give one of the second order, as in \
+     {variable}'' = -{variable}"
+)]
+pub struct NotSecondOrder {
+    /// Its variable.
+    pub variable: String,
 }

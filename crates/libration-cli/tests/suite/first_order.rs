@@ -1,0 +1,96 @@
+//! Equations of the first order, alone and beside ones of the second.
+
+use crate::command::{message, run};
+use serde_json::Value;
+
+const LORENZ: &str = "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z";
+const FROM: [&str; 2] = ["--initial", "x=1,y=1,z=1"];
+
+fn json(arguments: &[&str]) -> Value {
+    let output = run(&[arguments, &["--json"]].concat());
+    assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn a_state_has_velocities_of_accelerated_coordinates_only() {
+    let thermostat =
+        json(&["simulate", "x'' = -x - z*x'; z' = x'^2 - 1", "--initial", "x=1", "--times", "5"]);
+    assert_eq!(thermostat["state"], serde_json::json!(["x", "z", "x'"]));
+    assert_eq!(thermostat["samples"][0]["state"].as_array().unwrap().len(), 3);
+    let lorenz = json(&[&["simulate", LORENZ, "--times", "5", "--events", "turning"], &FROM[..]].concat());
+    assert_eq!(lorenz["state"], serde_json::json!(["x", "y", "z"]));
+    // From reference/first_order.py.
+    let state: Vec<f64> =
+        lorenz["samples"][0]["state"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let exact = [-6.512113699419599, -6.974042788417076, 23.924129572103375];
+    assert!(state.iter().zip(exact).all(|(got, truth)| (got - truth).abs() < 1e-9), "{state:?}");
+    let events = lorenz["events"].as_array().unwrap();
+    let turns = events.iter().filter(|event| event["kind"] == "turning of x");
+    for event in turns {
+        let [x, y] = [0, 1].map(|n| event["state"][n].as_f64().unwrap());
+        assert!((x - y).abs() < 1e-12, "{event}");
+    }
+}
+
+#[test]
+fn freely_written_rates_are_read() {
+    for text in ["dx/dt = -x", "\\dot{x} = -x", "x'(t) = -x(t)", "2x' + 2x = 0"] {
+        let answer = json(&["simulate", text, "--initial", "x=1", "--times", "1"]);
+        let end = answer["samples"][0]["state"][0].as_f64().unwrap();
+        assert!((end - 0.36787944117144233).abs() < 1e-12, "{text}: {end}");
+    }
+}
+
+#[test]
+fn sections_diagrams_and_exponents_take_them() {
+    let arguments = ["section", LORENZ, "--at", "z'", "--direction", "falling", "--points", "3"];
+    let section = json(&[&arguments[..], &FROM].concat());
+    let points = section["motions"][0]["points"].as_array().or_else(|| section["points"].as_array());
+    assert_eq!(points.unwrap().len(), 3, "{section}");
+    let family = "x' = 10*(y - x); y' = x*(r - z) - y; z' = x*y - 8/3*z";
+    let diagram =
+        [&["bifurcation", family, "--over", "r=5:10:5", "--at", "z'", "--points", "2"], &FROM[..]].concat();
+    assert!(run(&diagram).status.success());
+    let arguments = [&["lyapunov", LORENZ, "--intervals", "10"], &FROM[..]].concat();
+    assert!(json(&arguments)["exponent"].as_f64().unwrap() > 0.3);
+    let square =
+        json(&["lyapunov", "x' = x - x*y; y' = x*y - y", "--initial", "x=2,y=1", "--intervals", "10"]);
+    assert_eq!(square["verdict"], "regular", "{square}");
+}
+
+#[test]
+fn what_needs_an_acceleration_refuses_them() {
+    for arguments in [
+        &["expand", "x' = -x"][..],
+        &["backbone", "x' = -x", "--amplitudes", "1"],
+        &["modes", "x'' = -x; q' = x"],
+        &["derive", "--road", "averaging", "x' = -e*x"],
+        &["derive", "--road", "limit-cycle", "x' = -e*x"],
+        &["derive", "--road", "perturbation", "x' = -x^3"],
+        &["figure", "series", "x' = -x"],
+    ] {
+        let output = run(arguments);
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{arguments:?}");
+        let told = message(&output);
+        assert!(
+            told.contains("' is of the first order") || arguments[0] == "figure",
+            "{arguments:?}: {told}"
+        );
+        assert!(!told.contains("panicked"), "{told}");
+    }
+}
+
+#[test]
+fn equations_that_do_not_fit_together_are_named() {
+    for (text, part) in [
+        ("x'' = -x; x' = y", "x has one for x'' already"),
+        ("x' = y'; y' = x", "solve for each of them, as in x' = …; y' = …"),
+        ("x' = 1; x' = 2", "two equations for x'"),
+        ("x = 1", "has no derivative"),
+    ] {
+        let output = run(&["simulate", text, "--initial", "x=0", "--times", "1"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(message(&output).contains(part), "{text}: {}", message(&output));
+    }
+}

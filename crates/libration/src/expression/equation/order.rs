@@ -1,0 +1,83 @@
+//! Which derivative each equation is for.
+
+use std::collections::BTreeSet;
+
+use super::{EquationError, Sides, Symbol, TIME};
+
+/// Of which order an equation of motion is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// It tells the rate of change of its variable.
+    First,
+    /// It tells the acceleration.
+    Second,
+}
+
+impl Order {
+    /// Of an equation that is solved for this derivative.
+    pub(super) fn of(derivative: &Symbol) -> Self {
+        if derivative.primes == 1 { Self::First } else { Self::Second }
+    }
+
+    /// What an equation of this order is solved for.
+    pub(super) fn derivative_of(self, variable: &str) -> Symbol {
+        let primes = match self {
+            Self::First => 1,
+            Self::Second => 2,
+        };
+        Symbol::plain(variable).with_primes(primes)
+    }
+}
+
+/// What each equation is to be solved for: its second derivative if it has one, and else the first derivative of what has no second one
+/// anywhere.
+pub(super) fn own_derivatives(written: &[Sides]) -> Result<Vec<Symbol>, EquationError> {
+    let symbols: Vec<BTreeSet<Symbol>> = written.iter().map(symbols).collect();
+    let accelerations = symbols.iter().map(own_acceleration).collect::<Result<Vec<_>, _>>()?;
+    let accelerated: BTreeSet<&str> = accelerations.iter().flatten().map(|it| it.name.as_str()).collect();
+    let own = written.iter().zip(&symbols).zip(&accelerations).map(|((sides, symbols), acceleration)| {
+        let own = match acceleration {
+            Some(acceleration) => acceleration.clone(),
+            None => own_rate(sides, symbols, &accelerated)?,
+        };
+        if own.name == TIME { Err(EquationError::TimeAsVariable) } else { Ok(own) }
+    });
+    own.collect()
+}
+
+fn symbols((left, right): &Sides) -> BTreeSet<Symbol> {
+    let mut symbols = left.symbols();
+    symbols.extend(right.symbols());
+    symbols
+}
+
+/// The one second derivative of an equation, if it has any.
+fn own_acceleration(symbols: &BTreeSet<Symbol>) -> Result<Option<Symbol>, EquationError> {
+    if let Some(symbol) = symbols.iter().find(|symbol| symbol.primes > 2) {
+        return Err(EquationError::ThirdOrder(symbol.clone()));
+    }
+    only(symbols.iter().filter(|symbol| symbol.primes == 2))
+}
+
+/// The one rate of change of an equation without second derivatives.
+fn own_rate(
+    (left, right): &Sides,
+    symbols: &BTreeSet<Symbol>,
+    accelerated: &BTreeSet<&str>,
+) -> Result<Symbol, EquationError> {
+    let mut rates = symbols.iter().filter(|symbol| symbol.primes == 1);
+    let own = rates.clone().filter(|rate| !accelerated.contains(rate.name.as_str()));
+    only(own)?.ok_or_else(|| match rates.next() {
+        Some(rate) => EquationError::rate_of_accelerated(left, right, rate.clone()),
+        None => EquationError::without_derivative(left, right),
+    })
+}
+
+fn only<'a>(mut symbols: impl Iterator<Item = &'a Symbol>) -> Result<Option<Symbol>, EquationError> {
+    match (symbols.next(), symbols.next()) {
+        (Some(first), Some(second)) => {
+            Err(EquationError::Coupled { first: first.clone(), second: second.clone() })
+        }
+        (first, _) => Ok(first.cloned()),
+    }
+}
