@@ -2,14 +2,15 @@
 
 use super::values::plain_name;
 use crate::failure::Failure;
-use libration::expression::Expression;
+use libration::expression::{Expression, Symbol};
 use libration::quantity::{Dimension, parse};
 use libration::systems::Model;
 
 /// The option that says where a motion begins.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct InitialOptions {
-    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest
+    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start
+    /// at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     initial: Option<String>,
 }
@@ -63,11 +64,19 @@ impl Initial {
             let (name, value) = item.split_once('=').ok_or_else(|| {
                 usage(format!("`{}` has no value: give NAME=VALUE, such as {}=0.5", item.trim(), names[0]))
             })?;
-            let place = place_of(name, &names)?;
-            if given[place].is_some() {
-                return Err(usage(format!("{} is given twice: give it one value", names[place])));
+            let values = match Family::of(name) {
+                Some(family) => family.values(value, &names)?,
+                None => {
+                    let place = place_of(name, &names)?;
+                    vec![(place, number(&names[place], value, &units[place])?)]
+                }
+            };
+            for (place, value) in values {
+                if given[place].is_some() {
+                    return Err(usage(format!("{} is given twice: give it one value", names[place])));
+                }
+                given[place] = Some(value);
             }
-            given[place] = Some(number(&names[place], value, &units[place])?);
         }
         let rest = model.state_at_rest();
         let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
@@ -99,6 +108,52 @@ fn place_of(name: &str, names: &[String]) -> Result<usize, Failure> {
     names.iter().position(|known| *known == plain).ok_or_else(|| {
         usage(format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")))
     })
+}
+
+/// Many numbers of a state at once: `x[i]`, or `x[i]'`.
+struct Family<'a> {
+    name: &'a str,
+    letter: &'a str,
+    primes: &'a str,
+}
+
+impl<'a> Family<'a> {
+    /// `None` for one number, as `x[3]` is.
+    fn of(name: &'a str) -> Option<Self> {
+        let (name, rest) = name.trim().split_once('[')?;
+        let (letter, primes) = rest.split_once(']')?;
+        let is_letter = letter.chars().all(|c| c.is_ascii_alphabetic()) && !letter.is_empty();
+        is_letter.then_some(Self { name, letter, primes })
+    }
+
+    /// The places of all members, and the values of a formula of the index.
+    fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, Failure> {
+        let index = |known: &str| {
+            known.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
+        };
+        let places = names.iter().enumerate().filter_map(|(place, known)| Some((place, index(known)?)));
+        let places: Vec<(usize, i64)> = places.collect();
+        let shown = format!("{}[{}]{}", self.name, self.letter, self.primes);
+        if places.is_empty() {
+            return Err(usage(format!(
+                "the system has no state variables {shown}: it has {}",
+                names.join(", ")
+            )));
+        }
+        let formula: Expression = text.parse().map_err(|error| usage(format!("{shown}: {error}")))?;
+        let letter = Symbol::plain(self.letter);
+        let value = |(place, index): (usize, i64)| {
+            let value = formula.substitute(&letter, &Expression::from(index)).to_f64();
+            let value = value.filter(|value| value.is_finite()).ok_or_else(|| {
+                usage(format!(
+                    "{shown}: `{text}` has no value at {} = {index}: give a formula of {}, such as sin(pi*{}/33)",
+                    self.letter, self.letter, self.letter
+                ))
+            });
+            Ok((place, value?))
+        };
+        places.into_iter().map(value).collect()
+    }
 }
 
 /// A quantity in the unit of its number, or a formula of numbers.

@@ -153,7 +153,9 @@ impl OscillatorOptions {
     /// a damping.
     pub(crate) fn asked_of_system(&self, open: Option<&str>) -> Option<Result<Asked, Failure>> {
         let key = self.oscillator.trim();
-        let named = NamedSystem::by_key(key).ok().filter(|named| named.coordinates.len() == 1)?;
+        let named = NamedSystem::by_key(key)
+            .ok()
+            .filter(|named| named.coordinates.len() == 1 && named.count.is_none())?;
         let is_oscillator = NamedOscillator::by_key(key).is_ok();
         (!is_oscillator).then(|| self.of_system(named, open.unwrap_or(DAMPING)))
     }

@@ -60,12 +60,15 @@ fn of_system() -> Fields<NamedSystem> {
         Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
         Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
             .only_csv(),
-        Of::value("energy", "", "formula of the energy", |it| it.energy.into()),
-        Of::value("energy_unit", "", "what the energy is divided by, or its unit", |it| {
-            it.energy_unit.into()
+        Of::value("energy", "", "formula of the energy, or null", |it| known(it.energy).into()),
+        Of::value("energy_unit", "", "what the energy is divided by, or its unit, or null", |it| {
+            known(it.energy_unit).into()
         })
         .only_json(),
-        Of::value("power", "", "formula of what the energy gains per time", |it| it.power.into()).only_json(),
+        Of::value("power", "", "formula of what the energy gains per time, or null", |it| {
+            known(it.power).into()
+        })
+        .only_json(),
         Of::value(
             "drive_frequency",
             "",
@@ -73,6 +76,7 @@ fn of_system() -> Fields<NamedSystem> {
             |it| it.drive_frequency.into(),
         )
         .only_json(),
+        Of::value("count", "", "parameter that counts the bodies, or null", |it| it.count.into()).only_json(),
         Of::value("description", "", "what it describes", |it| it.description.into()).only_json(),
         Of::value("domain", "", "what it holds for", |it| it.domain.into()),
         Of::value("source", "", "where the equations are from", |it| it.source.into()),
@@ -96,6 +100,11 @@ fn of_parameter() -> Fields<NamedParameter> {
         Of::value("unit", "", "its unit", |it| it.unit.into()),
         Of::value("meaning", "", "what the parameter is", |it| it.meaning.into()),
     ])
+}
+
+/// What is not empty.
+fn known(text: &'static str) -> Option<&'static str> {
+    Some(text).filter(|text| !text.is_empty())
 }
 
 fn defaults(named: &NamedSystem) -> String {
@@ -130,7 +139,8 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
     let mut lines: Vec<(&'static str, String)> =
         named.equations.split(';').map(|one| ("equation", one.trim().to_owned())).collect();
     for coordinate in named.coordinates {
-        let text = format!("{} in {}, at rest {}", coordinate.name, coordinate.unit, coordinate.at_rest);
+        let unit = known(coordinate.unit).map_or_else(String::new, |unit| format!(" in {unit}"));
+        let text = format!("{}{unit}, at rest {}", coordinate.name, coordinate.at_rest);
         lines.push(("coordinate", text));
     }
     for parameter in named.parameters {
@@ -140,8 +150,10 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
             format!("{} = {}{unit}: {}", parameter.name, parameter.default, parameter.meaning),
         ));
     }
-    lines.push(("energy", format!("{} ({})", named.energy, named.energy_unit)));
-    if named.power != "0" {
+    if let Some(energy) = known(named.energy) {
+        lines.push(("energy", format!("{energy} ({})", named.energy_unit)));
+    }
+    if !matches!(named.power, "" | "0") {
         lines.push(("its change", named.power.to_owned()));
     }
     lines.push(("describes", named.description.to_owned()));

@@ -94,3 +94,64 @@ fn equations_that_do_not_fit_together_are_named() {
         assert!(message(&output).contains(part), "{text}: {}", message(&output));
     }
 }
+
+#[test]
+fn chains_are_written_with_an_index() {
+    let plain = json(&[
+        "simulate",
+        "x1'' = x2 - 2*x1; x2'' = x3 - 2*x2 + x1; x3'' = -2*x3 + x2",
+        "--initial",
+        "x1=1,x2=4,x3=9,x1'=0.5,x2'=1,x3'=1.5",
+        "--times",
+        "5",
+    ]);
+    let indexed = json(&[
+        "simulate",
+        "x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..3",
+        "--initial",
+        "x[i]=i^2,x[i]'=i/2",
+        "--times",
+        "5",
+    ]);
+    assert_eq!(plain["samples"], indexed["samples"]);
+    assert_eq!(plain["state"], indexed["state"]);
+    let one = json(&[
+        "simulate",
+        "fput",
+        "--set",
+        "n=3,alpha=0",
+        "--initial",
+        "x[2]=1",
+        "--times",
+        "5",
+        "--events",
+        "x[2]",
+    ]);
+    assert_eq!(one["state"], plain["state"]);
+    assert!(one["events"][0]["kind"].as_str().unwrap().contains("x2"), "{}", one["events"][0]);
+    for (initial, part) in [
+        ("y[i]=1", "no state variables y[i]"),
+        ("x[i]=1/(i-2)", "has no value at i = 2"),
+        ("x[i]=1,x2=3", "x2 is given twice"),
+        ("x[i]=q", "has no value at i = 1"),
+    ] {
+        let output = run(&["simulate", "fput", "--set", "n=3", "--initial", initial, "--times", "1"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(message(&output).contains(part), "{initial}: {}", message(&output));
+    }
+    let output = run(&["simulate", "fput", "--set", "n=2.5", "--initial", "x1=1", "--times", "1"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("n = 2.5 is no number of bodies"), "{}", message(&output));
+}
+
+#[test]
+fn the_drift_of_a_chain_is_by_the_work_of_its_springs() {
+    let chain =
+        json(&["simulate", "fput", "--set", "n=8,beta=1", "--initial", "x[i]=sin(pi*i/9)", "--times", "50"]);
+    assert!(chain["energy_drift"].as_f64().unwrap() < 1e-11, "{chain}");
+    for counted in ["backbone", "expand"] {
+        let mut arguments = vec![counted, "fermi_pasta_ulam"];
+        arguments.extend(if counted == "backbone" { &["--amplitudes", "1"][..] } else { &[] });
+        assert!(!run(&arguments).status.success(), "{counted}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Equations of motion from text, solved for the accelerations, or for the rates of change where they are of the first order.
 
 mod error;
+mod indexed;
 mod order;
 
 use std::collections::BTreeSet;
@@ -13,13 +14,15 @@ use super::simplify::{difference, negative, quotient, sum};
 use super::{Expression, Symbol};
 
 pub use error::{EquationError, NotSecondOrder};
+use indexed::{Written, expanded};
 pub use order::Order;
 use order::own_derivatives;
 
 /// Equations of motion, one for each variable, solved for its highest derivative: the acceleration, or the rate of change of a
 /// variable whose equation is of the first order.
 ///
-/// A variable is what has two primes, or one prime in an equation without two; t is the time; all other names are parameters.
+/// A variable is what has two primes, or one prime in an equation without two; t is the time; all other names are parameters. With an index
+/// and its range one equation stands for many, whose variables are x1, x2, …; what lies outside the range is zero, or what is said of it.
 ///
 /// # Examples
 /// ```
@@ -31,6 +34,8 @@ use order::own_derivatives;
 /// // A motor: the current q drives the mass, whose velocity induces a voltage.
 /// let motor: Equation = "m x'' = k q; L q' + R q = -k x'".parse()?;
 /// assert_eq!(motor.derivatives()[1].to_string(), "(-k*x' - R*q)/L");
+/// let chain: Equation = "x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..3; x[4] = sin(t)".parse()?;
+/// assert_eq!(chain.to_string(), "x1'' = x2 - 2*x1; x2'' = x3 - 2*x2 + x1; x3'' = sin(t) - 2*x3 + x2");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -302,10 +307,11 @@ fn sides(text: &str) -> Result<(Vec<Sides>, bool), EquationError> {
     let mut parser = Parser::new(text)?;
     let mut written = Vec::new();
     loop {
-        written.push(one_equation(&mut parser)?);
+        let sides = one_equation(&mut parser)?;
+        written.push(Written { sides, range: parser.take_range() });
         let more = parser.take(';');
         match parser.peek() {
-            Token::End => return Ok((written, parser.is_free())),
+            Token::End => return Ok((expanded(written)?, parser.is_free())),
             _ if more => {}
             Token::Sign('=') => return Err(EquationError::SecondEqualsSign),
             _ => return Err(parser.unexpected().into()),

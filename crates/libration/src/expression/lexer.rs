@@ -1,6 +1,7 @@
 //! Text to lexemes: numbers, names with their primes, signs and brackets, each with its place.
 
 mod derivative;
+mod index;
 mod tex;
 
 use super::error::{Fault, ParseError};
@@ -8,6 +9,7 @@ use super::letters::{dotted, greek_name, primes, subscript, superscript};
 use super::{Symbol, decimal};
 use crate::algebra::Rational;
 use derivative::Fraction;
+pub(super) use index::IndexRange;
 
 /// The longest text of a formula or of equations, in bytes.
 pub const LONGEST_TEXT: usize = 10_000;
@@ -27,6 +29,8 @@ pub(super) enum Token {
         digits: Rational,
         negative: bool,
     },
+    /// What an index goes through, behind a comma.
+    Range(IndexRange),
     End,
 }
 
@@ -116,6 +120,9 @@ impl<'a> Lexer<'a> {
         if self.take_if(|c| c == '√').is_some() {
             return Ok(Token::Name(Symbol::plain("sqrt")));
         }
+        if let Some(range) = self.range() {
+            return Ok(Token::Range(range));
+        }
         if let Some(sign) = sign(next) {
             self.at += next.len_utf8();
             let doubled = sign == '*' && self.take_if(|c| c == '*').is_some();
@@ -194,6 +201,9 @@ impl<'a> Lexer<'a> {
             } else {
                 break;
             }
+        }
+        if let Some(index) = self.index_in_brackets(name) {
+            name.push_str(&index);
         }
         let marks = self.take_while(|c| primes(c).is_some()).chars().filter_map(primes);
         marks.fold(count, u8::saturating_add)

@@ -16,6 +16,7 @@ mod letters;
 
 mod decimal;
 mod lexer;
+mod members;
 mod parser;
 
 mod display;

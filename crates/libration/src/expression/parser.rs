@@ -15,7 +15,8 @@
 use std::str::FromStr;
 
 use super::error::{Fault, ParseError};
-use super::lexer::{Lexeme, Lexemes, Token, lexemes};
+use super::lexer::{IndexRange, Lexeme, Lexemes, Token, lexemes};
+use super::members::members_named;
 use super::{Expression, Function, Symbol};
 use crate::quantity::excerpt;
 
@@ -38,7 +39,7 @@ impl FromStr for Expression {
         let mut parser = Parser::new(text)?;
         let tree = parser.formula()?;
         match parser.peek() {
-            Token::End => Ok(tree),
+            Token::End => Ok(members_named(&tree)),
             Token::Sign(sign @ ('=' | ';')) => Err(parser.fault(Fault::NotAnEquation(*sign))),
             _ => Err(parser.unexpected()),
         }
@@ -106,6 +107,14 @@ impl<'a> Parser<'a> {
         ParseError::new(self.text, self.lexemes[lexeme].start, fault)
     }
 
+    /// The range of an index that stands next; then it is taken.
+    pub(super) fn take_range(&mut self) -> Option<IndexRange> {
+        let Token::Range(range) = self.peek() else { return None };
+        let range = range.clone();
+        self.next += 1;
+        Some(range)
+    }
+
     /// What is said of a lexeme that cannot follow.
     pub(super) fn unexpected(&self) -> ParseError {
         self.fault(Fault::Unexpected { found: self.found() })
@@ -118,6 +127,7 @@ impl<'a> Parser<'a> {
             Token::Sign(sign) => format!("`{sign}`"),
             Token::Raised { .. } => "a raised number".to_owned(),
             Token::Fraction => "\\frac".to_owned(),
+            Token::Range(range) => format!("`, {} = …`", range.letter),
             Token::End => "the end".to_owned(),
         }
     }
@@ -252,7 +262,7 @@ impl<'a> Parser<'a> {
             Token::Sign('(') => self.bracketed(')'),
             Token::Sign('{') => self.bracketed('}'),
             Token::Fraction => self.fraction(),
-            Token::Sign(_) | Token::Raised { .. } | Token::End => {
+            Token::Sign(_) | Token::Raised { .. } | Token::Range(_) | Token::End => {
                 Err(self.fault(Fault::MissingOperand { found: self.found() }))
             }
         }

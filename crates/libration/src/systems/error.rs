@@ -24,6 +24,16 @@ pub enum ModelError {
         /// The power.
         value: String,
     },
+    /// Three and a half masses.
+    #[error("{name} = {value} is no number of bodies: give a whole number from 1 to {most}")]
+    NotACount {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: String,
+        /// The most.
+        most: u32,
+    },
     /// Equations or values that are not understood.
     #[error(transparent)]
     Equation(#[from] EquationError),

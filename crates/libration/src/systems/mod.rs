@@ -18,6 +18,7 @@ mod catalogue;
 mod named;
 
 mod coordinate;
+mod count;
 mod error;
 mod model;
 

@@ -1,5 +1,6 @@
 //! Equations of motion with their values, and the words for them.
 
+use super::count::Counted;
 use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
 use crate::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
 use crate::oscillator::{NamedOscillator, Oscillator};
@@ -30,8 +31,8 @@ pub struct Model {
 /// What only named systems tell, the values put in.
 #[derive(Clone, Debug)]
 struct Known {
-    energy: Expression,
-    power: Expression,
+    energy: Option<Expression>,
+    power: Option<Expression>,
     drive_frequency: Option<Expression>,
     /// The place of each body, and where it is held.
     bodies: Vec<[[Expression; 2]; 2]>,
@@ -61,8 +62,13 @@ impl Model {
     /// # Errors
     /// A value for what is no parameter, or one that is not constant.
     pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
-        let defaults = named.parameters.iter().map(|it| (it.name, it.default));
-        let (equation, values) = filled(named.equations, values, defaults, open)?;
+        let Counted { equations, values: given, count } = Counted::new(named, values)?;
+        let given: Vec<(&str, Expression)> =
+            given.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+        let others = named.parameters.iter().filter(|it| Some(it.name) != named.count);
+        let defaults = others.map(|it| (it.name, it.default));
+        let (equation, mut values) = filled(&equations, &given, defaults, open)?;
+        values.extend(count);
         if named.whole_powers {
             refuse_broken_power(&values)?;
         }
@@ -73,13 +79,15 @@ impl Model {
             let at_rest = at_rest.to_f64().unwrap_or(0.0);
             Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), at_rest })
         });
-        let coordinates = coordinates.collect::<Result<_, ModelError>>()?;
+        let coordinates = coordinates.collect::<Result<Vec<_>, ModelError>>()?;
+        let coordinates =
+            if named.count.is_some() { each_like(&coordinates, &equation) } else { coordinates };
         let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
         let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.pivot)?]));
         let known = Known {
             bodies: bodies.collect::<Result<_, ModelError>>()?,
-            energy: put_in(named.energy)?,
-            power: put_in(named.power)?,
+            energy: Some(named.energy).filter(|it| !it.is_empty()).map(put_in).transpose()?,
+            power: Some(named.power).filter(|it| !it.is_empty()).map(put_in).transpose()?,
             drive_frequency: named.drive_frequency.map(put_in).transpose()?,
         };
         let (key, title) = (Some(named.key), named.title);
@@ -218,6 +226,7 @@ impl Model {
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
         let places = match &self.known {
+            Some(known) if known.bodies.is_empty() => return None,
             Some(known) => known.bodies.clone(),
             None if self.layout().is_of_second_order()
                 && self.coordinates.iter().all(Coordinate::is_angle) =>
@@ -232,7 +241,7 @@ impl Model {
     /// What the energy of a named system gains per time, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
-        self.known.as_ref().map(|known| &known.power)
+        self.known.as_ref().and_then(|known| known.power.as_ref())
     }
 
     /// The conserved energy: the known one of a named system whose damping and driving are zero, and for other equations
@@ -242,11 +251,11 @@ impl Model {
     /// Why there is none.
     pub fn energy(&self) -> Result<Energy, NoEnergy> {
         match &self.known {
-            Some(Known { energy, power, .. }) if power.vanishes() => {
-                Energy::of_formula(&self.equation, energy)
-            }
-            Some(Known { power, .. }) => Err(NoEnergy::NotConserved { power: power.to_string() }),
-            None => Energy::of_forces(&self.equation),
+            Some(Known { energy: Some(energy), power: Some(power), .. }) => match power.vanishes() {
+                true => Energy::of_formula(&self.equation, energy),
+                false => Err(NoEnergy::NotConserved { power: power.to_string() }),
+            },
+            _ => Energy::of_forces(&self.equation),
         }
     }
 }
@@ -303,6 +312,16 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
         formula.substitute(&Symbol::plain(name), value)
     };
     values.iter().fold(formula, put_in).simplified()
+}
+
+/// For each variable of the equations the coordinate of its family, `x[i]` for x1, with its own name.
+fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
+    let of = |name: &String| {
+        let family =
+            families.iter().find(|it| it.name.split('[').next().is_some_and(|it| name.starts_with(it)));
+        family.map_or_else(|| Coordinate::by_name(name), |it| Coordinate { name: name.clone(), ..it.clone() })
+    };
+    equation.variables().iter().map(of).collect()
 }
 
 fn by_names(equation: &Equation) -> Vec<Coordinate> {

@@ -23,20 +23,22 @@ pub struct NamedSystem {
     pub also: &'static [&'static str],
     /// What it is called in a sentence.
     pub title: &'static str,
-    /// Its equations of motion, several with `;` between them.
+    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`.
     pub equations: &'static str,
-    /// Its coordinates, in the order of the equations.
+    /// Its coordinates, in the order of the equations; `x[i]` for as many as are counted.
     pub coordinates: &'static [NamedCoordinate],
     /// The parameters in the equations. Their default values leave out all damping and driving.
     pub parameters: &'static [NamedParameter],
-    /// Its energy as a formula of coordinates, velocities and parameters.
+    /// Its energy as a formula of coordinates, velocities and parameters; empty where it has none, or a sum over as many as are counted.
     pub energy: &'static str,
-    /// The unit of the energy, which says what it is divided by.
+    /// The unit of the energy, which says what it is divided by; empty without a formula of it.
     pub energy_unit: &'static str,
-    /// What the energy gains per time: `0` where it is conserved.
+    /// What the energy gains per time: `0` where it is conserved, empty without a formula of it.
     pub power: &'static str,
     /// The parameter that is the angular frequency of a periodic drive.
     pub drive_frequency: Option<&'static str>,
+    /// The parameter that counts the bodies, and stands in the equations as the end of a range.
+    pub count: Option<&'static str>,
     /// Whether the parameter n is a power of a velocity, which has to be whole: others have no derivatives at rest.
     pub whole_powers: bool,
     /// Its bodies, and what they hang on.
@@ -66,7 +68,7 @@ pub struct NamedBody {
 pub struct NamedCoordinate {
     /// Its name in the equations.
     pub name: &'static str,
-    /// Its unit: `rad` for angles.
+    /// Its unit: `rad` for angles; empty where it has none.
     pub unit: &'static str,
     /// Where it is at rest, as a formula of the parameters.
     pub at_rest: &'static str,

@@ -1,6 +1,6 @@
 //! Equations of motion: what they are solved to, their parameters, and what is refused.
 
-use libration::expression::{Equation, Expression};
+use libration::expression::{Equation, Expression, Symbol};
 
 fn equation(text: &str) -> Equation {
     text.parse().unwrap_or_else(|error| panic!("{text}\n{error}"))
@@ -65,6 +65,20 @@ const REFUSED: &[(&str, &str)] = &[
     ("x'' - x'' = x", "drops out"),
     ("((1+x)^2 - 1 - 2x - x²) x'' = x", "drops out"),
     ("t'' = 1", "t is the time"),
+    ("x[i]'' = -x[i]", "the index i of x[i] has no range"),
+    ("x[i/2]'' = -x[i], i = 1..3", "the index of x[i/2] is 0.5 at i = 1"),
+    ("x[i-2]'' = -x[i], i = 1..3", "x[-1] has an index below zero"),
+    ("x[i]'' = -w[i-2]*x[i], i = 1..3", "w[-1] has an index below zero"),
+    ("x[i]'' = -x[i], i = 3..1", "i = 3..1 has no number in it"),
+    ("x[i]'' = -x[i], i = 1..2000", "more than 1000 equations"),
+    ("x[i]'' = -x[i], i = 1..3; x[2] = 0", "gives a value to x[2], which has an equation of motion"),
+    ("x[i]'' = x[i-1], i = 1..3; x[0] = 0; x[0] = 1", "x[0] is given twice"),
+    ("x[i]'' = x[i-1], i = 1..3; x[0] = x[-1]", "x[0] is given by x[-1], which is outside"),
+    ("x[i]'' = x[i-1]', i = 1..3; x[0] = 2*x[1]", "x[0]' stands in an equation"),
+    ("x[i]'' = -x[i] + x0, i = 1..3", "`x0` may be a parameter or x[0]"),
+    ("x[i]'' = -x[i], i = 1..3; x[2]'' = 0", "two equations for x2''"),
+    ("x'' = -x, y", "one equation after another with ;"),
+    ("x'' = sin[x]", "write brackets as ( and )"),
     ("x'' = ", "expected a number, a name or (, found the end"),
     ("", "the formula is empty"),
     ("x'' = sin x^2", "may be sin(x^2) or sin(x)^2"),
@@ -110,4 +124,40 @@ fn values_that_do_not_fit_are_refused() {
     let one: Expression = "1".parse().unwrap();
     let twice = equation.with(&[("k", one.clone()), ("k", one)]).unwrap_err();
     assert!(twice.to_string().contains("given twice"));
+}
+
+#[test]
+fn an_index_with_a_range_stands_for_many_equations() {
+    for (indexed, plain) in [
+        ("x[i]'' = k*(x[i+1] - 2*x[i] + x[i-1]), i = 1..2", "x1'' = k*(x2 - 2*x1); x2'' = k*(-2*x2 + x1)"),
+        ("x[i]''=x[i + 1]-x[i],i=1…2; x[3] = A*cos(t)", "x1'' = x2 - x1; x2'' = A*cos(t) - x2"),
+        // A ring, and an end that is known with its velocity.
+        (
+            "x[i]'' = x[i-1] + x[i+1], i = 1..3; x[0] = x[3]; x[4] = x[1]",
+            "x1'' = x3 + x2; x2'' = x1 + x3; x3'' = x2 + x1",
+        ),
+        ("x[i]'' = x[i-1]', i = 1..2; x[0] = sin(2t)", "x1'' = 2*cos(2*t); x2'' = x1'"),
+        ("x[i]'' = x[i-1]', i = 1..2; x[0] = x[2]", "x1'' = x2'; x2'' = x1'"),
+        // The letter is a number, also where it is a parameter elsewhere; a family of parameters.
+        ("x[j]'' = -j*w[j]^2*x[j], j = 1..2; y' = -j*y", "x1'' = -w1^2*x1; x2'' = -2*w2^2*x2; y' = -j*y"),
+        // Of the first order, and beside one of the second that names one of them.
+        ("q[n]' = q[n-1] - q[n] + x', n = 0..1; x'' = q[1]", "q0' = -q0 + x'; q1' = q0 - q1 + x'; x'' = q1"),
+        ("x[i]'' = 0, i = 1..1; x[i]'' = x[1], i = 2..2", "x1'' = 0; x2'' = x1"),
+    ] {
+        let (found, expected) = (equation(indexed), equation(plain));
+        assert_eq!(found.variables(), expected.variables(), "{indexed}");
+        for (found, expected) in found.derivatives().iter().zip(expected.derivatives()) {
+            let symbols = found.symbols().into_iter().chain(expected.symbols());
+            let symbols: std::collections::BTreeSet<_> = symbols.collect();
+            let [a, b] = [found, expected].map(|formula| {
+                // Square roots of different numbers have no relation by chance.
+                let put_in = |formula: Expression, (symbol, n): (&Symbol, i64)| {
+                    formula.substitute(symbol, &format!("sqrt({})", n * n + 1).parse().unwrap())
+                };
+                symbols.iter().zip(1..).fold(formula.clone(), put_in).to_f64().unwrap()
+            });
+            assert!((a - b).abs() < 1e-12, "{indexed}: {found} is not {expected}");
+        }
+    }
+    assert_eq!("2*x[3] + v1[2]".parse::<Expression>().unwrap().to_string(), "2*x3 + v1_2");
 }

@@ -26,6 +26,7 @@ const MOST_INTERVALS: usize = 100_000_000;
 #[command(after_help = "Examples:
   libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
     --intervals 300
+  libration lyapunov roessler --initial x=1,y=1 --intervals 50
   libration lyapunov double_pendulum --intervals 30 \\
     --initial theta1=120deg,theta2=120deg
   libration lyapunov \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" \\

@@ -30,6 +30,8 @@ const POINTS: usize = 1000;
     --points 1000 --figure attractor.png
   libration section \"x'' + 0.05 x' + x^3 = 7.5 cos(t)\" \\
     --initial \"x=3,x'=4\" --phase 0.25 --points 100 --csv
+  libration section lorenz --initial x=1,y=1,z=1 --at \"z'\" \\
+    --direction falling --points 50
   libration section \"x'' = -x - 2 x y; y'' = -y - x^2 + y^2\" --at x \\
     --initial \"y=0.1,x'=0.4\" --initial \"y=-0.2,x'=0.4\" --points 50
 

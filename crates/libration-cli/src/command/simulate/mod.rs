@@ -46,14 +46,23 @@ pub(crate) use fields::answers;
     --times 0:60:1 --figure plane.svg --axes \"theta,theta'\"
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 \\
     --times 0,1,10 --json
-  libration simulate \"x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z\" \\
-    --initial x=1,y=1,z=1 --times 0:20:0.01 --figure lorenz.svg --axes x,z
+  libration simulate lorenz --initial x=1,y=1,z=1 --times 0:20:1 \\
+    --figure lorenz.svg --axes x,z
+  libration simulate \"x' = x - x*y; y' = x*y - y\" --initial x=2,y=1 \\
+    --times 0:20:1 --events turning
+  libration simulate fermi_pasta_ulam --set n=8 --times 0:100:50 \\
+    --initial \"x[i]=sin(pi*i/9)\" --csv
+  libration simulate \"x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..5; \\
+    x[0] = sin(t)/9\" --initial x1=0 --times 0:20:5 --csv
   libration simulate pendulum --initial theta=179deg --times 0:50:1 \\
     --events \"turning,theta'-1\" --json
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
     --initial theta=0.1 --times 0:100:0.1 --output long.csv
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
     --times 0:200:0.1 --resume long.csv --output long.csv
+
+An equation with an index and a range stands for many. What the index leads to
+outside of the range is zero, or what is said of it: x[0] = sin(t), x[33] = x[1].
 
 Integration starts at t = 0. In the shell, quote whatever contains a prime:
 --initial \"theta=60deg,theta'=0.1\".

@@ -71,6 +71,83 @@ pub enum EquationError {
     /// Two equations for one variable.
     #[error("there are two equations for {0}: give one for each variable")]
     SolvedTwice(Symbol),
+    /// `x[i]` without `, i = 1..32`.
+    #[error(
+        "the index {letter} of {name} has no range: write it behind the equation, as in x[i]'' = -x[i], i = 1..32"
+    )]
+    IndexWithoutRange {
+        /// The member.
+        name: String,
+        /// The letter.
+        letter: Symbol,
+    },
+    /// `x[i/2]`.
+    #[error("the index of {name} is {value}{place}: give whole numbers")]
+    IndexNotWhole {
+        /// The member.
+        name: String,
+        /// Its index.
+        value: String,
+        /// Where.
+        place: String,
+    },
+    /// `x[-1]''` = 0.
+    #[error("{0} has an index below zero: count variables and parameters from 0 or from 1 on")]
+    NegativeIndex(String),
+    /// i = 5..1.
+    #[error("{letter} = {first}..{last} has no number in it: give the smaller one first")]
+    EmptyRange {
+        /// The letter of the index.
+        letter: String,
+        /// Where it begins.
+        first: u32,
+        /// Where it ends.
+        last: u32,
+    },
+    /// i = 1..100000.
+    #[error("the ranges stand for more than {limit} equations: give at most so many")]
+    TooManyEquations {
+        /// How many there may be.
+        limit: usize,
+    },
+    /// `x[3]` = 0 beside an equation for `x[3]''`.
+    #[error("`{equation}` gives a value to {name}, which has an equation of motion: leave one of them out")]
+    ValueOfVariable {
+        /// The equation, shortened.
+        equation: String,
+        /// The member.
+        name: String,
+    },
+    /// `x[0]` = `x[-1]`, both outside.
+    #[error(
+        "{name} is given by {other}, which is outside of the range too: give it by members inside, t and parameters"
+    )]
+    EndByEnd {
+        /// The member.
+        name: String,
+        /// What it is given by.
+        other: String,
+    },
+    /// `x[0]'` where `x[0]` = `2*x[1]`.
+    #[error(
+        "{rate} stands in an equation, and is not worked out for an end that is {end}: give the end by t and parameters, or as one other member"
+    )]
+    RateOfEnd {
+        /// The velocity.
+        rate: Symbol,
+        /// What the end is.
+        end: String,
+    },
+    /// x0 beside `x[i]`.
+    #[error(
+        "`{name}` may be a parameter or {indexed}, which is outside of the range: write {indexed}, or call the parameter something else"
+    )]
+    AmbiguousMember {
+        /// The name.
+        name: String,
+        /// With an index.
+        indexed: String,
+    },
     /// A derivative of what has no equation.
     #[error("`{0}` is a derivative, but no equation has {name}'': write one, after a ;", name = .0.name)]
     ForeignDerivative(Symbol),

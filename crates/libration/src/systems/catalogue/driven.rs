@@ -25,6 +25,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "A*cos(omega*t)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
+        count: None,
         whole_powers: false,
         bodies: HANGING,
         description: "a torque that alternates drives the pendulum at its axis; the standard example of chaos",
@@ -47,6 +48,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "a*omega^2*cos(omega*t)*sin(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
+        count: None,
         whole_powers: false,
         bodies: &[NamedBody {
             place: ["sin(theta)", "a*cos(omega*t) - cos(theta)"],
@@ -72,6 +74,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "a*omega^2*cos(omega*t)*cos(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
+        count: None,
         whole_powers: false,
         bodies: &[NamedBody {
             place: ["a*cos(omega*t) + sin(theta)", "-cos(theta)"],

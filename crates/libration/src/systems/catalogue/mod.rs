@@ -1,7 +1,9 @@
 //! The named systems: what each is, and where it comes from. Attributions from memory say so.
 
+mod conservative;
 mod coupled;
 mod driven;
+mod first_order;
 mod free;
 
 use super::named::{NamedBody, NamedCoordinate, NamedSystem};
@@ -9,7 +11,8 @@ use crate::catalogue::{NamedParameter, UnknownKey, by_key};
 
 /// Every named system.
 pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> + Clone {
-    free::SYSTEMS.iter().chain(driven::SYSTEMS).chain(coupled::SYSTEMS)
+    let pendulums = free::SYSTEMS.iter().chain(driven::SYSTEMS).chain(coupled::SYSTEMS);
+    pendulums.chain(conservative::SYSTEMS).chain(first_order::SYSTEMS)
 }
 
 const fn parameter(
@@ -31,6 +34,11 @@ const THETA: &[NamedCoordinate] = &[angle("theta")];
 /// An angle from the downward vertical.
 const fn angle(name: &'static str) -> NamedCoordinate {
     NamedCoordinate { name, unit: "rad", at_rest: "0" }
+}
+
+/// A coordinate without a unit.
+const fn number(name: &'static str, at_rest: &'static str) -> NamedCoordinate {
+    NamedCoordinate { name, unit: "", at_rest }
 }
 
 /// One pendulum on a fixed axle.

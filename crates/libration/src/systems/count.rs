@@ -1,0 +1,36 @@
+//! How many bodies a system has, where that is a parameter.
+
+use super::{ModelError, NamedSystem};
+use crate::expression::Expression;
+
+/// The equations for so many bodies, and the values that stand in them.
+pub(super) struct Counted {
+    pub(super) equations: String,
+    pub(super) values: Vec<(String, Expression)>,
+    /// The count with its value.
+    pub(super) count: Option<(String, Expression)>,
+}
+
+/// The most bodies.
+const MOST: u32 = 1000;
+
+impl Counted {
+    /// Takes the count out of the values of a system.
+    pub(super) fn new(named: &NamedSystem, values: &[(&str, Expression)]) -> Result<Self, ModelError> {
+        let is_count = |name: &str| named.count == Some(name.trim());
+        let others = values.iter().filter(|(name, _)| !is_count(name));
+        let others = others.map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+        let Some(name) = named.count else {
+            return Ok(Self { equations: named.equations.to_owned(), values: others, count: None });
+        };
+        let default = named.parameters.iter().find(|it| it.name == name).map_or("1", |it| it.default);
+        let given = values.iter().find(|(name, _)| is_count(name)).map(|(_, value)| value.clone());
+        let value =
+            given.map_or_else(|| default.parse().map_err(crate::expression::EquationError::from), Ok)?;
+        let refusal = || ModelError::NotACount { name, value: value.to_string(), most: MOST };
+        let whole = value.to_f64().filter(|n| n.fract() == 0.0 && (1.0..=f64::from(MOST)).contains(n));
+        let number = whole.ok_or_else(refusal)?;
+        let equations = named.equations.replace(&format!("..{name}"), &format!("..{number}"));
+        Ok(Self { equations, values: others, count: Some((name.to_owned(), value)) })
+    }
+}
