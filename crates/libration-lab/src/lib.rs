@@ -9,4 +9,5 @@
 
 pub mod fit;
 pub mod measurement;
+mod parallel;
 mod statistics;

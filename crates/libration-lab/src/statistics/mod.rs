@@ -4,6 +4,7 @@ mod count;
 mod least_squares;
 mod mean;
 mod robust;
+mod triangle;
 
 pub(crate) mod akaike;
 pub(crate) mod chi_squared;
@@ -18,3 +19,4 @@ pub(crate) use mean::{mean, root_mean_square};
 pub(crate) use robust::{
     NORMAL_PER_MEDIAN_DEVIATION, deviation_by_median, lower_median, median, robust_deviation,
 };
+pub(crate) use triangle::triangle;

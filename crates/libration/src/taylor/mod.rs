@@ -40,6 +40,7 @@ mod checkpoint;
 
 mod expander;
 mod owned_step;
+mod samples;
 mod step;
 mod step_length;
 

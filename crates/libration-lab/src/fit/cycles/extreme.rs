@@ -1,6 +1,6 @@
 //! How far the pendulum goes between two passages: the shape of a swing times a curve of a few coefficients.
 
-use super::local_fit::Points;
+use super::local_fit::{Points, powers};
 use super::shape::Shape;
 use super::turning_point::Extreme;
 use super::window::Window;
@@ -35,15 +35,11 @@ pub(super) fn extreme(
     if near.len() < 2 || !both_sides {
         return None;
     }
-    let mut points = Points::default();
+    let form = shape.near_extreme_for(near.len(), REACH);
+    let mut points = Points::with_width(order + 1);
     for &(time, value, deviation) in &near {
         let x = (time - middle) / quarter;
-        let form = shape.near_extreme(x);
-        points.push(
-            (0..=order).map(|power| form * libm::pow(x, f64::from(power))).collect(),
-            value,
-            deviation,
-        );
+        points.push(powers(x, form(x)), value, deviation);
     }
     let fit = points.fit(noise)?;
     let coefficient = |power: usize| fit.coefficients.get(power).copied().unwrap_or(0.0);

@@ -8,6 +8,7 @@ use super::swings::Stretch;
 use super::turning_point::Extreme;
 use super::window::Window;
 use crate::measurement::{Observable, Trace};
+use crate::parallel;
 use crate::statistics::{median, robust_deviation};
 use libration::pendulum::period_ratio;
 use libration::roots::{Tolerance, bisect};
@@ -17,6 +18,9 @@ use std::f64::consts::FRAC_PI_2;
 /// Rounds of measuring; each divides what the first guess was wrong by through far more than ten. With 8 nothing changed in 24
 /// recordings (`mod.rs`), with 2 fourteen changed, one by 22 uncertainties of β.
 const ROUNDS: usize = 4;
+
+/// With fewer rows to a passage its fit is too short to be handed to another core.
+const WORTH_A_CORE: usize = 200;
 
 /// What one stretch shows: extreme k lies between the passages k and k + 1.
 #[derive(Clone, Debug)]
@@ -74,37 +78,44 @@ impl Guess {
             Observable::Angle => Shape::new(Observable::Angle, size),
             observable => Shape::new(observable, amplitude_from_quarter(size, quarter)),
         };
-        let mut residuals = vec![];
-        let passages = (0..self.passages.len()).map(|k| {
+        let passages = self.each(self.passages.len(), trace, watch, |k, watch| {
             watch.go_on().ok()?;
             let size = 0.5 * (self.extremes[k].abs() + self.extremes[k + 1].abs());
             let quarter = self.quarter_about(k, quarter);
-            let found = passage(&window, &shape(size, quarter), size, self.passages[k], quarter, self.noise);
-            found.map(|(passage, new)| {
-                residuals.extend(new);
-                passage
-            })
+            passage(&window, &shape(size, quarter), size, self.passages[k], quarter, self.noise)
         });
-        let passages: Vec<Option<Passage>> = passages.collect();
-        let extremes = (0..self.passages.len().saturating_sub(1)).map(|k| {
+        let mut residuals = vec![];
+        let passages = apart(passages, &mut residuals);
+        let extremes = self.each(self.passages.len().saturating_sub(1), trace, watch, |k, watch| {
             watch.go_on().ok()?;
             let (Some(before), Some(after)) = (passages[k], passages[k + 1]) else { return None };
-            let found = extreme(
+            extreme(
                 &window,
                 &shape(self.extremes[k + 1].abs(), 0.5 * (after.time - before.time)),
                 [before.time, after.time],
                 self.noise,
-            );
-            found.map(|(extreme, new)| {
-                residuals.extend(new);
-                extreme
-            })
+            )
         });
-        let extremes: Vec<Option<Extreme>> = extremes.collect();
+        let extremes = apart(extremes, &mut residuals);
         let centre = self.centre.renewed(&extremes);
         let largest = self.extremes.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let noise = robust_deviation(&residuals)?.max(1e-13 * largest);
         Some(Landmarks { passages, extremes, centre, noise })
+    }
+
+    /// What is found at each of so many places; on all cores where there are many rows to each.
+    fn each<R: Send>(
+        &self,
+        places: usize,
+        trace: &Trace,
+        watch: &Watch<'_>,
+        found: impl Fn(usize, &Watch<'_>) -> R + Sync,
+    ) -> Vec<R> {
+        let places: Vec<usize> = (0..places).collect();
+        match trace.len() / self.passages.len() >= WORTH_A_CORE {
+            true => parallel::map(&places, watch, |&k, watch| found(k, watch)),
+            false => places.into_iter().map(|k| found(k, watch)).collect(),
+        }
     }
 
     /// A quarter of the period about a passage.
@@ -131,6 +142,17 @@ impl Guess {
         self.centre = measured.centre.clone();
         self.noise = Some(measured.noise);
     }
+}
+
+/// The landmarks, and all residuals one behind the other.
+fn apart<L>(found: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<Option<L>> {
+    let one = |found: Option<(L, Vec<f64>)>| {
+        found.map(|(landmark, new)| {
+            residuals.extend(new);
+            landmark
+        })
+    };
+    found.into_iter().map(one).collect()
 }
 
 /// The amplitude that goes with a fastest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where

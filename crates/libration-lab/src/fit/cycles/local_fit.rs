@@ -1,6 +1,6 @@
 //! A curve with a few coefficients through a few points, robust to an outlier among them.
 
-use crate::statistics::{count, weighted_least_squares};
+use crate::statistics::{count, least_squares, triangle};
 use nalgebra::{DMatrix, DVector};
 
 /// Rounds of weighting: with 4 nothing changed in 24 recordings (`mod.rs`), with 16 one uncertainty, by a tenth.
@@ -10,11 +10,14 @@ const ROUNDS: usize = 8;
 const CUT: f64 = 6.0;
 
 /// What is fitted: rows of basis functions, the values, and the standard deviation of each.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Points {
-    pub(super) rows: Vec<Vec<f64>>,
-    pub(super) values: Vec<f64>,
-    pub(super) deviations: Vec<f64>,
+    /// How many basis functions there are.
+    width: usize,
+    /// Of each point, one behind the other.
+    rows: Vec<f64>,
+    values: Vec<f64>,
+    deviations: Vec<f64>,
 }
 
 /// The curve.
@@ -28,8 +31,14 @@ pub(super) struct LocalFit {
 }
 
 impl Points {
-    pub(super) fn push(&mut self, row: Vec<f64>, value: f64, deviation: f64) {
-        self.rows.push(row);
+    /// None yet, of so many basis functions.
+    pub(super) fn with_width(width: usize) -> Self {
+        Self { width, rows: vec![], values: vec![], deviations: vec![] }
+    }
+
+    /// One more, with as many basis functions of these as there are.
+    pub(super) fn push(&mut self, row: impl Iterator<Item = f64>, value: f64, deviation: f64) {
+        self.rows.extend(row.take(self.width));
         self.values.push(value);
         self.deviations.push(deviation);
     }
@@ -62,11 +71,21 @@ impl Points {
     }
 
     fn weighted(&self, weights: &[f64]) -> Option<LocalFit> {
-        let (points, width) = (self.len(), self.rows.first()?.len());
-        let matrix = DMatrix::from_fn(points, width, |i, j| self.rows[i][j]);
-        let values = DVector::from_column_slice(&self.values);
+        let (points, width) = (self.len(), self.width);
         let over = weights.iter().zip(&self.deviations).map(|(weight, deviation)| weight.sqrt() / deviation);
-        let fit = weighted_least_squares(matrix, values, &over.collect::<Vec<f64>>()).ok()?;
+        let over: Vec<f64> = over.collect();
+        let mut matrix = DMatrix::zeros(points, width + 1);
+        for (column, mut place) in matrix.column_iter_mut().enumerate() {
+            for (point, (entry, over)) in place.iter_mut().zip(&over).enumerate() {
+                let factor =
+                    if column < width { self.rows[point * width + column] } else { self.values[point] };
+                *entry = factor * over;
+            }
+        }
+        // As few rows as there are coefficients say the same.
+        let few = triangle(&matrix);
+        let values = DVector::from(few.column(width));
+        let fit = least_squares(&few.columns(0, width).into_owned(), &values).ok()?;
         let coefficients: Vec<f64> = fit.coefficients.iter().copied().collect();
         let spare = points.saturating_sub(width);
         let enlarged = if spare > 0 { (count(points) / count(spare)).sqrt() } else { 0.0 };
@@ -76,9 +95,14 @@ impl Points {
 
     fn residuals(&self, coefficients: &[f64]) -> Vec<f64> {
         let fitted = |row: &[f64]| -> f64 { row.iter().zip(coefficients).map(|(x, c)| x * c).sum() };
-        let points = self.rows.iter().zip(&self.values).zip(&self.deviations);
+        let points = self.rows.chunks_exact(self.width).zip(&self.values).zip(&self.deviations);
         points.map(|((row, value), deviation)| (value - fitted(row)) / deviation).collect()
     }
+}
+
+/// 1, x, x², … times a factor.
+pub(super) fn powers(x: f64, factor: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(factor), move |power| Some(power * x))
 }
 
 /// Tukey's weight.
@@ -91,11 +115,11 @@ mod tests {
     use super::*;
 
     fn line_with(outlier: f64) -> LocalFit {
-        let mut points = Points::default();
+        let mut points = Points::with_width(2);
         for step in -5..=5 {
             let x = f64::from(step) / 5.0;
             let error = if step == 2 { outlier } else { 0.01 * f64::from(step * step % 3 - 1) };
-            points.push(vec![1.0, x], 0.5 + 2.0 * x + error, 0.01);
+            points.push(powers(x, 1.0), 0.5 + 2.0 * x + error, 0.01);
         }
         points.fit(Some(1.0)).unwrap()
     }

@@ -26,6 +26,7 @@ mod window;
 
 mod passage;
 
+mod even;
 mod extreme;
 
 mod landmarks;

@@ -1,7 +1,7 @@
 //! When the centre is passed: the values near it, through the inverse of the shape of a swing, lie on a line in time, or
 //! on a curve that is nearly one.
 
-use super::local_fit::Points;
+use super::local_fit::{Points, powers};
 use super::shape::Shape;
 use super::window::Window;
 
@@ -54,17 +54,18 @@ pub(super) fn passage(
         POINTS_FOR_SQUARE.. => 2,
         _ => 1,
     };
+    let (time_since_zero, slope_at) =
+        (shape.time_since_zero_for(near.len()), shape.slope_near_zero_for(near.len(), NEAREST));
+    let parts: Vec<f64> = near.iter().map(|row| time_since_zero(row.1 / extreme)).collect();
     let mut centre = about;
     let mut found = None;
     // The curve is read where it is zero, so it is drawn again about that place.
     for _ in 0..ROUNDS {
-        let mut points = Points::default();
-        for &(time, value, deviation) in &near {
+        let mut points = Points::with_width(order + 1);
+        for (&(time, _, deviation), &part) in near.iter().zip(&parts) {
             let x = (time - centre) / quarter;
             // Noise counts as it does where the value should be, not where it is.
-            let slope = shape.slope_of_time(shape.near_extreme((1.0 - x.abs()).max(NEAREST)));
-            let row = (0..=order).map(|power| libm::pow(x, f64::from(power))).collect();
-            points.push(row, shape.time_since_zero(value / extreme), deviation * slope / extreme);
+            points.push(powers(x, 1.0), part, deviation * slope_at(x) / extreme);
         }
         let fit = points.fit(noise)?;
         let slope = fit.coefficients[1];

@@ -3,6 +3,7 @@
 //!
 //! Only the shape is taken from the exact law; how long a swing lasts and how high it goes is left to the data.
 
+use super::even::Even;
 use crate::measurement::Observable;
 use libration::elliptic::Modulus;
 
@@ -12,6 +13,9 @@ pub(super) const LARGEST_AMPLITUDE: f64 = 3.13;
 /// Smaller amplitudes are given the shape of this one, which is that of a harmonic oscillator to A²/192 = 5e-9: with 1e-2 and 1e-5 nothing
 /// changed in 25 recordings.
 const SMALLEST_AMPLITUDE: f64 = 1e-3;
+
+/// Values up to this part of the extreme are far enough from it for the time to be smooth.
+const STEEP: f64 = 0.9;
 
 /// The shape of swings of one amplitude.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +75,31 @@ impl Shape {
         1.0 / (speed * self.modulus.first())
     }
 
+    /// [`Self::near_extreme`] as it is asked for so often, up to some part of a quarter period.
+    pub(super) fn near_extreme_for(&self, times: usize, largest: f64) -> impl Fn(f64) -> f64 {
+        let shape = *self;
+        let even = often(times, largest, |part| shape.near_extreme(part));
+        move |part| even.as_ref().and_then(|even| even.at(part)).unwrap_or_else(|| shape.near_extreme(part))
+    }
+
+    /// [`Self::time_since_zero`] as it is asked for so often.
+    pub(super) fn time_since_zero_for(&self, times: usize) -> impl Fn(f64) -> f64 {
+        let shape = *self;
+        let even = often(times, STEEP, |value| shape.time_since_zero(value) / value);
+        move |value| {
+            let sum = even.as_ref().and_then(|even| even.at(value));
+            sum.map_or_else(|| shape.time_since_zero(value), |sum| sum * value)
+        }
+    }
+
+    /// [`Self::slope_of_time`] so far from a zero in quarter periods, but no nearer to the extreme than this, as it is asked for so often.
+    pub(super) fn slope_near_zero_for(&self, times: usize, nearest: f64) -> impl Fn(f64) -> f64 {
+        let shape = *self;
+        let slope = move |part: f64| shape.slope_of_time(shape.near_extreme((1.0 - part.abs()).max(nearest)));
+        let even = often(times, 1.0 - nearest, slope);
+        move |part| even.as_ref().and_then(|even| even.at(part)).unwrap_or_else(|| slope(part))
+    }
+
     /// The second derivative at the extreme, per quarter period squared, as a positive number.
     pub(super) fn curvature(&self) -> f64 {
         let quarter = self.modulus.first();
@@ -80,6 +109,11 @@ impl Shape {
         };
         quarter * quarter * force.max(f64::EPSILON)
     }
+}
+
+/// A sum for an even function that is asked for often.
+fn often(times: usize, largest: f64, function: impl Fn(f64) -> f64) -> Option<Even> {
+    if times >= Even::WORTH { Even::new(largest, function) } else { None }
 }
 
 /// The amplitude of a swing whose fastest velocity is this, in radians; none when it goes over the top.
@@ -115,6 +149,37 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Fewer than are worth a sum, and as many; of all amplitudes, those too to which no sum does.
+    #[test]
+    fn what_is_asked_for_often_is_the_same() {
+        for observable in [Observable::Angle, Observable::AngularVelocity] {
+            for amplitude in [1e-3, 0.5, 2.5, 3.1, 3.13] {
+                let shape = Shape::new(observable, amplitude);
+                for times in [1, Even::WORTH - 1, Even::WORTH, 10_000] {
+                    let near_extreme = shape.near_extreme_for(times, 0.75);
+                    let time_since_zero = shape.time_since_zero_for(times);
+                    let slope = shape.slope_near_zero_for(times, 0.1);
+                    for part in [-1.2, -0.95, -0.9, -0.5, -0.01, 0.01, 0.3, 0.75, 0.89, 0.91, 1.0] {
+                        let exact = shape.slope_of_time(shape.near_extreme((1.0 - f64::abs(part)).max(0.1)));
+                        for (found, exact) in [
+                            (near_extreme(part), shape.near_extreme(part)),
+                            (time_since_zero(part), shape.time_since_zero(part)),
+                            (slope(part), exact),
+                        ] {
+                            assert!(
+                                (found - exact).abs() < 1e-11 * (1.0 + exact.abs()),
+                                "{amplitude} {times} {part}: {found} {exact}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+        assert!(
+            often(Even::WORTH, 0.75, |part| Shape::new(Observable::Angle, 2.5).near_extreme(part)).is_some()
+        );
     }
 
     #[test]

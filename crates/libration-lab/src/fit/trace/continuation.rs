@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::swing::{Swing, turning_point};
+use super::swing::{Course, EXACT, Swing, turning_point};
 use super::{DampingKind, TraceFit};
 use crate::fit::Uncertain;
+use crate::measurement::Observable;
 use libration::decay::{Damping, Decay, DecayError, TurningPoint};
 use libration::pendulum::{Pendulum, PendulumError};
 use libration::quantity::Angle;
@@ -206,7 +207,16 @@ impl MotionParameters {
         let terms = self.terms.iter().copied().collect();
         let quarter = 0.5 * PI / omega0;
         let start = [self.values[first], self.values[first + 1]];
-        let state = Swing::new(terms).samples(omega0, self.coefficients(), start, &[0.0, quarter])?[1].state;
+        let (swing, times) = (Swing::new(terms), [0.0, quarter]);
+        let courses = [Observable::Angle, Observable::AngularVelocity].map(|observable| Course {
+            omega0,
+            coefficients: self.coefficients(),
+            start,
+            times: &times,
+            observable,
+        });
+        let seen = swing.seen(&courses, &EXACT)?;
+        let state = [0, 1].map(|component| seen[component].values[1]);
         let longest = LONGEST * TAU / omega0;
         let [time, angle] = turning_point(terms, omega0, self.coefficients(), state, longest)?;
         Some([quarter + time, angle])

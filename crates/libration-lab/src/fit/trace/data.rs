@@ -1,10 +1,8 @@
 //! The traces that are fitted, and how many of their rows count.
 
 use super::TraceFitError;
-use super::weights::Weights;
 use crate::fit::cycles;
 use crate::measurement::Trace;
-use crate::statistics::mean;
 
 /// At least one trace, of angles or of velocities that a pendulum can have.
 #[derive(Clone, Copy, Debug)]
@@ -50,17 +48,6 @@ impl<'a> Data<'a> {
     pub(super) fn span(&self) -> f64 {
         let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
         self.traces.iter().map(span).fold(0.0, f64::max)
-    }
-
-    /// The weighted sum of squares about the mean of each trace, of so many rows.
-    pub(super) fn scatter(&self, rows: &[usize], weights: &Weights) -> f64 {
-        let of_trace = |((trace, weights), &rows): ((&Trace, &[f64]), &usize)| {
-            let values = &trace.values()[..rows];
-            let mean = mean(values.iter().copied());
-            let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
-            deviations.map(|deviation| deviation * deviation).sum::<f64>()
-        };
-        self.traces.iter().zip(weights.traces()).zip(rows).map(of_trace).sum()
     }
 }
 

@@ -1,18 +1,16 @@
 //! The best parameters of a model.
 
+use libration::taylor::Effort;
 use libration::watch::Watch;
 
 use super::TraceFitError;
-use super::data::Data;
 use super::layout::Layout;
-use super::model::Model;
+use super::model::{Model, Rows};
+use super::series::{self, Series};
 use super::weights::Weights;
 use crate::measurement::Trace;
-use crate::statistics::levenberg_marquardt::{self, Effort, Linearised, NoResiduals};
+use crate::statistics::levenberg_marquardt::{self, Linearised, NoResiduals};
 use nalgebra::DVector;
-
-/// The relative change of the sum of squares, or of the parameters, that is none: ten times what motions are followed to.
-const TOLERANCE: f64 = 1e-11;
 
 /// Where a search begins, and what it may do.
 #[derive(Clone, Debug)]
@@ -21,10 +19,46 @@ pub(super) struct Start {
     pub(super) parameters: Vec<f64>,
     /// The places of those that are varied.
     pub(super) free: Vec<usize>,
-    /// The number of rows of each trace that count.
-    pub(super) rows: Vec<usize>,
     /// Evaluations for each free parameter and one more.
     pub(super) patience: usize,
+    pub(super) care: Care,
+}
+
+/// How exact a search is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Care {
+    /// Of the motion.
+    effort: Effort,
+    /// The relative change of the sum of squares, or of the parameters, that is none.
+    tolerance: f64,
+}
+
+impl Care {
+    /// To ten times what motions are followed to.
+    pub(super) const FULL: Self = Self { effort: super::swing::EXACT, tolerance: 1e-11 };
+    /// To see which of some models is the right one: the last digits of the others are of no interest, and a sum of squares that is not
+    /// made of noise comes down slowly.
+    pub(super) const COMPARISON: Self = Self { tolerance: 1e-9, ..Self::FULL };
+    /// To see where a way leads: sums of squares that differ by a thousandth are distinguished.
+    pub(super) const SEARCH: Self = Self { effort: super::swing::ROUGH, tolerance: 1e-5 };
+    /// To follow a motion a little longer: it wants to be in phase.
+    pub(super) const GROWTH: Self = Self { tolerance: 1e-3, ..Self::SEARCH };
+}
+
+/// The best parameters that a search has found.
+#[derive(Clone, Debug)]
+pub(super) struct Descent {
+    /// All of them.
+    pub(super) parameters: Vec<f64>,
+    /// Of the residuals, times their weights.
+    pub(super) sum_of_squares: f64,
+    /// As a part of the scatter of the rows that count.
+    pub(super) unexplained: f64,
+    /// Of the worst part of a trace.
+    pub(super) unexplained_at_worst: f64,
+    pub(super) converged: bool,
+    /// The rows there, where they are known.
+    rows: Option<Vec<Rows>>,
 }
 
 /// The best parameters, and what is known there.
@@ -32,9 +66,8 @@ pub(super) struct Start {
 pub(super) struct Minimum {
     /// All of them.
     pub(super) parameters: Vec<f64>,
-    /// By the free parameters, of all rows that count.
+    /// By the free parameters, of all rows.
     pub(super) linearised: Linearised,
-    /// Of all rows, also of those that do not count.
     pub(super) weights: Weights,
     pub(super) converged: bool,
 }
@@ -45,6 +78,20 @@ impl Minimum {
         self.linearised.residuals.norm_squared()
     }
 
+    /// As the end of a way down that leaves this part of the scatter.
+    pub(super) fn to_descent(&self, unexplained: f64) -> Descent {
+        let (parameters, sum_of_squares) = (self.parameters.clone(), self.sum_of_squares());
+        let (converged, rows) = (self.converged, None);
+        Descent {
+            parameters,
+            sum_of_squares,
+            unexplained,
+            unexplained_at_worst: f64::INFINITY,
+            converged,
+            rows,
+        }
+    }
+
     /// Residuals in units of the stated uncertainties, outliers at their full size.
     pub(super) fn standard_residuals(&self, traces: &[Trace]) -> Vec<f64> {
         let residuals = self.linearised.residuals.iter().zip(self.weights.parts(traces));
@@ -52,25 +99,32 @@ impl Minimum {
     }
 }
 
-/// The minimum next to where the search starts, with these weights. `watch` is asked before each evaluation of the motion.
-pub(super) fn minimum(
-    data: Data<'_>,
+/// The way down from where the search starts. `watch` is asked before each evaluation of the motion.
+pub(super) fn descent(
     model: &Model,
-    weights: Weights,
+    series: &[Series<'_>],
     start: Start,
     watch: &Watch<'_>,
-) -> Result<Minimum, TraceFitError> {
-    let Start { mut parameters, free, rows, patience } = start;
+) -> Result<Descent, TraceFitError> {
+    let Start { mut parameters, free, patience, care } = start;
     let omega0 = parameters[Layout::OMEGA0];
     let varied = DVector::from_iterator(free.len(), free.iter().map(|&place| parameters[place]));
-    let found = levenberg_marquardt::minimum(varied, Effort { tolerance: TOLERANCE, patience }, |values| {
+    let effort = levenberg_marquardt::Effort { tolerance: care.tolerance, patience };
+    let mut least = None;
+    let found = levenberg_marquardt::minimum(varied, effort, |values| {
         if watch.go_on().is_err() {
             return Err(NoResiduals::Stopped);
         }
         for (&place, &value) in free.iter().zip(values) {
             parameters[place] = value;
         }
-        model.linearised(data, &rows, &weights, &parameters, &free).ok_or(NoResiduals::OutOfDomain)
+        let rows = model.rows(series, &parameters, &free, &care.effort).ok_or(NoResiduals::OutOfDomain)?;
+        let few = Rows::few(&rows, &free);
+        let sum = few.residuals.norm_squared();
+        if least.as_ref().is_none_or(|(_, before, _)| sum < *before) {
+            least = Some((values.clone(), sum, rows));
+        }
+        Ok(few)
     });
     let found = found.map_err(|reason| match reason {
         NoResiduals::Stopped => TraceFitError::Interrupted,
@@ -79,19 +133,60 @@ pub(super) fn minimum(
     for (&place, &value) in free.iter().zip(&found.parameters) {
         parameters[place] = value;
     }
-    Ok(Minimum { parameters, linearised: found.linearised, weights, converged: found.converged })
+    let rows = least.and_then(|(values, _, rows)| (values == found.parameters).then_some(rows));
+    let sum_of_squares = found.linearised.residuals.norm_squared();
+    let unexplained = sum_of_squares / series::scatter(series);
+    let worst = |rows: &Vec<Rows>| {
+        let parts = rows.iter().zip(series).map(|(rows, series)| series.worst_part(&rows.residuals()));
+        parts.fold(0.0, f64::max)
+    };
+    let unexplained_at_worst = rows.as_ref().map_or(f64::INFINITY, worst);
+    let converged = found.converged;
+    Ok(Descent { parameters, sum_of_squares, unexplained, unexplained_at_worst, converged, rows })
 }
 
-/// The deeper of two minima, or the one there is.
+/// The sum of squares at a start, and by how much it would fall if the model were linear.
+pub(super) fn promised(
+    model: &Model,
+    series: &[Series<'_>],
+    start: &Start,
+    watch: &Watch<'_>,
+) -> Result<(f64, f64), TraceFitError> {
+    watch.go_on().map_err(|_| TraceFitError::Interrupted)?;
+    let Start { parameters, free, care, .. } = start;
+    let omega0 = parameters[Layout::OMEGA0];
+    let rows =
+        model.rows(series, parameters, free, &care.effort).ok_or(TraceFitError::NoMotion { omega0 })?;
+    let few = Rows::few(&rows, free);
+    let sum = few.residuals.norm_squared();
+    Ok((sum, if free.is_empty() { 0.0 } else { few.promises() * sum }))
+}
+
+/// All rows at the end of a way down.
+pub(super) fn linearised(
+    model: &Model,
+    series: &[Series<'_>],
+    free: &[usize],
+    descent: &Descent,
+) -> Result<Linearised, TraceFitError> {
+    if let Some(rows) = &descent.rows {
+        return Ok(Rows::whole(rows, free));
+    }
+    let rows = model.rows(series, &descent.parameters, free, &Care::FULL.effort);
+    let omega0 = descent.parameters[Layout::OMEGA0];
+    rows.map(|rows| Rows::whole(&rows, free)).ok_or(TraceFitError::NoMotion { omega0 })
+}
+
+/// The deeper of two ends, or the one there is.
 pub(super) fn deeper(
-    one: Result<Minimum, TraceFitError>,
-    other: Result<Minimum, TraceFitError>,
-) -> Result<Minimum, TraceFitError> {
+    one: Result<Descent, TraceFitError>,
+    other: Result<Descent, TraceFitError>,
+) -> Result<Descent, TraceFitError> {
     match (one, other) {
         (Err(TraceFitError::Interrupted), _) | (_, Err(TraceFitError::Interrupted)) => {
             Err(TraceFitError::Interrupted)
         }
-        (Ok(one), Ok(other)) if other.sum_of_squares() < one.sum_of_squares() => Ok(other),
+        (Ok(one), Ok(other)) if other.sum_of_squares < one.sum_of_squares => Ok(other),
         (Err(_), other) => other,
         (one, _) => one,
     }

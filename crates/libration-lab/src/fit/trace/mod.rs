@@ -24,6 +24,7 @@ mod minimum;
 mod model;
 mod problem;
 mod search;
+mod series;
 mod weights;
 
 mod autocorrelation;
@@ -44,6 +45,9 @@ mod fitted;
 mod information;
 
 mod continuation;
+
+#[cfg(test)]
+mod tests;
 
 pub use super::{DampingKind, DampingModel, DampingModelError};
 pub use autocorrelation::Autocorrelation;
@@ -87,7 +91,9 @@ pub fn fit_traces(
     watch: &Watch<'_>,
 ) -> Result<TraceFit, TraceFitError> {
     let problem = Problem::new(traces, damping, *options)?;
-    let minimum = search::from_scratch(&problem, watch)?;
+    let end = search::from_scratch(&problem, None, watch)?;
+    let patience = search::patience(&end);
+    let minimum = problem.minimum_near(end.parameters, patience, minimum::Care::FULL, watch)?;
     let fit = uncertainty::fit(&problem, &minimum, watch)?;
     check_explained(&fit).map(|()| fit)
 }

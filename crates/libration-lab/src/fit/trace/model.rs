@@ -1,12 +1,12 @@
 //! What a pendulum with some kinds of damping should have shown.
 
 use super::DampingModel;
-use super::data::Data;
 use super::layout::Layout;
-use super::swing::{Sample, Swing};
-use super::weights::Weights;
-use crate::measurement::{Observable, Trace};
+use super::series::Series;
+use super::swing::{Course, Seen, Swing};
 use crate::statistics::levenberg_marquardt::Linearised;
+use crate::statistics::triangle;
+use libration::taylor::Effort;
 use nalgebra::{DMatrix, DVector};
 
 /// The motion of some traces, and the parameters it has.
@@ -17,8 +17,14 @@ pub(super) struct Model {
     free_scale: bool,
 }
 
-/// What should be seen in a row, with its derivatives by the parameters at these places.
-type Predicted = (f64, Vec<(usize, f64)>);
+/// What the rows of one trace miss, with the derivatives by the parameters that they depend on.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    /// Of all parameters.
+    places: Vec<usize>,
+    /// The derivatives, then the residuals, all times the weights.
+    matrix: DMatrix<f64>,
+}
 
 impl Model {
     /// Of so many traces; the scale of the angles is one if it is not free.
@@ -31,68 +37,111 @@ impl Model {
         (0..self.layout.len()).filter(|&place| self.free_scale || place != self.layout.scale()).collect()
     }
 
-    /// Residuals of so many rows, with their derivatives by the parameters at these places; none where the motion cannot be
+    /// The rows at each of some sets of parameters, those of all traces one behind the other; none where the motion cannot be
     /// followed.
-    pub(super) fn linearised(
+    pub(super) fn rows(
         &self,
-        data: Data<'_>,
-        rows: &[usize],
-        weights: &Weights,
+        series: &[Series<'_>],
         parameters: &[f64],
         free: &[usize],
-    ) -> Option<Linearised> {
-        let total = rows.iter().sum();
-        let mut residuals = DVector::zeros(total);
-        let mut jacobian = DMatrix::zeros(total, free.len());
-        let column = |place: usize| free.iter().position(|&own| own == place);
-        let columns: Vec<Option<usize>> = (0..self.layout.len()).map(column).collect();
-        let mut next = 0;
-        for (number, ((trace, weights), &rows)) in
-            data.traces.iter().zip(weights.traces()).zip(rows).enumerate()
-        {
-            let predicted = self.predicted(number, trace, rows, parameters)?;
-            for ((value, derivatives), (observed, weight)) in
-                predicted.iter().zip(trace.values().iter().zip(weights))
-            {
-                residuals[next] = (value - observed) * weight;
-                for &(place, derivative) in derivatives {
-                    if let Some(column) = columns[place] {
-                        jacobian[(next, column)] = derivative * weight;
-                    }
-                }
-                next += 1;
-            }
-        }
-        let finite = residuals.iter().chain(jacobian.iter()).all(|x| x.is_finite());
-        finite.then_some(Linearised { residuals, jacobian })
-    }
-
-    fn predicted(
-        &self,
-        number: usize,
-        trace: &Trace,
-        rows: usize,
-        parameters: &[f64],
-    ) -> Option<Vec<Predicted>> {
+        effort: &Effort,
+    ) -> Option<Vec<Rows>> {
         let layout = self.layout;
-        let omega0 = parameters[Layout::OMEGA0];
-        if omega0 <= 0.0 {
+        if parameters[Layout::OMEGA0] <= 0.0 {
             return None;
         }
-        let start = layout.first_state(number).map(|place| parameters[place]);
-        let coefficients = &parameters[layout.coefficients()];
-        let samples = self.swing.samples(omega0, coefficients, start, &trace.times()[..rows])?;
-        let (offset, scale) = (layout.offset(number), layout.scale());
-        let component = if trace.observable() == Observable::Angle { 0 } else { 1 };
-        let places: Vec<usize> = layout.of_motion(number).collect();
-        let row = |sample: &Sample| {
-            let value = sample.state[component];
-            let of_motion = places.iter().zip(&sample.derivatives);
-            let of_motion =
-                of_motion.map(|(&place, derivative)| (place, parameters[scale] * derivative[component]));
-            let derivatives = of_motion.chain([(offset, 1.0), (scale, value)]).collect();
-            (parameters[offset] + parameters[scale] * value, derivatives)
-        };
-        Some(samples.iter().map(row).collect())
+        let mut courses = vec![];
+        for (number, series) in series.iter().enumerate() {
+            courses.push(Course {
+                omega0: parameters[Layout::OMEGA0],
+                coefficients: &parameters[layout.coefficients()],
+                start: layout.first_state(number).map(|place| parameters[place]),
+                times: &series.times,
+                observable: series.observable,
+            });
+        }
+        let seen = self.swing.seen(&courses, effort)?;
+        let all = seen.iter().zip(series).enumerate();
+        let rows = all.map(|(number, (seen, series))| self.rows_of(number, series, seen, parameters, free));
+        let rows: Vec<Rows> = rows.collect();
+        rows.iter().all(|rows| rows.matrix.iter().all(|x| x.is_finite())).then_some(rows)
     }
+
+    fn rows_of(
+        &self,
+        number: usize,
+        series: &Series<'_>,
+        seen: &Seen,
+        parameters: &[f64],
+        free: &[usize],
+    ) -> Rows {
+        let layout = self.layout;
+        let (offset, scale) = (layout.offset(number), layout.scale());
+        let of_motion: Vec<usize> = layout.of_motion(number).collect();
+        let is_own = |place: &usize| *place == offset || *place == scale || of_motion.contains(place);
+        let places: Vec<usize> = free.iter().copied().filter(is_own).collect();
+        let mut matrix = DMatrix::zeros(series.times.len(), places.len() + 1);
+        for (&place, mut column) in places.iter().zip(matrix.column_iter_mut()) {
+            let weights = column.iter_mut().zip(series.weights.iter());
+            match of_motion.iter().position(|&other| other == place) {
+                Some(derivative) => {
+                    for ((x, weight), slope) in weights.zip(&seen.derivatives[derivative]) {
+                        *x = parameters[scale] * slope * weight;
+                    }
+                }
+                None if place == offset => weights.for_each(|(x, weight)| *x = *weight),
+                None => weights.zip(&seen.values).for_each(|((x, weight), value)| *x = value * weight),
+            }
+        }
+        let residuals = matrix.column_mut(places.len());
+        let observed = series.values.iter().zip(series.weights.iter());
+        for ((x, value), (observed, weight)) in residuals.into_iter().zip(&seen.values).zip(observed) {
+            *x = (parameters[offset] + parameters[scale] * value - observed) * weight;
+        }
+        Rows { places, matrix }
+    }
+}
+
+impl Rows {
+    /// Of all parameters, those that the rows depend on.
+    #[cfg(test)]
+    pub(super) fn places(&self) -> &[usize] {
+        &self.places
+    }
+
+    /// The residuals, times their weights.
+    pub(super) fn residuals(&self) -> Vec<f64> {
+        self.matrix.column(self.places.len()).iter().copied().collect()
+    }
+
+    /// All rows, by all free parameters.
+    pub(super) fn whole(rows: &[Self], free: &[usize]) -> Linearised {
+        stacked(&rows.iter().map(|rows| (&rows.places[..], &rows.matrix)).collect::<Vec<_>>(), free)
+    }
+
+    /// As few as there are parameters, which have the same sum of squares with the same slopes.
+    pub(super) fn few(rows: &[Self], free: &[usize]) -> Linearised {
+        let few: Vec<DMatrix<f64>> = rows.iter().map(|rows| triangle(&rows.matrix)).collect();
+        let parts = rows.iter().zip(&few).map(|(rows, few)| (&rows.places[..], few));
+        stacked(&parts.collect::<Vec<_>>(), free)
+    }
+}
+
+/// The rows of all parts one behind the other.
+fn stacked(parts: &[(&[usize], &DMatrix<f64>)], free: &[usize]) -> Linearised {
+    let total = parts.iter().map(|(_, matrix)| matrix.nrows()).sum();
+    let mut residuals = DVector::zeros(total);
+    let mut jacobian = DMatrix::zeros(total, free.len());
+    let mut first = 0;
+    for (places, matrix) in parts {
+        let rows = matrix.nrows();
+        for (own, place) in places.iter().enumerate() {
+            if let Some(column) = free.iter().position(|other| other == place) {
+                jacobian.column_mut(column).rows_mut(first, rows).copy_from(&matrix.column(own));
+            }
+        }
+        residuals.rows_mut(first, rows).copy_from(&matrix.column(places.len()));
+        first += rows;
+    }
+    Linearised { residuals, jacobian }
 }

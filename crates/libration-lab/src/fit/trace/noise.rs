@@ -7,10 +7,13 @@
 //! where a is how the parameter answers to the rows. What the residuals leave open about the noise makes the degrees of
 //! freedom of Student's t finite (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946), doi:10.2307/3002019).
 
+use libration::watch::Watch;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::response::Response;
 use crate::measurement::Trace;
+use crate::parallel;
+use crate::statistics::levenberg_marquardt::Linearised;
 use crate::statistics::{count, median};
 
 /// What the noise does to one parameter.
@@ -42,16 +45,17 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     let response = &problem.matrix;
     let rows = Rows::new(traces, problem);
     let degrees = count(problem.linearised.residuals.len().saturating_sub(response.nrows()).max(1));
-    let white = rows.tried(&Noise::WHITE, response, degrees);
+    let white = rows.tried(0.0, &[1.0], response, degrees).swap_remove(0);
     let Some(white) = white else {
         return vec![Effect { inflation: 1.0, degrees_of_freedom: degrees }; response.nrows()];
     };
-    let noises = noises(traces);
-    let beforehand = -libm::log(count(noises.len().max(1)));
-    let others = noises.iter().filter_map(|noise| {
-        let tried = rows.tried(noise, response, degrees)?;
-        Some(Tried { likelihood: tried.likelihood + beforehand, ..tried })
-    });
+    let times = times(traces);
+    let noises = times.len() * WHITE_PARTS.len();
+    let tried =
+        parallel::map(&times, &Watch::none(), |&time, _| rows.tried(time, &WHITE_PARTS, response, degrees));
+    let beforehand = -libm::log(count(noises.max(1)));
+    let others = tried.into_iter().flatten().flatten();
+    let others = others.map(|tried| Tried { likelihood: tried.likelihood + beforehand, ..tried });
     let all: Vec<Tried> = [white.clone()].into_iter().chain(others).collect();
     let highest = all.iter().map(|tried| tried.likelihood).fold(f64::NEG_INFINITY, f64::max);
     let weights: Vec<f64> = all.iter().map(|tried| libm::exp(tried.likelihood - highest)).collect();
@@ -74,34 +78,20 @@ fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
     Effect { inflation: libm::exp(mean), degrees_of_freedom }
 }
 
-/// A kind of noise.
-#[derive(Clone, Copy, Debug)]
-struct Noise {
-    /// After what time, in seconds, the part that is not white has forgotten all but 1/e; zero for white noise.
-    time: f64,
-    /// The part of the variance that is white.
-    white: f64,
-}
-
-impl Noise {
-    const WHITE: Self = Self { time: 0.0, white: 1.0 };
-
-    /// What is left of the remembered part from each row to the next; nothing before the first.
-    fn memories(&self, times: &[f64]) -> Vec<f64> {
-        let one =
-            |pair: &[f64]| if self.time > 0.0 { libm::exp((pair[0] - pair[1]) / self.time) } else { 0.0 };
-        [0.0].into_iter().chain(times.windows(2).map(one)).collect()
-    }
-}
-
-fn noises(traces: &[Trace]) -> Vec<Noise> {
+/// The times in seconds after which a noise has forgotten all but 1/e.
+fn times(traces: &[Trace]) -> Vec<f64> {
     let steps = traces.iter().flat_map(|trace| trace.times().windows(2).map(|pair| pair[1] - pair[0]));
     let Some(step) = median(steps.collect()) else { return vec![] };
     let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
     let longest = LONGEST_PART * traces.iter().map(span).fold(0.0, f64::max);
     let times = std::iter::successors(Some(SHORTEST * step), |time| Some(FACTOR * time));
-    let times = times.take_while(|&time| time <= longest.min(LONGEST_ROWS * step));
-    times.flat_map(|time| WHITE_PARTS.map(|white| Noise { time, white })).collect()
+    times.take_while(|&time| time <= longest.min(LONGEST_ROWS * step)).collect()
+}
+
+/// What is left after each step of what is remembered for so long; nothing before the first row, and of what is white.
+fn memories(time: f64, times: &[f64]) -> Vec<f64> {
+    let one = |pair: &[f64]| if time > 0.0 { libm::exp((pair[0] - pair[1]) / time) } else { 0.0 };
+    [0.0].into_iter().chain(times.windows(2).map(one)).collect()
 }
 
 /// A noise with what follows from it.
@@ -117,8 +107,10 @@ struct Tried {
 struct Part<'a> {
     times: &'a [f64],
     first: usize,
-    /// Derivatives by the parameters on which these rows depend, with their places, and the residuals at the end.
-    columns: Vec<(usize, Vec<f64>)>,
+    /// The parameters on which these rows depend, and at the end the place of the residuals.
+    places: Vec<usize>,
+    /// Row by row, the derivatives by these and the residual.
+    rows: Vec<f64>,
 }
 
 /// All rows, with derivatives of the size of one.
@@ -129,31 +121,50 @@ struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     fn new(traces: &'a [Trace], problem: &Response) -> Self {
-        let parameters = problem.linearised.jacobian.ncols();
-        let sizes: Vec<f64> = problem.linearised.jacobian.column_iter().map(|column| column.norm()).collect();
+        let Linearised { jacobian, residuals } = &problem.linearised;
+        let parameters = jacobian.ncols();
+        let sizes: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
         let mut parts = vec![];
         let mut first = 0;
         for trace in traces {
-            let derivatives = (0..parameters).map(|place| {
-                let column = problem.linearised.jacobian.column(place);
-                (place, column.rows(first, trace.len()).iter().map(|x| x / sizes[place]).collect())
-            });
-            let residuals = problem.linearised.residuals.rows(first, trace.len()).iter().copied().collect();
-            let depends = |column: &(usize, Vec<f64>)| column.1.iter().any(|x| x.abs() > 0.0);
-            let columns = derivatives.filter(depends).chain([(parameters, residuals)]).collect();
-            parts.push(Part { times: trace.times(), first, columns });
+            let depends = |place: &usize| {
+                jacobian.column(*place).rows(first, trace.len()).iter().any(|x| x.abs() > 0.0)
+            };
+            let places: Vec<usize> = (0..parameters).filter(depends).collect();
+            let mut rows = Vec::with_capacity(trace.len() * (places.len() + 1));
+            for n in first..first + trace.len() {
+                rows.extend(
+                    places.iter().map(|&place| jacobian[(n, place)] / sizes[place]).chain([residuals[n]]),
+                );
+            }
+            let places = places.iter().copied().chain([parameters]).collect();
+            parts.push(Part { times: trace.times(), first, places, rows });
             first += trace.len();
         }
         Self { parts, parameters }
     }
 
-    /// The likelihood of a noise of unknown size, and the variances under it.
-    fn tried(&self, noise: &Noise, response: &DMatrix<f64>, degrees: f64) -> Option<Tried> {
+    /// For noises that remember so long, with these white parts: the likelihoods, if their sizes are unknown, and the variances under
+    /// them.
+    fn tried(&self, time: f64, white: &[f64], response: &DMatrix<f64>, degrees: f64) -> Vec<Option<Tried>> {
+        let memories: Vec<Vec<f64>> = self.parts.iter().map(|part| memories(time, part.times)).collect();
+        let spreads = self.spreads(&memories, response);
+        let one = |&white: &f64| self.tried_with(white, &memories, &spreads, degrees);
+        white.iter().map(one).collect()
+    }
+
+    fn tried_with(
+        &self,
+        white: f64,
+        memories: &[Vec<f64>],
+        spreads: &[[f64; 2]],
+        degrees: f64,
+    ) -> Option<Tried> {
         let p = self.parameters;
         let mut products = DMatrix::<f64>::zeros(p + 1, p + 1);
         let mut logarithm = 0.0;
-        for part in &self.parts {
-            logarithm += part.add_products(noise, &mut products);
+        for (part, memories) in self.parts.iter().zip(memories) {
+            logarithm += part.add_products(white, memories, &mut products);
         }
         let right = DVector::from_fn(p, |place, _| products[(place, p)]);
         let normal = Cholesky::new(products.view((0, 0), (p, p)).into_owned())?;
@@ -161,66 +172,72 @@ impl<'a> Rows<'a> {
         let left = products[(p, p)] - right.dot(&normal.solve(&right));
         let variance = left / degrees;
         let likelihood = -0.5 * (logarithm + determinant + degrees * libm::log(left));
-        let variances: Vec<f64> =
-            (0..p).map(|place| variance * self.spread(noise, response, place)).collect();
+        let spread = |[own, shared]: &[f64; 2]| own + 2.0 * (1.0 - white) * shared;
+        let variances: Vec<f64> = spreads.iter().map(|spreads| variance * spread(spreads)).collect();
         let usable = likelihood.is_finite() && variances.iter().all(|variance| *variance > 0.0);
         usable.then_some(Tried { likelihood, variances })
     }
 
-    /// a Σ aᵀ, with the row of the response to one parameter.
-    fn spread(&self, noise: &Noise, response: &DMatrix<f64>, place: usize) -> f64 {
-        let row = response.row(place);
-        let of_part = |part: &Part<'_>| {
-            let (mut white, mut shared, mut remembered, mut before) = (0.0, 0.0, 0.0, 0.0);
-            for (n, memory) in noise.memories(part.times).into_iter().enumerate() {
-                let own = row[part.first + n];
-                remembered = memory * (remembered + before);
-                white += own * own;
-                shared += own * remembered;
-                before = own;
+    /// The two parts of a Σ aᵀ for each parameter, with the row a of the response: of each row with itself, and with those before it.
+    fn spreads(&self, memories: &[Vec<f64>], response: &DMatrix<f64>) -> Vec<[f64; 2]> {
+        let p = self.parameters;
+        let mut sums = vec![[0.0; 2]; p];
+        for (part, memories) in self.parts.iter().zip(memories) {
+            let (mut remembered, mut before) = (vec![0.0; p], vec![0.0; p]);
+            for (memory, own) in
+                memories.iter().zip(response.columns(part.first, part.times.len()).column_iter())
+            {
+                for (place, sum) in sums.iter_mut().enumerate() {
+                    remembered[place] = memory * (remembered[place] + before[place]);
+                    before[place] = own[place];
+                    sum[0] += own[place] * own[place];
+                    sum[1] += own[place] * remembered[place];
+                }
             }
-            white + 2.0 * (1.0 - noise.white) * shared
-        };
-        self.parts.iter().map(of_part).sum()
+        }
+        sums
     }
 }
 
 impl Part<'_> {
     /// Adds the products of the columns, made white by Kalman's filter, and returns the logarithm of the determinant of
     /// their covariance.
-    fn add_products(&self, noise: &Noise, products: &mut DMatrix<f64>) -> f64 {
-        let remembered = 1.0 - noise.white;
-        let mut expected = vec![0.0; self.columns.len()];
-        let mut made_white = expected.clone();
-        let (mut spread, mut logarithm) = (remembered, 0.0);
-        for (n, memory) in noise.memories(self.times).into_iter().enumerate() {
+    fn add_products(&self, white: f64, memories: &[f64], products: &mut DMatrix<f64>) -> f64 {
+        let (width, remembered) = (self.places.len(), 1.0 - white);
+        let (mut expected, mut made_white) = (vec![0.0; width], vec![0.0; width]);
+        let mut sums = vec![0.0; width * width];
+        let (mut spread, mut logarithm, mut determinant) = (remembered, 0.0, 1.0);
+        for (n, (&memory, row)) in memories.iter().zip(self.rows.chunks_exact(width)).enumerate() {
             if n > 0 {
                 spread = memory * memory * spread + remembered * (1.0 - memory * memory);
             }
-            let total = spread + noise.white;
-            let (gain, root) = (spread / total, total.sqrt());
-            logarithm += libm::log(total);
-            for ((expected, white), (_, column)) in
-                expected.iter_mut().zip(&mut made_white).zip(&self.columns)
-            {
+            let total = spread + white;
+            let (gain, scale) = (spread / total, 1.0 / total.sqrt());
+            determinant *= total;
+            // Each total is between the white part, or what is forgotten in a step, and one: so few do not underflow.
+            if n % 8 == 7 {
+                logarithm += libm::log(determinant);
+                determinant = 1.0;
+            }
+            for ((expected, made_white), value) in expected.iter_mut().zip(&mut made_white).zip(row) {
                 *expected *= memory;
-                let news = column[n] - *expected;
-                *white = news / root;
+                let news = value - *expected;
+                *made_white = news * scale;
                 *expected += gain * news;
             }
             spread *= 1.0 - gain;
-            for (i, (row, _)) in self.columns.iter().enumerate() {
-                for (j, (column, _)) in self.columns[i..].iter().enumerate() {
-                    products[(*row, *column)] += made_white[i] * made_white[i + j];
+            for (sums, own) in sums.chunks_exact_mut(width).zip(&made_white) {
+                for (sum, other) in sums.iter_mut().zip(&made_white) {
+                    *sum += own * other;
                 }
             }
         }
-        for i in 0..products.nrows() {
-            for j in 0..i {
-                products[(i, j)] = products[(j, i)];
+        for (sums, row) in sums.chunks_exact(width).zip(&self.places) {
+            for (sum, column) in sums.iter().zip(&self.places) {
+                products[(*row, *column)] += sum;
             }
         }
-        logarithm
+        logarithm + libm::log(determinant)
     }
 }
 
@@ -230,39 +247,41 @@ mod tests {
     use crate::measurement::Observable;
 
     fn part(times: &[f64]) -> Part<'_> {
-        let column = |of: fn(f64) -> f64| times.iter().map(|&time| of(time)).collect::<Vec<f64>>();
-        Part { times, first: 0, columns: vec![(0, column(libm::sin)), (1, column(|t| 1.0 + t * t))] }
+        let rows = times.iter().flat_map(|&t| [libm::sin(t), 1.0 + t * t]).collect();
+        Part { times, first: 0, places: vec![0, 1], rows }
     }
 
-    fn covariance(noise: &Noise, times: &[f64]) -> DMatrix<f64> {
+    fn covariance(times: &[f64]) -> DMatrix<f64> {
         DMatrix::from_fn(times.len(), times.len(), |i: usize, j: usize| {
-            let memory = libm::exp(-(times[i] - times[j]).abs() / noise.time);
-            (1.0 - noise.white) * memory + if i == j { noise.white } else { 0.0 }
+            let memory = libm::exp(-(times[i] - times[j]).abs() / TIME);
+            (1.0 - WHITE) * memory + if i == j { WHITE } else { 0.0 }
         })
     }
 
     /// Uneven times, and both parts.
-    const TIMES: [f64; 6] = [0.0, 0.3, 0.4, 1.0, 1.7, 1.9];
-    const NOISE: Noise = Noise { time: 0.8, white: 0.3 };
+    const TIMES: [f64; 11] = [0.0, 0.3, 0.4, 1.0, 1.7, 1.9, 2.0, 2.4, 2.5, 3.0, 3.6];
+    const TIME: f64 = 0.8;
+    const WHITE: f64 = 0.3;
 
     /// Against the inverse and the determinant of the whole matrix.
     #[test]
     fn the_filter_gives_what_the_whole_covariance_gives() {
-        let (part, whole) = (part(&TIMES), covariance(&NOISE, &TIMES));
+        let (part, whole) = (part(&TIMES), covariance(&TIMES));
         let mut products = DMatrix::zeros(2, 2);
-        let logarithm = part.add_products(&NOISE, &mut products);
+        let logarithm = part.add_products(WHITE, &memories(TIME, &TIMES), &mut products);
         assert!((logarithm - libm::log(whole.determinant())).abs() < 1e-12);
-        let columns = DMatrix::from_fn(6, 2, |row, place| part.columns[place].1[row]);
+        let columns = DMatrix::from_fn(TIMES.len(), 2, |row, place| part.rows[2 * row + place]);
         let expected = columns.transpose() * whole.try_inverse().unwrap() * columns;
-        assert!((products - expected).norm() < 1e-12);
+        assert!((&products - &expected).norm() < 1e-13 * expected.norm());
     }
 
     #[test]
     fn the_spread_is_that_of_the_whole_covariance() {
-        let response = DMatrix::from_fn(1, 6, |_, n| libm::cos(count(n)));
+        let response = DMatrix::from_fn(1, TIMES.len(), |_, n| libm::cos(count(n)));
         let rows = Rows { parts: vec![part(&TIMES)], parameters: 1 };
-        let expected = (&response * covariance(&NOISE, &TIMES) * response.transpose())[(0, 0)];
-        assert!((rows.spread(&NOISE, &response, 0) - expected).abs() < 1e-12);
+        let expected = (&response * covariance(&TIMES) * response.transpose())[(0, 0)];
+        let [own, shared] = rows.spreads(&[memories(TIME, &TIMES)], &response)[0];
+        assert!((own + 2.0 * (1.0 - WHITE) * shared - expected).abs() < 1e-12);
     }
 
     /// Half of the weight at e² times the variance: the mean is e, and the logarithms scatter by 1.
@@ -280,9 +299,8 @@ mod tests {
         let times: Vec<f64> = (0..81).map(|row| 0.1 * f64::from(row)).collect();
         let trace =
             Trace::new("eight seconds", Observable::Angle, times.clone(), vec![0.0; 81], None).unwrap();
-        let found = noises(&[trace]);
-        assert!(found.iter().all(|noise| (0.039..=1.0).contains(&noise.time)));
-        assert_eq!(found.len() % WHITE_PARTS.len(), 0);
-        assert!(found.iter().any(|noise| noise.time > 1.0 / FACTOR));
+        let found = super::times(&[trace]);
+        assert!(found.iter().all(|time| (0.039..=1.0).contains(time)));
+        assert!(found.iter().any(|time| *time > 1.0 / FACTOR));
     }
 }

@@ -3,11 +3,15 @@
 use libration::watch::Watch;
 
 use super::data::Data;
-use super::minimum::{Minimum, Start, minimum};
+use super::minimum::{Care, Descent, Minimum, Start, descent, linearised, promised};
 use super::model::Model;
+use super::series;
+use super::weak_form::{self, Beginning};
 use super::weights::Weights;
 use super::{DampingModel, TraceFitError, TraceOptions};
 use crate::measurement::Trace;
+use crate::statistics::median;
+use std::f64::consts::TAU;
 
 /// Traces and a model of them.
 #[derive(Clone, Debug)]
@@ -15,6 +19,10 @@ pub(super) struct Problem<'a> {
     pub(super) data: Data<'a>,
     pub(super) model: Model,
     pub(super) options: TraceOptions,
+    /// Where the search of each trace begins.
+    pub(super) beginnings: Vec<Beginning>,
+    /// How many small periods the longest trace has.
+    pub(super) cycles: f64,
 }
 
 /// Evaluations for each parameter of a search that may have to go far, as MINPACK counts them: of 24 recordings (`search.rs`) all but
@@ -27,6 +35,10 @@ const ROBUST_ROUNDS: usize = 30;
 /// A relative change of the sum of squares that is none: with 1e-6 they ended alike.
 const SETTLED: f64 = 1e-8;
 
+/// A linear model errs by the square of how far it goes: what is promised by a hundredth is wrong by far less, and the ends of intervals by
+/// less than a thousandth of a deviation.
+const SMALL_PART: f64 = 0.01;
+
 impl<'a> Problem<'a> {
     /// Traces with rows enough for these kinds of damping.
     pub(super) fn new(
@@ -36,13 +48,20 @@ impl<'a> Problem<'a> {
     ) -> Result<Self, TraceFitError> {
         let model = Model::new(terms, traces.len(), options.free_scale);
         let data = Data::new(traces, model.layout.len())?;
-        Ok(Self { data, model, options })
+        let beginning = |trace: &Trace| {
+            let no_pendulum = || TraceFitError::NoPendulum { name: trace.name().to_owned() };
+            weak_form::beginning(trace).ok_or_else(no_pendulum)
+        };
+        let beginnings = traces.iter().map(beginning).collect::<Result<Vec<Beginning>, TraceFitError>>()?;
+        let omega0 = median(beginnings.iter().map(|beginning| beginning.omega0).collect());
+        let cycles = data.span() * omega0.ok_or(TraceFitError::NoTrace)? / TAU;
+        Ok(Self { data, model, options, beginnings, cycles })
     }
 
     /// The same traces with other kinds of damping.
     pub(super) fn with_terms(&self, terms: DampingModel) -> Self {
         let model = Model::new(terms, self.data.traces.len(), self.options.free_scale);
-        Self { model, ..*self }
+        Self { model, ..self.clone() }
     }
 
     /// The minimum near some parameters, robust if asked for.
@@ -50,26 +69,23 @@ impl<'a> Problem<'a> {
         &self,
         parameters: Vec<f64>,
         patience: usize,
+        care: Care,
         watch: &Watch<'_>,
     ) -> Result<Minimum, TraceFitError> {
-        let start = |parameters: Vec<f64>, patience: usize| Start {
-            parameters,
-            free: self.model.free(),
-            rows: self.data.rows(),
-            patience,
-        };
+        let free = self.model.free();
         let stated = Weights::stated(self.data.traces);
         if !self.options.robust {
-            return minimum(self.data, &self.model, stated, start(parameters, patience), watch);
+            return self.minimum_with(stated, Start { parameters, free, patience, care }, watch);
         }
         // Least squares would be drawn away from where the search has come.
-        let here = Start { free: vec![], ..start(parameters.clone(), patience) };
-        let here = minimum(self.data, &self.model, stated, here, watch)?;
-        let weights = self.robust_weights(&here);
-        let mut best = minimum(self.data, &self.model, weights, start(parameters, patience), watch)?;
+        let here = Start { parameters: parameters.clone(), free: vec![], patience, care };
+        let weights = self.robust_weights(&self.minimum_with(stated, here, watch)?);
+        let start = Start { parameters, free: free.clone(), patience, care };
+        let mut best = self.minimum_with(weights, start, watch)?;
         for _ in 0..ROBUST_ROUNDS {
-            let start = start(best.parameters.clone(), PATIENCE_NEAR);
-            let next = minimum(self.data, &self.model, self.robust_weights(&best), start, watch)?;
+            let (parameters, free) = (best.parameters.clone(), free.clone());
+            let start = Start { parameters, free, patience: PATIENCE_NEAR, care };
+            let next = self.minimum_with(self.robust_weights(&best), start, watch)?;
             let before = best.sum_of_squares().max(f64::MIN_POSITIVE);
             let change = (next.sum_of_squares() / before - 1.0).abs();
             best = next;
@@ -80,21 +96,70 @@ impl<'a> Problem<'a> {
         Ok(best)
     }
 
-    /// The minimum next to some parameters with these free, at the weights of another minimum.
-    pub(super) fn minimum_beside(
+    /// Roughly where the way down from some parameters ends, by rows enough of all traces; with outliers turned down, if asked for,
+    /// the minimum by all rows.
+    pub(super) fn approach(
+        &self,
+        parameters: Vec<f64>,
+        patience: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Descent, TraceFitError> {
+        if self.options.robust {
+            let minimum = self.minimum_near(parameters, patience, Care::COMPARISON, watch)?;
+            return Ok(minimum.to_descent(self.unexplained(&minimum)));
+        }
+        let start = Start { parameters, free: self.model.free(), patience, care: Care::SEARCH };
+        self.descent_over(self.cycles, start, watch)
+    }
+
+    /// Roughly where the way down ends, by rows enough of so many small periods.
+    pub(super) fn descent_over(
+        &self,
+        cycles: f64,
+        start: Start,
+        watch: &Watch<'_>,
+    ) -> Result<Descent, TraceFitError> {
+        let (span, stated) = (self.data.span(), Weights::stated(self.data.traces));
+        let rows = self.data.rows_within(span * cycles / self.cycles, self.model.layout.len() + 2);
+        descent(&self.model, &series::of_search(self.data, &rows, &stated, cycles), start, watch)
+    }
+
+    /// The least sum of squares next to some parameters with these free, at the weights of a minimum with this sum. Where the way down is
+    /// a small part of what the sum is above that, it is taken as if the model were linear.
+    pub(super) fn sum_beside(
         &self,
         weights: &Weights,
         parameters: Vec<f64>,
         free: Vec<usize>,
+        least: f64,
+        watch: &Watch<'_>,
+    ) -> Result<f64, TraceFitError> {
+        let series = series::whole(self.data, weights);
+        let start = Start { parameters, free, patience: PATIENCE_NEAR, care: Care::FULL };
+        let (sum, promised) = promised(&self.model, &series, &start, watch)?;
+        if promised <= SMALL_PART * (sum - least) {
+            return Ok(sum - promised);
+        }
+        Ok(descent(&self.model, &series, start, watch)?.sum_of_squares)
+    }
+
+    fn minimum_with(
+        &self,
+        weights: Weights,
+        start: Start,
         watch: &Watch<'_>,
     ) -> Result<Minimum, TraceFitError> {
-        let start = Start { parameters, free, rows: self.data.rows(), patience: PATIENCE_NEAR };
-        minimum(self.data, &self.model, weights.clone(), start, watch)
+        let (series, free) = (series::whole(self.data, &weights), start.free.clone());
+        let descent = descent(&self.model, &series, start, watch)?;
+        let linearised = linearised(&self.model, &series, &free, &descent)?;
+        let Descent { parameters, converged, .. } = descent;
+        drop(series);
+        Ok(Minimum { parameters, linearised, weights, converged })
     }
 
     /// The part of the scatter of the data that a minimum leaves.
     pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
-        minimum.sum_of_squares() / self.data.scatter(&self.data.rows(), &minimum.weights)
+        minimum.sum_of_squares() / series::scatter(&series::whole(self.data, &minimum.weights))
     }
 
     fn robust_weights(&self, minimum: &Minimum) -> Weights {

@@ -7,6 +7,7 @@ use libration::watch::Watch;
 use super::minimum::Minimum;
 use super::problem::Problem;
 use super::{Parameter, TraceFitError};
+use crate::parallel;
 use nalgebra::DMatrix;
 
 /// Standard deviations within which a normal distribution has 68.27 % and 95 %.
@@ -42,19 +43,22 @@ pub(super) fn intervals(
     watch: &Watch<'_>,
 ) -> Result<(), TraceFitError> {
     let free = problem.model.free();
-    for (place, parameter) in
-        parameters.iter_mut().enumerate().filter(|(_, parameter)| parameter.trace.is_none())
-    {
+    let shared: Vec<usize> =
+        (0..parameters.len()).filter(|&place| parameters[place].trace.is_none()).collect();
+    let ends: Vec<(usize, f64, f64)> = shared
+        .iter()
+        .flat_map(|&place| LEVELS.map(|level| [-1.0, 1.0].map(|side| (place, level, side))).concat())
+        .collect();
+    let found = parallel::map(&ends, watch, |&(place, level, side), watch| {
+        let parameter = &parameters[place];
         let inflation = parameter.estimate.uncertainty / parameter.formal_uncertainty;
-        let mut found = [[0.0; 2]; 2];
-        for (interval, level) in found.iter_mut().zip(LEVELS) {
-            for (end, side) in interval.iter_mut().zip([-1.0, 1.0]) {
-                let wanted = students(level, parameter.degrees_of_freedom) * inflation;
-                let profile = Profile { problem, minimum, free: &free, covariance, place, variance };
-                *end = profile.end(side * wanted, parameter.formal_uncertainty, watch)?;
-            }
-        }
-        parameter.intervals = found;
+        let wanted = students(level, parameter.degrees_of_freedom) * inflation;
+        let profile = Profile { problem, minimum, free: &free, covariance, place, variance };
+        profile.end(side * wanted, parameter.formal_uncertainty, watch)
+    });
+    let found = found.into_iter().collect::<Result<Vec<f64>, TraceFitError>>()?;
+    for (place, ends) in shared.into_iter().zip(found.chunks_exact(2 * LEVELS.len())) {
+        parameters[place].intervals = [[ends[0], ends[1]], [ends[2], ends[3]]];
     }
     Ok(())
 }
@@ -100,9 +104,9 @@ impl Profile<'_> {
         }
         let own = self.free[self.place];
         let others = self.free.iter().copied().filter(|&other| other != own).collect();
-        let moved = self.problem.minimum_beside(&self.minimum.weights, parameters, others, watch)?;
-        let growth = moved.sum_of_squares() - self.minimum.sum_of_squares();
-        Ok((growth.max(0.0) / self.variance).sqrt())
+        let least = self.minimum.sum_of_squares();
+        let moved = self.problem.sum_beside(&self.minimum.weights, parameters, others, least, watch)?;
+        Ok(((moved - least).max(0.0) / self.variance).sqrt())
     }
 }
 

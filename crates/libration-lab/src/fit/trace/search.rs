@@ -3,12 +3,10 @@
 use libration::watch::Watch;
 use std::f64::consts::TAU;
 
+use super::TraceFitError;
 use super::layout::Layout;
-use super::minimum::{Minimum, Start, deeper, minimum};
+use super::minimum::{Care, Descent, Start, deeper};
 use super::problem::{PATIENCE, Problem};
-use super::weights::Weights;
-use super::{TraceFitError, weak_form};
-use crate::statistics::median;
 
 /// How more and more of the traces is taken, in small periods.
 ///
@@ -43,29 +41,54 @@ const GOOD: f64 = 0.0025;
 /// The part beyond which it has: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
 pub(super) const HOPELESS: f64 = 0.5;
 
-/// A minimum, and the number of cycles after which the model could no longer follow the data on the way to it.
+/// In no part of a trace does a motion in phase with it leave so much: half of the amplitude too much leaves a quarter, and so does a
+/// twelfth of a turn out of phase.
+const IN_PHASE: f64 = 0.25;
+/// Two ways to sums of squares that differ by a smaller part have led to the same minimum.
+const ALIKE: f64 = 1e-3;
+
+/// An end, and the number of cycles after which the model could no longer follow the data on the way to it.
 struct Followed {
-    minimum: Minimum,
+    end: Descent,
     until: Option<f64>,
 }
 
-/// The minimum, from the first swings on.
-pub(super) fn from_scratch(problem: &Problem<'_>, watch: &Watch<'_>) -> Result<Minimum, TraceFitError> {
-    let beginning = beginning(problem)?;
+/// Roughly the minimum, from the first swings on; `known` is the deepest that is known already.
+pub(super) fn from_scratch(
+    problem: &Problem<'_>,
+    known: Option<&Descent>,
+    watch: &Watch<'_>,
+) -> Result<Descent, TraceFitError> {
+    let beginning = beginning(problem);
     let quick = grown(problem, beginning.clone(), &QUICK, watch);
     match quick {
         Err(TraceFitError::Interrupted) => Err(TraceFitError::Interrupted),
-        Ok(found) if !is_lost(problem, &found) => Ok(found.minimum),
+        Ok(found) if !is_lost(&found, known) => Ok(found.end),
         quick => {
             let careful = grown(problem, beginning, &CAREFUL, watch);
-            deeper(quick.map(|found| found.minimum), careful.map(|found| found.minimum))
+            deeper(quick.map(|found| found.end), careful.map(|found| found.end))
         }
     }
 }
 
-/// Whether the search failed, and not the model, as where it describes the beginning and fails later on.
-fn is_lost(problem: &Problem<'_>, found: &Followed) -> bool {
-    problem.unexplained(&found.minimum) > GOOD && found.until.is_none_or(|cycles| cycles <= CYCLES_OF_SEARCH)
+/// Whether the search failed, and not the model, as where it describes the beginning and fails later on, where the motion is in phase with
+/// all parts of the data, or where another way leads to the same end.
+fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
+    found.end.unexplained > GOOD
+        && found.end.unexplained_at_worst > IN_PHASE
+        && found.until.is_none_or(|cycles| cycles <= CYCLES_OF_SEARCH)
+        && !known.is_some_and(|known| are_alike(known, &found.end))
+}
+
+/// Whether two ways have led to the same minimum, in which the motion is in phase.
+pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
+    one.unexplained <= HOPELESS && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
+}
+
+/// Evaluations for each parameter of the last way down, for which there is no reason where the search has lost the data, and has not come to
+/// an end either.
+pub(super) fn patience(end: &Descent) -> usize {
+    if end.unexplained > HOPELESS && !end.converged { 1 } else { PATIENCE }
 }
 
 /// The minimum by growing parts of the traces.
@@ -75,25 +98,20 @@ fn grown(
     growth: &Growth,
     watch: &Watch<'_>,
 ) -> Result<Followed, TraceFitError> {
-    let (data, model) = (problem.data, &problem.model);
-    let period = TAU / parameters[Layout::OMEGA0];
-    let stated = Weights::stated(data.traces);
     let mut cycles = growth.first;
-    while cycles * period < data.span() {
-        let rows = data.rows_within(cycles * period, model.layout.len() + 2);
-        let free = free_within(model.layout, cycles, growth);
-        let start = Start { parameters, free, rows: rows.clone(), patience: PATIENCE_GROWING };
-        let found = minimum(data, model, stated.clone(), start, watch)?;
-        let hopeless = found.sum_of_squares() > HOPELESS * data.scatter(&rows, &stated);
+    while cycles < problem.cycles {
+        let free = free_within(problem.model.layout, cycles, growth);
+        let start = Start { parameters, free, patience: PATIENCE_GROWING, care: Care::GROWTH };
+        let found = problem.descent_over(cycles, start, watch)?;
         parameters = found.parameters;
-        if hopeless {
-            let minimum = problem.minimum_near(parameters, PATIENCE_GROWING, watch)?;
-            return Ok(Followed { minimum, until: Some(cycles) });
+        if found.unexplained > HOPELESS {
+            let end = problem.approach(parameters, PATIENCE_GROWING, watch)?;
+            return Ok(Followed { end, until: Some(cycles) });
         }
         cycles *= growth.factor;
     }
-    let minimum = problem.minimum_near(parameters, PATIENCE, watch)?;
-    Ok(Followed { minimum, until: None })
+    let end = problem.approach(parameters, PATIENCE, watch)?;
+    Ok(Followed { end, until: None })
 }
 
 /// The parameters that so many cycles determine: in few of them one kind of damping is as good as another.
@@ -108,20 +126,16 @@ fn free_within(layout: Layout, cycles: f64, growth: &Growth) -> Vec<usize> {
 }
 
 /// The parameters at which the search begins, without damping.
-fn beginning(problem: &Problem<'_>) -> Result<Vec<f64>, TraceFitError> {
+fn beginning(problem: &Problem<'_>) -> Vec<f64> {
     let layout = problem.model.layout;
     let mut parameters = vec![0.0; layout.len()];
     parameters[layout.scale()] = 1.0;
-    let mut omega0 = vec![];
-    for (number, trace) in problem.data.traces.iter().enumerate() {
-        let no_pendulum = || TraceFitError::NoPendulum { name: trace.name().to_owned() };
-        let begin = weak_form::beginning(trace).ok_or_else(no_pendulum)?;
-        omega0.push(begin.omega0);
+    parameters[Layout::OMEGA0] = TAU * problem.cycles / problem.data.span();
+    for (number, begin) in problem.beginnings.iter().enumerate() {
         parameters[layout.offset(number)] = begin.offset;
         for (place, value) in layout.first_state(number).into_iter().zip(begin.state) {
             parameters[place] = value;
         }
     }
-    parameters[Layout::OMEGA0] = median(omega0).ok_or(TraceFitError::NoTrace)?;
-    Ok(parameters)
+    parameters
 }

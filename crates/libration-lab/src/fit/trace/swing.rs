@@ -1,15 +1,20 @@
 //! The motion of a damped pendulum, with its derivatives by everything it depends on.
 //!
-//! θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated together with the equations of its derivatives by ω0, the
-//! coefficients of the damping, the first angle and the first velocity. Where the velocity changes its sign dry friction
-//! makes the acceleration jump from a₋ to a₊; a motion that turns by δt later has then another velocity, so that
-//! ∂θ′ is multiplied by a₊/a₋ (M. A. Aizerman and F. R. Gantmakher, Q. J. Mech. Appl. Math. 11, 225 (1958),
+//! θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated together with the equations of its derivatives by the
+//! coefficients of the damping and by a shift of the first state across the motion. The others follow: a shift along the motion
+//! is one of the time, and ω0 is one of the units of the time, in which b is a frequency and d the square of one. Where the velocity
+//! changes its sign dry friction makes the acceleration jump from a₋ to a₊; a motion that turns by δt later has then another
+//! velocity, so that ∂θ′ is multiplied by a₊/a₋ (M. A. Aizerman and F. R. Gantmakher, Q. J. Mech. Appl. Math. 11, 225 (1958),
 //! doi:10.1093/qjmam/11.2.225).
 
+use std::ops::ControlFlow;
+
 use super::{DampingKind, DampingModel};
+use crate::measurement::Observable;
 use libration::expression::{Equation, Expression, Symbol};
 use libration::taylor::{
-    Contact, Direction, Effort, Event, Moment, Solution, System, Trajectory, with_sensitivities,
+    Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, Step, System, Trajectory,
+    integrate_many_watched, with_sensitivities,
 };
 
 /// Pendulums with these kinds of damping.
@@ -19,87 +24,167 @@ pub(super) struct Swing {
     terms: DampingModel,
 }
 
-/// Angle and velocity, and their derivatives by ω0, the coefficients, the first angle and the first velocity.
+/// A motion that is asked for: from an angle and a velocity at the first of some times, which increase.
 #[derive(Clone, Debug)]
-pub(super) struct Sample {
-    pub(super) state: [f64; 2],
-    pub(super) derivatives: Vec<[f64; 2]>,
+pub(super) struct Course<'a> {
+    pub(super) omega0: f64,
+    pub(super) coefficients: &'a [f64],
+    pub(super) start: [f64; 2],
+    pub(super) times: &'a [f64],
+    pub(super) observable: Observable,
+}
+
+/// What is seen of a motion at the times asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    /// The angle, or the angular velocity.
+    pub(super) values: Vec<f64>,
+    /// Its derivatives by ω0, the coefficients, the first angle and the first velocity.
+    pub(super) derivatives: Vec<Vec<f64>>,
 }
 
 /// With relative errors of 1e-9 and 1e-14, absolute ones of 1e-10, and 2000 steps no parameter of 21 fits moved by 1e-6 of its uncertainty;
 /// the residuals of exact data are then 1e-12, and so is what can be tested.
-const EFFORT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
+pub(super) const EXACT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
+/// For what is not the last word.
+pub(super) const ROUGH: Effort = Effort { relative: 1e-9, absolute: 1e-12, ..EXACT };
 
 impl Swing {
     pub(super) fn new(terms: DampingModel) -> Self {
-        let names: Vec<&str> = ["k"].into_iter().chain(terms.iter().map(symbol)).collect();
-        let equation = with_sensitivities(&equation(terms), &names, 2);
+        let coefficients: Vec<&str> = terms.iter().map(symbol).collect();
+        let equation = with_sensitivities(&equation(terms), &coefficients, 1);
+        let names: Vec<&str> = ["k"].into_iter().chain(coefficients).collect();
         let system = System::with_parameters(&equation, &names).expect("all parameters are open");
         let system = if terms.has(DampingKind::Dry) { until_it_turns(system) } else { system };
         Self { system, terms }
     }
 
-    /// The motion at times that increase, of which the first is that of `start`, with these ω0 and coefficients; nothing
-    /// where it cannot be followed.
-    pub(super) fn samples(
-        &self,
-        omega0: f64,
-        coefficients: &[f64],
-        start: [f64; 2],
-        times: &[f64],
-    ) -> Option<Vec<Sample>> {
-        let parameters: Vec<f64> = [omega0 * omega0].iter().chain(coefficients).copied().collect();
-        let mut moment = Moment { time: times.first().copied().unwrap_or(0.0), state: self.state(start) };
-        let mut moments: Vec<Moment> = Vec::with_capacity(times.len());
+    /// The motions, each bit for bit as it is alone; nothing where one of them cannot be followed.
+    pub(super) fn seen(&self, courses: &[Course<'_>], effort: &Effort) -> Option<Vec<Seen>> {
+        let ways = courses.iter().map(|course| Way::new(self, course));
+        let mut ways = ways.collect::<Option<Vec<Way<'_>>>>()?;
         // A pendulum that turns so much more often than it is looked at is far from any data.
-        for _ in 0..10 * times.len() + 100 {
-            if moments.len() == times.len() {
-                break;
+        let most_rows = courses.iter().map(|course| course.times.len()).max().unwrap_or(0);
+        for _ in 0..10 * most_rows + 100 {
+            let mut under_way: Vec<&mut Way<'_>> = ways.iter_mut().filter(|way| !way.is_done()).collect();
+            if under_way.is_empty() {
+                return Some(ways.into_iter().map(Way::seen).collect());
             }
-            let trajectory =
-                Trajectory { start: moment, parameters: parameters.clone(), times: &times[moments.len()..] };
-            let Solution { samples, end, events, .. } = trajectory.integrate(&self.system, &EFFORT).ok()?;
-            moments.extend(samples);
-            moment = end;
-            let turn =
-                events.iter().find(|event| matches!(event.contact, Contact::Rising | Contact::Falling));
-            if let Some(turn) = turn {
-                let dry = self.dry(coefficients);
-                if !self.turns(&mut moment, turn.contact, parameters[0], dry) {
-                    let rest = times[moments.len()..].iter();
-                    moments.extend(rest.map(|&time| Moment { time, state: moment.state.clone() }));
-                }
+            for (solution, way) in self.legs(&mut under_way, effort).into_iter().zip(under_way) {
+                way.arrive(solution.ok()?);
             }
         }
-        let samples = moments.iter().map(|moment| self.sample(&moment.state, omega0));
-        (moments.len() == times.len()).then(|| samples.collect())
+        None
     }
 
-    fn dry(&self, coefficients: &[f64]) -> f64 {
-        let mut all = self.terms.iter().zip(coefficients);
-        all.find(|(term, _)| *term == DampingKind::Dry).map_or(0.0, |(_, &value)| value)
+    /// All ways on to their ends, or to where they turn.
+    fn legs(&self, ways: &mut [&mut Way<'_>], effort: &Effort) -> Vec<Result<Solution, IntegrationError>> {
+        let trajectories: Vec<Trajectory<'_>> = ways.iter().map(|way| way.trajectory()).collect();
+        let mut take = |number: usize, step: &Step<'_>| {
+            ways[number].take(step);
+            ControlFlow::Continue(())
+        };
+        match &trajectories[..] {
+            // Side by side with nothing it would cost as much as eight.
+            [one] => vec![one.integrate_watched(&self.system, effort, |step| take(0, step))],
+            many => integrate_many_watched(&self.system, many, effort, take),
+        }
     }
 
-    /// How many deviations there are: by k, the coefficients, the first angle and the first velocity.
+    /// How many deviations there are: by the coefficients, and across the motion.
     fn deviations(&self) -> usize {
-        self.terms.count() + 3
+        self.terms.count() + 1
     }
+}
 
-    fn state(&self, [angle, velocity]: [f64; 2]) -> Vec<f64> {
-        let deviations = self.deviations();
+/// A motion on its way.
+struct Way<'a> {
+    swing: &'a Swing,
+    course: &'a Course<'a>,
+    parameters: Vec<f64>,
+    moment: Moment,
+    /// The first velocity, and the first acceleration over ω0.
+    flow: [f64; 2],
+    /// The size of both.
+    speed: f64,
+    /// The angle, the velocity, and the deviations of what is seen, at all times before the next.
+    columns: Vec<Vec<f64>>,
+    next: usize,
+}
+
+impl<'a> Way<'a> {
+    /// Nothing where it has no beginning: at rest it has no direction.
+    fn new(swing: &'a Swing, course: &'a Course<'a>) -> Option<Self> {
+        let (omega0, [angle, velocity]) = (course.omega0, course.start);
+        let flow = [velocity, swing.acceleration(course, angle, velocity) / omega0];
+        let speed = libm::hypot(flow[0], flow[1]);
+        let deviations = swing.deviations();
         let mut state = vec![0.0; 2 * (deviations + 1)];
         (state[0], state[deviations + 1]) = (angle, velocity);
-        // ∂θ/∂θ(0) is the last but one, ∂θ′/∂θ′(0) the last.
-        state[deviations - 1] = 1.0;
-        state[2 * deviations + 1] = 1.0;
-        state
+        // Across the motion where angles and velocities over ω0 are measured alike.
+        (state[deviations], state[2 * deviations + 1]) = (-flow[1] / speed, omega0 * flow[0] / speed);
+        let moment = Moment { time: course.times.first().copied().unwrap_or(0.0), state };
+        let parameters = [omega0 * omega0].iter().chain(course.coefficients).copied().collect();
+        let columns = vec![vec![0.0; course.times.len()]; deviations + 2];
+        let way = Self { swing, course, parameters, moment, flow, speed, columns, next: 0 };
+        (speed > 0.0 && omega0 > 0.0).then(|| way.without_waiting())
+    }
+
+    /// With what is seen where it is.
+    fn without_waiting(mut self) -> Self {
+        let state = self.moment.state.clone();
+        let here =
+            self.course.times[self.next..].iter().take_while(|&&time| time <= self.moment.time).count();
+        self.fill(here, &state);
+        self
+    }
+
+    /// The same state at so many more times.
+    fn fill(&mut self, times: usize, state: &[f64]) {
+        for (column, number) in self.columns.iter_mut().zip(numbers(self.swing, self.course.observable)) {
+            column[self.next..self.next + times].fill(state[number]);
+        }
+        self.next += times;
+    }
+
+    fn is_done(&self) -> bool {
+        self.next == self.course.times.len()
+    }
+
+    fn trajectory(&self) -> Trajectory<'a> {
+        let times = &self.course.times[self.course.times.len() - 1..];
+        Trajectory { start: self.moment.clone(), parameters: self.parameters.clone(), times }
+    }
+
+    /// What is seen in a step.
+    fn take(&mut self, step: &Step<'_>) {
+        let times = &self.course.times[self.next..];
+        let times = &times[..times.partition_point(|&time| time <= step.end())];
+        for (column, number) in self.columns.iter_mut().zip(numbers(self.swing, self.course.observable)) {
+            step.values_at(number, times, &mut column[self.next..self.next + times.len()]);
+        }
+        self.next += times.len();
+    }
+
+    /// Ends a leg; the motion goes on from there, turns, or stays.
+    fn arrive(&mut self, Solution { end, events, .. }: Solution) {
+        self.moment = end;
+        let turn = events.iter().find(|event| matches!(event.contact, Contact::Rising | Contact::Falling));
+        let Some(turn) = turn else { return };
+        // The last step went on beyond.
+        self.next = self.course.times.partition_point(|&time| time <= self.moment.time);
+        let dry = self.swing.coefficient(DampingKind::Dry, self.course.coefficients);
+        if !self.turns(turn.contact, dry) {
+            let state = self.moment.state.clone();
+            self.fill(self.course.times.len() - self.next, &state);
+        }
     }
 
     /// Lets the motion turn; false if dry friction holds it where it is.
-    fn turns(&self, moment: &mut Moment, contact: Contact, k: f64, dry: f64) -> bool {
-        let first = self.deviations() + 1;
-        let (angle, velocities) = moment.state.split_at_mut(first);
-        let gravity = -k * libm::sin(angle[0]);
+    fn turns(&mut self, contact: Contact, dry: f64) -> bool {
+        let first = self.swing.deviations() + 1;
+        let (angle, velocities) = self.moment.state.split_at_mut(first);
+        let gravity = -self.parameters[0] * libm::sin(angle[0]);
         let sign_before = if contact == Contact::Falling { 1.0 } else { -1.0 };
         let [before, after] = [gravity - dry * sign_before, gravity + dry * sign_before];
         let goes_on = after * sign_before < 0.0;
@@ -110,14 +195,92 @@ impl Swing {
         goes_on
     }
 
-    fn sample(&self, state: &[f64], omega0: f64) -> Sample {
-        let (angles, velocities) = state.split_at(self.deviations() + 1);
-        let mut pairs = angles.iter().zip(velocities).map(|(&angle, &velocity)| [angle, velocity]);
-        let state = pairs.next().unwrap_or_default();
-        let mut derivatives: Vec<[f64; 2]> = pairs.collect();
-        // k = ω0².
-        derivatives[0] = derivatives[0].map(|derivative| 2.0 * omega0 * derivative);
-        Sample { state, derivatives }
+    /// From the angle, the velocity and the deviations.
+    fn seen(self) -> Seen {
+        let Self { swing, course, flow, speed, mut columns, .. } = self;
+        let across = columns.pop().unwrap_or_default();
+        let by_coefficients = columns.split_off(2);
+        let velocities = columns.pop().unwrap_or_default();
+        let angles = columns.pop().unwrap_or_default();
+        let accelerations = || {
+            let both = angles.iter().zip(&velocities);
+            both.map(|(&angle, &velocity)| swing.acceleration(course, angle, velocity)).collect()
+        };
+        let (rates, values): (Vec<f64>, _) = match course.observable {
+            Observable::Angle => (velocities, angles),
+            Observable::AngularVelocity => (accelerations(), velocities),
+        };
+        let combined = |along: f64, beside: f64| -> Vec<f64> {
+            rates.iter().zip(&across).map(|(rate, across)| along * rate + beside * across).collect()
+        };
+        let square = speed * speed;
+        let by_angle = combined(flow[0] / square, -flow[1] / speed);
+        let by_velocity = combined(flow[1] / square / course.omega0, flow[0] / speed / course.omega0);
+        let by_omega0 = by_omega0(swing, course, &values, &rates, &by_coefficients, &by_velocity);
+        let derivatives = [by_omega0].into_iter().chain(by_coefficients).chain([by_angle, by_velocity]);
+        Seen { derivatives: derivatives.collect(), values }
+    }
+}
+
+/// ω0·∂θ/∂ω0 = tθ′ − b·∂θ/∂b − 2d·∂θ/∂d − θ′(0)·∂θ/∂θ′(0), and of velocities θ′ more: the angle is a function of ω0t, b/ω0, c, d/ω0²,
+/// θ(0) and θ′(0)/ω0 alone.
+fn by_omega0(
+    swing: &Swing,
+    course: &Course<'_>,
+    values: &[f64],
+    rates: &[f64],
+    by_coefficients: &[Vec<f64>],
+    by_velocity: &[f64],
+) -> Vec<f64> {
+    let start = course.times.first().copied().unwrap_or(0.0);
+    let own = if course.observable == Observable::AngularVelocity { 1.0 } else { 0.0 };
+    let mut sums: Vec<f64> = course
+        .times
+        .iter()
+        .zip(rates)
+        .zip(values)
+        .map(|((time, rate), value)| (time - start) * rate + own * value)
+        .collect();
+    let powers = swing.terms.iter().zip(course.coefficients).map(|(term, coefficient)| match term {
+        DampingKind::Dry => 2.0 * coefficient,
+        DampingKind::Linear => *coefficient,
+        DampingKind::Quadratic => 0.0,
+    });
+    let columns = by_coefficients.iter().map(Vec::as_slice).chain([by_velocity]);
+    for (factor, column) in powers.chain([course.start[1]]).zip(columns) {
+        for (sum, derivative) in sums.iter_mut().zip(column) {
+            *sum -= factor * derivative;
+        }
+    }
+    for sum in &mut sums {
+        *sum /= course.omega0;
+    }
+    sums
+}
+
+/// The numbers of the state that are kept.
+fn numbers(swing: &Swing, observable: Observable) -> impl Iterator<Item = usize> {
+    let coordinates = swing.deviations() + 1;
+    let first = if observable == Observable::Angle { 0 } else { coordinates };
+    [0, coordinates].into_iter().chain(first + 1..first + coordinates)
+}
+
+impl Swing {
+    fn coefficient(&self, kind: DampingKind, coefficients: &[f64]) -> f64 {
+        let mut all = self.terms.iter().zip(coefficients);
+        all.find(|(term, _)| *term == kind).map_or(0.0, |(_, &value)| value)
+    }
+
+    /// Where it is at rest as it begins to move, or stays.
+    fn acceleration(&self, course: &Course<'_>, angle: f64, velocity: f64) -> f64 {
+        let gravity = -course.omega0 * course.omega0 * libm::sin(angle);
+        let [dry, linear, quadratic] = [DampingKind::Dry, DampingKind::Linear, DampingKind::Quadratic]
+            .map(|kind| self.coefficient(kind, course.coefficients));
+        let friction = match velocity == 0.0 {
+            true => gravity.clamp(-dry.abs(), dry.abs()),
+            false => dry * velocity.signum(),
+        };
+        gravity - friction - linear * velocity - quadratic * velocity * velocity.abs()
     }
 }
 
@@ -135,7 +298,7 @@ pub(super) fn turning_point(
     let parameters = [omega0 * omega0].iter().chain(coefficients).copied().collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let trajectory = Trajectory { start, parameters, times: &[longest] };
-    let solution = trajectory.integrate(&until_it_turns(system), &EFFORT).ok()?;
+    let solution = trajectory.integrate(&until_it_turns(system), &EXACT).ok()?;
     solution.events.first().map(|turn| [turn.time, turn.state[0]])
 }
 
@@ -170,10 +333,11 @@ fn symbol(term: DampingKind) -> &'static str {
 mod tests {
     use super::*;
 
-    /// The state at the last time with parameters ω0, coefficients, first angle and velocity.
-    fn end(swing: &Swing, all: &[f64], time: f64) -> Sample {
+    /// What is seen at the times with parameters ω0, coefficients, first angle and velocity.
+    fn seen(swing: &Swing, observable: Observable, all: &[f64], times: &[f64]) -> Seen {
         let (coefficients, start) = all[1..].split_at(all.len() - 3);
-        swing.samples(all[0], coefficients, [start[0], start[1]], &[0.0, time]).unwrap().remove(1)
+        let course = Course { omega0: all[0], coefficients, start: [start[0], start[1]], times, observable };
+        swing.seen(&[course], &EXACT).unwrap().remove(0)
     }
 
     #[test]
@@ -185,25 +349,67 @@ mod tests {
                 DampingKind::Linear => 0.03,
                 DampingKind::Quadratic => 0.04,
             });
-            let all: Vec<f64> = [2.0].into_iter().chain(coefficients).chain([1.2, -0.4]).collect();
-            let sample = end(&swing, &all, 9.0);
-            for (place, derivative) in sample.derivatives.iter().enumerate() {
-                let step = 1e-5;
-                let shifted = |by: f64| {
-                    let mut all = all.clone();
-                    all[place] += by;
-                    end(&swing, &all, 9.0).state
-                };
-                let (more, less) = (shifted(step), shifted(-step));
-                for number in 0..2 {
-                    let difference = (more[number] - less[number]) / (2.0 * step);
-                    // The third derivative times step²/6.
-                    let error = (difference - derivative[number]).abs();
-                    assert!(
-                        error < 3e-6 * (1.0 + difference.abs()),
-                        "{terms} {place}: {difference} {derivative:?}"
-                    );
+            let coefficients: Vec<f64> = coefficients.collect();
+            // A release, a push at the bottom, and neither.
+            for (observable, start) in both().flat_map(|seen| STARTS.map(|start| (seen, start))) {
+                let all: Vec<f64> = [2.0].into_iter().chain(coefficients.clone()).chain(start).collect();
+                let times = [0.0, 3.1, 9.0];
+                let found = seen(&swing, observable, &all, &times);
+                for (place, derivatives) in found.derivatives.iter().enumerate() {
+                    let step = 1e-5;
+                    let shifted = |by: f64| {
+                        let mut all = all.clone();
+                        all[place] += by;
+                        seen(&swing, observable, &all, &times).values
+                    };
+                    let (more, less) = (shifted(step), shifted(-step));
+                    for row in 0..times.len() {
+                        let difference = (more[row] - less[row]) / (2.0 * step);
+                        // The third derivative times step²/6.
+                        let error = (difference - derivatives[row]).abs();
+                        assert!(
+                            error < 3e-6 * (1.0 + difference.abs()),
+                            "{terms} {start:?} {place} {row}: {difference} {derivatives:?}"
+                        );
+                    }
                 }
+            }
+        }
+    }
+
+    const STARTS: [[f64; 2]; 3] = [[1.2, -0.4], [0.0, 2.1], [-2.5, 1e-3]];
+
+    fn both() -> impl Iterator<Item = Observable> {
+        [Observable::Angle, Observable::AngularVelocity].into_iter()
+    }
+
+    /// Many side by side, of which some are stopped by friction, and some have one row.
+    #[test]
+    fn motions_side_by_side_are_as_alone() {
+        for terms in DampingModel::all() {
+            let swing = Swing::new(terms);
+            let coefficients: Vec<f64> = terms.iter().map(|_| 0.04).collect();
+            let times: Vec<f64> = (0..200).map(|row| 0.1 * f64::from(row)).collect();
+            let course = |number: u32| Course {
+                omega0: 2.0 + 0.01 * f64::from(number),
+                coefficients: &coefficients,
+                start: [0.1 + 0.2 * f64::from(number), 0.1],
+                times: if number == 5 { &times[..1] } else { &times[..200 - number as usize] },
+                observable: if number.is_multiple_of(3) {
+                    Observable::AngularVelocity
+                } else {
+                    Observable::Angle
+                },
+            };
+            let courses: Vec<Course<'_>> = (0..11).map(course).collect();
+            let together = swing.seen(&courses, &EXACT).unwrap();
+            for (course, together) in courses.iter().zip(together) {
+                let alone = swing.seen(std::slice::from_ref(course), &EXACT).unwrap().remove(0);
+                assert_eq!(
+                    (alone.values, alone.derivatives),
+                    (together.values, together.derivatives),
+                    "{terms}"
+                );
             }
         }
     }
@@ -212,10 +418,13 @@ mod tests {
     fn dry_friction_holds_the_pendulum_in_the_end() {
         let swing = Swing::new(DampingModel::only(DampingKind::Dry));
         let times: Vec<f64> = (0..100).map(f64::from).collect();
-        let samples = swing.samples(1.0, &[0.1], [1.0, 0.0], &times).unwrap();
-        let [angle, velocity] = samples[99].state;
-        assert!(velocity == 0.0 && angle.abs() < 0.1001, "{angle} {velocity}");
-        assert!((samples[98].state[0] - angle).abs() == 0.0);
-        assert!(samples[99].derivatives[0][1] == 0.0);
+        for observable in both() {
+            let found = seen(&swing, observable, &[1.0, 0.1, 1.0, 1e-9], &times);
+            let [last, before] = [99, 98].map(|row| found.values[row]);
+            assert!((last - before).abs() == 0.0 && last.abs() < 0.1001, "{last}");
+            if observable == Observable::AngularVelocity {
+                assert!(last == 0.0 && found.derivatives.iter().all(|column| column[99].abs() == 0.0));
+            }
+        }
     }
 }

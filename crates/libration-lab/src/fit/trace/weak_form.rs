@@ -23,6 +23,15 @@ pub(super) struct Beginning {
     pub(super) state: [f64; 2],
 }
 
+/// A row with what the equation of motion makes of its angle.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    time: f64,
+    angle: f64,
+    sine: f64,
+    cosine: f64,
+}
+
 /// What windows of one length tell.
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
@@ -59,20 +68,26 @@ const LEAST_WINDOWS: usize = 12;
 fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     let span = times.last()? - times.first()?;
     let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
+    let sample = |(&time, &angle): (&f64, &f64)| {
+        let (sine, cosine) = libm::sincos(angle);
+        Sample { time, angle, sine, cosine }
+    };
+    let samples: Vec<Sample> = times.iter().zip(angles).map(sample).collect();
     let mut estimates = vec![];
     let mut half = 8.0 * interval;
     while half <= 0.5 * span && half > 0.0 {
-        estimates.extend(estimate(times, angles, half, interval));
+        estimates.extend(estimate(&samples, half, interval));
         half *= 1.25;
     }
     estimates.into_iter().min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }
 
-fn estimate(times: &[f64], angles: &[f64], half: f64, interval: f64) -> Option<Estimate> {
+fn estimate(samples: &[Sample], half: f64, interval: f64) -> Option<Estimate> {
+    let (begin, end) = (samples.first()?.time, samples.last()?.time);
     let mut rows = vec![];
-    let mut centre = times.first()? + half;
-    while centre + half <= *times.last()? {
-        rows.extend(window(times, angles, centre, half, interval));
+    let mut centre = begin + half;
+    while centre + half <= end {
+        rows.extend(window(samples, centre, half, interval));
         centre += 0.5 * half;
     }
     if rows.len() < LEAST_WINDOWS {
@@ -99,27 +114,34 @@ fn estimate(times: &[f64], angles: &[f64], half: f64, interval: f64) -> Option<E
 }
 
 /// ∫φ″θ, −∫φ sin θ, ∫φ cos θ and ∫φ′θ over a window without gaps, with φ = (1 − u²)³.
-fn window(times: &[f64], angles: &[f64], centre: f64, half: f64, interval: f64) -> Option<[f64; 4]> {
-    let first = times.partition_point(|&time| time < centre - half);
-    let last = times.partition_point(|&time| time <= centre + half);
-    let (times, angles) = (&times[first..last], &angles[first..last]);
-    if times.len() < 6 || times.windows(2).any(|pair| pair[1] - pair[0] > 3.0 * interval) {
+fn window(samples: &[Sample], centre: f64, half: f64, interval: f64) -> Option<[f64; 4]> {
+    let first = samples.partition_point(|sample| sample.time < centre - half);
+    let last = samples.partition_point(|sample| sample.time <= centre + half);
+    let samples = &samples[first..last];
+    if samples.len() < 6 || samples.windows(2).any(|pair| pair[1].time - pair[0].time > 3.0 * interval) {
         return None;
     }
     // A constant has no part in ∫φ″θ and ∫φ′θ, but in their sums.
-    let mean = angles.iter().sum::<f64>() / count(angles.len());
-    let terms = |(&time, &angle): (&f64, &f64)| {
-        let u = (time - centre) / half;
+    let mean = samples.iter().map(|sample| sample.angle).sum::<f64>() / count(samples.len());
+    let terms = |sample: &Sample| {
+        let u = (sample.time - centre) / half;
         let v = 1.0 - u * u;
         let second = (24.0 * u * u - 6.0 * v) * v / (half * half);
-        let (sine, cosine) = libm::sincos(angle);
-        let deviation = angle - mean;
-        [second * deviation, -v * v * v * sine, v * v * v * cosine, -6.0 * u * v * v / half * deviation]
+        let deviation = sample.angle - mean;
+        let cube = v * v * v;
+        [second * deviation, -cube * sample.sine, cube * sample.cosine, -6.0 * u * v * v / half * deviation]
     };
-    let values: Vec<[f64; 4]> = times.iter().zip(angles).map(terms).collect();
-    Some(
-        [0, 1, 2, 3].map(|term| integral(times, &values.iter().map(|terms| terms[term]).collect::<Vec<_>>())),
-    )
+    // By trapezoids.
+    let (mut sums, mut before) = ([0.0; 4], terms(&samples[0]));
+    for pair in samples.windows(2) {
+        let after = terms(&pair[1]);
+        let length = pair[1].time - pair[0].time;
+        for ((sum, before), after) in sums.iter_mut().zip(before).zip(after) {
+            *sum += 0.5 * (before + after) * length;
+        }
+        before = after;
+    }
+    Some(sums)
 }
 
 /// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles, of those

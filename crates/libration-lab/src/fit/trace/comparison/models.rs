@@ -3,12 +3,13 @@
 use libration::watch::Watch;
 
 use super::Comparison;
-use crate::fit::trace::minimum::{Minimum, deeper};
+use crate::fit::trace::minimum::{Care, Minimum, deeper};
 use crate::fit::trace::problem::{PATIENCE, Problem};
 use crate::fit::trace::{
-    DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
+    DampingKind, DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
 };
 use crate::measurement::Trace;
+use crate::parallel;
 
 /// Fits every combination of dry friction, linear and quadratic drag to traces.
 ///
@@ -23,18 +24,24 @@ pub fn compare(
     let plain = TraceOptions { profile: false, ..*options };
     let undamped = Problem::new(traces, DampingModel::UNDAMPED, plain)?;
     let mut candidates: Vec<Candidate<'_>> = vec![];
-    for terms in DampingModel::all() {
-        let candidate = Candidate::new(undamped.with_terms(terms), &candidates, watch)?;
-        candidates.push(candidate);
+    for count in 0..=DampingKind::ALL.len() {
+        let alike: Vec<DampingModel> =
+            DampingModel::all().into_iter().filter(|terms| terms.count() == count).collect();
+        let tried = parallel::map(&alike, watch, |&terms, watch| {
+            Candidate::new(undamped.with_terms(terms), &candidates, watch)
+        });
+        let tried = tried.into_iter().collect::<Result<Vec<Candidate<'_>>, TraceFitError>>()?;
+        candidates.extend(tried);
     }
     let fits = candidates.iter().filter_map(|candidate| candidate.fit.clone().ok()).collect();
     let mut comparison = Comparison::new(fits, options.robust).ok_or_else(|| reason(&candidates))?;
     check_explained(comparison.best())?;
     let preferred = comparison.best().damping;
-    let preferred = candidates.iter().find(|candidate| options.profile && candidate.terms() == preferred);
+    let preferred = candidates.iter().find(|candidate| candidate.terms() == preferred);
     if let Some(Candidate { problem, minimum: Some(minimum), .. }) = preferred {
         let with_profile = Problem { options: *options, ..problem.clone() };
-        comparison.fits[comparison.preferred] = uncertainty::fit(&with_profile, minimum, watch)?;
+        let minimum = with_profile.minimum_near(minimum.parameters.clone(), PATIENCE, Care::FULL, watch)?;
+        comparison.fits[comparison.preferred] = uncertainty::fit(&with_profile, &minimum, watch)?;
     }
     Ok(comparison)
 }
@@ -70,6 +77,11 @@ impl<'a> Candidate<'a> {
         self.problem.model.layout.terms()
     }
 
+    /// Whether the model is in phase with the data.
+    fn follows(&self) -> bool {
+        self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= search::HOPELESS)
+    }
+
     fn leaves_noise(&self) -> bool {
         self.fit.as_ref().is_ok_and(|fit| fit.autocorrelation.is_noise())
     }
@@ -82,7 +94,7 @@ fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
 }
 
 /// The deepest minimum of those near models with one kind of damping less, and of that which is found from the first swings
-/// on; the latter is not looked for where a smaller model leaves nothing but noise.
+/// on; the latter is not looked for where a smaller model leaves nothing but noise. Nothing is near a motion that is out of phase.
 fn minimum(
     problem: &Problem<'_>,
     simpler: &[Candidate<'_>],
@@ -90,17 +102,27 @@ fn minimum(
 ) -> Result<Minimum, TraceFitError> {
     let layout = problem.model.layout;
     let terms = layout.terms();
-    let parts = || simpler.iter().filter(|part| part.terms().is_part_of(terms) && part.minimum.is_some());
-    let mut near = vec![];
-    for part in parts().filter(|part| part.terms().count() + 1 == terms.count()) {
-        if let Some(minimum) = &part.minimum {
-            let parameters = layout.with_terms_of(part.terms(), &minimum.parameters);
-            near.push(problem.minimum_near(parameters, PATIENCE, watch));
-        }
-    }
-    match near.into_iter().reduce(deeper) {
+    let parts = || simpler.iter().filter(|part| part.terms().is_part_of(terms));
+    let next = parts().filter(|part| part.terms().count() + 1 == terms.count() && part.follows());
+    let starts: Vec<Vec<f64>> = next
+        .filter_map(|part| Some(layout.with_terms_of(part.terms(), &part.minimum.as_ref()?.parameters)))
+        .collect();
+    let near = parallel::map(&starts, watch, |start, watch| problem.approach(start.clone(), PATIENCE, watch));
+    // Where two ways lead to the same end there is no need for a third.
+    let is_known = near.iter().enumerate().any(|(n, one)| {
+        near[..n]
+            .iter()
+            .any(|other| matches!((one, other), (Ok(one), Ok(other)) if search::are_alike(one, other)))
+    });
+    let end = match near.into_iter().reduce(deeper) {
+        Some(near) if is_known => near,
         Some(near) if parts().any(Candidate::leaves_noise) => near,
-        Some(near) => deeper(near, search::from_scratch(problem, watch)),
-        None => search::from_scratch(problem, watch),
-    }
+        Some(near) => {
+            let known = near.as_ref().ok().cloned();
+            deeper(near, search::from_scratch(problem, known.as_ref(), watch))
+        }
+        None => search::from_scratch(problem, None, watch),
+    };
+    let end = end?;
+    problem.minimum_near(end.parameters.clone(), search::patience(&end), Care::COMPARISON, watch)
 }

@@ -1,0 +1,72 @@
+//! An even function as a sum of Chebyshev's polynomials of its square, for where it is asked for more often than it takes to find them.
+
+use crate::statistics::count;
+use std::f64::consts::PI;
+
+/// How many polynomials there are: enough for the shapes of swings up to 2.5 rad; nearer to the top a sum may not do.
+const TERMS: usize = 48;
+/// Where the last terms are a larger part of the largest the sum does not do.
+const LAST: f64 = 1e-12;
+
+/// The sum, for arguments up to a largest one.
+#[derive(Clone, Debug)]
+pub(super) struct Even {
+    coefficients: Vec<f64>,
+    largest: f64,
+}
+
+impl Even {
+    /// So many arguments are worth a sum, which asks the function itself for 48.
+    pub(super) const WORTH: usize = 4 * TERMS;
+
+    /// The function up to the largest argument; nothing where it is not smooth enough.
+    pub(super) fn new(largest: f64, function: impl Fn(f64) -> f64) -> Option<Self> {
+        // Cosines of all multiples of half the angle between nodes, by whole turns.
+        let turn = 4 * TERMS;
+        let cosines: Vec<f64> = (0..turn).map(|n| libm::cos(2.0 * PI * count(n) / count(turn))).collect();
+        let node = |n: usize| function(largest * (0.5 * (1.0 + cosines[2 * n + 1])).sqrt());
+        let values: Vec<f64> = (0..TERMS).map(node).collect();
+        let coefficient = |k: usize| {
+            let terms = values.iter().enumerate().map(|(n, value)| value * cosines[k * (2 * n + 1) % turn]);
+            terms.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / count(TERMS)
+        };
+        let coefficients: Vec<f64> = (0..TERMS).map(coefficient).collect();
+        let size = coefficients.iter().fold(0.0, |size: f64, c| size.max(c.abs()));
+        let is_small = |c: &f64| c.abs() <= LAST * size;
+        coefficients[TERMS - 4..].iter().all(is_small).then_some(Self { coefficients, largest })
+    }
+
+    /// The value there; nothing beyond the largest argument.
+    pub(super) fn at(&self, x: f64) -> Option<f64> {
+        if x.abs() > self.largest {
+            return None;
+        }
+        let part = x / self.largest;
+        let t = 2.0 * part * part - 1.0;
+        let step = |(a, b): (f64, f64), c: &f64| (c + 2.0 * t * a - b, a);
+        let (a, b) = self.coefficients[1..].iter().rev().fold((0.0, 0.0), step);
+        Some(self.coefficients[0] + t * a - b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sum_is_the_function() {
+        let function = |x: f64| libm::cos(3.0 * x) / (1.2 - x * x);
+        let even = Even::new(0.9, function).unwrap();
+        for n in 0..=100 {
+            let x = 0.9 * (f64::from(n) / 50.0 - 1.0);
+            assert!((even.at(x).unwrap() - function(x)).abs() < 1e-12, "{x}");
+        }
+        assert_eq!(even.at(0.9_f64.next_up()), None);
+    }
+
+    #[test]
+    fn what_is_not_smooth_is_refused() {
+        assert!(Even::new(1.0, f64::abs).is_none());
+        assert!(Even::new(0.9, |x| 1.0 / (0.82 - x * x)).is_none());
+    }
+}

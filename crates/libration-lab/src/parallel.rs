@@ -1,0 +1,95 @@
+//! Independent pieces of work on all cores.
+
+use libration::watch::Watch;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, mpsc};
+use std::thread::{available_parallelism, scope};
+
+/// The results for all items, in their order. Which core did which, and how many there are, changes nothing; the watch is asked as
+/// often as if there were one, by this thread.
+pub(crate) fn map<T: Sync, R: Send>(
+    items: &[T],
+    watch: &Watch<'_>,
+    work: impl Fn(&T, &Watch<'_>) -> R + Sync,
+) -> Vec<R> {
+    // Where there are no threads there is one core.
+    let cores = available_parallelism().map_or(1, usize::from).min(items.len());
+    if cores <= 1 {
+        items.iter().map(|item| work(item, watch)).collect()
+    } else {
+        on_cores(cores, items, watch, work)
+    }
+}
+
+fn on_cores<T: Sync, R: Send>(
+    cores: usize,
+    items: &[T],
+    watch: &Watch<'_>,
+    work: impl Fn(&T, &Watch<'_>) -> R + Sync,
+) -> Vec<R> {
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::with_capacity(items.len())));
+    // Questions, each with where its answer goes.
+    let (questions, asked) = mpsc::channel::<mpsc::Sender<bool>>();
+    scope(|scope| {
+        for _ in 0..cores {
+            let (questions, next, done, work) = (questions.clone(), &next, &done, &work);
+            scope.spawn(move || {
+                let (to_me, answers) = mpsc::channel();
+                let ask = |_| match questions.send(to_me.clone()).is_ok() && answers.recv() == Ok(true) {
+                    true => ControlFlow::Continue(()),
+                    false => ControlFlow::Break(()),
+                };
+                let watch = Watch::new(&ask);
+                loop {
+                    let place = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(place) else { break };
+                    let result = work(item, &watch);
+                    done.lock().expect("no piece of work panics").push((place, result));
+                }
+            });
+        }
+        drop(questions);
+        for answer in asked {
+            // Whoever does not wait for an answer is done.
+            let _ = answer.send(watch.go_on().is_ok());
+        }
+    });
+    let mut done = done.into_inner().expect("no piece of work panics");
+    done.sort_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    #[test]
+    fn results_and_questions_do_not_depend_on_the_number_of_cores() {
+        let items: Vec<usize> = (0..50).collect();
+        for cores in 1..=4 {
+            let asked = Cell::new(0);
+            let ask = |_| {
+                asked.set(asked.get() + 1);
+                ControlFlow::Continue(())
+            };
+            let squares = on_cores(cores, &items, &Watch::new(&ask), |item, watch| {
+                assert!(watch.go_on().is_ok());
+                item * item
+            });
+            assert_eq!(squares, items.iter().map(|n| n * n).collect::<Vec<_>>());
+            assert_eq!(asked.get(), items.len());
+        }
+    }
+
+    #[test]
+    fn all_are_told_to_stop() {
+        let items: Vec<usize> = (0..50).collect();
+        let ask = |_| ControlFlow::Break(());
+        let watch = Watch::new(&ask);
+        let stopped = on_cores(3, &items, &watch, |_, watch| watch.go_on().is_err());
+        assert!(stopped.into_iter().all(|stopped| stopped) && watch.is_stopped());
+        assert!(map(&[] as &[u8], &Watch::none(), |_, _| 0).is_empty());
+    }
+}
