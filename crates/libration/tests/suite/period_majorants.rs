@@ -102,15 +102,26 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
                             "{equation} {order} {share} {step:?}: {error:e}"
                         );
                     }
-                    let last = evaluation.steps().last().unwrap().remainder.size;
-                    assert!(*share > 0.31 || last < 0.02, "{equation} {order} {share}: {last:e}");
+                    // In units of the limit no coefficient of the bounding T/T0 is above one.
+                    let last = evaluation.steps().last().unwrap();
+                    let geometric =
+                        libm::pow(*share, f64::from(u32::try_from(last.power + 1).unwrap())) / (1.0 - share);
+                    let enough = quantity == SeriesQuantity::Frequency || last.remainder.size < geometric;
+                    assert!(enough, "{equation} {order} {share} {last:?}");
                 }
             }
             let period = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
-            for amplitude in [1.0001 * limit, 1e300] {
+            // The limits are typed to sixteen digits, and found to a bit.
+            for amplitude in [limit * (1.0 + 4.0 * f64::EPSILON), 1.0001 * limit, 1e300, f64::INFINITY] {
                 let steps = period.evaluation_at(amplitude);
                 assert!(steps.steps().iter().all(|step| step.remainder.certainty == Certainty::Estimated));
             }
+            let nearest = period.evaluation_at(limit * (1.0 - 4.0 * f64::EPSILON));
+            let proven = |certainty| certainty == Certainty::Proven;
+            assert!(
+                nearest.steps().iter().all(|step| proven(step.remainder.certainty)),
+                "{equation} {order}"
+            );
         }
     }
 }

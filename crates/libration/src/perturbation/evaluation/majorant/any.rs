@@ -16,14 +16,30 @@ use crate::elementary::count;
 pub(super) struct AnyWell {
     /// The length that is the unit.
     unit: f64,
-    /// |cₘ| for m = 2, 3, …: their sum is one.
-    factors: Vec<f64>,
+    /// |w|.
+    weights: Vec<Weight>,
     /// S² of its separatrix, between 1/3 and 1.
     critical: f64,
-    /// The amplitude at which A²(1 + Σ |2cₘ| A^(m−1)/(m + 1)) is as large.
+    /// The amplitude at which A²(1 + |w|(A)) is as large.
     limit: f64,
     /// The terms of T/T0 at the separatrix.
     of_energy: Vec<f64>,
+    /// Bounds of the terms that are not summed.
+    beyond: Vec<Beyond>,
+}
+
+/// A term of w, of which high powers have few.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Weight {
+    power: usize,
+    coefficient: f64,
+}
+
+/// S² at some place, in units of the separatrix's, with dx/ds there, which is the largest up to there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Beyond {
+    energy: f64,
+    slope: f64,
 }
 
 /// Terms of the series in the energy that are summed; the others are bounded, by less than 1e-23 up to 0.95 of the limit in four wells.
@@ -34,19 +50,23 @@ impl AnyWell {
     pub(super) fn new(factors: &[f64]) -> Option<Self> {
         let sum = |x: f64| factors.iter().rev().fold(0.0, |sum, factor| (sum + factor) * x);
         let unit = place_of_one(sum)?;
-        let factors: Vec<f64> =
-            (1..).zip(factors).map(|(k, factor)| factor * libm::pow(unit, count(k))).collect();
-        let weights = weights(&factors);
-        let critical = 1.0 - horner(&weights, 1.0);
-        let limit =
-            place_of_one(|amplitude| amplitude * amplitude * (1.0 + horner(&weights, amplitude)) / critical)?;
-        let of_energy = of_energy(&weights, TERMS);
-        let scaled = of_energy.iter().scan(1.0, |power, term| {
-            let now = *power * term;
-            *power *= critical;
-            Some(now)
-        });
-        Some(Self { unit, critical, limit, of_energy: scaled.collect(), factors })
+        let weight = |(power, factor): (usize, &f64)| Weight {
+            power,
+            coefficient: 2.0 * factor * libm::pow(unit, count(power)) / count(power + 2),
+        };
+        let weights: Vec<Weight> = (1..).zip(factors).map(weight).filter(|it| it.coefficient > 0.0).collect();
+        let critical = 1.0 - value(&weights, 1.0);
+        let limit = place_of_one(|x| x * x * (1.0 + value(&weights, x)) / critical)?;
+        let powers = std::iter::successors(Some(1.0), |power| Some(power * critical));
+        let of_energy = of_energy(&weights, TERMS).into_iter().zip(powers).map(|(term, power)| term * power);
+        Some(Self {
+            unit,
+            critical,
+            limit,
+            of_energy: of_energy.collect(),
+            beyond: beyond(&weights, critical),
+            weights,
+        })
     }
 
     pub(super) fn limit(&self) -> f64 {
@@ -55,38 +75,25 @@ impl AnyWell {
 
     /// T/T0, or more, the amplitude in units of the limit.
     pub(super) fn period(&self, amplitude: f64) -> f64 {
-        let amplitude = amplitude * self.limit;
-        let energy =
-            amplitude * amplitude * (1.0 + horner(&weights(&self.factors), amplitude)) / self.critical;
+        let x = amplitude * self.limit;
+        let energy = x * x * (1.0 + value(&self.weights, x)) / self.critical;
         let sum = self.of_energy.iter().rev().fold(0.0, |sum, term| sum * energy + term);
-        sum + self.beyond(energy)
-    }
-
-    /// A bound of the terms that are not summed, the energy in units of the separatrix's: at a larger energy they are together less than the
-    /// largest dx/ds.
-    fn beyond(&self, energy: f64) -> f64 {
-        const PLACES: u32 = 48;
-        let at = |place: u32| {
-            let x = 1.0 - libm::exp2(-0.5 * f64::from(place));
-            let square = x * x * (1.0 - horner(&weights(&self.factors), x));
-            let slope = libm::sqrt(square) / (x - x * horner(&self.factors, x));
-            let share = energy * self.critical / square;
-            if share < 1.0 { slope * libm::pow(share, count(TERMS)) } else { f64::INFINITY }
-        };
-        (1..PLACES).map(at).fold(f64::INFINITY, f64::min)
+        // At a larger energy those beyond are together less than the largest dx/ds.
+        let larger = self.beyond.iter().filter(|it| it.energy > energy);
+        let beyond = larger.map(|it| it.slope * libm::pow(energy / it.energy, count(TERMS)));
+        sum + beyond.fold(f64::INFINITY, f64::min)
     }
 
     /// The series of T/T0 by powers of the amplitude in units of the limit.
     pub(super) fn period_series(&self, order: usize) -> Vec<f64> {
-        let weights = weights(&self.factors);
         let mut series = vec![0.0; order + 1];
         // (1 + w)ᵏ.
         let mut growth = vec![0.0; order + 1];
         growth[0] = 1.0;
-        for (k, term) in of_energy(&weights, order / 2 + 1).into_iter().enumerate() {
+        for (k, term) in of_energy(&self.weights, order / 2 + 1).into_iter().enumerate() {
             series.iter_mut().skip(2 * k).zip(&growth).for_each(|(sum, growth)| *sum += term * growth);
             for n in (0..=order).rev() {
-                growth[n] += (1..=n).zip(&weights).map(|(j, weight)| weight * growth[n - j]).sum::<f64>();
+                growth[n] += weighted(&self.weights, n, |power| growth[n - power]);
             }
         }
         let powers = std::iter::successors(Some(1.0), |power| Some(power * self.limit));
@@ -94,29 +101,43 @@ impl AnyWell {
     }
 }
 
-/// The coefficients of w, from the first power.
-fn weights(factors: &[f64]) -> Vec<f64> {
-    (2..).zip(factors).map(|(m, factor)| 2.0 * factor / count(m + 1)).collect()
+/// w(x).
+fn value(weights: &[Weight], x: f64) -> f64 {
+    weights.iter().map(|it| it.coefficient * libm::pow(x, count(it.power))).sum()
 }
 
-/// A polynomial that begins with the first power.
-fn horner(coefficients: &[f64], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, coefficient| (sum + coefficient) * x)
+/// Σ wⱼ f(j) over the powers up to one.
+fn weighted(weights: &[Weight], up_to: usize, of: impl Fn(usize) -> f64) -> f64 {
+    let known = weights.iter().take_while(|it| it.power <= up_to);
+    known.map(|it| it.coefficient * of(it.power)).sum()
+}
+
+/// Places ever nearer to the separatrix, where energy and slope have lost no digits that count.
+fn beyond(weights: &[Weight], critical: f64) -> Vec<Beyond> {
+    const PLACES: u32 = 48;
+    let at = |place: u32| {
+        let x = 1.0 - libm::exp2(-0.5 * f64::from(place));
+        let square = x * x * (1.0 - value(weights, x));
+        // Of the force x − Σ |cₘ| xᵐ, where cₘ = (m + 1)/2 of the weight.
+        let force = |it: &Weight| 0.5 * count(it.power + 2) * it.coefficient * libm::pow(x, count(it.power));
+        let slope = libm::sqrt(square) / (x - x * weights.iter().map(force).sum::<f64>());
+        Beyond { energy: square / critical, slope }
+    };
+    (1..PLACES).map(at).collect()
 }
 
 /// The coefficients of T/T0 by powers of S².
-fn of_energy(weights: &[f64], terms: usize) -> Vec<f64> {
+fn of_energy(weights: &[Weight], terms: usize) -> Vec<f64> {
     let coefficient = |k: usize| inverse_power(weights, count(k) + 0.5, 2 * k);
     (0..terms).zip(means_of_sines()).map(|(k, mean)| mean * coefficient(k)).collect()
 }
 
 /// The coefficient of xⁿ in (1 − w)^(−exponent): n yₙ = Σ ((exponent − 1)·j + n) wⱼ yₙ₋ⱼ.
-fn inverse_power(weights: &[f64], exponent: f64, n: usize) -> f64 {
+fn inverse_power(weights: &[Weight], exponent: f64, n: usize) -> f64 {
     let mut series = vec![1.0];
     for n in 1..=n {
-        let term =
-            |(j, weight): (usize, &f64)| ((exponent - 1.0) * count(j) + count(n)) * weight * series[n - j];
-        series.push((1..=n).zip(weights).map(term).sum::<f64>() / count(n));
+        let sum = weighted(weights, n, |j| ((exponent - 1.0) * count(j) + count(n)) * series[n - j]);
+        series.push(sum / count(n));
     }
     series[n]
 }
