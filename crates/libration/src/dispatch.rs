@@ -1,4 +1,4 @@
-//! The choice of instruction set at run time, and the only unsafe code of the library.
+//! The choice of instruction set at run time, and the only unsafe code of this crate.
 //!
 //! The kernels use the fused multiply-add throughout. It is one correctly rounded operation everywhere, so
 //! the results do not depend on the choice made here; but without the instruction it is a slow library call.
@@ -34,6 +34,12 @@ pub(crate) fn dispatch_slices<K: Kernel>(kernel: K) -> K::Output {
         return unsafe { run_widest(kernel) };
     }
     dispatch(kernel)
+}
+
+/// Runs a kernel in so many lanes: eight fill a register of AVX-512.
+#[inline]
+pub(crate) fn dispatch_lanes<const N: usize, K: Kernel>(kernel: K) -> K::Output {
+    if N.is_multiple_of(8) { dispatch_slices(kernel) } else { dispatch(kernel) }
 }
 
 #[cfg(target_arch = "x86_64")]

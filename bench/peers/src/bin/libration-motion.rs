@@ -3,29 +3,56 @@
 #[path = "../requests.rs"]
 mod requests;
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use libration::taylor::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 use requests::{Answer, Failure, Request, serve, timed};
 
 fn main() -> Result<(), Failure> {
-    serve(answer)
+    let mut systems = HashMap::new();
+    serve(|request| answer(&mut systems, request))
 }
 
-fn answer(request: &Request) -> Result<Answer, Failure> {
+/// Systems by their names and the tolerance, which have machine code.
+type Systems = HashMap<(String, u64), System>;
+
+fn answer(systems: &mut Systems, request: &Request) -> Result<Answer, Failure> {
     let mut answer = Answer::default();
-    let system = timed(&mut answer.set_up, || system(&request.case))??;
-    let solutions = timed(&mut answer.seconds, || motions(&system, request))??;
+    let key = (request.case.clone(), request.tolerance.to_bits());
+    let system = match systems.entry(key) {
+        Entry::Occupied(known) => known.into_mut(),
+        Entry::Vacant(vacant) => vacant.insert(timed(&mut answer.set_up, || prepared(request))??),
+    };
+    let solutions = timed(&mut answer.seconds, || motions(system, request, &request.starts))??;
     answer.steps = solutions.iter().map(|solution| solution.steps).sum();
     answer.states = solutions.into_iter().map(|solution| solution.end.state).collect();
     Ok(answer)
 }
 
+/// A system that has taken so many steps that there is machine code for it.
+fn prepared(request: &Request) -> Result<System, Failure> {
+    const STEPS: usize = 20_000;
+    let system = system(&request.case)?;
+    let first = &request.starts[..request.starts.len().min(8)];
+    let mut steps = 0;
+    while steps < STEPS {
+        steps += motions(&system, request, first)?.iter().map(|solution| solution.steps).sum::<usize>();
+    }
+    Ok(system)
+}
+
 /// Many motions go side by side.
-fn motions(system: &System, request: &Request) -> Result<Vec<Solution>, IntegrationError> {
+fn motions(
+    system: &System,
+    request: &Request,
+    starts: &[Vec<f64>],
+) -> Result<Vec<Solution>, IntegrationError> {
     let effort = Effort::to_tolerance(request.tolerance);
     let times = [request.end];
     let start = |state: &Vec<f64>| Moment { time: 0.0, state: state.clone() };
     let trajectory = |state| Trajectory { start: start(state), parameters: vec![], times: &times };
-    let trajectories: Vec<Trajectory<'_>> = request.starts.iter().map(trajectory).collect();
+    let trajectories: Vec<Trajectory<'_>> = starts.iter().map(trajectory).collect();
     match &trajectories[..] {
         [one] => Ok(vec![one.integrate(system, &effort)?]),
         many => integrate_many(system, many, &effort).into_iter().collect(),

@@ -1,7 +1,10 @@
 //! Several double-precision numbers at once as a ring, for motions in time.
 
-use super::lanewise::{convolution, lanes};
+use std::cmp::Ordering;
+
+use super::lanewise::{MultiplyAdd, convolution, lanes};
 use super::{Doubles, Function, Rational, Ring};
+use crate::elementary::{LARGEST_ANGLE, sin_cos};
 
 /// N independent `f64`s; NaN where there is no value. Each lane has the bits that it has alone.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +25,12 @@ const fn reciprocals() -> [f64; PREPARED.end] {
         n += 1;
     }
     reciprocals
+}
+
+/// What a quotient by an integer is made a product with, if it is.
+#[inline(always)]
+pub(crate) fn prepared_reciprocal(divisor: u64) -> Option<f64> {
+    usize::try_from(divisor).ok().filter(|n| PREPARED.contains(n)).map(|n| RECIPROCALS[n])
 }
 
 impl<const N: usize> Ring for Lanes<N> {
@@ -75,8 +84,7 @@ impl<const N: usize> Ring for Lanes<N> {
     #[inline(always)]
     #[expect(clippy::cast_precision_loss, reason = "rounded as every quotient is")]
     fn over_integer(&self, a: &[f64; N], divisor: u64) -> Option<[f64; N]> {
-        let prepared = usize::try_from(divisor).ok().filter(|n| PREPARED.contains(n)).map(|n| RECIPROCALS[n]);
-        Some(match prepared {
+        Some(match prepared_reciprocal(divisor) {
             Some(reciprocal) => lanes(|lane| a[lane] * reciprocal),
             None => lanes(|lane| a[lane] / divisor as f64),
         })
@@ -84,7 +92,11 @@ impl<const N: usize> Ring for Lanes<N> {
 
     #[inline(always)]
     fn value(&self, function: Function, at: &[f64; N]) -> Option<[f64; N]> {
-        Some(lanes(|lane| Doubles.value(function, &at[lane]).unwrap_or(f64::NAN)))
+        Some(match function {
+            Function::Sin => sin_cos_in_lanes(at)[0],
+            Function::Cos => sin_cos_in_lanes(at)[1],
+            _ => lanes(|lane| Doubles.value(function, &at[lane]).unwrap_or(f64::NAN)),
+        })
     }
 
     #[inline(always)]
@@ -98,6 +110,41 @@ impl<const N: usize> Ring for Lanes<N> {
 
     #[inline(always)]
     fn convolution(&self, a: &[[f64; N]], b: &[[f64; N]]) -> [f64; N] {
-        convolution(a, b)
+        convolution(self, a, b)
+    }
+}
+
+/// The sines and the cosines.
+#[inline(always)]
+pub(crate) fn sin_cos_in_lanes<const N: usize>(at: &[f64; N]) -> [[f64; N]; 2] {
+    let mut both = [[0.0; N]; 2];
+    for lane in 0..N {
+        (both[0][lane], both[1][lane]) = sin_cos(at[lane]);
+    }
+    let is_large = |x: f64| !matches!(x.abs().partial_cmp(&LARGEST_ANGLE), Some(Ordering::Less));
+    if at.iter().any(|x| is_large(*x)) {
+        for lane in (0..N).filter(|lane| is_large(at[*lane])) {
+            (both[0][lane], both[1][lane]) = (libm::sin(at[lane]), libm::cos(at[lane]));
+        }
+    }
+    both
+}
+
+impl<const N: usize> MultiplyAdd for Lanes<N> {
+    type Element = [f64; N];
+
+    #[inline(always)]
+    fn nothing(&self) -> [f64; N] {
+        [0.0; N]
+    }
+
+    #[inline(always)]
+    fn sum(&self, a: [f64; N], b: [f64; N]) -> [f64; N] {
+        lanes(|lane| a[lane] + b[lane])
+    }
+
+    #[inline(always)]
+    fn multiply_add(&self, a: [f64; N], b: [f64; N], c: [f64; N]) -> [f64; N] {
+        lanes(|lane| a[lane].mul_add(b[lane], c[lane]))
     }
 }

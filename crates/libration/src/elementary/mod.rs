@@ -15,7 +15,7 @@ mod sine;
 pub(crate) use arctangent::{ReducedArctangent, atan_of_ratio};
 pub(crate) use hyperbolic::sinh_cosh;
 pub(crate) use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
-pub(crate) use sine::sin_cos_of_turns;
+pub(crate) use sine::{LARGEST_ANGLE, sin_cos, sin_cos_of_turns};
 
 /// A number of things, an order or a degree as an `f64`.
 #[inline(always)]

@@ -1,7 +1,7 @@
-//! Sine and cosine of an angle given as a fraction of a turn.
+//! Sine and cosine of an angle, or of one given as a fraction of a turn.
 
-use super::polynomial;
-use crate::double_double::{DoubleDouble, fast_two_sum};
+use super::{nearest_integer, nearest_integer_bits, polynomial};
+use crate::double_double::{DoubleDouble, fast_two_sum, two_sum};
 
 const TAU: DoubleDouble = DoubleDouble::new(6.283185307179586, 2.4492935982947064e-16);
 
@@ -30,6 +30,12 @@ const COSINE: [f64; 6] = [
 pub(crate) fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let r = y.hi * TAU.hi;
     let r_lo = y.hi.mul_add(TAU.hi, -r) + y.hi.mul_add(TAU.lo, y.lo * TAU.hi);
+    sin_cos_of_part(r, r_lo)
+}
+
+/// Those of `r + r_lo` in two words, |r| ≤ π/4.
+#[inline(always)]
+fn sin_cos_of_part(r: f64, r_lo: f64) -> (DoubleDouble, DoubleDouble) {
     let x = r * r;
     let half = 0.5 * x;
     let sine = fast_two_sum(r, (r * x).mul_add(polynomial(x, &SINE), r_lo * (1.0 - half)));
@@ -38,4 +44,27 @@ pub(crate) fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) 
     let rounding = ((1.0 - leading) - half) - 0.5 * square_lo;
     let cosine = fast_two_sum(leading, (x * x).mul_add(polynomial(x, &COSINE), rounding - r * r_lo));
     (sine, cosine)
+}
+
+/// Up to this angle [`sin_cos`] holds.
+pub(crate) const LARGEST_ANGLE: f64 = 1048576.0;
+
+/// sin x and cos x for |x| ≤ [`LARGEST_ANGLE`], within 0.8 units of the last place; of a hundred all but two are the nearest numbers.
+#[inline(always)]
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    const FRAC_PI_2: [f64; 3] =
+        [DoubleDouble::FRAC_PI_2.hi, DoubleDouble::FRAC_PI_2.lo, 0.5 * DoubleDouble::PI_TAIL.lo];
+    let quarters = x * std::f64::consts::FRAC_2_PI;
+    let whole = nearest_integer(quarters);
+    // Exact: a multiple of 2⁻⁵³ below one.
+    let first = whole.mul_add(-FRAC_PI_2[0], x);
+    let product = whole * FRAC_PI_2[1];
+    let product_lo = whole.mul_add(FRAC_PI_2[1], -product);
+    let r = two_sum(first, -product);
+    let (sine, cosine) = sin_cos_of_part(r.hi, r.lo - whole.mul_add(FRAC_PI_2[2], product_lo));
+    let quarter = nearest_integer_bits(quarters) as u64;
+    let (sine, cosine) = if quarter & 1 == 0 { (sine.hi, cosine.hi) } else { (cosine.hi, sine.hi) };
+    let signed = |value: f64, half_turns: u64| f64::from_bits(value.to_bits() ^ ((half_turns & 2) << 62));
+    // Zero keeps its sign.
+    (if x == 0.0 { x } else { signed(sine, quarter) }, signed(cosine, quarter + 1))
 }

@@ -1,6 +1,6 @@
 //! The kernels against the multi-precision library, whose functions agree with MPFR.
 
-use super::{atan_of_ratio, sin_cos_of_turns, sinh_cosh, split_logarithm, two_word};
+use super::{LARGEST_ANGLE, atan_of_ratio, sin_cos, sin_cos_of_turns, sinh_cosh, split_logarithm, two_word};
 use crate::algebra::BigFloat;
 use crate::double_double::{DoubleDouble, two_prod};
 
@@ -38,6 +38,44 @@ fn sine_and_cosine_of_turns_are_good_to_fifty_four_bits() {
         relative(sin, &angle.sin()).max(relative(cos, &angle.cos()))
     }));
     assert!(error < libm::exp2(-54.0), "{error:e}");
+}
+
+/// The largest error in units of the last place, and how many of the values are not the nearest.
+fn rounding(angles: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (mut worst, mut wrong, mut all) = (0.0_f64, 0.0, 0.0);
+    for x in angles {
+        let (sin, cos) = sin_cos(x);
+        for (got, exact) in [(sin, word(x).sin()), (cos, word(x).cos())] {
+            let ulp = got.abs().next_up() - got.abs();
+            worst = worst.max((word(got) - exact.clone()).to_f64().abs() / ulp);
+            all += 1.0;
+            wrong += if got.to_bits() == exact.to_f64().to_bits() { 0.0 } else { 1.0 };
+        }
+    }
+    (worst, wrong / all)
+}
+
+#[test]
+fn sine_and_cosine_of_angles_are_next_to_the_exact_ones() {
+    let (worst, wrong) =
+        rounding(uniform().flat_map(|part| [1e-3, 1.0, 8.0, 1e3, LARGEST_ANGLE].map(|most| part * most)));
+    assert!(worst < 0.8 && wrong < 0.02, "{worst} {wrong}");
+}
+
+/// Next to multiples of π/4, where the sine, the cosine or the choice between them changes.
+#[test]
+fn sine_and_cosine_next_to_eighths_of_a_turn_keep_their_relative_accuracy() {
+    let eighths =
+        (0..2000).chain([100_000, 777_777, 1_335_088]).map(|n| std::f64::consts::FRAC_PI_4 * f64::from(n));
+    let beside = eighths.flat_map(|x| [x, x.next_up(), x.next_down(), -x, -x.next_up()]);
+    let (worst, _) = rounding(beside.filter(|x| x.abs() > 0.0 && x.abs() <= LARGEST_ANGLE));
+    assert!(worst < 0.8, "{worst}");
+    let zeros = [0.0, -0.0].map(|x: f64| sin_cos(x));
+    assert_eq!(
+        zeros.map(|(sin, cos)| (sin.to_bits(), cos.to_bits())),
+        [(0, 1.0_f64.to_bits()), ((-0.0_f64).to_bits(), 1.0_f64.to_bits())]
+    );
+    assert_eq!(sin_cos(5e-324).0.to_bits(), 1);
 }
 
 #[test]

@@ -106,7 +106,8 @@ pub(super) fn until(
         let outcome = integrate_watched(system, &at, &[start.time + duration], &effort, |step| {
             steps.push(step.to_owned_step());
             found = happens(step);
-            if found.is_some() { ControlFlow::Break(()) } else { watch.flow() }
+            let goes_on = watch.flow();
+            if found.is_some() { ControlFlow::Break(()) } else { goes_on }
         });
         match (found, outcome) {
             (Some(end), _) => return Ok(Some(Path::of_steps(steps, end))),

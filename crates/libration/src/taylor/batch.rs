@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::partial_solution::PartialSolution;
 use super::stepper::Stepper;
-use super::{Cause, Checkpoint, Effort, IntegrationError, Solution, Step, System, Trajectory};
+use super::{Cause, Checkpoint, Effort, IntegrationError, Moment, Solution, Step, System, Trajectory};
 
 type Outcome = Result<Solution, IntegrationError>;
 
@@ -61,15 +61,16 @@ impl<'a, const N: usize> Batch<'a, N> {
             }
             let ahead = self.stepper.look_ahead();
             for (lane, ahead) in ahead.into_iter().enumerate() {
-                let Some(solution) = self.solutions[lane].take() else { continue };
-                let number = solution.number;
-                match self.advance(lane, solution, ahead, &mut interrupted, watch) {
-                    Ok(solution) => self.solutions[lane] = Some(solution),
-                    Err(outcome) => {
-                        self.stepper.idle(lane);
-                        outcomes[number] = Some(outcome);
-                    }
+                let Some(solution) = &mut self.solutions[lane] else { continue };
+                let lane_of = Lane { stepper: &self.stepper, lane };
+                let Err(end) = lane_of.advance(solution, ahead, &self.effort, &mut interrupted, watch) else {
+                    continue;
+                };
+                if let Some(solution) = self.solutions[lane].take() {
+                    let number = solution.number;
+                    outcomes[number] = Some(end.outcome(solution));
                 }
+                self.stepper.idle(lane);
             }
             self.stepper.advance();
         }
@@ -108,35 +109,56 @@ impl<'a, const N: usize> Batch<'a, N> {
             }
         }
     }
+}
 
-    /// Takes the next step of one motion; the outcome when it is the last one.
+/// One lane of a stepper.
+struct Lane<'s, const N: usize> {
+    stepper: &'s Stepper<'s, N>,
+    lane: usize,
+}
+
+/// Why a motion goes no further.
+enum End {
+    Reached(Moment),
+    Stopped(Cause, Moment),
+}
+
+impl End {
+    fn outcome(self, solution: PartialSolution<'_>) -> Outcome {
+        match self {
+            Self::Reached(end) => Ok(solution.finished(end)),
+            Self::Stopped(cause, end) => solution.stopped(cause, end),
+        }
+    }
+}
+
+impl<const N: usize> Lane<'_, N> {
+    /// Takes the next step of a motion; its end when that is the last one.
     fn advance(
         &self,
-        lane: usize,
-        mut solution: PartialSolution<'a>,
+        solution: &mut PartialSolution<'_>,
         ahead: Result<(), Cause>,
+        effort: &Effort,
         interrupted: &mut bool,
         watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
-    ) -> Result<PartialSolution<'a>, Outcome> {
-        let allowed =
-            if *interrupted { Err(Cause::Interrupted) } else { solution.has_steps_left(&self.effort) };
+    ) -> Result<(), End> {
+        let Self { stepper, lane } = *self;
+        let allowed = if *interrupted { Err(Cause::Interrupted) } else { solution.has_steps_left(effort) };
         if let Err(cause) = allowed.and(ahead) {
-            let moment = self.stepper.moment(lane);
+            let moment = stepper.moment(lane);
             let too_large = cause == Cause::Singularity && solution.overflows(&moment);
-            return Err(solution.stopped(if too_large { Cause::Overflow } else { cause }, moment));
+            return Err(End::Stopped(if too_large { Cause::Overflow } else { cause }, moment));
         }
-        let step = self.stepper.step(lane);
-        let end = solution.take(&step, |event| self.stepper.event(event, lane), self.effort.relative);
-        let taken = LaneStep { step, stepper: &self.stepper, solution: &solution, lane };
-        let stop = watch(solution.number, &taken).is_break();
-        let end_of_step = self.stepper.end(lane);
+        let step = stepper.step(lane);
+        let end = solution.take(&step, |event| stepper.event(event, lane), effort.relative);
+        let stop = watch(solution.number, &LaneStep { step, stepper, solution, lane }).is_break();
         if let Some(end) = end {
-            return Err(Ok(solution.finished(end)));
+            return Err(End::Reached(end));
         }
         if solution.goal().is_none() {
-            return Err(Ok(solution.finished(end_of_step)));
+            return Err(End::Reached(stepper.end(lane)));
         }
         *interrupted |= stop;
-        if stop { Err(solution.stopped(Cause::Interrupted, end_of_step)) } else { Ok(solution) }
+        if stop { Err(End::Stopped(Cause::Interrupted, stepper.end(lane))) } else { Ok(()) }
     }
 }

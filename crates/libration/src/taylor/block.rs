@@ -3,8 +3,9 @@
 use std::ops::{Index, IndexMut};
 
 use super::ends::Ends;
-use super::step::{elapsed, grown};
+use super::step::{elapsed, grown, higher};
 use super::{StateLayout, Step};
+use crate::algebra::lanes;
 use crate::double_double::DoubleDouble;
 use std::sync::Arc;
 
@@ -18,6 +19,11 @@ impl Row {
     pub(super) fn new(number: usize, terms: usize) -> Self {
         Self(number * terms)
     }
+
+    /// The place of its first coefficient.
+    pub(super) fn first(self) -> usize {
+        self.0
+    }
 }
 
 /// The series of one step in N lanes: of all coordinates, then of all velocities, then whatever they come from.
@@ -29,7 +35,7 @@ pub(super) struct Block<const N: usize> {
     /// neither overflow nor underflow.
     pub(super) unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other.
-    coefficients: Vec<[f64; N]>,
+    pub(super) coefficients: Vec<[f64; N]>,
     /// What the first coefficients lack of the state.
     low: Vec<[f64; N]>,
     layout: Arc<StateLayout>,
@@ -117,12 +123,7 @@ impl<const N: usize> Block<N> {
             (*units, *remainder) = elapsed(self.start[lane], self.end[lane]);
             *units /= self.unit[lane];
         }
-        let mut higher = [0.0; N];
-        for c in series[2..].iter().rev() {
-            for lane in 0..N {
-                higher[lane] = (higher[lane] + c[lane]) * times[lane].0;
-            }
-        }
+        let higher = higher(self.terms, |n| series[n], &lanes(|lane| times[lane].0));
         let mut ends = Ends { high: [0.0; N], low: [0.0; N] };
         for lane in 0..N {
             let base = DoubleDouble::new(series[0][lane], self.low[number][lane]);

@@ -1,12 +1,18 @@
 //! The Taylor series of a system about a state, in several lanes.
 
+use std::sync::Arc;
+
+use libration_jit::Compiled;
+
 use super::System;
 use super::block::{Block, Row};
 use super::boundary::{Boundary, Forbidden, boundaries};
-use super::program::{Program, over_integer};
+use super::machine_code::MachineCode;
+use super::program::Program;
 use super::steep::{Steep, steep_places};
-use crate::algebra::lanes;
-use crate::dispatch::{Kernel, dispatch};
+use crate::algebra::Ring;
+use crate::dispatch::{Kernel, dispatch_lanes};
+use crate::expression::Evaluator;
 
 /// What the tape is given beside the state.
 #[derive(Clone, Debug)]
@@ -29,10 +35,11 @@ pub(super) struct Expander<'a> {
     /// Of what the accelerations are steep functions.
     pub(super) steep: Vec<Steep<Row>>,
     pub(super) order: usize,
+    machine_code: Arc<MachineCode>,
 }
 
 impl<'a> Expander<'a> {
-    pub(super) fn new(system: &'a System, order: usize) -> Self {
+    pub(super) fn new(system: &'a System, order: usize, lanes: usize) -> Self {
         const ENDLESS: usize = usize::MAX;
         let state = std::iter::repeat_n(ENDLESS, system.layout().numbers());
         let parameters = std::iter::repeat_n(0, system.parameters().len());
@@ -51,7 +58,7 @@ impl<'a> Expander<'a> {
         let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
         let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
         let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
-        Self { system, boundaries, steep, program, order }
+        Self { system, boundaries, steep, program, order, machine_code: system.machine_code(order, lanes) }
     }
 
     /// The memory that the series need.
@@ -68,12 +75,36 @@ impl<'a> Expander<'a> {
         if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
             return self.expand_sticking(block, surroundings);
         }
-        dispatch(Expansion { expander: self, block, surroundings, begun: false });
+        self.expand_by(block, surroundings, self.compiled());
+    }
+
+    /// The same with or without machine code.
+    pub(super) fn expand_by<const N: usize>(
+        &self,
+        block: &mut Block<N>,
+        surroundings: &Surroundings<N>,
+        compiled: Option<&Compiled>,
+    ) {
+        dispatch_lanes::<N, _>(Beginning { expander: self, block, surroundings, begun: false });
+        self.go_on(block, compiled);
     }
 
     /// The same where all zeroth coefficients of the formulas are known.
     pub(super) fn expand_begun<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
-        dispatch(Expansion { expander: self, block, surroundings, begun: true });
+        dispatch_lanes::<N, _>(Beginning { expander: self, block, surroundings, begun: true });
+        self.go_on(block, self.compiled());
+    }
+
+    fn compiled(&self) -> Option<&Compiled> {
+        self.machine_code.expansion(|| self.straight_line())
+    }
+
+    /// All but the zeroth coefficients.
+    fn go_on<const N: usize>(&self, block: &mut Block<N>, compiled: Option<&Compiled>) {
+        match compiled {
+            Some(compiled) => compiled.run(block.coefficients.as_flattened_mut(), &block.unit),
+            None => dispatch_lanes::<N, _>(Expansion { expander: self, block }),
+        }
     }
 
     /// The sign of what stands in a |…|.
@@ -130,15 +161,15 @@ impl<'a> Expander<'a> {
     }
 }
 
-/// The expansion, compiled for each instruction set.
-struct Expansion<'e, 'a, const N: usize> {
+/// What is given, and the zeroth coefficients if they are not known, compiled for each instruction set.
+struct Beginning<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
     surroundings: &'e Surroundings<N>,
     begun: bool,
 }
 
-impl<const N: usize> Kernel for Expansion<'_, '_, N> {
+impl<const N: usize> Kernel for Beginning<'_, '_, N> {
     type Output = ();
 
     #[inline(always)]
@@ -148,6 +179,21 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
         if !begun {
             expander.program.begin(block);
         }
+    }
+}
+
+/// The coefficients that follow from the zeroth.
+struct Expansion<'e, 'a, const N: usize> {
+    expander: &'e Expander<'a>,
+    block: &'e mut Block<N>,
+}
+
+impl<const N: usize> Kernel for Expansion<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { expander, block } = self;
         for n in 1..=expander.order {
             expander.extend_state(block, n);
             if n <= expander.last() {
@@ -157,22 +203,38 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
     }
 }
 
+/// The n-th coefficient of what changes at a rate, whose coefficients before are known.
+#[inline(always)]
+pub(super) fn rate<X, E: Evaluator<Row, X>>(
+    on: &E,
+    of: Row,
+    unit: &<E::Ring as Ring>::Element,
+    n: usize,
+) -> Option<<E::Ring as Ring>::Element> {
+    let change = on.ring().multiply(&on.row(of)[n - 1], unit);
+    on.ring().over_integer(&change, u64::try_from(n).unwrap_or(u64::MAX))
+}
+
 impl Expander<'_> {
-    /// x₍ₙ₎ = v₍ₙ₋₁₎/n and v₍ₙ₎ = a₍ₙ₋₁₎/n, where each a₍ₙ₎ needs no more than x₍ₙ₎ and v₍ₙ₎; of the first order x₍ₙ₎ = a₍ₙ₋₁₎/n.
+    /// Every rate, with what changes at it: a coordinate at its velocity, and this at the acceleration; of the first order the coordinate
+    /// itself at what the equation says.
+    #[inline(always)]
+    pub(super) fn rates(&self) -> impl Iterator<Item = (Row, Row)> {
+        let (layout, terms) = (self.system.layout(), self.order + 1);
+        let row = move |number: usize| Row::new(number, terms);
+        (0..layout.coordinates()).flat_map(move |i| {
+            let velocity = layout.velocity(i).map(|velocity| (row(velocity), row(i)));
+            velocity.into_iter().chain([(self.acceleration(i), row(layout.driven(i)))])
+        })
+    }
+
+    /// Each xₙ from vₙ₋₁ and each vₙ from aₙ₋₁, where each aₙ needs no more than xₙ and vₙ.
     #[inline(always)]
     pub(super) fn extend_state<const N: usize>(&self, block: &mut Block<N>, n: usize) {
-        let layout = self.system.layout();
-        for i in 0..layout.coordinates() {
-            if let Some(velocity) = layout.velocity(i) {
-                let (coordinate, velocity) = (block.row(i), block.row(velocity));
-                let speed = &block[velocity][n - 1];
-                let rate = lanes(|lane| speed[lane] * block.unit[lane]);
-                block[coordinate][n] = over_integer(&rate, n);
+        for (of, out) in self.rates() {
+            if let Some(value) = rate(block, of, &block.unit, n) {
+                block[out][n] = value;
             }
-            let driven = block.row(layout.driven(i));
-            let acceleration = &block[self.acceleration(i)][n - 1];
-            let rate = lanes(|lane| acceleration[lane] * block.unit[lane]);
-            block[driven][n] = over_integer(&rate, n);
         }
     }
 

@@ -39,10 +39,12 @@ mod boundary;
 mod checkpoint;
 
 mod expander;
+mod machine_code;
 mod owned_step;
 mod samples;
 mod step;
 mod step_length;
+mod straight_line;
 
 mod branches;
 mod contacts;

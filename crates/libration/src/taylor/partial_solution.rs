@@ -80,12 +80,15 @@ impl<'a> PartialSolution<'a> {
     ) -> Option<Moment> {
         self.steps += 1;
         self.events_before = self.events.len();
-        let terminal = self.find_events(step, formula, tolerance);
+        let terminal =
+            if self.contacts.is_empty() { None } else { self.find_events(step, formula, tolerance) };
         let last = terminal.as_ref().map_or(step.end(), |end| end.time);
         let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };
-        let times = &self.trajectory.times[self.samples.len()..];
-        let times = times.iter().copied().take_while(|&time| inside(time));
-        self.samples.extend(times.map(|time| Moment { time, state: step.state_at(time) }));
+        while let Some(&time) = self.trajectory.times.get(self.samples.len())
+            && inside(time)
+        {
+            self.samples.push(Moment { time, state: step.state_at(time) });
+        }
         terminal
     }
 

@@ -4,7 +4,7 @@
 //! of times, so here that is asked once.
 
 use super::block::{Block, Row};
-use crate::algebra::{Lanes, Rational, Ring, lanes};
+use crate::algebra::{Function, Lanes, Rational, lanes, sin_cos_in_lanes};
 use crate::elementary::count;
 use crate::expression::{Evaluator, Instruction, Operation, Tape, Value, Weighted};
 
@@ -14,7 +14,7 @@ pub(super) struct Program {
     /// Rows that are the same in all steps.
     pub(super) constants: Vec<(Row, f64)>,
     /// How the zeroth coefficients of the other rows come about.
-    values: Vec<(Row, Value<Row, f64>)>,
+    values: Vec<Zeroth>,
     /// How the next ones do where the row is linear in the time, and its other coefficients vanish.
     linear: Vec<Instruction<Row, f64>>,
     /// How they do elsewhere.
@@ -25,6 +25,13 @@ pub(super) struct Program {
     pub(super) places: Vec<Row>,
     /// How many rows there are.
     pub(super) rows: usize,
+}
+
+/// How zeroth coefficients come about.
+#[derive(Clone, Copy, Debug)]
+enum Zeroth {
+    One { out: Row, value: Value<Row, f64> },
+    SineAndCosine { of: Row, sine: Row, cosine: Row },
 }
 
 /// The degree in the time of what is not known to be a polynomial.
@@ -56,29 +63,41 @@ impl Program {
     /// The zeroth coefficients, those of the inputs being known.
     #[inline(always)]
     pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>) {
-        for &(out, value) in &self.values {
-            block[out][0] = known(value.evaluate(block));
+        for zeroth in &self.values {
+            match *zeroth {
+                Zeroth::One { out, value } => block[out][0] = known(value.evaluate(block)),
+                Zeroth::SineAndCosine { of, sine, cosine } => {
+                    [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
+                }
+            }
         }
     }
 
     /// Those that another block has.
     pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
-        for &(out, _) in &self.values {
-            block[out][0] = other[out][0];
+        for zeroth in &self.values {
+            match *zeroth {
+                Zeroth::One { out, .. } => block[out][0] = other[out][0],
+                Zeroth::SineAndCosine { sine, cosine, .. } => {
+                    [block[sine][0], block[cosine][0]] = [other[sine][0], other[cosine][0]];
+                }
+            }
         }
     }
 
     /// The n-th coefficients, those of the inputs being known.
     #[inline(always)]
     pub(super) fn extend<const N: usize>(&self, block: &mut Block<N>, n: usize) {
-        if n == 1 {
-            for instruction in &self.linear {
-                carry_out(instruction, block, n);
-            }
-        }
-        for instruction in &self.nonlinear {
+        for instruction in self.instructions(n) {
             carry_out(instruction, block, n);
         }
+    }
+
+    /// How the n-th coefficients come about, in this order.
+    #[inline(always)]
+    pub(super) fn instructions(&self, n: usize) -> impl Iterator<Item = &Instruction<Row, f64>> {
+        let linear: &[_] = if n == 1 { &self.linear } else { &[] };
+        linear.iter().chain(&self.nonlinear)
     }
 }
 
@@ -115,7 +134,7 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
 
     #[inline(always)]
     fn begins_beyond(&self, exponent: &f64, n: usize) -> bool {
-        exponent.fract() == 0.0 && count(n) < *exponent
+        begins_beyond(*exponent, n)
     }
 
     #[inline(always)]
@@ -125,14 +144,15 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
     }
 }
 
+/// Whether a power of what begins with zero has no coefficient n yet.
 #[inline(always)]
-fn known<const N: usize>(value: Option<[f64; N]>) -> [f64; N] {
-    value.unwrap_or([f64::NAN; N])
+pub(super) fn begins_beyond(exponent: f64, n: usize) -> bool {
+    exponent.fract() == 0.0 && count(n) < exponent
 }
 
 #[inline(always)]
-pub(super) fn over_integer<const N: usize>(a: &[f64; N], n: usize) -> [f64; N] {
-    known(Lanes.over_integer(a, u64::try_from(n).unwrap_or(u64::MAX)))
+fn known<const N: usize>(value: Option<[f64; N]>) -> [f64; N] {
+    value.unwrap_or([f64::NAN; N])
 }
 
 /// Writes a program from the first operation of a tape to the last.
@@ -204,9 +224,27 @@ impl Writer<'_> {
             Operation::Pi => self.program.constants.push((out, std::f64::consts::PI)),
             _ => {
                 let value = Value::new(operation, |place| self.places[place].plain, Rational::to_f64);
-                self.program.values.extend(value.map(|value| (out, value)));
+                if let Some(value) = value {
+                    self.push_value(out, value);
+                }
             }
         }
+    }
+
+    /// A cosine comes right behind the sine of the same, and with it.
+    fn push_value(&mut self, out: Row, value: Value<Row, f64>) {
+        let values = &mut self.program.values;
+        let pair = match (values.last(), value) {
+            (
+                Some(&Zeroth::One { out: sine, value: Value::Of(Function::Sin, of) }),
+                Value::Of(Function::Cos, same),
+            ) if of == same => {
+                values.pop();
+                Some(Zeroth::SineAndCosine { of, sine, cosine: out })
+            }
+            _ => None,
+        };
+        values.push(pair.unwrap_or(Zeroth::One { out, value }));
     }
 
     /// `None` for what is given or constant.

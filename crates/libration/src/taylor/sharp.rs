@@ -100,7 +100,7 @@ impl SharpFormula {
             })
             .collect();
         let largest = pairs.iter().map(|(value, _)| value.abs()).fold(series[0].abs(), f64::max);
-        pairs.iter().all(|(value, own)| (value - own).abs() <= MISFIT * largest)
+        largest.is_finite() && pairs.iter().all(|(value, own)| (value - own).abs() <= MISFIT * largest)
     }
 
     fn has_values(&self, step: &Step<'_>, parameters: &[f64], part: (f64, f64)) -> bool {

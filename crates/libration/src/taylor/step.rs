@@ -1,6 +1,8 @@
 //! One step: the state as polynomials of the time.
 
 use super::StateLayout;
+use crate::algebra::lanes;
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
 use std::sync::Arc;
 
@@ -40,26 +42,30 @@ impl Step<'_> {
     /// As good as the state at the end of the step. Outside the step the error grows with every power up to its order.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {
-        (0..self.numbers()).map(|number| self.component_at(number, time).to_f64()).collect()
+        dispatch(State { step: self, time })
     }
 
+    #[inline(always)]
     pub(super) fn numbers(&self) -> usize {
         self.low.len() / self.lanes
     }
 
+    #[inline(always)]
     pub(super) fn coefficient(&self, number: usize, n: usize) -> f64 {
         self.coefficients[(number * self.terms + n) * self.lanes + self.lane]
     }
 
+    #[inline(always)]
     pub(super) fn low(&self, number: usize) -> f64 {
         self.low.get(number * self.lanes + self.lane).copied().unwrap_or(0.0)
     }
 
     /// One number of the state in two words.
+    #[inline(always)]
     pub(super) fn component_at(&self, number: usize, time: f64) -> DoubleDouble {
         let (elapsed, remainder) = elapsed(self.start, time);
         let h = elapsed / self.unit;
-        let higher = (2..self.terms).rev().fold(0.0, |sum, n| (sum + self.coefficient(number, n)) * h);
+        let [higher] = higher(self.terms, |n| [self.coefficient(number, n)], &[h]);
         let base = DoubleDouble::new(self.coefficient(number, 0), self.low(number));
         let slope_low = self.layout.velocity(number).map_or(0.0, |velocity| self.low(velocity) * self.unit);
         let value = grown(base, self.coefficient(number, 1), slope_low, higher, h);
@@ -76,12 +82,70 @@ impl Step<'_> {
     }
 
     /// The time derivative of one number of the state at a time.
+    #[inline(always)]
     pub(super) fn slope_at(&self, number: usize, time: f64) -> f64 {
         let h = (time - self.start) / self.unit;
         let horner =
             |(value, slope): (f64, f64), n| (value * h + self.coefficient(number, n), slope * h + value);
         (0..self.terms).rev().fold((0.0, 0.0), horner).1 / self.unit
     }
+}
+
+/// A state at a time, compiled for each instruction set.
+struct State<'s, 'a> {
+    step: &'s Step<'a>,
+    time: f64,
+}
+
+impl Kernel for State<'_, '_> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<f64> {
+        let Self { step, time } = self;
+        (0..step.numbers()).map(|number| step.component_at(number, time).to_f64()).collect()
+    }
+}
+
+/// c₂h + c₃h² + … of so many terms with c₀ and c₁.
+#[inline(always)]
+pub(super) fn higher<const N: usize>(
+    terms: usize,
+    coefficient: impl Fn(usize) -> [f64; N],
+    h: &[f64; N],
+) -> [f64; N] {
+    /// Its square does not overflow: where terms vanish, steps may be as long as there are times.
+    const LARGE: f64 = 1e150;
+    let mut sum = even_and_odd(terms, &coefficient, h);
+    for lane in 0..N {
+        if h[lane].abs() > LARGE {
+            sum[lane] = (2..terms).rev().fold(0.0, |sum, n| (sum + coefficient(n)[lane]) * h[lane]);
+        }
+    }
+    sum
+}
+
+/// Even and odd terms summed apart: neither sum waits for the other.
+#[inline(always)]
+fn even_and_odd<const N: usize>(
+    terms: usize,
+    coefficient: &impl Fn(usize) -> [f64; N],
+    h: &[f64; N],
+) -> [f64; N] {
+    let square: [f64; N] = lanes(|lane| h[lane] * h[lane]);
+    let [mut even, mut odd] = [[0.0; N]; 2];
+    let mut n = terms;
+    if !n.is_multiple_of(2) {
+        n -= 1;
+        even = coefficient(n);
+    }
+    while n > 2 {
+        n -= 2;
+        let (c, d) = (coefficient(n), coefficient(n + 1));
+        even = lanes(|lane| even[lane].mul_add(square[lane], c[lane]));
+        odd = lanes(|lane| odd[lane].mul_add(square[lane], d[lane]));
+    }
+    lanes(|lane| odd[lane].mul_add(h[lane], even[lane]) * h[lane])
 }
 
 /// The time since the start, exactly, in two words if need be.

@@ -36,20 +36,24 @@ impl Effort {
     }
 
     /// The order at which a given accuracy costs least: 1 − ln(tolerance)/2 if a step cost the square of its order, as
-    /// products of series do; but half the cost is proportional to the order, so that longer steps of higher order pay.
+    /// products of series do. But what a step costs beside is as much, so that longer steps of higher order pay: pendulums at 1e-12
+    /// take 10.9, 10.6, 10.9 and 10.9 ms with a factor of 0.65, 0.75, 0.9 and 1.05, double pendulums 1.48, 1.56, 1.54 and 1.71 ms.
     pub(super) fn order(&self) -> usize {
         const LOWEST: usize = 6;
-        const HIGHEST: usize = 63;
-        let best = 1.0 - 0.75 * libm::log(self.relative);
-        (LOWEST..HIGHEST).find(|&order| count(order) >= best).unwrap_or(HIGHEST)
+        let best = 1.0 - 0.9 * libm::log(self.relative);
+        (LOWEST..HIGHEST_ORDER).find(|&order| count(order) >= best).unwrap_or(HIGHEST_ORDER)
     }
 
     /// How much of the radius of convergence a step may be, as a power of two: there the first terms that are missing are
-    /// far below the tolerance, since a radius guessed too large by a fifth makes them ten times larger.
+    /// far below the tolerance, since a radius guessed too large by a fifth makes them a hundred times larger. With 14 the energy of a
+    /// pendulum from 179° at 1e-12 changes by 4.2e-14 in 1000 periods, with 12 by 2.1e-13, with 9 by 3.6e-13.
     pub(super) fn log2_part_of_radius(&self) -> f64 {
-        (log2(self.relative) - 9.0) / (count(self.order()) + 1.0)
+        (log2(self.relative) - 14.0) / (count(self.order()) + 1.0)
     }
 }
+
+/// The highest order of a series.
+const HIGHEST_ORDER: usize = 63;
 
 /// How many of the last coefficients are asked: by symmetry or by chance some are small.
 const LAST: usize = 4;
@@ -144,18 +148,18 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radi
     let mut first = [[0.0; N]; FIRST];
     let mut largest = [LEAST; N];
     for (first, c) in first.iter_mut().zip([size].into_iter().chain(&series[1..])) {
-        *first = lanes(|lane| log2(c[lane].abs()).max(LEAST));
-        largest = lanes(|lane| largest[lane].max(first[lane]));
+        *first = lanes(|lane| larger(LEAST, log2(c[lane].abs())));
+        largest = lanes(|lane| larger(largest[lane], first[lane]));
     }
     let underflows = |lane: usize| LEAST < largest[lane] && largest[lane] < TINY;
     let least_last: [f64; N] = lanes(|lane| if underflows(lane) { LEAST } else { f64::NEG_INFINITY });
     let mut radius = [f64::INFINITY; N];
     for (k, last) in series.iter().enumerate().skip(series.len() - LAST) {
-        let last: [f64; N] = lanes(|lane| log2(last[lane].abs()).max(least_last[lane]));
+        let last: [f64; N] = lanes(|lane| larger(least_last[lane], log2(last[lane].abs())));
         let mut by = [f64::NEG_INFINITY; N];
         for (n, first) in first.iter().enumerate() {
-            let part = 1.0 / count(k - n);
-            by = lanes(|lane| by[lane].max((first[lane] - last[lane]) * part));
+            let part = RECIPROCALS[k - n];
+            by = lanes(|lane| larger(by[lane], (first[lane] - last[lane]) * part));
         }
         radius = smaller(&radius, &by);
     }
@@ -164,3 +168,20 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radi
         of_nothing: lanes(|lane| if largest[lane] > LEAST { f64::INFINITY } else { radius[lane] }),
     }
 }
+
+/// The first where they cannot be compared.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// 1/n.
+static RECIPROCALS: [f64; HIGHEST_ORDER + 1] = {
+    let mut reciprocals = [f64::INFINITY; HIGHEST_ORDER + 1];
+    let mut n = 1;
+    while n <= HIGHEST_ORDER {
+        reciprocals[n] = 1.0 / count(n);
+        n += 1;
+    }
+    reciprocals
+};

@@ -41,7 +41,7 @@ pub(super) const SHORTEST: f64 = 8.0 * f64::EPSILON;
 impl<'a, const N: usize> Stepper<'a, N> {
     pub(super) fn new(system: &'a System, effort: Effort) -> Self {
         let (order, numbers) = (effort.order(), system.layout().numbers());
-        let expander = Expander::new(system, order);
+        let expander = Expander::new(system, order, N);
         Self {
             branches: Branches::new(system.moduli()),
             surroundings: Surroundings {

@@ -1,11 +1,13 @@
 //! Equations of motion in first-order form.
 
+use std::sync::Arc;
+
+use super::machine_code::{MachineCode, MachineCodes};
 use super::moduli::Moduli;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
 use super::{Event, Moment, StateLayout, StateNameError};
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
-use std::sync::Arc;
 
 /// Equations of motion whose state is all coordinates, then the velocities, in the order of the equations. A coordinate whose equation
 /// is of the first order has none.
@@ -34,6 +36,7 @@ pub struct System {
     driven_in_moduli: Vec<Option<usize>>,
     /// The events whose formulas the series of a whole step do not show.
     sharp: Vec<Option<SharpFormula>>,
+    machine_codes: Arc<MachineCodes>,
 }
 
 impl System {
@@ -84,8 +87,8 @@ impl System {
             number.filter(|&number| layout.driving(number).is_some())
         };
         let driven_in_moduli = arguments.iter().map(driven).collect();
-        let layout = Arc::new(layout);
-        Ok(Self { equation, layout, parameters, events, tape, driven_in_moduli, sharp })
+        let (layout, machine_codes) = (Arc::new(layout), Arc::default());
+        Ok(Self { equation, layout, parameters, events, tape, driven_in_moduli, sharp, machine_codes })
     }
 
     /// The names of the numbers of a state: `theta`, `theta'`.
@@ -166,6 +169,10 @@ impl System {
         let inputs: Vec<Symbol> =
             self.state_symbols().into_iter().chain([time]).chain(self.parameters.iter().cloned()).collect();
         Tape::new(&self.equation.derivatives().iter().collect::<Vec<_>>(), &inputs).ok()
+    }
+
+    pub(super) fn machine_code(&self, order: usize, lanes: usize) -> Arc<MachineCode> {
+        self.machine_codes.find(order, lanes)
     }
 
     pub(super) fn tape(&self) -> &Tape {

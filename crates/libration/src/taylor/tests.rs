@@ -1,14 +1,17 @@
 //! The order of the method.
 
+use libration_jit::Compiled;
+
 use super::System;
 use super::expander::{Expander, Surroundings};
+use crate::elementary::count;
 use crate::pendulum::Pendulum;
 use crate::quantity::Angle;
 
 /// The larger error of angle and velocity after three seconds in so many equal steps.
 fn error_of(steps: u32, order: usize) -> f64 {
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
-    let expander = Expander::new(&system, order);
+    let expander = Expander::new(&system, order, 1);
     let mut block = expander.block::<1>();
     block.start(0, 0.0, &[1.0, 0.5]);
     let surroundings = Surroundings { parameters: vec![], signs: vec![], sticks: vec![] };
@@ -30,4 +33,53 @@ fn the_measured_order_is_the_nominal_one() {
         let slope = libm::log2(error_of(12, order) / error_of(24, order));
         assert!((slope - nominal).abs() < 0.3, "order {order}: the error grows as h^{slope}");
     }
+}
+
+/// The coefficients without and with machine code.
+fn both_ways<const N: usize>(system: &System, order: usize, state: &[f64]) -> Option<[Vec<f64>; 2]> {
+    let expander = Expander::new(system, order, N);
+    let line = expander.straight_line().unwrap();
+    let compiled = Compiled::new(&line, N)?;
+    let moduli = system.moduli();
+    let surroundings =
+        Surroundings { parameters: vec![], signs: vec![[-1.0; N]; moduli], sticks: vec![[false; N]; moduli] };
+    let coefficients = |compiled: Option<&Compiled>| {
+        let mut block = expander.block::<N>();
+        for lane in 0..N {
+            let state: Vec<f64> = state.iter().map(|x| x * (1.0 + 0.01 * count(lane))).collect();
+            block.start(lane, 0.3, &state);
+            block.unit[lane] = 0.5;
+        }
+        expander.expand_by(&mut block, &surroundings, compiled);
+        block.coefficients.as_flattened().to_vec()
+    };
+    Some([coefficients(None), coefficients(Some(&compiled))])
+}
+
+/// Every operation of a tape, at orders with few and with many terms.
+#[test]
+fn machine_code_gives_the_bits_of_the_interpreter() {
+    let systems = [
+        "theta'' + theta'/10 + sin(theta) = 1.2*cos(2*t/3)",
+        "a'' = -(sin(a-b)*b'^2 + 2*sin(a))/(1 + sin(a-b)^2); b'' = sin(a-b)*a'^2 - sin(b)",
+        "x'' = -x*abs(x) - sign(x')/5; y'' = -y^1.5/(1 + x^2) + 1/y",
+        "x'' = exp(-x^2) - tan(x/3) + tanh(x); y'' = ln(2 + x^2)*atan(y) - sinh(y)/cosh(x) + sqrt(1 + y^2)",
+        "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z",
+        "x'' = asin(x/5) - acos(y/5) + pi*t^2; y'' = (x + t)^(1/3)",
+    ];
+    let mut compared = 0;
+    for equations in systems {
+        let system = System::new(&equations.parse().unwrap()).unwrap();
+        let state = &[0.7, 1.3, -0.4, 0.9][..system.layout().numbers()];
+        for order in [2, 7, 16, 31, 39] {
+            let found = [both_ways::<1>(&system, order, state), both_ways::<8>(&system, order, state)];
+            for [interpreted, compiled] in found.into_iter().flatten() {
+                let same = interpreted.iter().zip(&compiled).all(|(a, b)| a.to_bits() == b.to_bits());
+                assert!(same && interpreted.iter().all(|c| c.is_finite()), "{equations} {order}");
+                compared += 1;
+            }
+        }
+    }
+    let expected = cfg!(all(target_arch = "x86_64", unix)) && std::is_x86_feature_detected!("fma");
+    assert!(!expected || compared == 60, "{compared}");
 }

@@ -7,9 +7,9 @@
 use super::Cause;
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::algebra::lanes;
-use crate::dispatch::{Kernel, dispatch};
+use crate::dispatch::{Kernel, dispatch_lanes};
 
-/// The errors that are left for: terms that are missing, 1.25³³·33·2⁻⁹ = 100 tolerances where series have the most.
+/// The errors that are left for: terms that are missing, 1.25³⁹·39·2⁻¹⁴ = 14 tolerances where series have the most, seven times.
 const TOLERANCES: f64 = 100.0;
 /// Below so many roundings of an acceleration its errors say nothing.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -25,8 +25,8 @@ struct Trial {
 impl<const N: usize> Stepper<'_, N> {
     /// Shortens the steps until the equations of motion confirm them.
     pub(super) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
-        dispatch(StepEnds { stepper: self });
-        let misfits = dispatch(Misfits { stepper: self });
+        dispatch_lanes::<N, _>(StepEnds { stepper: self });
+        let misfits = dispatch_lanes::<N, _>(Misfits { stepper: self });
         // The next steps begin with what was found here, unless another state is tried in the same room.
         self.ends_known = self.expander.system.moduli() == 0;
         let mut shortened = false;
@@ -47,7 +47,7 @@ impl<const N: usize> Stepper<'_, N> {
             }
         }
         if shortened {
-            dispatch(StepEnds { stepper: self });
+            dispatch_lanes::<N, _>(StepEnds { stepper: self });
         }
     }
 
@@ -268,12 +268,12 @@ fn slopes<const N: usize>(series: &[[f64; N]], units: &[f64; N]) -> [f64; N] {
     let squares: [f64; N] = lanes(|lane| units[lane] * units[lane]);
     let mut factor = u32::try_from(series.len() - 1).map_or(f64::NAN, f64::from);
     // Every other term: neither sum waits for the other.
-    let [mut high, mut low] = [[0.0; N]; 2];
+    let [mut high, mut low]: [[f64; N]; 2] = [[0.0; N]; 2];
     let pairs = series[1..].rchunks_exact(2);
     let first = pairs.remainder();
     for pair in pairs {
-        high = lanes(|lane| high[lane] * squares[lane] + factor * pair[1][lane]);
-        low = lanes(|lane| low[lane] * squares[lane] + (factor - 1.0) * pair[0][lane]);
+        high = lanes(|lane| high[lane].mul_add(squares[lane], factor * pair[1][lane]));
+        low = lanes(|lane| low[lane].mul_add(squares[lane], (factor - 1.0) * pair[0][lane]));
         factor -= 2.0;
     }
     match first {

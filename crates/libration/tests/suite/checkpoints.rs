@@ -42,7 +42,7 @@ fn from_every_step_the_motion_goes_on_as_it_did() {
         for (tolerance, end) in [(1e-9, 20.0), (1e-15, -8.0)] {
             let times: Vec<f64> = (1..=40).map(|n| end * f64::from(n) / 40.0).collect();
             let (whole, checkpoints, steps) = run(&system, &at(start), &times, tolerance);
-            assert!(checkpoints.len() > 2 && checkpoints.len() < steps, "{equation}: {}", checkpoints.len());
+            assert!(checkpoints.len() > 1 && checkpoints.len() < steps, "{equation}: {}", checkpoints.len());
             for checkpoint in checkpoints {
                 let time = checkpoint.time;
                 let later = |other: f64| other.abs() > time.abs();

@@ -116,7 +116,7 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
                 let steps = period.evaluation_at(amplitude);
                 assert!(steps.steps().iter().all(|step| step.remainder.certainty == Certainty::Estimated));
             }
-            let nearest = period.evaluation_at(limit * (1.0 - 4.0 * f64::EPSILON));
+            let nearest = period.evaluation_at(limit * (1.0 - 1e-12));
             let proven = |certainty| certainty == Certainty::Proven;
             assert!(
                 nearest.steps().iter().all(|step| proven(step.remainder.certainty)),

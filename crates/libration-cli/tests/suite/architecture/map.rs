@@ -1,8 +1,14 @@
 //! The tables of ARCHITECTURE.md: a heading with the name of a crate, then rows of modules.
 
 /// From the bottom up.
-pub(crate) const CRATES: [&str; 5] =
-    ["libration", "libration-lab", "libration-derivation", "libration-report", "libration-cli"];
+pub(crate) const CRATES: [&str; 6] = [
+    "libration-jit",
+    "libration",
+    "libration-lab",
+    "libration-derivation",
+    "libration-report",
+    "libration-cli",
+];
 
 #[derive(Debug)]
 pub(crate) struct Row {

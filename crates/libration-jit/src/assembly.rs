@@ -1,0 +1,260 @@
+//! Lines in the instructions of x86-64: AVX2 with fused multiply-add, or AVX-512.
+//!
+//! Values stay in registers until these are wanted for others. What is kept at a place is written at once, and can be read again
+//! from there.
+
+use std::collections::HashMap;
+
+use iced_x86::{Code, Encoder, IcedError, Instruction, MemoryOperand, Register};
+
+use crate::instruction_set::InstructionSet;
+use crate::registers::Registers;
+use crate::uses::Uses;
+use crate::windows::Windows;
+use crate::{Arithmetic, StraightLine};
+
+/// Code, and the numbers that it reads.
+#[derive(Debug)]
+pub(crate) struct Assembled {
+    pub(crate) code: Vec<u8>,
+    pub(crate) numbers: Vec<f64>,
+}
+
+/// The code of a line in a set of instructions, where so many lanes stand beside each other in memory; `None` if more values are
+/// wanted at the same time than there are registers.
+pub(crate) fn assembled(line: &StraightLine, set: &InstructionSet, lanes: usize) -> Option<Assembled> {
+    let mut assembler = Assembler::new(line, set, lanes)?;
+    for instruction in assembler.windows.openings() {
+        assembler.encode(instruction).ok()?;
+    }
+    for (number, step) in line.steps().iter().enumerate() {
+        assembler.write(number, step).ok()?;
+        assembler.release(number, &[number]);
+    }
+    assembler.encode(Ok(Instruction::with(set.leave))).ok()?;
+    assembler.encode(Ok(Instruction::with(Code::Retnq))).ok()?;
+    Some(Assembled { code: assembler.encoder.take_buffer(), numbers: assembler.numbers })
+}
+
+/// Where a value can be read again.
+#[derive(Clone, Copy, Debug)]
+enum Home {
+    Place(usize),
+    Argument(usize),
+    Number(usize),
+}
+
+/// Why there is no code.
+#[derive(Debug)]
+enum NoCode {
+    /// All registers hold what is still needed and is nowhere else.
+    Registers,
+    /// An instruction that cannot be encoded, as one with an address beyond 2³¹.
+    Instruction,
+}
+
+impl From<IcedError> for NoCode {
+    fn from(_: IcedError) -> Self {
+        Self::Instruction
+    }
+}
+
+struct Assembler<'a> {
+    set: &'a InstructionSet,
+    encoder: Encoder,
+    registers: Registers,
+    /// By the numbers of the values.
+    homes: Vec<Option<Home>>,
+    uses: Uses,
+    /// The step that is written.
+    now: usize,
+    numbers: Vec<f64>,
+    places_of_numbers: HashMap<u64, usize>,
+    /// Bytes from one place to the next.
+    stride: usize,
+    windows: Windows,
+}
+
+impl<'a> Assembler<'a> {
+    fn new(line: &StraightLine, set: &'a InstructionSet, lanes: usize) -> Option<Self> {
+        Some(Self {
+            set,
+            encoder: Encoder::new(64),
+            registers: Registers::new(set.registers),
+            homes: vec![None; line.steps().len()],
+            uses: Uses::of(line)?,
+            now: 0,
+            numbers: vec![],
+            places_of_numbers: HashMap::new(),
+            stride: lanes * size_of::<f64>(),
+            windows: Windows::new(set),
+        })
+    }
+
+    fn encode(&mut self, instruction: Result<Instruction, IcedError>) -> Result<(), NoCode> {
+        self.encoder.encode(&instruction?, 0)?;
+        Ok(())
+    }
+
+    fn write(&mut self, number: usize, step: &Arithmetic) -> Result<(), NoCode> {
+        let set = self.set;
+        self.now = number;
+        match *step {
+            Arithmetic::Place(place) => self.homes[number] = Some(Home::Place(place)),
+            Arithmetic::Argument(argument) => self.homes[number] = Some(Home::Argument(argument)),
+            Arithmetic::Number(value) => self.homes[number] = Some(self.number(value)),
+            Arithmetic::Negate(a) => self.negate(number, a)?,
+            Arithmetic::Add(a, b) => {
+                let terms = self.memory_last([a, b]);
+                self.combine(set.add, number, terms)?;
+            }
+            Arithmetic::Multiply(a, b) => {
+                let factors = self.memory_last([a, b]);
+                self.combine(set.multiply, number, factors)?;
+            }
+            Arithmetic::Subtract(a, b) => self.combine(set.subtract, number, [a, b])?,
+            Arithmetic::Divide(a, b) => self.combine(set.divide, number, [a, b])?,
+            Arithmetic::MultiplyAdd(a, b, c) => self.multiply_add(number, [a, b], c)?,
+            Arithmetic::Keep { value, place } => {
+                let (register, home) = (self.in_register(value, &[value])?, Home::Place(place));
+                let address = self.address(home)?;
+                self.encode(Instruction::with2(set.store, address, register))?;
+                self.homes[value] = Some(home);
+                self.release(number, &[value]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What an instruction reads last.
+#[derive(Clone, Copy)]
+enum Operand {
+    Register(Register),
+    Memory(MemoryOperand),
+}
+
+impl Assembler<'_> {
+    fn number(&mut self, value: f64) -> Home {
+        let Self { numbers, places_of_numbers, .. } = self;
+        Home::Number(*places_of_numbers.entry(value.to_bits()).or_insert_with(|| {
+            numbers.push(value);
+            numbers.len() - 1
+        }))
+    }
+
+    fn is_nothing(&self, value: usize) -> bool {
+        matches!(self.homes[value], Some(Home::Number(number)) if self.numbers[number].to_bits() == 0)
+    }
+
+    fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
+        let (base, offset) = match home {
+            Home::Place(place) => self.windows.around(place * self.stride),
+            Home::Argument(argument) => (Register::RSI, i64::try_from(argument * self.stride).ok()),
+            Home::Number(number) => (Register::RDX, i64::try_from(number * self.set.bytes()).ok()),
+        };
+        let displacement = offset.and_then(|offset| i32::try_from(offset).ok()).ok_or(NoCode::Instruction)?;
+        Ok(MemoryOperand::with_base_displ(base, i64::from(displacement)))
+    }
+
+    /// A register for a value, which is no operand of this step.
+    fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
+        let next_use = |held: usize| {
+            let can_be_had_again = self.homes[held].is_some() && !operands.contains(&held);
+            can_be_had_again.then(|| self.uses.after(self.now, held).unwrap_or(usize::MAX))
+        };
+        let register = self.registers.take(next_use).ok_or(NoCode::Registers)?;
+        self.registers.hold(register, value);
+        Ok(self.set.register(register))
+    }
+
+    fn in_register(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
+        if let Some(register) = self.registers.find(value) {
+            return Ok(self.set.register(register));
+        }
+        let home = self.homes[value].ok_or(NoCode::Registers)?;
+        let (register, address) = (self.take(value, operands)?, self.address(home)?);
+        self.encode(Instruction::with2(self.set.load, register, address))?;
+        Ok(register)
+    }
+
+    fn operand(&mut self, value: usize) -> Result<Operand, NoCode> {
+        if let Some(register) = self.registers.find(value) {
+            return Ok(Operand::Register(self.set.register(register)));
+        }
+        let home = self.homes[value].ok_or(NoCode::Registers)?;
+        Ok(Operand::Memory(self.address(home)?))
+    }
+
+    /// The factors of a product, or the terms of a sum, one that is in no register last: of two that which is not needed so soon.
+    fn memory_last(&self, [a, b]: [usize; 2]) -> [usize; 2] {
+        let next = |value: usize| self.uses.after(self.now, value).unwrap_or(usize::MAX);
+        let swaps = match [a, b].map(|value| self.registers.find(value).is_some()) {
+            [false, true] => true,
+            [false, false] => next(b) < next(a),
+            _ => false,
+        };
+        if swaps { [b, a] } else { [a, b] }
+    }
+
+    fn three(&mut self, code: Code, to: Register, first: Register, last: Operand) -> Result<(), NoCode> {
+        self.encode(match last {
+            Operand::Register(last) => Instruction::with3(code, to, first, last),
+            Operand::Memory(last) => Instruction::with3(code, to, first, last),
+        })
+    }
+
+    /// A value from two others, one of whose registers it may have.
+    fn combine(&mut self, code: Code, value: usize, [a, b]: [usize; 2]) -> Result<(), NoCode> {
+        let (first, last) = (self.in_register(a, &[a, b])?, self.operand(b)?);
+        self.release(value, &[a, b]);
+        let to = self.take(value, &[])?;
+        self.three(code, to, first, last)
+    }
+
+    fn negate(&mut self, value: usize, a: usize) -> Result<(), NoCode> {
+        let signs = self.number(-0.0);
+        let (first, last) = (self.in_register(a, &[a])?, Operand::Memory(self.address(signs)?));
+        self.release(value, &[a]);
+        let to = self.take(value, &[])?;
+        self.three(self.set.exclusive_or, to, first, last)
+    }
+
+    /// A product is added to what is in a register, which has the sum then.
+    fn multiply_add(&mut self, value: usize, factors: [usize; 2], addend: usize) -> Result<(), NoCode> {
+        let [a, b] = self.memory_last(factors);
+        let operands = [a, b, addend];
+        let first = self.in_register(a, &operands)?;
+        let to = self.sum(value, addend, &operands)?;
+        let last = self.operand(b)?;
+        self.three(self.set.multiply_add, to, first, last)?;
+        self.release(value, &[a, b]);
+        Ok(())
+    }
+
+    /// The register of a sum, which holds what is added to.
+    fn sum(&mut self, value: usize, addend: usize, operands: &[usize; 3]) -> Result<Register, NoCode> {
+        if self.is_nothing(addend) {
+            let to = self.take(value, operands)?;
+            self.encode(Instruction::with3(self.set.exclusive_or, to, to, to))?;
+            return Ok(to);
+        }
+        let from = self.in_register(addend, operands)?;
+        if self.uses.after(value, addend).is_none() && !operands[..2].contains(&addend) {
+            self.registers.rename(addend, value);
+            return Ok(from);
+        }
+        let to = self.take(value, operands)?;
+        self.encode(Instruction::with2(self.set.copy, to, from))?;
+        Ok(to)
+    }
+
+    /// Frees the registers of what is not needed after this step.
+    fn release(&mut self, step: usize, operands: &[usize]) {
+        for operand in operands {
+            if self.uses.after(step, *operand).is_none() {
+                self.registers.free(*operand);
+            }
+        }
+    }
+}

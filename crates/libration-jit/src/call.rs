@@ -1,0 +1,52 @@
+//! Code in memory, and the only unsafe code of this crate: the call.
+
+use memmap2::{Mmap, MmapMut};
+
+use crate::StraightLine;
+use crate::assembly::Assembled;
+
+/// What the code is given: the first of the places, of the arguments and of the numbers in the line.
+type Function = unsafe extern "sysv64" fn(places: *mut f64, arguments: *const f64, numbers: *const f64);
+
+/// Assembled code that can be called.
+#[derive(Debug)]
+pub(crate) struct Code {
+    memory: Mmap,
+    /// The numbers in the line, each as often as a register has lanes.
+    numbers: Vec<f64>,
+    places: usize,
+    arguments: usize,
+    lanes: usize,
+    /// How many lanes a register has.
+    width: usize,
+}
+
+impl Code {
+    /// `None` if the system grants no memory that can be executed.
+    pub(crate) fn new(line: &StraightLine, assembled: Assembled, width: usize, lanes: usize) -> Option<Self> {
+        let Assembled { code, numbers } = assembled;
+        let mut memory = MmapMut::map_anon(code.len()).ok()?;
+        memory.copy_from_slice(&code);
+        let memory = memory.make_exec().ok()?;
+        let numbers = numbers.iter().flat_map(|number| std::iter::repeat_n(*number, width)).collect();
+        Some(Self { memory, numbers, places: line.places(), arguments: line.arguments(), lanes, width })
+    }
+
+    pub(crate) fn run(&self, places: &mut [f64], arguments: &[f64]) {
+        let Self { memory, numbers, width, lanes, .. } = self;
+        let places = &mut places[..self.places * lanes];
+        let arguments = &arguments[..self.arguments * lanes];
+        for first in (0..*lanes).step_by(*width) {
+            // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the
+            // `places`, and reads as many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the
+            // `numbers`, and nothing else: what it was assembled from names no others, and the slices are as long. The first lane
+            // is a multiple of the width below `lanes`, which is another. It changes no register that a function may not
+            // change, and the processor has the instructions, as `InstructionSet` found out.
+            #[expect(unsafe_code, reason = "calling code that was made at run time")]
+            unsafe {
+                let function: Function = std::mem::transmute(memory.as_ptr());
+                function(places.as_mut_ptr().add(first), arguments.as_ptr().add(first), numbers.as_ptr());
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The instructions for one, four and eight lanes in a register.
+
+use iced_x86::{Code, Register};
+
+/// What each operation is.
+#[derive(Debug)]
+pub(crate) struct InstructionSet {
+    /// How many lanes a register has.
+    pub(crate) lanes: usize,
+    pub(crate) registers: usize,
+    first: Register,
+    pub(crate) load: Code,
+    pub(crate) store: Code,
+    pub(crate) copy: Code,
+    pub(crate) add: Code,
+    pub(crate) subtract: Code,
+    pub(crate) multiply: Code,
+    pub(crate) divide: Code,
+    pub(crate) multiply_add: Code,
+    pub(crate) exclusive_or: Code,
+    /// Before the return.
+    pub(crate) leave: Code,
+}
+
+impl InstructionSet {
+    /// The widest for which so many lanes are a multiple, and that the processor has.
+    pub(crate) fn for_lanes(lanes: usize) -> Option<&'static Self> {
+        if lanes == 0 || !(is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")) {
+            return None;
+        }
+        let sets = [&EIGHT, &FOUR, &ONE_OF_32, &ONE];
+        let fits = |set: &&'static Self| {
+            lanes.is_multiple_of(set.lanes)
+                && (set.lanes > 1 || lanes == 1)
+                && (set.registers < EIGHT.registers || has_avx512())
+        };
+        sets.into_iter().find(fits)
+    }
+
+    /// The size of a register.
+    pub(crate) fn bytes(&self) -> usize {
+        self.lanes * size_of::<f64>()
+    }
+
+    /// Whether addresses that are a multiple of the size of a register away, up to 127 times, are written in one byte.
+    pub(crate) fn has_short_distances(&self) -> bool {
+        self.registers == EIGHT.registers
+    }
+
+    pub(crate) fn register(&self, number: usize) -> Register {
+        self.first + u32::try_from(number).unwrap_or(u32::MAX)
+    }
+}
+
+/// With these, all registers of the other sets are twice as many.
+fn has_avx512() -> bool {
+    is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512vl")
+}
+
+static ONE: InstructionSet = InstructionSet {
+    lanes: 1,
+    registers: 16,
+    first: Register::XMM0,
+    load: Code::VEX_Vmovsd_xmm_m64,
+    store: Code::VEX_Vmovsd_m64_xmm,
+    copy: Code::VEX_Vmovapd_xmm_xmmm128,
+    add: Code::VEX_Vaddsd_xmm_xmm_xmmm64,
+    subtract: Code::VEX_Vsubsd_xmm_xmm_xmmm64,
+    multiply: Code::VEX_Vmulsd_xmm_xmm_xmmm64,
+    divide: Code::VEX_Vdivsd_xmm_xmm_xmmm64,
+    multiply_add: Code::VEX_Vfmadd231sd_xmm_xmm_xmmm64,
+    exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
+    leave: Code::VEX_Vzeroupper,
+};
+
+static ONE_OF_32: InstructionSet = InstructionSet {
+    lanes: 1,
+    registers: 32,
+    first: Register::XMM0,
+    load: Code::EVEX_Vmovsd_xmm_k1z_m64,
+    store: Code::EVEX_Vmovsd_m64_k1_xmm,
+    copy: Code::EVEX_Vmovapd_xmm_k1z_xmmm128,
+    add: Code::EVEX_Vaddsd_xmm_k1z_xmm_xmmm64_er,
+    subtract: Code::EVEX_Vsubsd_xmm_k1z_xmm_xmmm64_er,
+    multiply: Code::EVEX_Vmulsd_xmm_k1z_xmm_xmmm64_er,
+    divide: Code::EVEX_Vdivsd_xmm_k1z_xmm_xmmm64_er,
+    multiply_add: Code::EVEX_Vfmadd231sd_xmm_k1z_xmm_xmmm64_er,
+    exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
+    leave: Code::VEX_Vzeroupper,
+};
+
+static FOUR: InstructionSet = InstructionSet {
+    lanes: 4,
+    registers: 16,
+    first: Register::YMM0,
+    load: Code::VEX_Vmovupd_ymm_ymmm256,
+    store: Code::VEX_Vmovupd_ymmm256_ymm,
+    copy: Code::VEX_Vmovapd_ymm_ymmm256,
+    add: Code::VEX_Vaddpd_ymm_ymm_ymmm256,
+    subtract: Code::VEX_Vsubpd_ymm_ymm_ymmm256,
+    multiply: Code::VEX_Vmulpd_ymm_ymm_ymmm256,
+    divide: Code::VEX_Vdivpd_ymm_ymm_ymmm256,
+    multiply_add: Code::VEX_Vfmadd231pd_ymm_ymm_ymmm256,
+    exclusive_or: Code::VEX_Vxorpd_ymm_ymm_ymmm256,
+    leave: Code::VEX_Vzeroupper,
+};
+
+static EIGHT: InstructionSet = InstructionSet {
+    lanes: 8,
+    registers: 32,
+    first: Register::ZMM0,
+    load: Code::EVEX_Vmovupd_zmm_k1z_zmmm512,
+    store: Code::EVEX_Vmovupd_zmmm512_k1z_zmm,
+    copy: Code::EVEX_Vmovapd_zmm_k1z_zmmm512,
+    add: Code::EVEX_Vaddpd_zmm_k1z_zmm_zmmm512b64_er,
+    subtract: Code::EVEX_Vsubpd_zmm_k1z_zmm_zmmm512b64_er,
+    multiply: Code::EVEX_Vmulpd_zmm_k1z_zmm_zmmm512b64_er,
+    divide: Code::EVEX_Vdivpd_zmm_k1z_zmm_zmmm512b64_er,
+    multiply_add: Code::EVEX_Vfmadd231pd_zmm_k1z_zmm_zmmm512b64_er,
+    exclusive_or: Code::EVEX_Vxorpd_zmm_k1z_zmm_zmmm512b64,
+    leave: Code::VEX_Vzeroupper,
+};

@@ -1,0 +1,32 @@
+//! What a line comes to, one step after the other and one lane after the other.
+
+use crate::{Arithmetic, StraightLine};
+
+impl StraightLine {
+    /// Runs the line in so many lanes, the numbers of which stand beside each other at each place and in each argument.
+    ///
+    /// # Panics
+    /// If there are fewer numbers than places or arguments times lanes.
+    pub fn interpret(&self, places: &mut [f64], arguments: &[f64], lanes: usize) {
+        let mut values = vec![0.0; self.steps().len()];
+        for lane in 0..lanes {
+            for (number, step) in self.steps().iter().enumerate() {
+                values[number] = match *step {
+                    Arithmetic::Place(place) => places[place * lanes + lane],
+                    Arithmetic::Argument(argument) => arguments[argument * lanes + lane],
+                    Arithmetic::Number(number) => number,
+                    Arithmetic::Negate(a) => -values[a],
+                    Arithmetic::Add(a, b) => values[a] + values[b],
+                    Arithmetic::Subtract(a, b) => values[a] - values[b],
+                    Arithmetic::Multiply(a, b) => values[a] * values[b],
+                    Arithmetic::Divide(a, b) => values[a] / values[b],
+                    Arithmetic::MultiplyAdd(a, b, c) => values[a].mul_add(values[b], values[c]),
+                    Arithmetic::Keep { value, place } => {
+                        places[place * lanes + lane] = values[value];
+                        0.0
+                    }
+                };
+            }
+        }
+    }
+}

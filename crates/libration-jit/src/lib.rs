@@ -1,0 +1,45 @@
+//! Straight-line arithmetic on double-precision numbers, as machine code for several lanes side by side.
+//!
+//! An integrator does the same few thousand multiplications and additions in every step. As a [`StraightLine`] they are a list without
+//! loops and branches, which is interpreted or, where the processor is one that is known, compiled: with every operation rounded as
+//! IEEE 754 has it, and in the order of the list, both give the same bits.
+//!
+//! ```
+//! use libration_jit::{Arithmetic, Compiled, StraightLine};
+//!
+//! // c = a·b + a, in two lanes.
+//! let steps = vec![
+//!     Arithmetic::Place(0),
+//!     Arithmetic::Place(1),
+//!     Arithmetic::MultiplyAdd(0, 1, 0),
+//!     Arithmetic::Keep { value: 2, place: 2 },
+//! ];
+//! let line = StraightLine::new(steps, 3, 0)?;
+//! let mut places = [1.0, 2.0, 10.0, 20.0, 0.0, 0.0];
+//! line.interpret(&mut places, &[], 2);
+//! assert_eq!(places[4..], [11.0, 42.0]);
+//! # Ok::<(), libration_jit::OutOfOrder>(())
+//! ```
+//!
+//! Compiled are lines for x86-64 with fused multiply-add on Unix, one lane at a time, or 4 and 8 in vector registers.
+
+mod interpreter;
+mod straight_line;
+
+#[cfg(all(target_arch = "x86_64", unix))]
+mod assembly;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod call;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod instruction_set;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod registers;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod uses;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod windows;
+
+mod compiled;
+
+pub use compiled::Compiled;
+pub use straight_line::{Arithmetic, OutOfOrder, StraightLine};

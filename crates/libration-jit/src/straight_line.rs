@@ -1,0 +1,120 @@
+//! Arithmetic without loops and branches.
+
+/// One step of a [`StraightLine`]. All but `Keep` have a value, which others name by the number of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Arithmetic {
+    /// What is at a place before the line is run.
+    Place(usize),
+    /// An argument.
+    Argument(usize),
+    /// A number.
+    Number(f64),
+    /// −a.
+    Negate(usize),
+    /// a + b.
+    Add(usize, usize),
+    /// a − b.
+    Subtract(usize, usize),
+    /// a·b.
+    Multiply(usize, usize),
+    /// a/b.
+    Divide(usize, usize),
+    /// a·b + c with one rounding.
+    MultiplyAdd(usize, usize, usize),
+    /// Puts a value at a place.
+    Keep {
+        /// The value.
+        value: usize,
+        /// The place.
+        place: usize,
+    },
+}
+
+impl Arithmetic {
+    /// The values that it needs.
+    pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
+        let operands = match *self {
+            Self::Place(_) | Self::Argument(_) | Self::Number(_) => [None; 3],
+            Self::Negate(a) | Self::Keep { value: a, .. } => [Some(a), None, None],
+            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => {
+                [Some(a), Some(b), None]
+            }
+            Self::MultiplyAdd(a, b, c) => [Some(a), Some(b), Some(c)],
+        };
+        operands.into_iter().flatten()
+    }
+}
+
+/// Steps one after the other, on places in memory and arguments that stay what they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StraightLine {
+    steps: Vec<Arithmetic>,
+    places: usize,
+    arguments: usize,
+}
+
+/// A step that cannot be done where it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfOrder {
+    /// Its number.
+    pub step: usize,
+}
+
+impl std::fmt::Display for OutOfOrder {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let why =
+            "needs a value that no step before has, a place that is not there, or one that was kept before";
+        write!(f, "step {} {why}", self.step)
+    }
+}
+
+impl std::error::Error for OutOfOrder {}
+
+impl StraightLine {
+    /// The line of these steps on so many places and arguments.
+    ///
+    /// # Errors
+    /// A step whose operands are no values of steps before it; places and arguments that are not there; what was at a place, in use after
+    /// something was kept there; a second value kept at the same place.
+    pub fn new(steps: Vec<Arithmetic>, places: usize, arguments: usize) -> Result<Self, OutOfOrder> {
+        let mut kept = vec![false; places];
+        for (number, step) in steps.iter().enumerate() {
+            let is_known = |operand: usize| match steps[..number].get(operand) {
+                Some(Arithmetic::Place(place)) => !kept[*place],
+                Some(Arithmetic::Keep { .. }) | None => false,
+                Some(_) => true,
+            };
+            let known = step.operands().all(is_known);
+            let there = match *step {
+                Arithmetic::Place(place) => kept.get(place).is_some_and(|kept| !kept),
+                Arithmetic::Keep { place, .. } => {
+                    kept.get_mut(place).is_some_and(|kept| !std::mem::replace(kept, true))
+                }
+                Arithmetic::Argument(argument) => argument < arguments,
+                _ => true,
+            };
+            if !(known && there) {
+                return Err(OutOfOrder { step: number });
+            }
+        }
+        Ok(Self { steps, places, arguments })
+    }
+
+    /// What is done.
+    #[must_use]
+    pub fn steps(&self) -> &[Arithmetic] {
+        &self.steps
+    }
+
+    /// How many places there are.
+    #[must_use]
+    pub fn places(&self) -> usize {
+        self.places
+    }
+
+    /// How many arguments.
+    #[must_use]
+    pub fn arguments(&self) -> usize {
+        self.arguments
+    }
+}

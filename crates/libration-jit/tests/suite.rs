@@ -1,0 +1,122 @@
+//! Compiled lines give the bits of interpreted ones.
+
+use libration_jit::{Arithmetic, Compiled, OutOfOrder, StraightLine};
+
+/// Numbers that look random, by a linear congruence.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        usize::try_from(self.0 >> 33).expect("31 bits") % end
+    }
+
+    fn number(&mut self) -> f64 {
+        let special = [0.0, -0.0, 1.0, -1.0, 1e300, -1e-300, f64::INFINITY, 5e-324, 0.1, -3.0];
+        let plain = (f64::from(u32::try_from(self.below(2001)).expect("small")) - 1000.0) / 64.0;
+        if self.below(4) == 0 { special[self.below(special.len())] } else { plain }
+    }
+}
+
+/// Some steps of all kinds, with values that live long and such that do not.
+fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: usize) -> StraightLine {
+    let mut steps = vec![Arithmetic::Place(0), Arithmetic::Argument(0), Arithmetic::Number(0.0)];
+    let mut values: Vec<usize> = vec![0, 1, 2];
+    let mut kept = vec![false; places];
+    while steps.len() < length {
+        let recent = values.len().min(if numbers.below(3) == 0 { values.len() } else { 9 });
+        let mut any = || values[values.len() - 1 - numbers.below(recent)];
+        let (a, b, c) = (any(), any(), any());
+        let step = match numbers.below(12) {
+            0 => Arithmetic::Place(numbers.below(places)),
+            1 => Arithmetic::Argument(numbers.below(arguments)),
+            2 => Arithmetic::Number(numbers.number()),
+            3 => Arithmetic::Negate(a),
+            4 => Arithmetic::Add(a, b),
+            5 => Arithmetic::Subtract(a, b),
+            6 => Arithmetic::Multiply(a, b),
+            7 => Arithmetic::Divide(a, b),
+            8 | 9 => Arithmetic::MultiplyAdd(a, b, c),
+            _ => Arithmetic::Keep { value: a, place: numbers.below(places) },
+        };
+        match step {
+            Arithmetic::Place(place) if kept[place] => continue,
+            Arithmetic::Keep { place, .. } if kept[place] => continue,
+            Arithmetic::Keep { place, .. } => {
+                kept[place] = true;
+                values.retain(|&value| steps[value] != Arithmetic::Place(place));
+                if values.len() < 3 {
+                    break;
+                }
+            }
+            _ => values.push(steps.len()),
+        }
+        steps.push(step);
+    }
+    // A value taken for a keep may be the place itself, which is gone then.
+    let end = (1..=steps.len())
+        .rev()
+        .find(|&end| StraightLine::new(steps[..end].to_vec(), places, arguments).is_ok());
+    steps.truncate(end.expect("no steps are a line too"));
+    StraightLine::new(steps, places, arguments).expect("it was one just now")
+}
+
+/// NaN has many bits, and which of them come out is not said.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+#[test]
+fn compiled_lines_have_the_bits_of_interpreted_ones() {
+    let (mut compiled_lines, mut steps) = (0, 0);
+    for seed in 0..400 {
+        let mut numbers = Numbers(seed);
+        let (length, places, arguments) =
+            (4 + numbers.below(300), 1 + numbers.below(60), 1 + numbers.below(3));
+        let line = random_line(&mut numbers, length, places, arguments);
+        for lanes in [1, 4, 8, 16, 12] {
+            let Some(compiled) = Compiled::new(&line, lanes) else { continue };
+            let start: Vec<f64> = (0..places * lanes).map(|_| numbers.number()).collect();
+            let given: Vec<f64> = (0..arguments * lanes).map(|_| numbers.number()).collect();
+            let (mut one, mut other) = (start.clone(), start);
+            line.interpret(&mut one, &given, lanes);
+            compiled.run(&mut other, &given);
+            assert!(one.iter().zip(&other).all(|(a, b)| same(*a, *b)), "{seed} {lanes} {line:?}");
+            (compiled_lines, steps) = (compiled_lines + 1, steps + line.steps().len());
+        }
+    }
+    let expected = cfg!(all(target_arch = "x86_64", unix)) && std::is_x86_feature_detected!("fma");
+    assert!(!expected || (compiled_lines > 1000 && steps > 100_000), "{compiled_lines} lines, {steps} steps");
+}
+
+#[test]
+fn lanes_that_fill_no_register_are_not_compiled() {
+    let line = StraightLine::new(vec![Arithmetic::Place(0)], 1, 0).unwrap();
+    for lanes in [0, 2, 3, 5, 6, 7, 9] {
+        assert!(Compiled::new(&line, lanes).is_none(), "{lanes}");
+    }
+}
+
+#[test]
+fn steps_that_cannot_be_done_are_refused() {
+    let keep = |value, place| Arithmetic::Keep { value, place };
+    let refused = |steps: &[Arithmetic], step| {
+        assert_eq!(StraightLine::new(steps.to_vec(), 1, 1), Err(OutOfOrder { step }), "{steps:?}");
+    };
+    refused(&[Arithmetic::Negate(0)], 0);
+    refused(&[Arithmetic::Place(1)], 0);
+    refused(&[Arithmetic::Argument(1)], 0);
+    refused(&[Arithmetic::Number(1.0), keep(0, 1)], 1);
+    refused(&[Arithmetic::Number(1.0), keep(0, 0), Arithmetic::Negate(1)], 2);
+    refused(&[Arithmetic::Number(1.0), keep(0, 0), keep(0, 0)], 2);
+    refused(&[Arithmetic::Number(1.0), keep(0, 0), Arithmetic::Place(0)], 2);
+    refused(&[Arithmetic::Place(0), Arithmetic::Number(1.0), keep(1, 0), Arithmetic::Negate(0)], 3);
+}
+
+#[test]
+#[should_panic(expected = "out of range")]
+fn too_few_places_are_not_written_behind() {
+    let steps = vec![Arithmetic::Number(1.0), Arithmetic::Keep { value: 0, place: 5 }];
+    let compiled = Compiled::new(&StraightLine::new(steps, 6, 0).unwrap(), 1);
+    compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[]);
+}

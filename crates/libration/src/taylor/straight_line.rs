@@ -1,0 +1,185 @@
+//! The expansion of a system to an order as arithmetic without loops: what it does with numbers is written down.
+
+use std::cell::RefCell;
+
+use libration_jit::{Arithmetic, StraightLine};
+
+use super::block::Row;
+use super::expander::{Expander, rate};
+use super::program::begins_beyond;
+use crate::algebra::{Function, MultiplyAdd, Rational, Ring, convolution, prepared_reciprocal};
+use crate::expression::Evaluator;
+
+impl Expander<'_> {
+    /// What an expansion does when the zeroth coefficients are known; `None` where that depends on the values.
+    pub(super) fn straight_line(&self) -> Option<StraightLine> {
+        let terms = self.order + 1;
+        let mut recording = Recording::new(self.program.rows, terms);
+        let unit = recording.recorder.push(Arithmetic::Argument(0));
+        for n in 1..=self.order {
+            for (of, out) in self.rates() {
+                let value = rate(&recording, of, &unit, n)?;
+                recording.keep(out, n, value);
+            }
+            if n <= self.last() {
+                for instruction in self.program.instructions(n) {
+                    let (out, value) = instruction.evaluate(&recording, n)?;
+                    recording.keep(out, n, value);
+                }
+            }
+        }
+        StraightLine::new(recording.recorder.steps.into_inner(), self.program.rows * terms, 1).ok()
+    }
+}
+
+/// Writes down what is done with numbers that are not known yet.
+#[derive(Debug, Default)]
+struct Recorder {
+    steps: RefCell<Vec<Arithmetic>>,
+}
+
+/// The number of a step.
+type Recorded = usize;
+
+impl Recorder {
+    fn push(&self, step: Arithmetic) -> Recorded {
+        let mut steps = self.steps.borrow_mut();
+        steps.push(step);
+        steps.len() - 1
+    }
+}
+
+impl MultiplyAdd for Recorder {
+    type Element = Recorded;
+
+    fn nothing(&self) -> Recorded {
+        self.zero()
+    }
+
+    fn sum(&self, a: Recorded, b: Recorded) -> Recorded {
+        self.add(&a, &b)
+    }
+
+    fn multiply_add(&self, a: Recorded, b: Recorded, c: Recorded) -> Recorded {
+        self.push(Arithmetic::MultiplyAdd(a, b, c))
+    }
+}
+
+impl Ring for Recorder {
+    type Element = Recorded;
+
+    fn zero(&self) -> Recorded {
+        self.push(Arithmetic::Number(0.0))
+    }
+
+    /// Of none is it known.
+    fn is_zero(&self, _: &Recorded) -> bool {
+        false
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Recorded> {
+        Some(self.push(Arithmetic::Number(value.to_f64())))
+    }
+
+    fn add(&self, a: &Recorded, b: &Recorded) -> Recorded {
+        self.push(Arithmetic::Add(*a, *b))
+    }
+
+    fn subtract(&self, a: &Recorded, b: &Recorded) -> Recorded {
+        self.push(Arithmetic::Subtract(*a, *b))
+    }
+
+    fn negate(&self, a: &Recorded) -> Recorded {
+        self.push(Arithmetic::Negate(*a))
+    }
+
+    fn multiply(&self, a: &Recorded, b: &Recorded) -> Recorded {
+        self.push(Arithmetic::Multiply(*a, *b))
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "as in lanes")]
+    fn times_integer(&self, a: &Recorded, factor: i64) -> Recorded {
+        let factor = self.push(Arithmetic::Number(factor as f64));
+        self.multiply(a, &factor)
+    }
+
+    fn divide(&self, a: &Recorded, divisor: &Recorded) -> Option<Recorded> {
+        Some(self.push(Arithmetic::Divide(*a, *divisor)))
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "as in lanes")]
+    fn over_integer(&self, a: &Recorded, divisor: u64) -> Option<Recorded> {
+        Some(match prepared_reciprocal(divisor) {
+            Some(reciprocal) => self.multiply(a, &self.push(Arithmetic::Number(reciprocal))),
+            None => self.push(Arithmetic::Divide(*a, self.push(Arithmetic::Number(divisor as f64)))),
+        })
+    }
+
+    fn value(&self, _: Function, _: &Recorded) -> Option<Recorded> {
+        None
+    }
+
+    fn power(&self, _: &Recorded, _: &Rational) -> Option<Recorded> {
+        None
+    }
+
+    fn pi(&self) -> Option<Recorded> {
+        Some(self.push(Arithmetic::Number(std::f64::consts::PI)))
+    }
+
+    fn convolution(&self, a: &[Recorded], b: &[Recorded]) -> Recorded {
+        convolution(self, a, b)
+    }
+}
+
+/// A block of values that are not known yet.
+#[derive(Debug)]
+struct Recording {
+    recorder: Recorder,
+    /// The values of all coefficients.
+    values: Vec<Recorded>,
+    terms: usize,
+}
+
+impl Recording {
+    fn new(rows: usize, terms: usize) -> Self {
+        let recorder = Recorder::default();
+        let values = (0..rows * terms).map(|place| recorder.push(Arithmetic::Place(place))).collect();
+        Self { recorder, values, terms }
+    }
+
+    fn keep(&mut self, row: Row, n: usize, value: Recorded) {
+        let place = row.first() + n;
+        self.recorder.push(Arithmetic::Keep { value, place });
+        self.values[place] = value;
+    }
+}
+
+impl Evaluator<Row, f64> for Recording {
+    type Ring = Recorder;
+
+    fn ring(&self) -> &Recorder {
+        &self.recorder
+    }
+
+    fn row(&self, row: Row) -> &[Recorded] {
+        &self.values[row.first()..row.first() + self.terms]
+    }
+
+    fn exponent(&self, exponent: &f64) -> Option<Recorded> {
+        Some(self.recorder.push(Arithmetic::Number(*exponent)))
+    }
+
+    fn power(&self, _: &Recorded, _: &f64) -> Option<Recorded> {
+        None
+    }
+
+    fn begins_beyond(&self, exponent: &f64, n: usize) -> bool {
+        begins_beyond(*exponent, n)
+    }
+
+    /// Where a power begins later, the quotient depends on whether its base is zero.
+    fn over_base(&self, value: &Recorded, base: &Recorded, begins_later: bool) -> Option<Recorded> {
+        if begins_later { None } else { self.recorder.divide(value, base) }
+    }
+}
