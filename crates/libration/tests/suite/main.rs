@@ -16,6 +16,7 @@ mod accuracy;
 mod boundaries;
 mod chaos;
 mod checkpoints;
+mod conservative;
 mod decay;
 mod elliptic;
 mod equation;
