@@ -36,7 +36,8 @@ pub(crate) struct Minimum {
 /// How far to go.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// The relative change of the sum of squares, or of the parameters, that is none; not less than the residuals are exact to.
+    /// The relative change of the sum of squares that is none, and of the parameters where that is less than 1e-10; not less than the residuals
+    /// are exact to.
     pub(crate) tolerance: f64,
     /// Evaluations for each parameter and one more, as MINPACK counts them.
     pub(crate) patience: usize,
@@ -46,6 +47,9 @@ pub(crate) struct Effort {
 /// takes 100 and advises 0.1 to 100: a motion that is followed over many periods is linear in short steps only. Fits of swings end
 /// alike with 0.1, 1, 10 and 100 (the recordings of `fit/trace/search.rs`).
 const STEP_BOUND: f64 = 10.0;
+/// A step by a smaller part of the parameters is none, however rough the search: those of a swing next to the top are exact to it when a
+/// thousandth of the sum of squares is still far away.
+const SMALL_STEP: f64 = 1e-10;
 /// A linear model promises so small a part of the tolerance of the sum of squares where another step is not worth an evaluation: a
 /// tolerance of 1e-11 of a million rows leaves the parameters within 1e-4 of their uncertainties then.
 const SETTLED: f64 = 1e-3;
@@ -77,7 +81,7 @@ pub(crate) fn minimum(
     let method = LevenbergMarquardt::new()
         .with_stepbound(STEP_BOUND)
         .with_ftol(effort.tolerance)
-        .with_xtol(effort.tolerance)
+        .with_xtol(effort.tolerance.min(SMALL_STEP))
         .with_gtol(0.0);
     let (search, report) = method.with_patience(effort.patience).minimize(search);
     if search.end.get() == Some(End::Stopped) {

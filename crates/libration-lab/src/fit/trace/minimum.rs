@@ -4,6 +4,7 @@ use libration::taylor::Effort;
 use libration::watch::Watch;
 
 use super::TraceFitError;
+use super::autocorrelation::Autocorrelation;
 use super::layout::Layout;
 use super::model::{Model, Rows};
 use super::series::{self, Series};
@@ -29,7 +30,7 @@ pub(super) struct Start {
 pub(super) struct Care {
     /// Of the motion.
     effort: Effort,
-    /// The relative change of the sum of squares, or of the parameters, that is none.
+    /// The relative change of the sum of squares that is none.
     tolerance: f64,
 }
 
@@ -41,6 +42,8 @@ impl Care {
     pub(super) const COMPARISON: Self = Self { tolerance: 1e-9, ..Self::FULL };
     /// To see where a way leads: sums of squares that differ by a thousandth are distinguished.
     pub(super) const SEARCH: Self = Self { effort: super::swing::ROUGH, tolerance: 1e-5 };
+    /// To begin to follow a motion.
+    pub(super) const FIRST_SWINGS: Self = Self { tolerance: 1e-9, ..Self::SEARCH };
     /// To follow a motion a little longer: it wants to be in phase.
     pub(super) const GROWTH: Self = Self { tolerance: 1e-3, ..Self::SEARCH };
 }
@@ -54,8 +57,8 @@ pub(super) struct Descent {
     pub(super) sum_of_squares: f64,
     /// As a part of the scatter of the rows that count.
     pub(super) unexplained: f64,
-    /// Of the worst part of a trace.
-    pub(super) unexplained_at_worst: f64,
+    /// Of what was seen with the motion, in the worst part of a trace: the cosine of the phase between them.
+    pub(super) least_correlation: f64,
     pub(super) converged: bool,
     /// The rows there, where they are known.
     rows: Option<Vec<Rows>>,
@@ -82,14 +85,7 @@ impl Minimum {
     pub(super) fn to_descent(&self, unexplained: f64) -> Descent {
         let (parameters, sum_of_squares) = (self.parameters.clone(), self.sum_of_squares());
         let (converged, rows) = (self.converged, None);
-        Descent {
-            parameters,
-            sum_of_squares,
-            unexplained,
-            unexplained_at_worst: f64::INFINITY,
-            converged,
-            rows,
-        }
+        Descent { parameters, sum_of_squares, unexplained, least_correlation: 0.0, converged, rows }
     }
 
     /// Residuals in units of the stated uncertainties, outliers at their full size.
@@ -136,13 +132,13 @@ pub(super) fn descent(
     let rows = least.and_then(|(values, _, rows)| (values == found.parameters).then_some(rows));
     let sum_of_squares = found.linearised.residuals.norm_squared();
     let unexplained = sum_of_squares / series::scatter(series);
-    let worst = |rows: &Vec<Rows>| {
-        let parts = rows.iter().zip(series).map(|(rows, series)| series.worst_part(&rows.residuals()));
-        parts.fold(0.0, f64::max)
+    let least = |rows: &Vec<Rows>| {
+        let parts = rows.iter().zip(series).map(|(rows, series)| series.least_correlation(&rows.residuals()));
+        parts.fold(1.0, f64::min)
     };
-    let unexplained_at_worst = rows.as_ref().map_or(f64::INFINITY, worst);
+    let least_correlation = rows.as_ref().map_or(0.0, least);
     let converged = found.converged;
-    Ok(Descent { parameters, sum_of_squares, unexplained, unexplained_at_worst, converged, rows })
+    Ok(Descent { parameters, sum_of_squares, unexplained, least_correlation, converged, rows })
 }
 
 /// The sum of squares at a start, and by how much it would fall if the model were linear.
@@ -175,6 +171,14 @@ pub(super) fn linearised(
     let rows = model.rows(series, &descent.parameters, free, &Care::FULL.effort);
     let omega0 = descent.parameters[Layout::OMEGA0];
     rows.map(|rows| Rows::whole(&rows, free)).ok_or(TraceFitError::NoMotion { omega0 })
+}
+
+impl Descent {
+    /// Whether it is known to leave nothing but noise.
+    pub(super) fn leaves_noise(&self) -> bool {
+        let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();
+        self.rows.as_ref().is_some_and(|rows| Autocorrelation::of_series(&residuals(rows)).is_noise())
+    }
 }
 
 /// The deeper of two ends, or the one there is.

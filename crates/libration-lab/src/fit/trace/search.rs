@@ -41,9 +41,8 @@ const GOOD: f64 = 0.0025;
 /// The part beyond which it has: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
 pub(super) const HOPELESS: f64 = 0.5;
 
-/// In no part of a trace does a motion in phase with it leave so much: half of the amplitude too much leaves a quarter, and so does a
-/// twelfth of a turn out of phase.
-const IN_PHASE: f64 = 0.25;
+/// A motion whose phase is less than an eighth of a turn from that of the data in all parts of a trace has lost no cycle.
+const IN_PHASE: f64 = 0.7;
 /// Two ways to sums of squares that differ by a smaller part have led to the same minimum.
 const ALIKE: f64 = 1e-3;
 
@@ -75,7 +74,7 @@ pub(super) fn from_scratch(
 /// all parts of the data, or where another way leads to the same end.
 fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
     found.end.unexplained > GOOD
-        && found.end.unexplained_at_worst > IN_PHASE
+        && found.end.least_correlation < IN_PHASE
         && found.until.is_none_or(|cycles| cycles <= CYCLES_OF_SEARCH)
         && !known.is_some_and(|known| are_alike(known, &found.end))
 }
@@ -85,10 +84,14 @@ pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
     one.unexplained <= HOPELESS && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
 }
 
-/// Evaluations for each parameter of the last way down, for which there is no reason where the search has lost the data, and has not come to
-/// an end either.
+/// Evaluations for each parameter of the last way down, for which there is little reason where the search has lost the data, and none where it has
+/// not come to an end either.
 pub(super) fn patience(end: &Descent) -> usize {
-    if end.unexplained > HOPELESS && !end.converged { 1 } else { PATIENCE }
+    match end.unexplained > HOPELESS {
+        true if !end.converged => 1,
+        true => PATIENCE_GROWING,
+        false => PATIENCE,
+    }
 }
 
 /// The minimum by growing parts of the traces.
@@ -101,7 +104,9 @@ fn grown(
     let mut cycles = growth.first;
     while cycles < problem.cycles {
         let free = free_within(problem.model.layout, cycles, growth);
-        let start = Start { parameters, free, patience: PATIENCE_GROWING, care: Care::GROWTH };
+        // In the first swings a mistake is cheaply avoided and hard to mend: next to the top all depends on them.
+        let care = if cycles < CYCLES_OF_ALL_DAMPING { Care::FIRST_SWINGS } else { Care::GROWTH };
+        let start = Start { parameters, free, patience: PATIENCE_GROWING, care };
         let found = problem.descent_over(cycles, start, watch)?;
         parameters = found.parameters;
         if found.unexplained > HOPELESS {

@@ -21,20 +21,30 @@ pub(super) struct Series<'a> {
 const ROWS_OF_A_SEARCH: f64 = 64.0;
 
 impl Series<'_> {
-    /// The largest part of the weighted scatter of the values that residuals leave in one of some parts of the rows.
-    pub(super) fn worst_part(&self, residuals: &[f64]) -> f64 {
-        /// A motion that is out of phase for a cycle or so in a part of it is not seen, and comes into phase again only with the right ω0.
+    /// How alike the values and what should have been seen are in each of some parts of the rows, as a coefficient of correlation: the least
+    /// of them. It does not see the amplitude, but the phase: its cosine.
+    pub(super) fn least_correlation(&self, residuals: &[f64]) -> f64 {
+        /// A motion that loses a cycle is out of phase for a good part of the trace before.
         const PARTS: usize = 10;
         let rows = (residuals.len() / PARTS).max(1);
-        let mean = mean(self.values.iter().copied());
-        let of_part = |((residuals, values), weights): ((&[f64], &[f64]), &[f64])| {
-            let left: f64 = residuals.iter().map(|residual| residual * residual).sum();
-            let deviations = values.iter().zip(weights).map(|(value, weight)| (value - mean) * weight);
-            left / deviations.map(|deviation| deviation * deviation).sum::<f64>()
-        };
-        let parts = residuals.chunks(rows).zip(self.values.chunks(rows)).zip(self.weights.chunks(rows));
-        parts.map(of_part).fold(0.0, f64::max)
+        let missed = residuals.iter().zip(self.weights.iter()).map(|(residual, weight)| residual / weight);
+        let fitted: Vec<f64> = self.values.iter().zip(missed).map(|(value, missed)| value + missed).collect();
+        let parts = self.values.chunks(rows).zip(fitted.chunks(rows)).take(PARTS);
+        parts.map(|(values, fitted)| correlation(values, fitted)).fold(1.0, f64::min)
     }
+}
+
+/// Of two columns; none of columns without scatter.
+fn correlation(one: &[f64], other: &[f64]) -> f64 {
+    let [first, second] = [one, other].map(|column| mean(column.iter().copied()));
+    let (mut product, mut squares) = (0.0, [0.0; 2]);
+    for (one, other) in one.iter().zip(other) {
+        let [one, other] = [one - first, other - second];
+        product += one * other;
+        squares[0] += one * one;
+        squares[1] += other * other;
+    }
+    if squares[0] * squares[1] > 0.0 { product / (squares[0] * squares[1]).sqrt() } else { 0.0 }
 }
 
 /// All rows of all traces.
@@ -80,4 +90,32 @@ fn thinned<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, wanted: f64
         }
     };
     data.traces.iter().zip(weights.traces()).zip(rows).map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn series<'a>(times: &'a [f64], values: &'a [f64], weights: &'a [f64]) -> Series<'a> {
+        let [times, values, weights] = [times, values, weights].map(Cow::Borrowed);
+        Series { observable: Observable::Angle, times, values, weights }
+    }
+
+    /// A swing that dies away against one that does not, in phase and by up to half a turn out of it in the end.
+    #[test]
+    fn the_correlation_tells_the_phase_and_not_the_amplitude() {
+        let times: Vec<f64> = (0..5000).map(|row| 0.02 * f64::from(row)).collect();
+        let values: Vec<f64> = times.iter().map(|t| libm::exp(-0.05 * t) * libm::cos(3.0 * t)).collect();
+        let weights = vec![2.0; 5000];
+        let series = series(&times, &values, &weights);
+        for (phase, expected) in [(0.0, 0.98..1.0), (0.7, 0.7..0.85), (3.1, -1.0..-0.85)] {
+            let fitted = times.iter().map(|t| libm::cos((3.0 + 0.01 * phase) * t));
+            let residuals: Vec<f64> =
+                fitted.zip(&values).map(|(fitted, value)| 2.0 * (fitted - value)).collect();
+            let found = series.least_correlation(&residuals);
+            assert!(expected.contains(&found), "{phase}: {found}");
+        }
+        let still: Vec<f64> = values.iter().map(|value| -2.0 * value).collect();
+        assert!(series.least_correlation(&still) == 0.0, "what does not move has no phase");
+    }
 }

@@ -13,8 +13,8 @@ use super::{DampingKind, DampingModel};
 use crate::measurement::Observable;
 use libration::expression::{Equation, Expression, Symbol};
 use libration::taylor::{
-    Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, Step, System, Trajectory,
-    integrate_many_watched, with_sensitivities,
+    Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Step, System,
+    Trajectory, integrate_many_watched, with_sensitivities,
 };
 
 /// Pendulums with these kinds of damping.
@@ -169,10 +169,12 @@ impl<'a> Way<'a> {
     /// Ends a leg; the motion goes on from there, turns, or stays.
     fn arrive(&mut self, Solution { end, events, .. }: Solution) {
         self.moment = end;
-        let turn = events.iter().find(|event| matches!(event.contact, Contact::Rising | Contact::Falling));
-        let Some(turn) = turn else { return };
-        // The last step went on beyond.
+        if events.is_empty() {
+            return;
+        }
+        // The last step may have gone on beyond.
         self.next = self.course.times.partition_point(|&time| time <= self.moment.time);
+        let Some(turn) = events.iter().find(|event| is_turn(event)) else { return };
         let dry = self.swing.coefficient(DampingKind::Dry, self.course.coefficients);
         if !self.turns(turn.contact, dry) {
             let state = self.moment.state.clone();
@@ -299,16 +301,19 @@ pub(super) fn turning_point(
     let start = Moment { time: 0.0, state: start.to_vec() };
     let trajectory = Trajectory { start, parameters, times: &[longest] };
     let solution = trajectory.integrate(&until_it_turns(system), &EXACT).ok()?;
-    solution.events.first().map(|turn| [turn.time, turn.state[0]])
+    solution.events.iter().find(|event| is_turn(event)).map(|turn| [turn.time, turn.state[0]])
+}
+
+/// Whether the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
+fn is_turn(event: &Occurrence) -> bool {
+    matches!(event.contact, Contact::Rising | Contact::Falling)
 }
 
 /// The motion ends where the velocity changes its sign.
 fn until_it_turns(system: System) -> System {
-    let turning = [Direction::Rising, Direction::Falling].map(|direction| {
-        let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
-        Event { formula, direction, terminal: true }
-    });
-    system.with_events(&turning).expect("the velocity is a number of the state")
+    let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
+    let turning = Event { formula, direction: Direction::Any, terminal: true };
+    system.with_events(&[turning]).expect("the velocity is a number of the state")
 }
 
 /// The equation of motion with these kinds of damping.

@@ -6,9 +6,11 @@
 
 use std::f64::consts::PI;
 
+use libration::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 
 use crate::measurement::{Observable, Trace};
+use crate::parallel;
 use crate::statistics::count;
 use crate::statistics::median;
 use crate::statistics::{least_squares, weighted_least_squares};
@@ -73,21 +75,24 @@ fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
         Sample { time, angle, sine, cosine }
     };
     let samples: Vec<Sample> = times.iter().zip(angles).map(sample).collect();
-    let mut estimates = vec![];
-    let mut half = 8.0 * interval;
-    while half <= 0.5 * span && half > 0.0 {
-        estimates.extend(estimate(&samples, half, interval));
-        half *= 1.25;
-    }
-    estimates.into_iter().min_by(|a, b| a.misfit.total_cmp(&b.misfit))
+    // Rows before which others are missing.
+    let is_late = |&row: &usize| times[row] - times[row - 1] > 3.0 * interval;
+    let gaps: Vec<usize> = (1..times.len()).filter(is_late).collect();
+    let first = Some(8.0 * interval).filter(|half| *half > 0.0);
+    let halves =
+        std::iter::successors(first, |half| Some(1.25 * half)).take_while(|half| *half <= 0.5 * span);
+    let halves: Vec<f64> = halves.collect();
+    let estimates = parallel::map(&halves, &Watch::none(), |&half, _| estimate(&samples, &gaps, half));
+    let estimates = estimates.into_iter().flatten();
+    estimates.min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }
 
-fn estimate(samples: &[Sample], half: f64, interval: f64) -> Option<Estimate> {
+fn estimate(samples: &[Sample], gaps: &[usize], half: f64) -> Option<Estimate> {
     let (begin, end) = (samples.first()?.time, samples.last()?.time);
     let mut rows = vec![];
     let mut centre = begin + half;
     while centre + half <= end {
-        rows.extend(window(samples, centre, half, interval));
+        rows.extend(window(samples, gaps, centre, half));
         centre += 0.5 * half;
     }
     if rows.len() < LEAST_WINDOWS {
@@ -114,11 +119,12 @@ fn estimate(samples: &[Sample], half: f64, interval: f64) -> Option<Estimate> {
 }
 
 /// ∫φ″θ, −∫φ sin θ, ∫φ cos θ and ∫φ′θ over a window without gaps, with φ = (1 − u²)³.
-fn window(samples: &[Sample], centre: f64, half: f64, interval: f64) -> Option<[f64; 4]> {
+fn window(samples: &[Sample], gaps: &[usize], centre: f64, half: f64) -> Option<[f64; 4]> {
     let first = samples.partition_point(|sample| sample.time < centre - half);
     let last = samples.partition_point(|sample| sample.time <= centre + half);
     let samples = &samples[first..last];
-    if samples.len() < 6 || samples.windows(2).any(|pair| pair[1].time - pair[0].time > 3.0 * interval) {
+    let next_gap = gaps.get(gaps.partition_point(|&row| row <= first));
+    if samples.len() < 6 || next_gap.is_some_and(|&row| row < last) {
         return None;
     }
     // A constant has no part in ∫φ″θ and ∫φ′θ, but in their sums.

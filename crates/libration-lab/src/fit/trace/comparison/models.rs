@@ -3,7 +3,7 @@
 use libration::watch::Watch;
 
 use super::Comparison;
-use crate::fit::trace::minimum::{Care, Minimum, deeper};
+use crate::fit::trace::minimum::{Care, Descent, Minimum, deeper};
 use crate::fit::trace::problem::{PATIENCE, Problem};
 use crate::fit::trace::{
     DampingKind, DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
@@ -94,7 +94,7 @@ fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
 }
 
 /// The deepest minimum of those near models with one kind of damping less, and of that which is found from the first swings
-/// on; the latter is not looked for where a smaller model leaves nothing but noise. Nothing is near a motion that is out of phase.
+/// on; nothing more is looked for where the model or a smaller one leaves nothing but noise. Nothing is near a motion that is out of phase.
 fn minimum(
     problem: &Problem<'_>,
     simpler: &[Candidate<'_>],
@@ -104,10 +104,17 @@ fn minimum(
     let terms = layout.terms();
     let parts = || simpler.iter().filter(|part| part.terms().is_part_of(terms));
     let next = parts().filter(|part| part.terms().count() + 1 == terms.count() && part.follows());
-    let starts: Vec<Vec<f64>> = next
-        .filter_map(|part| Some(layout.with_terms_of(part.terms(), &part.minimum.as_ref()?.parameters)))
-        .collect();
-    let near = parallel::map(&starts, watch, |start, watch| problem.approach(start.clone(), PATIENCE, watch));
+    let mut starts: Vec<(DampingModel, &Minimum)> =
+        next.filter_map(|part| Some((part.terms(), part.minimum.as_ref()?))).collect();
+    starts.sort_by(|(_, one), (_, other)| one.sum_of_squares().total_cmp(&other.sum_of_squares()));
+    let mut near = vec![];
+    for (part, minimum) in starts {
+        near.push(problem.approach(layout.with_terms_of(part, &minimum.parameters), PATIENCE, watch));
+        if near.last().is_some_and(|end| end.as_ref().is_ok_and(Descent::leaves_noise)) {
+            break;
+        }
+    }
+    let leaves_noise = near.last().is_some_and(|end| end.as_ref().is_ok_and(Descent::leaves_noise));
     // Where two ways lead to the same end there is no need for a third.
     let is_known = near.iter().enumerate().any(|(n, one)| {
         near[..n]
@@ -115,7 +122,7 @@ fn minimum(
             .any(|other| matches!((one, other), (Ok(one), Ok(other)) if search::are_alike(one, other)))
     });
     let end = match near.into_iter().reduce(deeper) {
-        Some(near) if is_known => near,
+        Some(near) if is_known || leaves_noise => near,
         Some(near) if parts().any(Candidate::leaves_noise) => near,
         Some(near) => {
             let known = near.as_ref().ok().cloned();
