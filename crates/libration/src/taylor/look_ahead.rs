@@ -5,6 +5,7 @@ use super::block::Row;
 use super::step_length::{log2_time_scale, step_lengths};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use super::trial::larger_or_nan;
+use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch_lanes};
 use crate::elementary::rough::exp2;
 
@@ -13,6 +14,38 @@ impl<const N: usize> Stepper<'_, N> {
     pub(super) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
         let mut outcomes = self.expand_in_fitting_units();
         let lengths = dispatch_lanes::<N, _>(Lengths { stepper: self });
+        match self.ends_on_open_ways(&lengths) {
+            Some(ends) => (self.block.end, self.unit) = (ends, lanes(|lane| unit_for(lengths[lane]))),
+            None => self.look_for_ends(&lengths, &mut outcomes),
+        }
+        self.confirm(&mut outcomes);
+        if self.expander.system.moduli() > 0 {
+            self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
+            dispatch_lanes::<N, _>(StepEnds { stepper: self });
+        }
+        let finite =
+            |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
+        let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
+        std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
+    }
+
+    /// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
+    fn ends_on_open_ways(&self, lengths: &[f64; N]) -> Option<[f64; N]> {
+        if !self.expander.boundaries.is_empty() || self.expander.system.moduli() > 0 {
+            return None;
+        }
+        let (start, goal) = (&self.block.start, &self.goal);
+        let ends = lanes(|lane| start[lane] + lengths[lane].copysign(goal[lane] - start[lane]));
+        let mut open = true;
+        for lane in 0..N {
+            open &= lengths[lane] < (goal[lane] - start[lane]).abs();
+            open &= (ends[lane] - start[lane]).abs() > SHORTEST * start[lane].abs();
+        }
+        (open && (0..N).all(|lane| self.is_regular(lane))).then_some(ends)
+    }
+
+    /// The ends of the steps, lane by lane.
+    fn look_for_ends(&mut self, lengths: &[f64; N], outcomes: &mut [Result<(), Cause>; N]) {
         let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
         for lane in 0..N {
             let end = match endless[lane] {
@@ -26,15 +59,6 @@ impl<const N: usize> Stepper<'_, N> {
             self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
             outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
         }
-        self.confirm(&mut outcomes);
-        if self.expander.system.moduli() > 0 {
-            self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
-            dispatch_lanes::<N, _>(StepEnds { stepper: self });
-        }
-        let finite =
-            |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
-        let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
-        std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
     }
 
     /// Why there is no step, as the state tells it. Next to a singularity at a finite time steps end long before.

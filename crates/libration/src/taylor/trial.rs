@@ -25,7 +25,6 @@ struct Trial {
 impl<const N: usize> Stepper<'_, N> {
     /// Shortens the steps until the equations of motion confirm them.
     pub(super) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
-        dispatch_lanes::<N, _>(StepEnds { stepper: self });
         let misfits = dispatch_lanes::<N, _>(Misfits { stepper: self });
         // The next steps begin with what was found here, unless another state is tried in the same room.
         self.ends_known = self.expander.system.moduli() == 0;
@@ -221,7 +220,7 @@ pub(super) fn larger_or_nan(largest: f64, part: f64) -> f64 {
     if part <= largest || largest.is_nan() { largest } else { part }
 }
 
-/// The misfits at the ends of the steps, in all lanes.
+/// The states at the ends of the steps and the misfits there, in all lanes.
 struct Misfits<'f, 'a, const N: usize> {
     stepper: &'f mut Stepper<'a, N>,
 }
@@ -231,6 +230,7 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
 
     #[inline(always)]
     fn run(self) -> [f64; N] {
+        StepEnds { stepper: &mut *self.stepper }.run();
         let Stepper { expander, block, scratch, surroundings, next, effort, .. } = self.stepper;
         scratch.start = block.end;
         for (number, ends) in next.iter().enumerate() {
