@@ -6,7 +6,7 @@
 //! product  ::=  factor ( * factor | / factor | power )*       two powers side by side are multiplied
 //! factor   ::=  ( + | - )* power
 //! power    ::=  primary ( ^ factor | raised digits )?         so that 2^3^2 = 2^9 and -x^2 = -(x^2)
-//! primary  ::=  number | name | function ( sum ) | function argument | ( sum ) | { sum } | \frac { sum } { sum }
+//! primary  ::=  number deg? | name | function ( sum ) | function argument | ( sum ) | { sum } | \frac { sum } { sum }
 //! argument ::=  number? name+                                 where nothing follows that may belong to it
 //! ```
 //!
@@ -18,6 +18,7 @@ use super::error::{Fault, ParseError};
 use super::lexer::{IndexRange, Lexeme, Lexemes, Token, lexemes};
 use super::members::members_named;
 use super::{Expression, Function, Symbol};
+use crate::algebra::Rational;
 use crate::quantity::excerpt;
 
 /// The most levels that brackets, powers and signs may be nested.
@@ -256,7 +257,11 @@ impl<'a> Parser<'a> {
         match self.peek().clone() {
             Token::Number(value) => {
                 self.next += 1;
-                Ok(Node::leaf(Expression::Number(value)))
+                if self.take_degrees() {
+                    self.degrees(&value)
+                } else {
+                    Ok(Node::leaf(Expression::Number(value)))
+                }
             }
             Token::Name(symbol) => self.named(symbol),
             Token::Sign('(') => self.bracketed(')'),
@@ -266,6 +271,25 @@ impl<'a> Parser<'a> {
                 Err(self.fault(Fault::MissingOperand { found: self.found() }))
             }
         }
+    }
+
+    /// Whether `deg` stands right behind the number that was read; then it is taken.
+    fn take_degrees(&mut self) -> bool {
+        let Lexeme { token, spaced, .. } = &self.lexemes[self.next];
+        let found = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
+        self.next += usize::from(found);
+        self.free |= found;
+        found
+    }
+
+    /// So many degrees, in radians.
+    fn degrees(&self, value: &Rational) -> Result<Node, ParseError> {
+        let half_turns = value.checked_div(&Rational::from(180)).unwrap_or_else(|| value.clone());
+        self.joined(
+            Expression::Multiply,
+            Node::leaf(Expression::Number(half_turns)),
+            Node::leaf(Expression::Pi),
+        )
     }
 
     /// What stands up to this closing bracket.

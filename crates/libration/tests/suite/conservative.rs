@@ -87,7 +87,7 @@ fn a_chain_keeps_its_energy() {
     }
 }
 
-/// cargo test --release -p libration --test suite ten_thousand_periods -- --ignored --nocapture
+/// `cargo test --release -p libration --test suite ten_thousand_periods -- --ignored --nocapture`
 #[test]
 #[ignore = "three minutes in a release build"]
 fn a_chain_keeps_its_energy_for_ten_thousand_periods() {

@@ -161,3 +161,25 @@ fn an_index_with_a_range_stands_for_many_equations() {
     }
     assert_eq!("2*x[3] + v1[2]".parse::<Expression>().unwrap().to_string(), "2*x3 + v1_2");
 }
+
+#[test]
+fn degrees_right_behind_a_number_are_an_angle() {
+    for (text, plain) in [
+        ("60deg", "pi/3"),
+        ("2*90deg^2", "2*(pi/2)^2"),
+        ("x/60deg", "x/(pi/3)"),
+        ("sin 30deg", "sin(pi/6)"),
+        ("2^180deg", "2^pi"),
+        ("-1.5deg*deg", "-pi/120*deg"),
+    ] {
+        let [found, expected] = [text, plain].map(|it| it.parse::<Expression>().unwrap());
+        let put_in = |formula: &Expression, name: &str| {
+            formula.substitute(&Symbol::plain(name), &"sqrt(2)".parse().unwrap())
+        };
+        let [a, b] = [found, expected].map(|it| put_in(&put_in(&it, "x"), "deg").to_f64().unwrap());
+        assert!((a / b - 1.0).abs() < 1e-15, "{text}: {a} {b}");
+    }
+    // A name of its own, and with a space, deg is a parameter like others.
+    assert_eq!(equation("x'' = -2 deg x").parameters().into_iter().collect::<Vec<_>>(), ["deg"]);
+    assert_eq!(Equation::read_as("x'' = -sin(x - 60deg)").as_deref(), Some("x'' = -sin(x - 1/3*pi)"));
+}
