@@ -42,8 +42,8 @@ def table(name, function, low, high, count, pairs=0, exact=()):
     coefficients = list(exact) + fitted
     rounded = [sum(map(mpf, two_words(c))) if i < pairs else mpf(float(c)) for i, c in enumerate(coefficients)]
     worst = mpf(0)
-    for i in range(1, 801):
-        x = low + (high - low) * i / 800
+    for i in range(1, 802):
+        x = low + (high - low) * i / 801
         value = function(x)
         worst = max(worst, abs(sum(c * x ** j for j, c in enumerate(rounded)) / value - 1))
     print(f"/// {name} on [{mp.nstr(low, 5)}, {mp.nstr(high, 5)}], relative error {mp.nstr(worst, 2)}.")
@@ -83,3 +83,10 @@ table("(atan t - t)/t^3 in t^2", lambda x: (atan(sqrt(x)) - sqrt(x)) / sqrt(x) *
       (sqrt(2) - 1) ** 2 * (1 + mpf(2) ** -40), 11)
 table("(2 atanh q - 2q)/q^3 in q^2", lambda x: (2 * atanh(sqrt(x)) - 2 * sqrt(x)) / sqrt(x) ** 3, tiny,
       ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -40), 8)
+table("(2 atanh q - 2q)/q^3 in q^2, in two words", lambda x: (2 * atanh(sqrt(x)) - 2 * sqrt(x)) / sqrt(x) ** 3, tiny,
+      ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -40), 14, pairs=9)
+table("(sin r - r)/r^3 in r^2, first coefficient in two words", lambda x: (sin(sqrt(x)) - sqrt(x)) / sqrt(x) ** 3, tiny,
+      eighth, 7, pairs=1, exact=(-mpf(1) / 6,))
+table("(cos r - 1 + r^2/2)/r^4 in r^2, first coefficient in two words", lambda x: (cos(sqrt(x)) - 1 + x / 2) / x ** 2,
+      tiny, eighth, 7, pairs=1, exact=(mpf(1) / 24,))
+table("(exp r - 1 - r - r^2/2)/r^3", lambda r: (exp(r) - 1 - r - r ** 2 / 2) / r ** 3, -sqrt(half_ln2), sqrt(half_ln2), 10)

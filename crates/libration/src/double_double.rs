@@ -5,6 +5,8 @@
 //! building blocks of double-word arithmetic*, ACM TOMS 44 (2017), doi:10.1145/3121432, whose relative
 //! error bounds stand beside each operation (u = 2⁻⁵³).
 
+pub(crate) mod block;
+
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An unevaluated sum of two `f64` with `|lo| ≤ ulp(hi)/2`.
@@ -40,6 +42,18 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
 pub(crate) fn two_prod(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
     DoubleDouble { hi, lo: a.mul_add(b, -hi) }
+}
+
+/// A choice word by word, which the compiler turns into selections.
+#[inline(always)]
+pub(crate) fn pick(condition: bool, yes: DoubleDouble, no: DoubleDouble) -> DoubleDouble {
+    DoubleDouble::new(if condition { yes.hi } else { no.hi }, if condition { yes.lo } else { no.lo })
+}
+
+/// |x|.
+#[inline(always)]
+pub(crate) fn magnitude(x: DoubleDouble) -> DoubleDouble {
+    DoubleDouble::new(x.hi.abs(), 1f64.copysign(x.hi) * x.lo)
 }
 
 impl DoubleDouble {
@@ -95,19 +109,34 @@ impl DoubleDouble {
         libm::scalbn(self.times_power_of_two(-exponent).square().to_f64(), 2 * exponent)
     }
 
-    /// The square root, relative error below 4u² (one Newton step from the one-word root); zero for zero.
+    /// The square root, relative error below 4u² (one Newton step from the one-word root); zero for zero, NaN for a
+    /// negative number. Without branches.
     #[inline(always)]
     pub(crate) fn sqrt(self) -> Self {
-        if self.hi <= 0.0 {
-            // Zero stays zero, a negative value becomes NaN.
-            return Self::new(self.hi.sqrt(), 0.0);
-        }
-        if self.hi < TINY {
-            return self.scaled(TWO_TO_200).sqrt().scaled(1.0 / TWO_TO_100);
-        }
-        let root = self.hi.sqrt();
-        let residual = (-root).mul_add(root, self.hi) + self.lo;
-        fast_two_sum(root, residual / (2.0 * root))
+        let tiny = self.hi < TINY;
+        let raised = if tiny { self.scaled(TWO_TO_200) } else { self };
+        let root = raised.hi.sqrt();
+        let residual = (-root).mul_add(root, raised.hi) + raised.lo;
+        let correction = residual / (2.0 * root);
+        let sum = fast_two_sum(root, if root == 0.0 { 0.0 } else { correction });
+        if tiny { sum.scaled(1.0 / TWO_TO_100) } else { sum }
+    }
+
+    /// self/other, relative error below 12u², with one division where `/` has two; the inverse of `other` is a normal
+    /// number.
+    #[inline(always)]
+    pub(crate) fn over(self, other: Self) -> Self {
+        let inverse = 1.0 / other.hi;
+        let quotient = self.hi * inverse;
+        let residual = (-quotient).mul_add(other.lo, (-quotient).mul_add(other.hi, self.hi) + self.lo);
+        fast_two_sum(quotient, residual * inverse)
+    }
+
+    /// self + smaller for |self| ≥ |smaller|, relative error below 3u² of |self| + |smaller|.
+    #[inline(always)]
+    pub(crate) fn plus_smaller(self, smaller: Self) -> Self {
+        let sum = fast_two_sum(self.hi, smaller.hi);
+        fast_two_sum(sum.hi, sum.lo + (self.lo + smaller.lo))
     }
 
     #[inline(always)]

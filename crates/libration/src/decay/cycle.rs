@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::Damping;
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
-use crate::elliptic::agm::{self, Complete};
+use crate::elliptic::complete::{Complete, complete};
 use crate::pendulum::Amplitude;
 use crate::quadrature::equal_steps;
 
@@ -54,7 +54,7 @@ const SMALL: f64 = 5e-5;
 
 impl Cycle {
     fn new(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
-        Self { modulus, complementary, integrals: agm::complete(modulus, complementary) }
+        Self { modulus, complementary, integrals: complete(modulus, complementary) }
     }
 
     /// The cycle with this tan(θ0/2).

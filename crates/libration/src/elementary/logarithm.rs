@@ -69,7 +69,7 @@ impl ReducedLogarithm {
 
 /// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; anything for others.
 #[inline(always)]
-fn exponent_and_scale(x: f64) -> (f64, f64) {
+pub(super) fn exponent_and_scale(x: f64) -> (f64, f64) {
     /// The bits of √½: subtracting them makes the exponent field change where the mantissa passes √2.
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     /// 2⁵² as bits; an integer below 2⁵² in the low bits makes it 2⁵² + that integer.

@@ -8,11 +8,17 @@ pub(crate) mod rough;
 pub(crate) mod two_word;
 
 mod arctangent;
+mod exponential;
+mod fine_logarithm;
+mod fine_sine;
 mod hyperbolic;
 mod logarithm;
 mod sine;
 
 pub(crate) use arctangent::{ReducedArctangent, atan_of_ratio};
+pub(crate) use exponential::exp;
+pub(crate) use fine_logarithm::fine_logarithm;
+pub(crate) use fine_sine::fine_sin_cos;
 pub(crate) use hyperbolic::sinh_cosh;
 pub(crate) use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
 pub(crate) use sine::{LARGEST_ANGLE, sin_cos, sin_cos_of_turns};

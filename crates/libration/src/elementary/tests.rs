@@ -1,6 +1,9 @@
 //! The kernels against the multi-precision library, whose functions agree with MPFR.
 
-use super::{LARGEST_ANGLE, atan_of_ratio, sin_cos, sin_cos_of_turns, sinh_cosh, split_logarithm, two_word};
+use super::{
+    LARGEST_ANGLE, atan_of_ratio, exp, fine_logarithm, fine_sin_cos, sin_cos, sin_cos_of_turns, sinh_cosh,
+    split_logarithm, two_word,
+};
 use crate::algebra::BigFloat;
 use crate::double_double::{DoubleDouble, two_prod};
 
@@ -123,6 +126,39 @@ fn the_split_logarithm_is_good_to_fifty_eight_bits() {
         (sum - big(x).ln()).to_f64().abs()
     }));
     assert!(error < libm::exp2(-58.0), "{error:e}");
+}
+
+#[test]
+fn the_fine_logarithm_is_good_to_a_hundred_bits() {
+    // Next to one and to √½ and √2, between which the fraction lies, too.
+    let seams = [1.0, 1.0_f64.next_up(), 1.0_f64.next_down(), 0.7071067811865475, 0.7071067811865476];
+    let points = uniform().flat_map(|x| [x, 1e-300 * x, 3.0 * x, 1e300 * x, 1.0 + 1e-9 * x]).chain(seams);
+    for x in points.flat_map(|x| [x, 2.0 * x]) {
+        let x = DoubleDouble::new(x, x * 1e-17);
+        let log = fine_logarithm(x);
+        let exact = big(x).ln() - word(log.exponent) * word(2.0).ln();
+        assert!(relative(log.fraction, &exact) < libm::exp2(-100.0), "{x:?}");
+        assert!(log.fraction.hi.abs() < 0.34658, "{x:?}");
+    }
+}
+
+#[test]
+fn the_exponential_is_good_to_fifty_seven_bits() {
+    let error = worst(uniform().flat_map(|x| [x - 0.5, -3.2 * x, 1e-9 * x, 600.0 * (x - 0.5)]).map(|x| {
+        let x = DoubleDouble::new(x, x * 1e-17);
+        relative(exp(x), &big(x).exp())
+    }));
+    assert!(error < libm::exp2(-57.0), "{error:e}");
+}
+
+#[test]
+fn fine_sine_and_cosine_are_good_to_fifty_nine_bits() {
+    let error = worst(uniform().flat_map(|x| [x, 1e-9 * x, 1e-200 * x]).map(|x| {
+        let r = DoubleDouble::new(1.571 * (x - 0.5), x * 1e-17);
+        let (sin, cos) = fine_sin_cos(r);
+        relative(sin, &big(r).sin()).max(relative(cos, &big(r).cos()))
+    }));
+    assert!(error < libm::exp2(-59.0), "{error:e}");
 }
 
 #[test]

@@ -1,103 +1,136 @@
 //! Carlson's symmetric integrals `R_F` and `R_D` in two words, by duplication (DLMF 19.26.18, 19.36.1, 19.36.2).
 //!
-//! The arguments are given by their square roots, so that a complement of 1e-300 keeps its digits where its
-//! square would underflow.
+//! The arguments are x ≤ y ≤ z, which each step brings four times as close together, given with their square roots.
 
 use crate::double_double::DoubleDouble;
 
-/// Where the seventh-order series ends the duplication: its error is below the eighth power of this.
-const CLOSE: f64 = 6e-5;
-
-/// Each step divides the distances by four, after some ten that bring arguments of any size together; more
-/// steps than this mean that an argument was not a number.
+/// More steps than this mean that an argument was not a number: each divides the distances by four, after some ten that
+/// bring arguments of any size together.
 const MOST_STEPS: usize = 100;
 
-/// One step of the duplication: the roots of the arguments become the roots of (argument + λ)/4.
-struct Duplication {
-    roots: [DoubleDouble; 3],
-    arguments: [DoubleDouble; 3],
+/// How close the arguments are when the series of seventh order ends the duplication: it misses a fiftieth of the eighth
+/// power of this.
+#[derive(Clone, Copy)]
+pub(crate) enum Closeness {
+    /// 2⁻⁶² of the result.
+    Rounding,
+    /// 2⁻¹⁰⁷ of the result.
+    TwoWords,
+}
+
+impl Closeness {
+    #[inline(always)]
+    fn distance(self) -> f64 {
+        match self {
+            Self::Rounding => 0.006,
+            Self::TwoWords => 1e-4,
+        }
+    }
+}
+
+/// The arguments on their way together.
+#[derive(Clone, Copy)]
+pub(super) struct Duplication {
+    pub(super) roots: [DoubleDouble; 3],
+    pub(super) arguments: [DoubleDouble; 3],
+    /// The steps' parts of `R_D(x, z, y)`/3.
+    pub(super) sum: DoubleDouble,
+    /// 4⁻ⁿ after n steps.
+    pub(super) power: f64,
 }
 
 impl Duplication {
-    fn new(roots: [DoubleDouble; 3]) -> Self {
-        Self { roots, arguments: roots.map(DoubleDouble::square) }
+    #[inline(always)]
+    pub(super) fn new(roots: [DoubleDouble; 3], arguments: [DoubleDouble; 3]) -> Self {
+        Self { roots, arguments, sum: DoubleDouble::ZERO, power: 1.0 }
     }
 
-    fn lambda(&self) -> DoubleDouble {
+    /// Whether the series may end it; also for what is not a number.
+    #[inline(always)]
+    pub(super) fn is_close(&self, closeness: Closeness) -> bool {
+        let [x, _, z] = self.arguments;
+        let apart = z.hi - x.hi > closeness.distance() * z.hi;
+        !apart
+    }
+
+    /// The roots of the arguments become the roots of (argument + λ)/4; with the part of `R_D` if it is wanted.
+    #[inline(always)]
+    pub(super) fn step<const SECOND: bool>(&mut self) {
         let [x, y, z] = self.roots;
-        x * y + y * z + z * x
-    }
-
-    fn step(&mut self) {
-        let lambda = self.lambda();
+        let lambda = x * y + z * (x + y);
+        if SECOND {
+            let part = DoubleDouble::from(self.power).over(y * (self.arguments[1] + lambda));
+            self.sum = self.sum + part;
+        }
+        self.power *= 0.25;
         self.arguments = self.arguments.map(|argument| (argument + lambda).scaled(0.25));
         self.roots = self.arguments.map(DoubleDouble::sqrt);
     }
 
-    /// The relative distances 1 − argument/mean for the weights of the mean, and the mean.
-    fn deviations(&self, weights: [f64; 3]) -> ([DoubleDouble; 3], DoubleDouble) {
-        let [x, y, z] = self.arguments;
-        let total: f64 = weights.iter().sum();
-        let mean = (x * weights[0] + y * weights[1] + z * weights[2]) / total;
-        (self.arguments.map(|argument| (mean - argument) / mean), mean)
-    }
-
-    fn close(deviations: &[DoubleDouble; 3]) -> bool {
-        deviations.iter().all(|d| d.hi.abs() < CLOSE)
-    }
-}
-
-/// `R_F(x², y², z²)`, at most one of the roots zero.
-pub(crate) fn first_kind(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> DoubleDouble {
-    let mut duplication = Duplication::new([x, y, z]);
-    for _ in 0..MOST_STEPS {
-        let (deviations, mean) = duplication.deviations([1.0; 3]);
-        if Duplication::close(&deviations) {
-            return first_kind_series(deviations) / mean.sqrt();
+    /// Steps until the series may end it.
+    #[inline(always)]
+    pub(super) fn run<const SECOND: bool>(&mut self, closeness: Closeness) {
+        for _ in 0..MOST_STEPS {
+            if self.is_close(closeness) {
+                return;
+            }
+            self.step::<SECOND>();
         }
-        duplication.step();
     }
-    DoubleDouble::from(f64::NAN)
+
+    /// `R_F(x, y, z)`.
+    #[inline(always)]
+    pub(super) fn first_kind(&self) -> DoubleDouble {
+        let [x, y, z] = self.arguments;
+        let mean = (x + y + z) * THIRD;
+        first_kind_series(deviations(self.arguments, mean)).over(mean.sqrt())
+    }
+
+    /// `R_D(x, z, y)`/3.
+    #[inline(always)]
+    pub(super) fn third_of_second_kind(&self) -> DoubleDouble {
+        let [x, y, z] = self.arguments;
+        let mean = (x + z + y * 3.0) * FIFTH;
+        let end = second_kind_series(deviations([x, z, y], mean)) * THIRD * self.power;
+        self.sum + end.over(mean * mean.sqrt())
+    }
 }
 
-/// DLMF 19.36.1.
+const THIRD: DoubleDouble = DoubleDouble::new(0.3333333333333333, 1.850371707708594e-17);
+const FIFTH: DoubleDouble = DoubleDouble::new(0.2, -1.1102230246251566e-17);
+const TENTH: DoubleDouble = DoubleDouble::new(0.1, -5.551115123125783e-18);
+const FOURTEENTH: DoubleDouble = DoubleDouble::new(0.07142857142857142, 3.96508223080413e-18);
+
+/// 1 − argument/mean.
+#[inline(always)]
+fn deviations(arguments: [DoubleDouble; 3], mean: DoubleDouble) -> [DoubleDouble; 3] {
+    let inverse = DoubleDouble::ONE.over(mean);
+    arguments.map(|argument| (mean - argument) * inverse)
+}
+
+/// DLMF 19.36.1; its later terms, of fourth order and below 1e-10, are summed in one word.
+#[inline(always)]
 fn first_kind_series([x, y, z]: [DoubleDouble; 3]) -> DoubleDouble {
     let e2 = x * y - z.square();
     let e3 = x * y * z;
-    let e2e2 = e2.square();
-    DoubleDouble::ONE - e2 / 10.0 + e3 / 14.0 + e2e2 / 24.0 - e2 * e3 * 3.0 / 44.0 - e2e2 * e2 * 5.0 / 208.0
-        + e3.square() * 3.0 / 104.0
-        + e2e2 * e3 / 16.0
+    let low = e3 * FOURTEENTH - e2 * TENTH;
+    let (e2, e3) = (e2.hi, e3.hi);
+    let fourth = e2 * e2 / 24.0 - e2 * e3 * (3.0 / 44.0);
+    let sixth = e3 * e3 * (3.0 / 104.0) - e2 * e2 * e2 * (5.0 / 208.0) + e2 * e2 * e3 / 16.0;
+    DoubleDouble::ONE + (low + (fourth + sixth))
 }
 
-/// `R_D(x², y², z²)`, at most one of x, y zero, z not.
-pub(crate) fn second_kind(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> DoubleDouble {
-    let mut duplication = Duplication::new([x, y, z]);
-    let mut sum = DoubleDouble::ZERO;
-    let mut power = 1.0;
-    for _ in 0..MOST_STEPS {
-        let (deviations, mean) = duplication.deviations([1.0, 1.0, 3.0]);
-        if Duplication::close(&deviations) {
-            return sum * 3.0 + second_kind_series(deviations) * power / (mean * mean.sqrt());
-        }
-        let root = duplication.roots[2];
-        sum = sum + DoubleDouble::from(power) / (root * (duplication.arguments[2] + duplication.lambda()));
-        power *= 0.25;
-        duplication.step();
-    }
-    DoubleDouble::from(f64::NAN)
-}
-
-/// DLMF 19.36.2.
+/// DLMF 19.36.2, in one word: the arguments are so close that it is 1 within 1e-5.
+#[inline(always)]
 fn second_kind_series([x, y, z]: [DoubleDouble; 3]) -> DoubleDouble {
-    let xy = x * y;
-    let zz = z.square();
-    let e2 = xy - zz * 6.0;
-    let e3 = (xy * 3.0 - zz * 8.0) * z;
-    let e4 = (xy - zz) * zz * 3.0;
+    let (x, y, z) = (x.hi, y.hi, z.hi);
+    let (xy, zz) = (x * y, z * z);
+    let e2 = xy - 6.0 * zz;
+    let e3 = (3.0 * xy - 8.0 * zz) * z;
+    let e4 = 3.0 * (xy - zz) * zz;
     let e5 = xy * zz * z;
-    let low = DoubleDouble::ONE - e2 * 3.0 / 14.0 + e3 / 6.0 + e2.square() * 9.0 / 88.0 - e4 * 3.0 / 22.0;
-    let middle = e5 * 3.0 / 26.0 - e2 * e3 * 9.0 / 52.0 - e2.square() * e2 / 16.0 + e3.square() * 3.0 / 40.0;
-    let high = e2 * e4 * 3.0 / 20.0 + e2.square() * e3 * 45.0 / 272.0 - (e3 * e4 + e2 * e5) * 9.0 / 68.0;
-    low + middle + high
+    let low = e3 / 6.0 - e2 * (3.0 / 14.0) + e2 * e2 * (9.0 / 88.0) - e4 * (3.0 / 22.0);
+    let middle = e5 * (3.0 / 26.0) - e2 * e3 * (9.0 / 52.0) - e2 * e2 * e2 / 16.0 + e3 * e3 * (3.0 / 40.0);
+    let high = e2 * e4 * (3.0 / 20.0) + e2 * e2 * e3 * (45.0 / 272.0) - (e3 * e4 + e2 * e5) * (9.0 / 68.0);
+    DoubleDouble::ONE + (low + middle + high)
 }

@@ -1,11 +1,13 @@
 //! Jacobi's sn, cn, dn and the amplitude am as quotients of theta functions (DLMF 22.2).
 
+use super::descent::Descent;
+use super::nearer::Nearer;
 use super::{
-    CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,
-    quotient, scaled_by,
+    CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, ratio,
+    scaled_by,
 };
 use crate::dispatch::{Kernel, dispatch};
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, fast_two_sum, magnitude, pick};
 use crate::elementary::{atan_of_ratio, sinh_cosh, two_word};
 
 /// Jacobi's functions at one argument.
@@ -25,48 +27,67 @@ pub struct Jacobi {
 /// What a modulus needs for its Jacobi functions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quotients {
-    expansion: Expansion,
     clock: PhaseClock,
     /// z of the theta functions per turn of 4K.
     scale: DoubleDouble,
     root: DoubleDouble,
     series: ThetaSeries,
-    /// Factors of sn, cn, dn and am next to an even quarter, then an odd one.
-    factors: [Factors; 2],
+    factors: Factors,
     degenerate: bool,
 }
 
+/// What the quotients are made of besides values at a point. With the values a₀ … d₀ at zero of the four series,
+/// less what cancels in the quotients:
+///
+/// | expansion | third | beside | other | other of an odd quarter |
+/// |---|---|---|---|---|
+/// | circular | c₀ | b₀ | d₀ | d₀ |
+/// | hyperbolic | c₀ | d₀ | b₀ | 4√q·b₀ |
 #[derive(Clone, Copy, Debug)]
-struct Factors {
-    sn: DoubleDouble,
-    cn: DoubleDouble,
-    dn: DoubleDouble,
-    tangent: DoubleDouble,
+pub(crate) struct Factors {
+    pub(crate) above: bool,
+    pub(crate) third: DoubleDouble,
+    pub(crate) beside: DoubleDouble,
+    pub(crate) other: DoubleDouble,
+    pub(crate) odd_other: DoubleDouble,
+}
+
+impl Factors {
+    #[inline(always)]
+    pub(crate) fn new(above: bool, nome: DoubleDouble, root_of_nome: DoubleDouble) -> Self {
+        let ThetaZero { second, third, fourth } = ThetaZero::from_nome(nome);
+        let (beside, other) = (pick(above, fourth, second), pick(above, second, fourth));
+        let odd_other = pick(above, root_of_nome.scaled(4.0) * second, fourth);
+        Self { above, third, beside, other, odd_other }
+    }
 }
 
 impl Quotients {
-    pub(crate) fn new(
-        modulus: DoubleDouble,
-        complementary: DoubleDouble,
-        first: DoubleDouble,
-        complementary_first: DoubleDouble,
-    ) -> Self {
-        let expansion = Expansion::for_modulus(modulus, complementary);
-        let ratio = match expansion {
-            Expansion::Circular => complementary_first / first,
-            Expansion::Hyperbolic => first / complementary_first,
-        };
-        let exponent = DoubleDouble::FRAC_PI_2 * ratio;
-        let root = if exponent.hi < 745.2 { two_word::exp(-exponent) } else { DoubleDouble::ZERO };
-        let series = ThetaSeries::new(root.square().to_f64());
-        let scale = match expansion {
-            Expansion::Circular => DoubleDouble::PI.scaled(2.0),
-            Expansion::Hyperbolic => exponent.scaled(4.0),
-        };
-        let frequency = first.scaled(4.0).recip();
-        let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
-        let factors = factors(expansion, root, ThetaZero::in_two_words(root.square()));
-        Self { expansion, clock, scale, root, series, factors, degenerate: complementary.hi == 0.0 }
+    #[inline(always)]
+    pub(crate) fn new(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> Self {
+        let root = descent.root_of_nome(nearer.lowering());
+        let nome = Self::nome(nearer, descent);
+        let frequency = Self::frequency(nearer, descent, log);
+        Self {
+            clock: PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO },
+            scale: pick(nearer.above, log.scaled(2.0), DoubleDouble::PI.scaled(2.0)),
+            root,
+            series: ThetaSeries::new(nome.to_f64()),
+            factors: Factors::new(nearer.above, nome, root),
+            degenerate: nearer.above && nearer.smaller.hi == 0.0,
+        }
+    }
+
+    /// 1/4K.
+    #[inline(always)]
+    pub(crate) fn frequency(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> DoubleDouble {
+        pick(nearer.above, descent.far_frequency(log), descent.near_frequency())
+    }
+
+    /// The smaller nome.
+    #[inline(always)]
+    pub(crate) fn nome(nearer: &Nearer, descent: &Descent) -> DoubleDouble {
+        descent.nome().scaled(nearer.lowering()).scaled(nearer.lowering())
     }
 
     pub(crate) fn root_of_nome(&self) -> DoubleDouble {
@@ -82,23 +103,6 @@ impl Quotients {
     }
 }
 
-/// The factors of the quotients in the notes beside [`Quotients::jacobi`].
-fn factors(expansion: Expansion, root: DoubleDouble, zero: ThetaZero) -> [Factors; 2] {
-    let ThetaZero { second, third, fourth } = zero;
-    let words = match expansion {
-        Expansion::Circular => {
-            let same = [third / second, fourth / second, fourth / third];
-            [(same, third / fourth), (same, fourth / third)]
-        }
-        Expansion::Hyperbolic => {
-            let (sn, cn, dn) = (third / fourth, second / fourth, second / third);
-            let small = root.scaled(4.0);
-            [([sn, cn, dn], third / second), ([sn, small * cn, small * dn], small * dn)]
-        }
-    };
-    words.map(|([sn, cn, dn], tangent)| Factors { sn, cn, dn, tangent })
-}
-
 struct At<'a> {
     quotients: &'a Quotients,
     u: f64,
@@ -108,14 +112,33 @@ impl Kernel for At<'_> {
     type Output = Jacobi;
     #[inline(always)]
     fn run(self) -> Jacobi {
-        if !self.u.is_finite() {
-            return Jacobi { sn: f64::NAN, cn: f64::NAN, dn: f64::NAN, am: f64::NAN };
-        }
-        self.quotients.jacobi(self.quotients.clock.phase(self.u))
+        let Quotients { clock, scale, series, factors, .. } = self.quotients;
+        let phase = clock.phase(self.u);
+        let values = if factors.above {
+            HyperbolicSide::values(series, phase.rest, *scale)
+        } else {
+            CircularSide::values(series, phase.rest, *scale)
+        };
+        let (above, below) = factors.tangent(&phase, &values);
+        let Copolar { sn, cn, dn } = factors.copolar(&phase, &values);
+        Jacobi { sn, cn, dn, am: amplitude(&phase, above, below) }
     }
 }
 
-impl Quotients {
+/// sn, cn and dn.
+pub(crate) struct Copolar {
+    pub(crate) sn: f64,
+    pub(crate) cn: f64,
+    pub(crate) dn: f64,
+}
+
+impl Factors {
+    /// θ₂ and θ₄ in the order in which their quotient stands beside θ₁/θ₃.
+    #[inline(always)]
+    fn in_order(&self, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
+        (pick(self.above, values.fourth, values.second), pick(self.above, values.second, values.fourth))
+    }
+
     /// The quotients at a phase counted in turns of 4K. With a, b, c, d for θ₁ … θ₄ at the nearest quarter:
     ///
     /// | expansion, quarter | sn | cn | dn | tan of am from the quarter |
@@ -125,46 +148,50 @@ impl Quotients {
     /// | hyperbolic, even | a/b | d/b | c/b | a/d |
     /// | hyperbolic, odd | d/c | −a/c | b/c | a/d |
     #[inline(always)]
-    fn jacobi(&self, phase: Phase) -> Jacobi {
-        let odd = phase.is_odd();
-        let sign = phase.sign();
-        let Factors { sn, cn, dn, tangent } = self.factors[usize::from(odd)];
-        let values = match self.expansion {
-            Expansion::Circular => CircularSide::values(&self.series, phase.rest, self.scale),
-            Expansion::Hyperbolic => HyperbolicSide::values(&self.series, phase.rest, self.scale),
-        };
-        let (beside, other) = match self.expansion {
-            Expansion::Circular => CircularSide::beside(&values),
-            Expansion::Hyperbolic => HyperbolicSide::beside(&values),
-        };
-        let ThetaValues { first, third, .. } = values;
-        let (above, below) =
-            if odd { ([beside, -first, other], third) } else { ([first, beside, third], other) };
-        Jacobi {
-            sn: (sign * quotient(sn, above[0], below)).clamp(-1.0, 1.0),
-            cn: (sign * quotient(cn, above[1], below)).clamp(-1.0, 1.0),
-            dn: quotient(dn, above[2], below).min(1.0),
-            am: amplitude(&phase, scaled_by(tangent, first), beside),
-        }
+    pub(crate) fn copolar(&self, phase: &Phase, values: &ThetaValues) -> Copolar {
+        let (odd, sign) = (phase.is_odd(), phase.sign());
+        let (beside, other) = self.in_order(values);
+        let ThetaValues { first, third, .. } = *values;
+        let below = pick(odd, third, other);
+        let factor = pick(odd, self.odd_other, self.other);
+        let denominator = scaled_by(self.beside, below);
+        let sn = ratio(scaled_by(self.third, pick(odd, beside, first)), denominator);
+        let cn = ratio(scaled_by(factor, pick(odd, -first, beside)), denominator);
+        let dn = ratio(scaled_by(factor, pick(odd, other, third)), scaled_by(self.third, below));
+        Copolar { sn: sign * within_one(sn), cn: sign * within_one(cn), dn: within_one(dn) }
     }
+
+    /// The tangent of am from the nearest quarter, as a quotient.
+    #[inline(always)]
+    pub(crate) fn tangent(&self, phase: &Phase, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
+        let odd = phase.is_odd();
+        let (beside, _) = self.in_order(values);
+        let above = scaled_by(pick(odd, self.odd_other, self.third), values.first);
+        let below = scaled_by(pick(odd, self.third, self.other), beside);
+        (above, fast_two_sum(below.hi, below.lo))
+    }
+}
+
+/// A value that rounding may have put beyond ±1; NaN stays.
+#[inline(always)]
+fn within_one(x: f64) -> f64 {
+    if x.abs() > 1.0 { 1f64.copysign(x) } else { x }
 }
 
 /// am: the quarters gone and the angle from the nearest, given its tangent as a quotient.
 #[inline(always)]
-fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble) -> f64 {
-    let size = above.abs();
-    let angle = if size.hi > below.hi {
-        DoubleDouble::FRAC_PI_2 - atan_of_ratio(below, size)
-    } else {
-        atan_of_ratio(size, below)
-    };
-    let angle = if above.hi < 0.0 { -angle } else { angle };
+pub(crate) fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble) -> f64 {
+    let size = magnitude(above);
+    let steep = size.hi > below.hi;
+    let acute = atan_of_ratio(pick(steep, below, size), pick(steep, size, below));
+    let angle = pick(steep, DoubleDouble::FRAC_PI_2 - acute, acute);
+    let signed = pick(above.hi < 0.0, -angle, angle);
     let quarters = phase.turns.mul_add(4.0, phase.quarter);
-    (DoubleDouble::FRAC_PI_2 * quarters + angle).to_f64()
+    (DoubleDouble::FRAC_PI_2 * quarters + signed).to_f64()
 }
 
 /// k = 1: sn = tanh, cn = dn = sech, am the Gudermannian (DLMF 22.5(ii)).
-fn hyperbolic_limit(u: f64) -> Jacobi {
+pub(crate) fn hyperbolic_limit(u: f64) -> Jacobi {
     let size = u.abs();
     if !u.is_finite() {
         return Jacobi { sn: f64::NAN, cn: f64::NAN, dn: f64::NAN, am: f64::NAN };

@@ -13,33 +13,51 @@
 //! # Ok::<(), libration::elliptic::ModulusError>(())
 //! ```
 
-pub(crate) mod agm;
+pub(crate) mod complete;
+
 mod carlson;
+mod complete_stages;
+mod descent;
 mod incomplete;
+mod incomplete_stages;
 mod jacobi;
+mod jacobi_stages;
+mod moduli;
+mod modulus_stages;
+mod nearer;
 mod precise;
 mod theta;
 
+pub use complete_stages::{complete_firsts, complete_seconds, nomes};
+pub use incomplete_stages::{incomplete_firsts, incomplete_seconds};
 pub use jacobi::Jacobi;
+pub use jacobi_stages::{JacobiSlices, jacobi_functions};
+pub use moduli::{LengthMismatch, Moduli};
 
 pub(crate) use incomplete::first_of_point;
 pub(crate) use precise::PreciseQuotients;
 pub(crate) use theta::{
     CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient,
-    scaled_by,
+    ratio, scaled_by,
 };
 
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
-use crate::elementary::two_word;
+use crate::elementary::{exp, two_word};
+use complete::Complete;
+use descent::Descent;
 use jacobi::Quotients;
+use nearer::Nearer;
 
 /// A modulus k with its complement k′ = √(1 − k²) and what belongs to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Modulus {
     modulus: DoubleDouble,
     complementary: DoubleDouble,
-    integrals: agm::Complete,
+    nearer: Nearer,
+    integrals: Complete,
     complementary_first: DoubleDouble,
+    nome: f64,
     quotients: Quotients,
 }
 
@@ -79,8 +97,7 @@ impl Modulus {
     /// m outside [0, 1].
     pub fn from_parameter(m: f64) -> Result<Self, ModulusError> {
         unit("the parameter m", m)?;
-        let complementary = (DoubleDouble::ONE - DoubleDouble::from(m)).sqrt();
-        Ok(Self::from_words(DoubleDouble::from(m).sqrt(), complementary))
+        Ok(dispatch(OfParameter(m)))
     }
 
     /// The modulus whose complementary parameter 1 − m is exactly this `f64`.
@@ -89,8 +106,7 @@ impl Modulus {
     /// Outside [0, 1].
     pub fn from_complementary_parameter(complementary: f64) -> Result<Self, ModulusError> {
         unit("the complementary parameter 1 - m", complementary)?;
-        let modulus = (DoubleDouble::ONE - DoubleDouble::from(complementary)).sqrt();
-        Ok(Self::from_words(modulus, DoubleDouble::from(complementary).sqrt()))
+        Ok(dispatch(OfComplementaryParameter(complementary)))
     }
 
     /// The modulus k, exactly this `f64`.
@@ -129,10 +145,25 @@ impl Modulus {
 
     /// From k and k′, k² + k′² = 1 within the second words.
     pub(crate) fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
-        let integrals = agm::complete(modulus, complementary);
-        let complementary_first = agm::complete(complementary, modulus).first;
-        let quotients = Quotients::new(modulus, complementary, integrals.first, complementary_first);
-        Self { modulus, complementary, integrals, complementary_first, quotients }
+        dispatch(OfWords { modulus, complementary })
+    }
+
+    /// From k, k′ and their nearer side.
+    #[inline(always)]
+    fn from_nearer(modulus: DoubleDouble, complementary: DoubleDouble, nearer: &Nearer) -> Self {
+        let descent = Descent::new(nearer);
+        let log = descent.log_inverse_nome(nearer.raised);
+        let near = descent.near_quarter();
+        let complementary_first = if nearer.above { near } else { Descent::far_quarter(near, log) };
+        Self {
+            modulus,
+            complementary,
+            nearer: *nearer,
+            integrals: Complete::new(nearer, &descent, log),
+            complementary_first,
+            nome: nome(nearer, &descent, log),
+            quotients: Quotients::new(nearer, &descent, log),
+        }
     }
 
     /// k.
@@ -187,11 +218,7 @@ impl Modulus {
     /// 0.56 ulp (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn nome(&self) -> f64 {
-        if self.integrals.first.is_finite() {
-            nome(self.integrals.first, self.complementary_first)
-        } else {
-            1.0
-        }
+        self.nome
     }
 
     /// sn, cn, dn and the amplitude am at u.
@@ -251,7 +278,7 @@ impl Modulus {
     }
 
     pub(crate) fn expansion(&self) -> Expansion {
-        Expansion::for_modulus(self.modulus, self.complementary)
+        self.nearer.expansion()
     }
 
     /// The square root of the smaller nome.
@@ -265,19 +292,76 @@ impl Modulus {
     }
 }
 
-impl Expansion {
-    pub(crate) fn for_modulus(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
-        if modulus.hi <= complementary.hi { Self::Circular } else { Self::Hyperbolic }
+struct OfParameter(f64);
+
+impl Kernel for OfParameter {
+    type Output = Modulus;
+    #[inline(always)]
+    fn run(self) -> Modulus {
+        let complementary = (DoubleDouble::ONE - DoubleDouble::from(self.0)).sqrt();
+        Modulus::from_nearer(
+            DoubleDouble::from(self.0).sqrt(),
+            complementary,
+            &Nearer::from_parameter(self.0),
+        )
     }
 }
 
-/// exp(−πK′/K), which underflows to zero from an exponent of 745.14 on.
-pub(crate) fn nome(first: DoubleDouble, complementary_first: DoubleDouble) -> f64 {
-    let exponent = DoubleDouble::PI * complementary_first / first;
-    if exponent.hi < 745.2 { two_word::exp(-exponent).to_f64() } else { 0.0 }
+struct OfComplementaryParameter(f64);
+
+impl Kernel for OfComplementaryParameter {
+    type Output = Modulus;
+    #[inline(always)]
+    fn run(self) -> Modulus {
+        let modulus = (DoubleDouble::ONE - DoubleDouble::from(self.0)).sqrt();
+        let complementary = DoubleDouble::from(self.0).sqrt();
+        Modulus::from_nearer(modulus, complementary, &Nearer::from_complementary_parameter(self.0))
+    }
+}
+
+struct OfWords {
+    modulus: DoubleDouble,
+    complementary: DoubleDouble,
+}
+
+impl Kernel for OfWords {
+    type Output = Modulus;
+    #[inline(always)]
+    fn run(self) -> Modulus {
+        let nearer = Nearer::from_words(self.modulus, self.complementary);
+        Modulus::from_nearer(self.modulus, self.complementary, &nearer)
+    }
+}
+
+/// The nome of the modulus k with its complement k′.
+pub(crate) fn nome_of_words(modulus: DoubleDouble, complementary: DoubleDouble) -> f64 {
+    dispatch(NomeOfWords(modulus, complementary))
+}
+
+struct NomeOfWords(DoubleDouble, DoubleDouble);
+
+impl Kernel for NomeOfWords {
+    type Output = f64;
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let nearer = Nearer::from_words(self.0, self.1);
+        let descent = Descent::new(&nearer);
+        nome(&nearer, &descent, descent.log_inverse_nome(nearer.raised))
+    }
+}
+
+/// The nome of the modulus: that of the nearer side, or from ln q · ln q′ = π².
+#[inline(always)]
+fn nome(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64 {
+    let near = descent.nome().to_f64() * nearer.lowering() * nearer.lowering();
+    let far = exp(-DoubleDouble::PI.square().over(log)).to_f64();
+    // One for an infinite logarithm.
+    let far = if log.hi < f64::INFINITY { far } else { 1.0 };
+    if nearer.above { far } else { near }
 }
 
 /// √(1 − x²) as √((1 − x)(1 + x)).
+#[inline(always)]
 fn leg(x: DoubleDouble) -> DoubleDouble {
     ((DoubleDouble::ONE - x) * (DoubleDouble::ONE + x)).sqrt()
 }

@@ -51,6 +51,23 @@ impl ThetaZero {
     }
 }
 
+impl ThetaZero {
+    /// From a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
+    #[inline(always)]
+    pub(crate) fn from_nome(q: DoubleDouble) -> Self {
+        let q2 = q.hi * q.hi;
+        let q4 = q2 * q2;
+        let (even, odd) = (2.0 * q4, 2.0 * (q4 * q4 * q.hi));
+        let twice = q.scaled(2.0);
+        let with = |sign: f64| {
+            let sum = fast_two_sum(1.0, sign * twice.hi);
+            fast_two_sum(sum.hi, sum.lo + (sign * (twice.lo + odd) + even))
+        };
+        let second = fast_two_sum(1.0, q2 + q4 * (q2 + q4 * q4));
+        Self { second, third: with(1.0), fourth: with(-1.0) }
+    }
+}
+
 /// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words good to 2⁻⁵².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ThetaValues {
@@ -96,11 +113,13 @@ impl ThetaSeries {
     /// From the sine and cosine, or their hyperbolic counterparts, of z.
     #[inline(always)]
     pub(crate) fn at<S: Side>(&self, sine: DoubleDouble, cosine: DoubleDouble) -> ThetaValues {
-        self.values(sine, cosine, self.q * S::SQUARE.mul_add(sine.hi * sine.hi, 2.0))
+        self.at_square(sine, cosine, S::SQUARE)
     }
 
+    /// The same where the side, given by its `SQUARE`, is known only when the code runs.
     #[inline(always)]
-    fn values(&self, sine: DoubleDouble, cosine: DoubleDouble, y: f64) -> ThetaValues {
+    pub(crate) fn at_square(&self, sine: DoubleDouble, cosine: DoubleDouble, square: f64) -> ThetaValues {
+        let y = self.q * square.mul_add(sine.hi * sine.hi, 2.0);
         let [even, slope, square, cube] = self.third;
         let even = (y * y).mul_add(square, even);
         let odd = y * (y * y).mul_add(cube, slope);
@@ -122,7 +141,12 @@ fn raised(x: DoubleDouble, change: f64) -> DoubleDouble {
 /// factor·above/below, rounded once.
 #[inline(always)]
 pub(crate) fn quotient(factor: DoubleDouble, above: DoubleDouble, below: DoubleDouble) -> f64 {
-    let numerator = scaled_by(factor, above);
+    ratio(scaled_by(factor, above), below)
+}
+
+/// numerator/below, rounded once.
+#[inline(always)]
+pub(crate) fn ratio(numerator: DoubleDouble, below: DoubleDouble) -> f64 {
     let inverse = 1.0 / below.hi;
     let quotient = numerator.hi * inverse;
     let residual = (-quotient).mul_add(below.hi, numerator.hi) + (-quotient).mul_add(below.lo, numerator.lo);

@@ -3,7 +3,8 @@
 use super::{PendulumError, period};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
-use crate::elliptic::{self, Modulus, agm};
+use crate::elliptic::complete::{Complete, complete};
+use crate::elliptic::{self, Modulus};
 use crate::quantity::Angle;
 
 /// Half of a complement below this would be rounded among the subnormal numbers.
@@ -69,7 +70,11 @@ impl Amplitude {
     #[must_use]
     pub fn nome(&self) -> f64 {
         let (k, complementary) = self.half_angle();
-        elliptic::nome(self.integrals().first, agm::complete(complementary, k).first)
+        if self.complement() >= SMALLEST_HALVED {
+            return elliptic::nome_of_words(k, complementary);
+        }
+        // K′ is π/2 there.
+        two_word::exp(-(DoubleDouble::FRAC_PI_2 * DoubleDouble::PI / self.integrals().first)).to_f64()
     }
 
     /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: how many times larger
@@ -92,14 +97,14 @@ impl Amplitude {
     }
 
     /// The integrals of the modulus; where k′ would be rounded, from K(k′) = K(2k′) + ln 2.
-    fn integrals(&self) -> agm::Complete {
+    fn integrals(&self) -> Complete {
         let (k, complementary) = self.half_angle();
         let complement = self.angle.complement_words();
         if complement.hi >= SMALLEST_HALVED {
-            return agm::complete(k, complementary);
+            return complete(k, complementary);
         }
-        let doubled = agm::complete(k, complement);
-        agm::Complete { first: doubled.first + DoubleDouble::LN_2, ..doubled }
+        let doubled = complete(k, complement);
+        Complete { first: doubled.first + DoubleDouble::LN_2, ..doubled }
     }
 
     /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2), rounded to an `f64` where it is below 2.2e-308.

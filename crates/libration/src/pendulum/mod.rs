@@ -14,7 +14,6 @@
 //! Angles are radians from the downward vertical, times seconds, lengths metres, velocities rad/s. A batch
 //! equals its own scalar function bit for bit.
 
-mod block;
 mod period;
 mod period_stages;
 
@@ -57,6 +56,7 @@ pub use varying::state;
 pub use varying_stages::states;
 
 use crate::double_double::DoubleDouble;
+pub use crate::elliptic::LengthMismatch;
 
 /// A simple pendulum: a point mass on a massless rod.
 ///
@@ -161,26 +161,6 @@ pub enum PendulumError {
         /// The period.
         period: f64,
     },
-}
-
-/// Slices of a batch whose lengths differ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("slices of {expected} and {found} elements were given: give slices of one length")]
-pub struct LengthMismatch {
-    /// The length of the first slice.
-    pub expected: usize,
-    /// The length that differs from it.
-    pub found: usize,
-}
-
-impl LengthMismatch {
-    fn check(input: &[f64], output: &[f64]) -> Result<(), Self> {
-        if input.len() == output.len() {
-            Ok(())
-        } else {
-            Err(Self { expected: input.len(), found: output.len() })
-        }
-    }
 }
 
 impl Pendulum {

@@ -2,10 +2,10 @@
 
 use std::marker::PhantomData;
 
-use super::block::{BLOCK, Words};
 use super::state::State;
 use crate::dispatch::{Kernel, dispatch, dispatch_slices};
 use crate::double_double::DoubleDouble;
+use crate::double_double::block::{BLOCK, Words};
 use crate::elliptic::{
     CircularSide, Expansion, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues,
 };

@@ -5,13 +5,13 @@
 //! are those of one amplitude.
 
 use super::LengthMismatch;
-use super::block::{BLOCK, Words};
 use super::period::{
     EXCESS, Excess, LOG_NOME, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
     log_inverse_nome_with, ratio_above,
 };
 use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::DoubleDouble;
+use crate::double_double::block::{BLOCK, Words};
 use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
 
 /// A function at many arguments, stage by stage.

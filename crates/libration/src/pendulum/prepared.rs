@@ -2,11 +2,11 @@
 //! lanes.
 
 use super::LengthMismatch;
-use super::block::BLOCK;
 use super::motion::Motion;
 use super::state::{State, whole_turns};
 use super::table::{Cycle, Segment, Table};
 use crate::dispatch::{Kernel, dispatch, dispatch_slices};
+use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{nearest_integer, nearest_integer_bits};
 

@@ -2,8 +2,8 @@
 
 use super::orbit::{Orbit, Quotients};
 use super::start::Start;
-use super::state::{DoubledArctangent, State, magnitude, pick, unwrapped, whole_turns};
-use crate::double_double::DoubleDouble;
+use super::state::{DoubledArctangent, State, unwrapped, whole_turns};
+use crate::double_double::{DoubleDouble, magnitude, pick};
 use crate::elliptic::{
     Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient, scaled_by,
 };

@@ -1,6 +1,6 @@
 //! The state of a pendulum at one time.
 
-use crate::double_double::{DoubleDouble, two_sum};
+use crate::double_double::{DoubleDouble, pick, two_sum};
 use crate::elementary::ReducedArctangent;
 
 /// A state: near the top the angle alone would lose its complement, in rotation it grows.
@@ -64,18 +64,6 @@ impl DoubledArctangent {
         let far = DoubleDouble::new(far.hi, far.lo + (DoubleDouble::PI.lo - near.lo));
         Self { angle: pick(ratio.steep, far, near), complement: pick(ratio.steep, near, far) }
     }
-}
-
-/// A choice word by word, which the compiler turns into selections.
-#[inline(always)]
-pub(super) fn pick(condition: bool, yes: DoubleDouble, no: DoubleDouble) -> DoubleDouble {
-    DoubleDouble::new(if condition { yes.hi } else { no.hi }, if condition { yes.lo } else { no.lo })
-}
-
-/// |x|.
-#[inline(always)]
-pub(super) fn magnitude(x: DoubleDouble) -> DoubleDouble {
-    DoubleDouble::new(x.hi.abs(), 1f64.copysign(x.hi) * x.lo)
 }
 
 /// base + sign·angle, rounded once.

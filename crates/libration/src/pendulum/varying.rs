@@ -8,9 +8,9 @@ use super::period::{
     FRAC_1_PI, Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
     within_pi,
 };
-use super::state::{DoubledArctangent, State, magnitude, pick};
+use super::state::{DoubledArctangent, State};
 use crate::dispatch::{Kernel, dispatch};
-use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
+use crate::double_double::{DoubleDouble, fast_two_sum, magnitude, pick, two_prod, two_sum};
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, Side, ThetaSeries, ThetaValues, scaled_by};
 
 const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.839338337591243e-18);

@@ -1,12 +1,12 @@
 //! States of many amplitudes and times, sorted by side and stage by stage, as `period_stages` does it.
 
 use super::LengthMismatch;
-use super::block::{BLOCK, Words};
 use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
 use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
 use super::varying::{Factors, ReleaseSide, gauss, phase, tangent, velocity};
 use crate::dispatch::{Kernel, dispatch_slices};
+use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 use crate::elementary::ReducedArctangent;
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, ThetaSeries, ThetaValues};

@@ -19,6 +19,7 @@ mod checkpoints;
 mod conservative;
 mod decay;
 mod elliptic;
+mod elliptic_batches;
 mod equation;
 mod events;
 mod exact;

@@ -1,27 +1,28 @@
 //! Blocks of numbers that go through the stages of a batch together.
 
-use crate::double_double::DoubleDouble;
+use super::DoubleDouble;
 
 /// How many elements make a block: enough to hide the latency of long chains of dependent operations, few
 /// enough to stay in the first-level cache.
-pub(super) const BLOCK: usize = 64;
+pub(crate) const BLOCK: usize = 64;
 
 /// A block of two-word numbers, word by word for the vector units.
-pub(super) struct Words {
-    pub(super) hi: [f64; BLOCK],
-    pub(super) lo: [f64; BLOCK],
+#[derive(Clone, Copy)]
+pub(crate) struct Words {
+    pub(crate) hi: [f64; BLOCK],
+    pub(crate) lo: [f64; BLOCK],
 }
 
 impl Words {
-    pub(super) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
+    pub(crate) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
 
     #[inline(always)]
-    pub(super) fn set(&mut self, i: usize, x: DoubleDouble) {
+    pub(crate) fn set(&mut self, i: usize, x: DoubleDouble) {
         (self.hi[i], self.lo[i]) = (x.hi, x.lo);
     }
 
     #[inline(always)]
-    pub(super) fn get(&self, i: usize) -> DoubleDouble {
+    pub(crate) fn get(&self, i: usize) -> DoubleDouble {
         DoubleDouble::new(self.hi[i], self.lo[i])
     }
 }

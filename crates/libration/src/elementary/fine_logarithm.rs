@@ -1,0 +1,46 @@
+//! The natural logarithm in two words, without branches.
+
+use super::logarithm::exponent_and_scale;
+use super::polynomial;
+use crate::double_double::{DoubleDouble, two_sum};
+
+/// (2 atanh q − 2q)/q³ in q² for |q| ≤ (√2−1)/(√2+1), relative error 3.4e-31 (of a term below 1 %); first what counts in
+/// the second word.
+const LEADING: [DoubleDouble; 9] = [
+    DoubleDouble::new(0.6666666666666666, 3.7007434154171673e-17),
+    DoubleDouble::new(0.4, -2.2204460489647083e-17),
+    DoubleDouble::new(0.2857142857142857, 1.5860322619057462e-17),
+    DoubleDouble::new(0.2222222222222222, 1.2341290182548396e-17),
+    DoubleDouble::new(0.18181818181818182, -7.530009580805913e-18),
+    DoubleDouble::new(0.15384615384615452, -6.706121431762106e-19),
+    DoubleDouble::new(0.1333333333332149, 1.319182283057908e-17),
+    DoubleDouble::new(0.11764705883764007, 2.135908702224701e-18),
+    DoubleDouble::new(0.10526315672433624, -1.7478591914477677e-18),
+];
+const TAIL: [f64; 5] =
+    [0.09523816351945204, 0.08695373279771446, 0.08007793723245658, 0.07266003381007335, 0.08380425306818351];
+
+/// ln x = exponent·ln 2 + fraction, |fraction| ≤ ln 2/2.
+pub(crate) struct FineLogarithm {
+    /// An integer.
+    pub(crate) exponent: f64,
+    /// Relative error below 2⁻¹⁰⁰.
+    pub(crate) fraction: DoubleDouble,
+}
+
+/// The parts of ln x for x from 2.3e-308 to 1e307; anything for others.
+#[inline(always)]
+pub(crate) fn fine_logarithm(x: DoubleDouble) -> FineLogarithm {
+    let (exponent, scale) = exponent_and_scale(x.hi);
+    let x = x.scaled(scale);
+    // The difference of the first words is exact.
+    let q = two_sum(x.hi - 1.0, x.lo).over(x + 1.0);
+    let square = q.square();
+    let mut sum = DoubleDouble::from(polynomial(square.hi, &TAIL));
+    let mut i = LEADING.len();
+    while i > 0 {
+        i -= 1;
+        sum = LEADING[i].plus_smaller(square * sum);
+    }
+    FineLogarithm { exponent, fraction: q.scaled(2.0).plus_smaller(q * square * sum) }
+}

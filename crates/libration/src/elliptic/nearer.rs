@@ -1,0 +1,85 @@
+//! The nearer side of a modulus: the smaller of m and 1 − m, beside the root of the larger.
+//!
+//! All that belongs to a modulus follows from it: on its own side by series that converge in a few terms, on the other
+//! by the logarithm of the nome.
+
+use super::Expansion;
+use crate::double_double::{DoubleDouble, fast_two_sum, pick};
+
+/// The smaller of m and 1 − m, and the root of the larger.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Nearer {
+    /// Whether m is the larger, above one half.
+    pub(crate) above: bool,
+    /// The smaller, times `RAISE`² where it is `raised`.
+    pub(crate) smaller: DoubleDouble,
+    /// Whether the smaller is below 1e-200, where its second word and what is divided from it would underflow.
+    pub(crate) raised: bool,
+    /// √(1 − smaller).
+    pub(crate) root: DoubleDouble,
+}
+
+/// 2⁶⁰⁰.
+const RAISE: f64 = 4.149515568880993e180;
+/// Where a parameter is raised, and the modulus whose square it is.
+const SMALL: f64 = 1e-200;
+const SMALL_MODULUS: f64 = 1e-100;
+
+impl Nearer {
+    /// Of the parameter m, 0 ≤ m ≤ 1.
+    #[inline(always)]
+    pub(crate) fn from_parameter(m: f64) -> Self {
+        let above = m > 0.5;
+        // Above one half the difference is exact.
+        Self::from_smaller(above, if above { 1.0 - m } else { m })
+    }
+
+    /// Of the complementary parameter 1 − m.
+    #[inline(always)]
+    pub(crate) fn from_complementary_parameter(complementary: f64) -> Self {
+        let above = complementary < 0.5;
+        Self::from_smaller(above, if above { complementary } else { 1.0 - complementary })
+    }
+
+    #[inline(always)]
+    fn from_smaller(above: bool, smaller: f64) -> Self {
+        let raised = smaller < SMALL;
+        let raise = if raised { RAISE } else { 1.0 };
+        let root = fast_two_sum(1.0, -smaller).sqrt();
+        Self { above, smaller: DoubleDouble::from(smaller * raise * raise), raised, root }
+    }
+
+    /// Of the modulus k beside its complement k′.
+    #[inline(always)]
+    pub(crate) fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
+        let above = modulus.hi > complementary.hi;
+        let (small, root) = if above { (complementary, modulus) } else { (modulus, complementary) };
+        let raised = small.hi < SMALL_MODULUS;
+        let smaller = small.scaled(if raised { RAISE } else { 1.0 }).square();
+        Self { above, smaller, raised, root }
+    }
+
+    pub(crate) fn expansion(&self) -> Expansion {
+        if self.above { Expansion::Hyperbolic } else { Expansion::Circular }
+    }
+
+    /// 1/`RAISE` where the smaller is raised.
+    #[inline(always)]
+    pub(crate) fn lowering(&self) -> f64 {
+        if self.raised { 1.0 / RAISE } else { 1.0 }
+    }
+
+    /// m and 1 − m.
+    #[inline(always)]
+    pub(crate) fn parameters(&self) -> [DoubleDouble; 2] {
+        let smaller = self.plain_smaller();
+        let larger = DoubleDouble::ONE - smaller;
+        [pick(self.above, larger, smaller), pick(self.above, smaller, larger)]
+    }
+
+    /// The smaller as it is.
+    #[inline(always)]
+    pub(crate) fn plain_smaller(&self) -> DoubleDouble {
+        self.smaller.scaled(self.lowering()).scaled(self.lowering())
+    }
+}
