@@ -13,7 +13,7 @@ pub(crate) fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Resu
     out.write_all(b"\n")
 }
 
-fn quoted(field: &str) -> std::borrow::Cow<'_, str> {
+pub(crate) fn quoted(field: &str) -> std::borrow::Cow<'_, str> {
     if field.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", field.replace('"', "\"\"")).into()
     } else {

@@ -14,6 +14,11 @@ pub(crate) fn exact(value: f64) -> String {
     serde_json::Number::from_f64(value).map_or_else(|| rounded(value, 1), |number| number.to_string())
 }
 
+/// [`exact`] of a finite number, behind a text.
+pub(crate) fn write_exact(text: &mut Vec<u8>, value: f64) {
+    serde_json::to_writer(text, &value).expect("a number can be written to memory");
+}
+
 /// `1.637 ± 0.002 s`, or without an uncertainty where none is known.
 pub(crate) fn quantity(quantity: impl Into<Quantity>, unit: &str) -> String {
     let quantity = quantity.into();
@@ -45,5 +50,10 @@ mod tests {
     fn exact_numbers_read_back_as_themselves() {
         assert_eq!(exact(1e-300), "1e-300");
         assert_eq!(exact(0.1).parse(), Ok(0.1));
+        for value in [1e-300, -0.0, 0.1, 3.0, 1e16, 1.5e300, 5e-324] {
+            let mut text = b"x=".to_vec();
+            write_exact(&mut text, value);
+            assert_eq!(String::from_utf8(text).unwrap(), format!("x={}", exact(value)));
+        }
     }
 }

@@ -333,6 +333,24 @@ impl Kernel for OfWords {
     }
 }
 
+/// The complete integrals and the nome of the modulus k with its complement k′.
+pub(crate) fn complete_and_nome(modulus: DoubleDouble, complementary: DoubleDouble) -> (Complete, f64) {
+    dispatch(CompleteAndNome(modulus, complementary))
+}
+
+struct CompleteAndNome(DoubleDouble, DoubleDouble);
+
+impl Kernel for CompleteAndNome {
+    type Output = (Complete, f64);
+    #[inline(always)]
+    fn run(self) -> (Complete, f64) {
+        let nearer = Nearer::from_words(self.0, self.1);
+        let descent = Descent::new(&nearer);
+        let log = descent.log_inverse_nome(nearer.raised);
+        (Complete::new(&nearer, &descent, log), nome(&nearer, &descent, log))
+    }
+}
+
 /// The nome of the modulus k with its complement k′.
 pub(crate) fn nome_of_words(modulus: DoubleDouble, complementary: DoubleDouble) -> f64 {
     dispatch(NomeOfWords(modulus, complementary))

@@ -1,9 +1,11 @@
 //! The amplitude of a libration and what follows from it alone.
 
 use super::{PendulumError, period};
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
 use crate::elementary::two_word;
 use crate::elliptic::complete::{Complete, complete};
+use crate::elliptic::complete_and_nome;
 use crate::elliptic::{self, Modulus};
 use crate::quantity::Angle;
 
@@ -57,13 +59,17 @@ impl Amplitude {
     /// T/T0, within 0.56 ulp.
     #[must_use]
     pub fn period_ratio(&self) -> f64 {
-        period::ratio_from_words(self.angle.in_turn_words(), self.angle.complement_words())
+        self.ratio_and_excess().0
     }
 
     /// T/T0 − 1, within 0.9 ulp from θ0 = 1e-150 on.
     #[must_use]
     pub fn period_excess(&self) -> f64 {
-        period::excess_from_words(self.angle.in_turn_words(), self.angle.complement_words())
+        self.ratio_and_excess().1
+    }
+
+    pub(super) fn ratio_and_excess(&self) -> (f64, f64) {
+        period::ratio_and_excess(self.angle.in_turn_words(), self.angle.complement_words())
     }
 
     /// The nome q = exp(−πK′/K) of the modulus sin(θ0/2).
@@ -82,18 +88,39 @@ impl Amplitude {
     /// DLMF 19.4.1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let slope = self.logarithmic_slope();
+        self.condition_with(self.logarithmic_slope())
+    }
+
+    fn condition_with(&self, slope: DoubleDouble) -> f64 {
         // 1/δ is beyond the range of numbers for the smallest complements.
         if slope.is_finite() { (self.angle.in_turn_words() * slope).to_f64() } else { f64::INFINITY }
     }
 
     /// (1/T)·dT/dθ0 = (E − k′²K)/(2kk′K), in 1/rad.
     pub(super) fn logarithmic_slope(&self) -> DoubleDouble {
-        let (k, complementary) = self.half_angle();
-        let integrals = self.integrals();
+        self.slope_with(self.half_angle(), &self.integrals())
+    }
+
+    fn slope_with(
+        &self,
+        (k, complementary): (DoubleDouble, DoubleDouble),
+        integrals: &Complete,
+    ) -> DoubleDouble {
         let complement = self.angle.complement_words();
         let twice = if complement.hi < SMALLEST_HALVED { complement } else { complementary.scaled(2.0) };
         k * integrals.cosine_part / integrals.first / twice
+    }
+
+    /// The period in units of 4/ω0, the nome and the condition number, with one preparation for all.
+    pub(super) fn of_modulus(&self) -> OfModulus {
+        if self.complement() < SMALLEST_HALVED {
+            let first = self.integrals().first;
+            return OfModulus { first, nome: self.nome(), condition: self.condition() };
+        }
+        let words = self.half_angle();
+        let (integrals, nome) = complete_and_nome(words.0, words.1);
+        let condition = self.condition_with(self.slope_with(words, &integrals));
+        OfModulus { first: integrals.first, nome, condition }
     }
 
     /// The integrals of the modulus; where k′ would be rounded, from K(k′) = K(2k′) + ln 2.
@@ -127,16 +154,39 @@ impl Amplitude {
 
     /// 2πR/ω0.
     pub(super) fn period_in_units_of(&self, angular_frequency: DoubleDouble) -> f64 {
-        (self.integrals().first.scaled(4.0) / angular_frequency).to_f64()
+        period_of_quarter(self.integrals().first, angular_frequency)
     }
+}
+
+/// 4K/ω0.
+pub(super) fn period_of_quarter(first: DoubleDouble, angular_frequency: DoubleDouble) -> f64 {
+    (first.scaled(4.0) / angular_frequency).to_f64()
+}
+
+/// What [`Amplitude::of_modulus`] finds.
+pub(super) struct OfModulus {
+    /// K.
+    pub(super) first: DoubleDouble,
+    pub(super) nome: f64,
+    pub(super) condition: f64,
 }
 
 /// The sine and cosine of half the angle in the turn, the cosine from the complement where it is small.
 pub(super) fn half_angle(angle: &Angle) -> (DoubleDouble, DoubleDouble) {
-    let (in_turn, complement) = (angle.in_turn_words(), angle.complement_words());
-    if complement.hi > std::f64::consts::FRAC_PI_2 {
-        return two_word::sin_cos(in_turn.scaled(0.5));
+    dispatch(HalfAngle(angle))
+}
+
+struct HalfAngle<'a>(&'a Angle);
+
+impl Kernel for HalfAngle<'_> {
+    type Output = (DoubleDouble, DoubleDouble);
+    #[inline(always)]
+    fn run(self) -> (DoubleDouble, DoubleDouble) {
+        let (in_turn, complement) = (self.0.in_turn_words(), self.0.complement_words());
+        if complement.hi > std::f64::consts::FRAC_PI_2 {
+            return two_word::sin_cos_series(in_turn.scaled(0.5));
+        }
+        let (cosine, sine) = two_word::sin_cos_series(complement.scaled(0.5));
+        (if in_turn.hi < 0.0 { -sine } else { sine }, cosine)
     }
-    let (cosine, sine) = two_word::sin_cos(complement.scaled(0.5));
-    (if in_turn.hi < 0.0 { -sine } else { sine }, cosine)
 }

@@ -34,6 +34,8 @@ mod separatrix;
 mod prepared;
 mod table;
 
+mod swing_period;
+
 mod varying;
 mod varying_stages;
 
@@ -52,6 +54,7 @@ pub use prepared::PreparedMotion;
 pub use rotation::Rotation;
 pub use separatrix::Separatrix;
 pub use state::State;
+pub use swing_period::SwingPeriod;
 pub use varying::state;
 pub use varying_stages::states;
 

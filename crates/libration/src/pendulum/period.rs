@@ -308,26 +308,30 @@ pub fn period_ratio_near_top(complement: f64) -> f64 {
     dispatch(One(RatioNearTop, complement))
 }
 
-/// T/T0 from the amplitude and its complement in two words each.
-pub(super) fn ratio_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
+/// T/T0 and T/T0 − 1 from the amplitude and its complement in two words each.
+pub(super) fn ratio_and_excess(amplitude: DoubleDouble, complement: DoubleDouble) -> (f64, f64) {
     if complement.hi < f64::MIN_POSITIVE {
-        return ratio_at_the_top(complement.hi);
+        let ratio = ratio_at_the_top(complement.hi);
+        return (ratio, ratio - 1.0);
     }
-    let above = amplitude_above(amplitude.hi);
-    let Nearer { s, u } = Nearer::new(above, amplitude, complement);
-    let excess = excess_below(u);
-    Ratio::round(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
+    dispatch(OfWords { amplitude, complement })
 }
 
-/// T/T0 − 1 from the amplitude and its complement in two words each.
-pub(super) fn excess_from_words(amplitude: DoubleDouble, complement: DoubleDouble) -> f64 {
-    if complement.hi < f64::MIN_POSITIVE {
-        return ratio_at_the_top(complement.hi) - 1.0;
+struct OfWords {
+    amplitude: DoubleDouble,
+    complement: DoubleDouble,
+}
+
+impl Kernel for OfWords {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run(self) -> (f64, f64) {
+        let above = amplitude_above(self.amplitude.hi);
+        let Nearer { s, u } = Nearer::new(above, self.amplitude, self.complement);
+        let below = excess_below(u);
+        let ratio = ratio_above(below, log_inverse_nome(s, u));
+        (Ratio::round(above, below, ratio), Excess::round(above, below, ratio))
     }
-    let above = amplitude_above(amplitude.hi);
-    let Nearer { s, u } = Nearer::new(above, amplitude, complement);
-    let excess = excess_below(u);
-    Excess::round(above, excess, ratio_above(excess, log_inverse_nome(s, u)))
 }
 
 /// T/T0 for subnormal complements, where G(s) = 1 and only the logarithm counts.

@@ -1,8 +1,11 @@
-//! What a formula needs of a number, for `f64` and for floats of any precision.
+//! What a formula needs of a number, for `f64`, for two words and for floats of any precision.
 
 use crate::algebra::{BigFloat, Rational};
+use crate::double_double::DoubleDouble;
+use crate::elementary::two_word;
 
-/// The numbers a formula is evaluated in: `f64` when speed matters, [`BigFloat`] when its error does.
+/// The numbers a formula is evaluated in: `f64` when speed matters, [`BigFloat`] when its error does, two words when
+/// the error is large enough for them.
 pub(super) trait Real:
     Clone
     + PartialOrd
@@ -42,12 +45,14 @@ pub(super) trait Real:
 pub(super) struct Coefficients {
     exact: Vec<Rational>,
     nearest: Vec<f64>,
+    two_words: Vec<DoubleDouble>,
 }
 
 impl Coefficients {
     pub(super) fn new(exact: Vec<Rational>) -> Self {
-        let nearest = exact.iter().map(Rational::to_f64).collect();
-        Self { exact, nearest }
+        let nearest: Vec<f64> = exact.iter().map(Rational::to_f64).collect();
+        let two_words = exact.iter().map(in_two_words).collect();
+        Self { exact, nearest, two_words }
     }
 }
 
@@ -90,6 +95,63 @@ impl Real for f64 {
 
     fn sin(&self) -> Self {
         libm::sin(*self)
+    }
+}
+
+fn in_two_words(exact: &Rational) -> DoubleDouble {
+    const BITS: usize = 160;
+    let float = BigFloat::from_rational(exact, BITS);
+    let hi = float.to_f64();
+    let rest = float - BigFloat::from_words(DoubleDouble::from(hi), BITS);
+    DoubleDouble::new(hi, rest.to_f64())
+}
+
+impl Real for DoubleDouble {
+    fn number(&self, integer: i16) -> Self {
+        Self::from(f64::from(integer))
+    }
+
+    fn pi(&self) -> Self {
+        Self::PI
+    }
+
+    fn polynomial(&self, coefficients: &Coefficients) -> Self {
+        coefficients.two_words.iter().rev().fold(Self::ZERO, |sum, c| sum * *self + *c)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.hi == 0.0
+    }
+
+    fn is_negligible(&self) -> bool {
+        self.hi.abs() < f64::EPSILON * f64::EPSILON
+    }
+
+    fn sqrt(&self) -> Self {
+        Self::sqrt(*self)
+    }
+
+    fn ln(&self) -> Self {
+        two_word::ln(*self)
+    }
+
+    /// To 2⁻¹⁰⁰ absolutely.
+    fn ln_1p(&self) -> Self {
+        two_word::ln(*self + 1.0)
+    }
+
+    fn exp(&self) -> Self {
+        two_word::exp(*self)
+    }
+
+    /// For 0 ≤ x ≤ π.
+    fn sin(&self) -> Self {
+        let acute = if self.hi > std::f64::consts::FRAC_PI_2 { Self::PI - *self } else { *self };
+        two_word::sin_cos(acute).0
+    }
+
+    fn square(&self) -> Self {
+        *self * *self
     }
 }
 

@@ -3,6 +3,7 @@
 use super::real::Real;
 use crate::algebra::BigFloat;
 use crate::double_double::DoubleDouble;
+use crate::elementary::two_word;
 use crate::quantity::Angle;
 
 /// An amplitude within [0, π), given by what is smaller of it and its complement.
@@ -84,6 +85,35 @@ impl Swing<f64> {
             SwingAmplitude::FromTop(_) => (libm::sin(complement / 2.0), libm::cos(complement / 2.0)),
         };
         Self { amplitude: radians, complement, cos_half, sin_half }
+    }
+}
+
+impl Swing<DoubleDouble> {
+    /// `None` next to the bottom and to the top, where quotients of small differences would lose digits.
+    pub(super) fn in_two_words(amplitude: SwingAmplitude) -> Option<Self> {
+        const NEAREST: f64 = 0.0625;
+        match amplitude {
+            SwingAmplitude::FromBottom(amplitude) if amplitude.hi >= NEAREST => {
+                let (sin_half, cos_half) = two_word::sin_cos(amplitude.scaled(0.5));
+                Some(Self { amplitude, complement: DoubleDouble::PI - amplitude, cos_half, sin_half })
+            }
+            SwingAmplitude::FromTop(complement) if complement.hi >= NEAREST => {
+                let (cos_half, sin_half) = two_word::sin_cos(complement.scaled(0.5));
+                Some(Self { amplitude: DoubleDouble::PI - complement, complement, cos_half, sin_half })
+            }
+            _ => None,
+        }
+    }
+
+    /// T/T0 = 1/agm(1, cos(θ0/2)), in six steps at most.
+    pub(super) fn exact_ratio(&self) -> DoubleDouble {
+        let (mut a, mut b) = (DoubleDouble::ONE, self.cos_half);
+        while a.hi - b.hi > 1e-9 {
+            (a, b) = ((a + b).scaled(0.5), (a * b).sqrt());
+        }
+        // Two more steps double the digits that agree, of which the second takes only the mean.
+        (a, b) = ((a + b).scaled(0.5), (a * b).sqrt());
+        DoubleDouble::ONE / (a + b).scaled(0.5)
     }
 }
 

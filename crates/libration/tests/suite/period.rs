@@ -4,7 +4,7 @@ use crate::golden::Table;
 use crate::promises::RATIO;
 use crate::random::Random;
 use crate::ulp::{Truth, ulp};
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_PI_2, PI};
 use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum, PendulumError};
 use libration::quantity::Angle;
 
@@ -276,5 +276,32 @@ fn a_measured_period_gives_length_and_gravity_back() {
             (by_gravity.length().unwrap() / length - 1.0).abs() <= 4.0 * f64::EPSILON,
             "{length} {gravity}"
         );
+    }
+}
+
+#[test]
+fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
+    let pendulum = Pendulum::new(0.7, 9.81).unwrap();
+    let mut random = Random::seeded(21);
+    let complements = [5e-324, 2.2e-308, 4.4e-308, 4.5e-308, 1e-300, 1e-9].map(Angle::from_complement);
+    let radians = [0.0, 1e-300, 1e-9, FRAC_PI_2, FRAC_PI_2.next_up(), FRAC_PI_2.next_down(), PI.next_down()];
+    let drawn: Vec<f64> = (0..2000).map(|_| random.between(0.0, PI)).collect();
+    let radians = radians.into_iter().chain(drawn).map(Angle::from_radians);
+    for angle in complements.into_iter().chain(radians) {
+        let amplitude = Amplitude::new(angle.unwrap()).unwrap();
+        let swing = pendulum.swing_period(&amplitude);
+        let found = [swing.period, swing.ratio, swing.excess, swing.nome, swing.condition];
+        let expected = [
+            pendulum.period(&amplitude),
+            amplitude.period_ratio(),
+            amplitude.period_excess(),
+            amplitude.nome(),
+            amplitude.condition(),
+        ];
+        assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{amplitude:?}");
+        // The modulus has the nome too, where its complement is a normal number.
+        if amplitude.complement() > 1e-300 {
+            assert_eq!(swing.nome.to_bits(), amplitude.modulus().nome().to_bits(), "{amplitude:?}");
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::number;
-use libration::pendulum::{Amplitude, Pendulum};
+use libration::pendulum::{Amplitude, Pendulum, SwingPeriod};
 use libration::period_formulas::PeriodFormula;
 
 /// A pendulum released at an amplitude.
@@ -12,6 +12,13 @@ use libration::period_formulas::PeriodFormula;
 pub(super) struct Swing {
     pub(super) amplitude: Amplitude,
     pub(super) pendulum: Pendulum,
+    pub(super) exact: SwingPeriod,
+}
+
+impl Swing {
+    pub(super) fn new(amplitude: Amplitude, pendulum: Pendulum) -> Self {
+        Self { amplitude, pendulum, exact: pendulum.swing_period(&amplitude) }
+    }
 }
 
 /// What one formula says of it.
@@ -42,34 +49,28 @@ pub(super) fn of_swing() -> Fields<Swing> {
             it.pendulum.small_angle_period()
         })
         .line(SMALL_ANGLE_PERIOD, DIGITS),
-        Of::number("period_s", "s", "exact period at this amplitude", |it| it.pendulum.period(&it.amplitude))
+        Of::number("period_s", "s", "exact period at this amplitude", |it| it.exact.period)
             .rounded("T / s", 12)
             .line("exact period T", DIGITS),
-        Of::number("frequency_hz", "Hz", "reciprocal of the exact period", |it| {
-            it.pendulum.period(&it.amplitude).recip()
-        })
-        .only_json()
-        .line("frequency 1/T", DIGITS),
-        Of::number("ratio", "1", "exact period over the small-angle period", |it| {
-            it.amplitude.period_ratio()
-        })
-        .rounded("T/T₀", 12)
-        .line("T/T₀", DIGITS),
-        Of::number("excess", "1", "that ratio minus 1, without cancellation", |it| {
-            it.amplitude.period_excess()
-        })
-        .rounded("T/T₀ − 1", 12)
-        .line("excess T/T₀ − 1", DIGITS),
-        Of::number("nome", "1", "nome q of the elliptic functions of the motion", |it| it.amplitude.nome())
+        Of::number("frequency_hz", "Hz", "reciprocal of the exact period", |it| it.exact.period.recip())
+            .only_json()
+            .line("frequency 1/T", DIGITS),
+        Of::number("ratio", "1", "exact period over the small-angle period", |it| it.exact.ratio)
+            .rounded("T/T₀", 12)
+            .line("T/T₀", DIGITS),
+        Of::number("excess", "1", "that ratio minus 1, without cancellation", |it| it.exact.excess)
+            .rounded("T/T₀ − 1", 12)
+            .line("excess T/T₀ − 1", DIGITS),
+        Of::number("nome", "1", "nome q of the elliptic functions of the motion", |it| it.exact.nome)
             .line("nome q", DIGITS),
         Of::number(
             "condition",
             "1",
             "relative change of the period per relative change of the amplitude",
-            |it| it.amplitude.condition(),
+            |it| it.exact.condition,
         )
         .line_of("condition", |it| {
-            let condition = number::rounded(it.amplitude.condition(), 6);
+            let condition = number::rounded(it.exact.condition, 6);
             format!("{condition} (relative change of T per relative change of θ₀)")
         }),
     ])

@@ -58,7 +58,7 @@ impl Period {
                 let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
                 let amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
                 let results = amplitudes.map(|amplitude| {
-                    let swing = Swing { amplitude, pendulum };
+                    let swing = Swing::new(amplitude, pendulum);
                     let estimates = self.sorted(estimates(&swing, formulas));
                     of_swing.record(&swing).with("formulas", of_formula.records(&estimates))
                 });
@@ -66,7 +66,7 @@ impl Period {
             }
             Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
             Form::Table => match amplitudes.single() {
-                Some(amplitude) => sheet::write(out, self, &Swing { amplitude, pendulum })?,
+                Some(amplitude) => sheet::write(out, self, &Swing::new(amplitude, pendulum))?,
                 None => table::write(out, self, &amplitudes, &pendulum)?,
             },
         }

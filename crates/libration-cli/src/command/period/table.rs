@@ -6,7 +6,8 @@ use crate::arguments::Amplitudes;
 use crate::output::progress::watched;
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
-use libration::pendulum::Pendulum;
+use crate::parallel;
+use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
@@ -26,7 +27,7 @@ pub(super) fn write(
     for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
         let errors = fractional_errors(formulas, &amplitude.angle());
         let errors = errors.into_iter().map(|error| number::rounded(error, 3));
-        let swing = Swing { amplitude, pendulum: *pendulum };
+        let swing = Swing::new(amplitude, *pendulum);
         table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
     }
     table.finish(out)
@@ -42,11 +43,29 @@ pub(super) fn write_csv(
     let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
     let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
     csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
-    for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
-        let swing = Swing { amplitude, pendulum: *pendulum };
-        let estimates = estimates(&swing, formulas);
-        let more = estimates.iter().flat_map(|estimate| of_formula.csv_cells(estimate));
-        csv::line(out, &exact.csv_cells(&swing).into_iter().chain(more).collect::<Vec<_>>())?;
+    let mut amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
+    loop {
+        let batch: Vec<Amplitude> = amplitudes.by_ref().take(BATCH).collect();
+        if batch.is_empty() {
+            return Ok(());
+        }
+        let pieces: Vec<&[Amplitude]> = batch.chunks(PIECE).collect();
+        let lines = |piece: &&[Amplitude]| {
+            piece.iter().map(|amplitude| Swing::new(*amplitude, *pendulum)).fold(vec![], |mut text, swing| {
+                exact.write_csv_cells(&mut text, &swing);
+                for estimate in estimates(&swing, formulas) {
+                    text.push(b',');
+                    of_formula.write_csv_cells(&mut text, &estimate);
+                }
+                text.push(b'\n');
+                text
+            })
+        };
+        parallel::map(&pieces, lines).iter().try_for_each(|text| out.write_all(text))?;
     }
-    Ok(())
 }
+
+/// How many amplitudes are answered between two looks at Ctrl-C: a fraction of a second with every formula.
+const BATCH: usize = 1024;
+/// How many lines one core makes at a time.
+const PIECE: usize = 128;

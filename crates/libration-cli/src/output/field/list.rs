@@ -72,6 +72,16 @@ impl<A> Fields<A> {
         self.0.iter().filter(|field| field.in_csv.is_some()).map(|field| field.cell(answer)).collect()
     }
 
+    /// The same cells with commas between, behind a text.
+    pub(crate) fn write_csv_cells(&self, text: &mut Vec<u8>, answer: &A) {
+        for (index, field) in self.0.iter().filter(|field| field.in_csv.is_some()).enumerate() {
+            if index > 0 {
+                text.push(b',');
+            }
+            field.write_cell(text, answer);
+        }
+    }
+
     pub(crate) fn csv_cells_or_blanks(&self, answer: Option<&A>) -> Vec<String> {
         answer.map_or_else(|| vec![String::new(); self.csv_names().len()], |answer| self.csv_cells(answer))
     }

@@ -10,7 +10,8 @@ mod write;
 pub(crate) use list::Fields;
 
 use super::description::Description;
-use content::Content;
+use super::{csv, number};
+use content::{Content, Datum};
 use look::{Look, Shown};
 use serde_json::Value;
 
@@ -190,6 +191,14 @@ impl<A> Field<A> {
     fn text(&self, look: &Look<A>, answer: &A) -> String {
         let value = self.content.in_answer(answer).to_f64();
         look.text(value, self.unit, answer).unwrap_or_else(|| self.blanks[0].to_owned())
+    }
+
+    /// The cell behind a text, quoted where needed; numbers, of which there may be millions, without a text of their own.
+    fn write_cell(&self, text: &mut Vec<u8>, answer: &A) {
+        match self.content.in_answer(answer) {
+            Datum::Number(value) if value.is_finite() => number::write_exact(text, value),
+            _ => text.extend_from_slice(csv::quoted(&self.cell(answer)).as_bytes()),
+        }
     }
 
     fn cell(&self, answer: &A) -> String {
