@@ -43,7 +43,9 @@ fn every_named_system_has_modes_or_a_reason() {
         let key = system["key"].as_str().unwrap();
         let output = libration(&format!("modes {key}"));
         let told = message(&output);
-        assert!(output.status.success() || told.contains("choose another equilibrium"), "{key}: {told}");
+        let reasons = ["choose another equilibrium", "no equilibrium is found", "is of the first order"];
+        let has_reason = reasons.iter().any(|reason| told.contains(reason));
+        assert!(output.status.success() || has_reason, "{key}: {told}");
     }
 }
 
@@ -68,7 +70,7 @@ fn questions_about_modes_without_an_answer_are_refused() {
         (&["modes", "x'' = -x^2 - 1"], 1, "no equilibrium"),
         (&["modes", "pendulum", "--about", "phi=1"], 2, "no coordinate `phi`: it has theta"),
         (&["modes", "pendulum", "--about", "theta"], 2, "has no value"),
-        (&["modes", "x'' = -x", "--about", "x=1deg"], 2, "no number"),
+        (&["modes", "x'' = -x", "--about", "x=1kg"], 2, "no number"),
         (&["backbone", "duffing"], 2, "--amplitudes"),
         (&["backbone", "duffing", "--amplitudes", "1deg"], 2, "angle units"),
         (&["backbone", "duffing", "--amplitudes", "0:1:0.5"], 2, "above zero"),
