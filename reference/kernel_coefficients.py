@@ -89,4 +89,3 @@ table("(sin r - r)/r^3 in r^2, first coefficient in two words", lambda x: (sin(s
       eighth, 7, pairs=1, exact=(-mpf(1) / 6,))
 table("(cos r - 1 + r^2/2)/r^4 in r^2, first coefficient in two words", lambda x: (cos(sqrt(x)) - 1 + x / 2) / x ** 2,
       tiny, eighth, 7, pairs=1, exact=(mpf(1) / 24,))
-table("(exp r - 1 - r - r^2/2)/r^3", lambda r: (exp(r) - 1 - r - r ** 2 / 2) / r ** 3, -sqrt(half_ln2), sqrt(half_ln2), 10)

@@ -4,6 +4,8 @@ use crate::random::Random;
 use crate::ulp::ulp;
 use core::f64::consts::FRAC_PI_2;
 use libration::elliptic::Modulus;
+use libration::pendulum::Amplitude;
+use libration::quantity::Angle;
 
 /// Moduli of every kind: middling, near 0, and near 1 down to k′ = 1e-300.
 fn moduli(random: &mut Random) -> [Modulus; 5] {
@@ -277,4 +279,13 @@ fn what_is_no_modulus_is_refused() {
         assert!(Modulus::from_complementary_modulus(bad).is_err(), "{bad}");
         assert!(Modulus::from_nome(bad).is_err(), "{bad}");
     }
+}
+
+/// Between the middles of neighbouring numbers, where a sum good to 2⁻⁵⁷ alone went to the wrong one: mpmath, 25 digits are
+/// 0.04424913562595738160167671 and 0.1599059317606499746002681.
+#[test]
+fn nomes_of_swings_beyond_a_right_angle_are_rounded_from_two_words() {
+    let nome = |radians| Amplitude::new(Angle::from_radians(radians).unwrap()).unwrap().nome();
+    assert_eq!(nome(1.5873491223508147), 0.04424913562595738);
+    assert_eq!(nome(2.6029067065030853), 0.15990593176064996);
 }
