@@ -24,7 +24,7 @@ use std::marker::PhantomData;
 /// use libration::elliptic::{Moduli, incomplete_firsts};
 /// let mut found = [0.0; 2];
 /// incomplete_firsts(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;
-/// assert_eq!(found, [1.0, 1.0832167728451732]);
+/// assert_eq!(found, [1.0, 1.0832167728451687]);
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn incomplete_firsts(
@@ -49,7 +49,7 @@ pub fn incomplete_firsts(
 /// use libration::elliptic::{Moduli, incomplete_seconds};
 /// let mut found = [0.0; 2];
 /// incomplete_seconds(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;
-/// assert_eq!(found, [1.0, 0.9273298836244401]);
+/// assert_eq!(found, [1.0, 0.92732988362444]);
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn incomplete_seconds(
