@@ -46,9 +46,9 @@ impl Trace {
         }
     }
 
-    /// Takes the states of a step.
-    pub(crate) fn follow(&mut self, step: &Step<'_>) {
-        while self.next <= POINTS && self.time(self.next).abs() <= step.end().abs() {
+    /// Takes the states of a step up to a time.
+    pub(crate) fn follow(&mut self, step: &Step<'_>, end: f64) {
+        while self.next <= POINTS && self.time(self.next).abs() <= end.abs() {
             let time = self.time(self.next);
             self.push(&Moment { time, state: step.state_at(time) });
             self.next += 1;

@@ -261,3 +261,87 @@ fn pictures_have_an_axis_for_each_unit() {
         assert!(drawn.contains(label), "{label}");
     }
 }
+
+#[test]
+fn formulas_are_columns_in_every_form() {
+    let question = ["simulate", "x'' = -k*x", "--set", "k=4", "--initial", "x=1", "--times", "0:1:0.5"];
+    let columns = ["--columns", "energy = x'^2/2 + k*x^2/2, x'', max(x, t)", "--events", "turning"];
+    let ask = |form: &[&str]| {
+        let output = run(&[&question[..], &columns, form].concat());
+        assert!(output.status.success(), "{}", message(&output));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let answer: Value = serde_json::from_str(&ask(&["--json"])).unwrap();
+    assert_eq!(answer["columns"], serde_json::json!(["energy", "x''", "max(x, t)"]));
+    for row in answer["samples"].as_array().unwrap().iter().chain(answer["events"].as_array().unwrap()) {
+        let (x, time) = (row["state"][0].as_f64().unwrap(), row["time"].as_f64().unwrap());
+        close(&row["columns"][0], 2.0, 1e-12);
+        assert_eq!(row["columns"][1].as_f64(), Some(-4.0 * x));
+        assert_eq!(row["columns"][2].as_f64(), Some(x.max(time)));
+    }
+    let table = ask(&["--csv"]);
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("time,x,x',energy,x'',\"max(x, t)\",event"));
+    let first: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(first[..6], ["0.0", "1.0", "0.0", "2.0", "-4.0", "1.0"]);
+    assert!(unfolded(&ask(&[])).contains("max(x, t)"));
+}
+
+#[test]
+fn columns_that_cannot_be_are_refused() {
+    for (columns, reason) in [
+        ("p = m*x'", "p: the system has no `m`: it has x, x', k, and the time t"),
+        ("x = 2", "x is the name of something else"),
+        ("a = 1, a = 2", "a is the name of something else"),
+        ("e = (x", "e: at character 1: this bracket"),
+        (" = x", "is no name"),
+    ] {
+        let question = ["simulate", "x'' = -k*x", "--set", "k=4", "--initial", "x=1", "--times", "1"];
+        let output = run(&[&question[..], &["--columns", columns]].concat());
+        assert_eq!(output.status.code(), Some(2), "{columns}");
+        assert!(message(&output).contains(reason), "{columns}: {}", message(&output));
+    }
+}
+
+#[test]
+fn a_motion_ends_at_an_event() {
+    let question = "simulate duffing_soft --initial x=0.1 --times 0:100:1";
+    let until = "--until x=0 --direction rising --count 2";
+    let answer = json(&format!("{question} {until} --set epsilon=0"));
+    let expected = 3.5 * std::f64::consts::PI;
+    let (time, error) = (&answer["until"]["time"], answer["until"]["time_error"].as_f64().unwrap());
+    assert!((time.as_f64().unwrap() - expected).abs() <= error && error < 1e-10, "{answer}");
+    assert_eq!(answer["samples"].as_array().unwrap().len(), 11);
+    assert_eq!(answer["events"].as_array().unwrap().len(), 2);
+    close(&answer["until"]["state"][1], 0.1, 1e-11);
+    assert!(unfolded(&text(&format!("{question} {until}"))).contains("ends at t = "));
+    let never = libration("simulate pendulum --initial theta=1 --times 0,5 --until theta=2");
+    assert_eq!(never.status.code(), Some(1));
+    assert!(message(&never).contains("`theta=2` does not happen until t = 5.0 s"), "{}", message(&never));
+    for bad in ["--until y=0", "--until theta=0 --count 0", "--count 2", "--until theta=0=1"] {
+        let output = libration(&format!("simulate pendulum --initial theta=1 --times 0,5 {bad}"));
+        assert_eq!(output.status.code(), Some(2), "{bad}: {}", message(&output));
+    }
+}
+
+/// Of runs that were gone on from: the columns are those of one run, and the count of events goes on.
+#[test]
+fn columns_and_counted_events_survive_a_stop() {
+    let place = directory("columns_and_counts");
+    let (file, whole) = (place.join("motion.csv"), place.join("whole.csv"));
+    let ask = |times: &str, file: &std::path::Path, more: &[&str]| {
+        let file = file.to_str().unwrap();
+        let question = ["simulate", "pendulum", "--initial", "theta=1", "--times", times, "--output", file];
+        let asked = ["--columns", "e=theta'^2/2-cos(theta)", "--until", "theta=0", "--count", "9"];
+        run(&[&question[..], &asked, more].concat())
+    };
+    ask("0:20:0.5", &file, &[]);
+    let output = ask("0:80:0.5", &file, &["--resume", file.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", message(&output));
+    assert!(ask("0:80:0.5", &whole, &[]).status.success());
+    assert_eq!(fs::read_to_string(&file).unwrap(), fs::read_to_string(&whole).unwrap());
+    let other = ["--resume", file.to_str().unwrap(), "--columns", "e=1"];
+    let question = ["simulate", "pendulum", "--times", "0:90:0.5", "--until", "theta=0", "--count", "9"];
+    let refused = run(&[&question[..], &other].concat());
+    assert!(message(&refused).contains("--columns"), "{}", message(&refused));
+}

@@ -26,7 +26,7 @@ fn truth(swing: &Synthetic, until: f64) -> Vec<[f64; 2]> {
         "theta'' = -{:e}*sin(theta) - {linear:e}*theta' - {quadratic:e}*theta'*abs(theta')",
         omega0 * omega0
     );
-    let turn = Event { formula: "theta'".parse().unwrap(), direction: Direction::Any, terminal: false };
+    let turn = Event { formula: "theta'".parse().unwrap(), direction: Direction::Any, ends_at: None };
     let system = System::new(&equation.parse().unwrap()).unwrap().with_events(&[turn]).unwrap();
     let start = Moment { time: 0.0, state: vec![swing.amplitude, swing.velocity] };
     let effort = Effort::to_tolerance(1e-12);

@@ -35,7 +35,7 @@ fn edges_from(release: f64, gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     let event = |edge: f64| Event {
         formula: format!("theta - ({edge:e})").parse().unwrap(),
         direction: Direction::Any,
-        terminal: false,
+        ends_at: None,
     };
     let (low, high) = (gate - 0.5 * WIDTH, gate + 0.5 * WIDTH);
     let system = System::new(&equation.parse().unwrap()).unwrap();

@@ -159,7 +159,7 @@ pub fn section_watched(
             stroboscopic(&System::new(equation)?, start, &times, effort, watch)
         }
         Section::Crossing { formula, direction } => {
-            let surface = Event { formula: formula.clone(), direction: *direction, terminal: false };
+            let surface = Event { formula: formula.clone(), direction: *direction, ends_at: None };
             let system = System::new(equation)?.with_events(&[surface])?;
             crossings(&system, start, points, effort, watch)
         }

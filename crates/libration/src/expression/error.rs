@@ -43,6 +43,9 @@ pub enum Fault {
         /// Levels allowed.
         limit: usize,
     },
+    /// One argument where there are two.
+    #[error("max and min take two formulas: write max(x, 0)")]
+    OneArgument,
     /// A number with too many digits or too large an exponent.
     #[error("the number is too long: give at most {limit} digits and a power of ten of at most {limit}")]
     NumberTooLong {

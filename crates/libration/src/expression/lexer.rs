@@ -55,7 +55,7 @@ pub(super) fn lexemes(text: &str) -> Result<Lexemes, ParseError> {
         let fault = Fault::TooLong { length: text.len(), limit: LONGEST_TEXT };
         return Err(ParseError::new("", 0, fault));
     }
-    let mut lexer = Lexer { text, at: 0, free: false };
+    let mut lexer = Lexer { text, at: 0, free: false, open: vec![], after_extremum: false };
     let mut found = Vec::new();
     loop {
         let spaced = lexer.skip_spaces();
@@ -73,6 +73,10 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     free: bool,
+    /// Of each bracket that is open whether it holds the two arguments of max or min.
+    open: Vec<bool>,
+    /// Whether max or min was read last.
+    after_extremum: bool,
 }
 
 impl<'a> Lexer<'a> {
@@ -105,6 +109,7 @@ impl<'a> Lexer<'a> {
 
     fn token(&mut self) -> Result<Token, Fault> {
         let Some(next) = self.peek() else { return Ok(Token::End) };
+        let after_extremum = std::mem::take(&mut self.after_extremum);
         if next.is_ascii_digit() || next == '.' {
             return self.number();
         }
@@ -123,7 +128,16 @@ impl<'a> Lexer<'a> {
         if let Some(range) = self.range() {
             return Ok(Token::Range(range));
         }
+        if next == ',' && self.open.last() == Some(&true) {
+            self.at += 1;
+            return Ok(Token::Sign(','));
+        }
         if let Some(sign) = sign(next) {
+            match sign {
+                '(' => self.open.push(after_extremum),
+                ')' => self.open.truncate(self.open.len().saturating_sub(1)),
+                _ => {}
+            }
             self.at += next.len_utf8();
             let doubled = sign == '*' && self.take_if(|c| c == '*').is_some();
             return Ok(Token::Sign(if doubled { '^' } else { sign }));
@@ -179,6 +193,7 @@ impl<'a> Lexer<'a> {
         Some(if primes > MOST_PRIMES {
             Err(Fault::TooManyPrimes)
         } else {
+            self.after_extremum = is_extremum(&name);
             Ok(Token::Name(Symbol { name, primes }))
         })
     }
@@ -208,6 +223,11 @@ impl<'a> Lexer<'a> {
         let marks = self.take_while(|c| primes(c).is_some()).chars().filter_map(primes);
         marks.fold(count, u8::saturating_add)
     }
+}
+
+/// Functions of two arguments, which are not written back as such.
+pub(super) fn is_extremum(name: &str) -> bool {
+    matches!(name, "max" | "min")
 }
 
 /// What a name begins with, and the dots above it.

@@ -6,7 +6,7 @@
 //! product  ::=  factor ( * factor | / factor | power )*       two powers side by side are multiplied
 //! factor   ::=  ( + | - )* power
 //! power    ::=  primary ( ^ factor | raised digits )?         so that 2^3^2 = 2^9 and -x^2 = -(x^2)
-//! primary  ::=  number deg? | name | function ( sum ) | function argument | ( sum ) | { sum } | \frac { sum } { sum }
+//! primary  ::=  number deg? | name | max ( sum , sum ) | min ( sum , sum ) | function ( sum ) | function argument | ( sum ) | { sum } | \frac { sum } { sum }
 //! argument ::=  number? name+                                 where nothing follows that may belong to it
 //! ```
 //!
@@ -15,8 +15,9 @@
 use std::str::FromStr;
 
 use super::error::{Fault, ParseError};
-use super::lexer::{IndexRange, Lexeme, Lexemes, Token, lexemes};
+use super::lexer::{IndexRange, Lexeme, Lexemes, Token, is_extremum, lexemes};
 use super::members::members_named;
+use super::simplify::{difference, quotient, sum};
 use super::{Expression, Function, Symbol};
 use crate::algebra::Rational;
 use crate::quantity::excerpt;
@@ -340,10 +341,38 @@ impl<'a> Parser<'a> {
                 _ => {}
             }
         }
+        if bracket && symbol.primes == 0 && is_extremum(&symbol.name) && !self.is_variable(&symbol.name) {
+            return self.extremum(if symbol.name == "max" { sum } else { difference });
+        }
         if bracket {
             self.before_bracket(&symbol).map_err(|fault| self.fault_at(name, fault))?;
         }
         Ok(Node::leaf(Expression::Symbol(symbol)))
+    }
+
+    /// The larger or the smaller of two formulas, (a + b ± |a − b|)/2.
+    fn extremum(&mut self, join: fn(Expression, Expression) -> Expression) -> Result<Node, ParseError> {
+        let open = self.next;
+        self.next += 1;
+        let one = self.nested(Self::sum)?;
+        if !self.take(',') {
+            return Err(self.fault_at(open, Fault::OneArgument));
+        }
+        let other = self.nested(Self::sum)?;
+        if !self.take(')') {
+            return Err(self.fault_at(open, Fault::Unclosed));
+        }
+        self.free = true;
+        // Zero stands behind, so that |x| is that of x itself.
+        let [a, b] =
+            if one.tree.is_zero() { [&other, &one] } else { [&one, &other] }.map(|it| it.tree.clone());
+        let distance = Expression::Call(Function::Abs, Box::new(difference(a.clone(), b.clone())));
+        let tree = quotient(join(sum(a, b), distance), Expression::from(2));
+        let mut node = Node { tree, levels: one.levels.max(other.levels) };
+        for _ in 0..4 {
+            node = self.grown(node.levels, node.tree)?;
+        }
+        Ok(node)
     }
 
     /// Takes the `(t)` behind a variable, and leaves what else a variable may be multiplied with.

@@ -3,7 +3,7 @@
 use super::Integral;
 
 /// The positive nodes of Gauss' rule of 16 points on (−1, 1) with their weights, computed by mpmath.
-const NODES: [(f64, f64); 8] = [
+pub(super) const NODES: [(f64, f64); 8] = [
     (0.095012509837637440185, 0.18945061045506849629),
     (0.28160355077925891323, 0.18260341504492358887),
     (0.45801677765722738634, 0.16915651939500253819),
@@ -23,7 +23,7 @@ const LATE: [usize; 4] = [12, 13, 14, 15];
 const RESOLVED: f64 = 0.25;
 
 /// Legendre's polynomials up to degree 15 at the nodes.
-const LEGENDRE: [[f64; 16]; 8] = {
+pub(super) const LEGENDRE: [[f64; 16]; 8] = {
     let mut values = [[1.0; 16]; 8];
     let mut place = 0;
     while place < 8 {

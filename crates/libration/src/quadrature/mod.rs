@@ -23,11 +23,13 @@ mod double_exponential;
 mod equal_steps;
 mod gauss;
 mod kronrod;
+mod running;
 
 pub use double_exponential::double_exponential;
 pub(crate) use equal_steps::equal_steps;
 pub use gauss::gauss;
 pub use kronrod::gauss_kronrod;
+pub(crate) use running::{POINTS, points, running_integrals};
 
 /// The integral of a function, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -164,14 +164,15 @@ impl EnergyBalance<'_> {
     }
 
     /// The largest change of the energy since the start over the largest kinetic energy, which no choice of the
-    /// potential's zero changes. Zero for a motion that rests, NaN where the energy has no value.
+    /// potential's zero changes. Zero for a motion that rests as far as a formula of the energy tells, NaN where the energy has no value.
     ///
     /// # Accuracy
     /// A few roundings of the larger ones of kinetic and potential energy, from 1e-16 on.
     #[must_use]
     pub fn drift(&self) -> f64 {
         let EnergyAccount { largest_change, largest_kinetic, .. } = self.account;
-        if largest_change == 0.0 { 0.0 } else { largest_change / largest_kinetic }
+        let rests = largest_kinetic <= self.rounding();
+        if largest_change == 0.0 || rests { 0.0 } else { largest_change / largest_kinetic }
     }
 
     /// By how much the drift may be wrong beyond roundings, in its own measure: zero where the energy is a formula, and else
@@ -180,6 +181,13 @@ impl EnergyBalance<'_> {
     pub fn drift_uncertainty(&self) -> f64 {
         let EnergyAccount { quadrature_error, largest_kinetic, .. } = self.account;
         if quadrature_error == 0.0 { 0.0 } else { quadrature_error / largest_kinetic }
+    }
+
+    /// Of a formula's values.
+    fn rounding(&self) -> f64 {
+        /// Sums and products of some terms.
+        const ROUNDINGS: f64 = 16.0;
+        ROUNDINGS * f64::EPSILON * self.at_start.map_or(0.0, f64::abs)
     }
 
     /// The change of the energy since the start, and the kinetic energy.

@@ -15,10 +15,16 @@ pub enum ModelError {
         /// The keys of the oscillators there are.
         oscillators: Vec<String>,
     },
-    /// A power that has no derivatives at rest.
+    /// A power of the velocity that grows without bound at rest.
+    #[error("n = {value} is no power of a velocity: give a number of 0 or more")]
+    NegativePower {
+        /// The power.
+        value: String,
+    },
+    /// A broken power of a velocity that has either sign.
     #[error(
-        "n = {value} is not a whole number of 0 or more, and such a power of the velocity has no derivatives at rest: give a whole number, or \
-         use `libration decay`, which takes any power"
+        "n = {value} is not a whole number, and a velocity below zero has no such power: give a whole number, or take damped_pendulum, which \
+         has powers of the size of the velocity"
     )]
     NotWhole {
         /// The power.

@@ -25,6 +25,7 @@ mod model;
 mod bodies;
 mod energy;
 mod line_integral;
+mod observables;
 
 pub use bodies::{Bodies, Body};
 pub use catalogue::catalogue;
@@ -32,7 +33,8 @@ pub use coordinate::Coordinate;
 pub use energy::{Energy, EnergyAccount, EnergyBalance};
 pub use error::{ModelError, NoEnergy};
 pub use model::Model;
-pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum};
+pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, VelocityPower};
+pub use observables::{NoObservable, Observables};
 
 #[cfg(test)]
 mod tests;

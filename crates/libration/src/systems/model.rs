@@ -1,7 +1,7 @@
 //! Equations of motion with their values, and the words for them.
 
 use super::count::Counted;
-use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy};
+use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy, VelocityPower};
 use crate::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
 use crate::oscillator::{NamedOscillator, Oscillator};
 use crate::taylor::{Moment, StateLayout, StateNameError, System, named_state};
@@ -69,8 +69,8 @@ impl Model {
         let defaults = others.map(|it| (it.name, it.default));
         let (equation, mut values) = filled(&equations, &given, defaults, open)?;
         values.extend(count);
-        if named.whole_powers {
-            refuse_broken_power(&values)?;
+        if let Some(powers) = named.velocity_power {
+            check_power(powers, &values)?;
         }
         let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
         let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
@@ -328,14 +328,15 @@ fn by_names(equation: &Equation) -> Vec<Coordinate> {
     equation.variables().iter().map(|name| Coordinate::by_name(name)).collect()
 }
 
-/// Refuses a value of the power n that is not a natural number.
-fn refuse_broken_power(values: &[(String, Expression)]) -> Result<(), ModelError> {
+/// Refuses a value of the power n that makes no sense.
+fn check_power(powers: VelocityPower, values: &[(String, Expression)]) -> Result<(), ModelError> {
     let power = values.iter().find(|(name, _)| name == "n").map(|(_, value)| value);
-    let number = power.map(|power| (power, power.to_f64().unwrap_or(f64::NAN)));
-    match number {
-        Some((power, number)) if !(number >= 0.0 && number.fract() == 0.0) => {
-            Err(ModelError::NotWhole { value: power.to_string() })
-        }
-        _ => Ok(()),
+    let Some(power) = power else { return Ok(()) };
+    let number = power.to_f64().unwrap_or(f64::NAN);
+    let value = || power.to_string();
+    match powers {
+        _ if number.is_nan() || number < 0.0 => Err(ModelError::NegativePower { value: value() }),
+        VelocityPower::Whole if number.fract() != 0.0 => Err(ModelError::NotWhole { value: value() }),
+        VelocityPower::Whole | VelocityPower::Any => Ok(()),
     }
 }

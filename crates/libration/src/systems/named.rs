@@ -39,8 +39,8 @@ pub struct NamedSystem {
     pub drive_frequency: Option<&'static str>,
     /// The parameter that counts the bodies, and stands in the equations as the end of a range.
     pub count: Option<&'static str>,
-    /// Whether the parameter n is a power of a velocity, which has to be whole: others have no derivatives at rest.
-    pub whole_powers: bool,
+    /// What the parameter n may be where it is a power of a velocity.
+    pub velocity_power: Option<VelocityPower>,
     /// Its bodies, and what they hang on.
     pub bodies: &'static [NamedBody],
     /// What it describes, and how the coordinates are measured.
@@ -49,6 +49,16 @@ pub struct NamedSystem {
     pub domain: &'static str,
     /// Where it comes from; `attributed to` where that is not read but remembered.
     pub source: &'static str,
+}
+
+/// Which powers of a velocity make sense: none below zero, which grow without bound at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum VelocityPower {
+    /// Of the velocity with its sign.
+    Whole,
+    /// Of its size.
+    Any,
 }
 
 /// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the

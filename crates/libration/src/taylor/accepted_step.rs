@@ -33,10 +33,19 @@ impl<'a> AcceptedStep<'a> {
         self.taken.solution.new_events()
     }
 
+    /// When an event in it ended the integration; `None` if none did.
+    #[must_use]
+    pub fn ended_at(&self) -> Option<f64> {
+        self.taken.solution.ended_at()
+    }
+
     /// Its end, to be gone on from; `None` when this or an earlier step ended only because the last of the times is so near,
-    /// and on the way to later times would have ended elsewhere.
+    /// and on the way to later times would have ended elsewhere, and where an event ended it.
     #[must_use]
     pub fn checkpoint(&self) -> Option<Checkpoint> {
+        if self.ended_at().is_some() {
+            return None;
+        }
         let LaneStep { stepper, solution, lane, .. } = self.taken;
         let checkpoint = stepper.checkpoint(lane)?;
         Some(Checkpoint { events: solution.checkpoints(), steps: solution.steps(), ..checkpoint })

@@ -32,6 +32,11 @@ impl<const N: usize> Branches<N> {
         }
     }
 
+    /// What a lane has passed is behind it.
+    pub(super) fn pass(&mut self, lane: usize) {
+        self.start(lane);
+    }
+
     /// How many leading coefficients of an argument are zero where the next step begins.
     pub(super) fn zeros(&self, modulus: usize, lane: usize) -> usize {
         self.zeros[modulus][lane]

@@ -43,6 +43,8 @@ pub struct EventCheckpoint {
     pub last: Option<f64>,
     /// Whether it is within the tolerance of zero.
     pub near: bool,
+    /// How many of its zeros counted, the start apart.
+    pub found: u64,
 }
 
 impl Checkpoint {
@@ -66,12 +68,12 @@ impl Checkpoint {
 
 impl EventCheckpoint {
     pub(super) fn from_contacts(contacts: &Contacts) -> Self {
-        let Contacts { side, last, near, .. } = *contacts;
-        Self { side, last: Some(last).filter(|last| last.is_finite()), near }
+        let Contacts { side, last, near, found, .. } = *contacts;
+        Self { side, last: Some(last).filter(|last| last.is_finite()), near, found }
     }
 
     pub(super) fn contacts(&self) -> Contacts {
         let last = self.last.unwrap_or(f64::NEG_INFINITY);
-        Contacts { side: self.side, begun: true, last, near: self.near }
+        Contacts { side: self.side, begun: true, last, near: self.near, found: self.found }
     }
 }

@@ -18,6 +18,8 @@ pub(super) struct Contacts {
     pub(super) last: f64,
     /// Whether it came within the tolerance of zero at the end of the step.
     pub(super) near: bool,
+    /// How many of its zeros counted, the start apart.
+    pub(super) found: u64,
 }
 
 /// A step of a formula: Σ cₙτⁿ with τ from zero to one.
@@ -81,7 +83,8 @@ impl Stretch<'_> {
 }
 
 impl Contacts {
-    pub(super) const NONE: Self = Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false };
+    pub(super) const NONE: Self =
+        Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
 
     /// The zeros in a step, with their times in its order.
     pub(super) fn zeros_in(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {

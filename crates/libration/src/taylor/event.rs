@@ -9,8 +9,8 @@ pub struct Event {
     pub formula: Expression,
     /// Which of its zeros count.
     pub direction: Direction,
-    /// Whether the integration ends at the first one.
-    pub terminal: bool,
+    /// At the how-manieth of those that count the integration ends, the start apart; never if there is none.
+    pub ends_at: Option<u64>,
 }
 
 /// Which changes of sign count, in the order in which the motion is integrated.
@@ -57,7 +57,7 @@ impl Event {
     /// Every zero of a formula; none of them ends the integration.
     #[must_use]
     pub fn zero_of(formula: Expression) -> Self {
-        Self { formula, direction: Direction::Any, terminal: false }
+        Self { formula, direction: Direction::Any, ends_at: None }
     }
 
     pub(super) fn counts(&self, contact: Contact) -> bool {

@@ -13,6 +13,7 @@ impl<const N: usize> Stepper<'_, N> {
     /// The steps from where the motions are towards their goals, at most up to them.
     pub(super) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
         let mut outcomes = self.expand_in_fitting_units();
+        let goal_bound = self.goal_bound;
         let lengths = dispatch_lanes::<N, _>(Lengths { stepper: self });
         match self.ends_on_open_ways(&lengths) {
             Some(ends) => (self.block.end, self.unit) = (ends, lanes(|lane| unit_for(lengths[lane]))),
@@ -23,6 +24,7 @@ impl<const N: usize> Stepper<'_, N> {
             self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
             dispatch_lanes::<N, _>(StepEnds { stepper: self });
         }
+        self.pass(&mut outcomes, &goal_bound);
         let finite =
             |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
         let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };

@@ -26,6 +26,7 @@ mod system;
 mod tangent;
 
 mod moduli;
+mod passage;
 mod sign_change;
 
 mod block;
@@ -53,6 +54,8 @@ mod steep;
 mod sticking;
 
 mod look_ahead;
+mod passing;
+mod picard;
 mod stepper;
 mod trial;
 
@@ -61,6 +64,7 @@ mod partial_solution;
 
 mod accepted_step;
 mod dense_solution;
+mod ending;
 mod integrate;
 
 #[cfg(test)]
@@ -69,6 +73,7 @@ mod tests;
 pub use accepted_step::{AcceptedStep, Start, integrate_from};
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use dense_solution::{DenseSolution, integrate_dense};
+pub use ending::ending_error;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};

@@ -44,6 +44,13 @@ impl<'a> PartialSolution<'a> {
         &self.events[self.events_before..]
     }
 
+    /// When an event in the last step ended the integration.
+    pub(super) fn ended_at(&self) -> Option<f64> {
+        let last = self.new_events().last().filter(|last| last.contact != Contact::Start)?;
+        let number = Some(self.contacts[last.event].found);
+        (self.system.events()[last.event].ends_at == number).then_some(last.time)
+    }
+
     /// Whether numbers are too large for double precision where it is.
     pub(super) fn overflows(&self, moment: &Moment) -> bool {
         let inputs = [&moment.state[..], &[moment.time], &self.trajectory.parameters].concat();
@@ -117,7 +124,9 @@ impl<'a> PartialSolution<'a> {
         for (time, event, contact) in found {
             let state = step.state_at(time);
             self.events.push(Occurrence { event, time, state: state.clone(), contact });
-            if self.system.events()[event].terminal && contact != Contact::Start {
+            let passed = &mut self.contacts[event].found;
+            *passed += u64::from(contact != Contact::Start);
+            if contact != Contact::Start && self.system.events()[event].ends_at == Some(*passed) {
                 return Some(Moment { time, state });
             }
         }

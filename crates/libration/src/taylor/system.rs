@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::machine_code::{MachineCode, MachineCodes};
 use super::moduli::Moduli;
+use super::passage::Passage;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
 use super::{Event, Moment, StateLayout, StateNameError};
@@ -36,6 +37,8 @@ pub struct System {
     driven_in_moduli: Vec<Option<usize>>,
     /// The events whose formulas the series of a whole step do not show.
     sharp: Vec<Option<SharpFormula>>,
+    /// How what has no series is passed, if there is something.
+    passage: Option<Arc<Passage>>,
     machine_codes: Arc<MachineCodes>,
 }
 
@@ -77,18 +80,31 @@ impl System {
         let mut inputs = state.clone();
         inputs.push(Symbol::plain("t"));
         inputs.extend(parameters.iter().cloned());
+        let written = inputs.clone();
         let sharp = watched.iter().map(|formula| SharpFormula::new(formula, &inputs)).collect();
         inputs.extend(moduli.signs());
         let arguments = moduli.into_arguments();
-        let formulas: Vec<&Expression> = derivatives.iter().chain(&arguments).chain(in_moduli).collect();
+        let passage = Passage::new(equation.derivatives(), &arguments, &watched, &written)?;
+        let own = arguments.iter().map(|modulus| &modulus.argument);
+        let formulas: Vec<&Expression> = derivatives.iter().chain(own).chain(in_moduli).collect();
         let tape = Tape::new(&formulas, &inputs)?;
         let driven = |argument: &Expression| {
             let number = state.iter().position(|symbol| *argument == Expression::Symbol(symbol.clone()));
             number.filter(|&number| layout.driving(number).is_some())
         };
-        let driven_in_moduli = arguments.iter().map(driven).collect();
-        let (layout, machine_codes) = (Arc::new(layout), Arc::default());
-        Ok(Self { equation, layout, parameters, events, tape, driven_in_moduli, sharp, machine_codes })
+        let driven_in_moduli = arguments.iter().map(|modulus| driven(&modulus.argument)).collect();
+        let (layout, machine_codes, passage) = (Arc::new(layout), Arc::default(), passage.map(Arc::new));
+        Ok(Self {
+            equation,
+            layout,
+            parameters,
+            events,
+            tape,
+            driven_in_moduli,
+            sharp,
+            passage,
+            machine_codes,
+        })
     }
 
     /// The names of the numbers of a state: `theta`, `theta'`.
@@ -147,6 +163,11 @@ impl System {
     /// The formula of an event whose series need looking after.
     pub(super) fn sharp(&self, event: usize) -> Option<&SharpFormula> {
         self.sharp[event].as_ref()
+    }
+
+    /// How the motion goes on where a force has no series, if there is such a place.
+    pub(super) fn passage(&self) -> Option<&Passage> {
+        self.passage.as_deref()
     }
 
     /// How many different |…| there are.

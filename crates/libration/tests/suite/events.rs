@@ -5,7 +5,7 @@ use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, System, Trajectory,
-    integrate, integrate_many, integrate_many_watched,
+    ending_error, integrate, integrate_many, integrate_many_watched,
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -14,7 +14,7 @@ fn watched(equation: &str, events: &[(&str, Direction, bool)]) -> System {
     let event = |&(formula, direction, terminal): &(&str, Direction, bool)| Event {
         formula: formula.parse().unwrap(),
         direction,
-        terminal,
+        ends_at: terminal.then_some(1),
     };
     let events: Vec<Event> = events.iter().map(event).collect();
     System::new(&equation.parse().unwrap()).unwrap().with_events(&events).unwrap()
@@ -336,7 +336,7 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
         ("exp(x) - 10^(-30)", vec![]),
     ];
     for (formula, expected) in cases {
-        let event = Event { formula: formula.parse().unwrap(), direction: Direction::Any, terminal: false };
+        let event = Event { formula: formula.parse().unwrap(), direction: Direction::Any, ends_at: None };
         let system = System::new(&"x'' = -x".parse().unwrap()).unwrap().with_events(&[event]).unwrap();
         let start = Moment { time: 0.0, state: vec![5.0, 0.0] };
         let solution = integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15));
@@ -344,6 +344,35 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
         assert_eq!(found.len(), expected.len(), "{formula}: {found:?}");
         for (found, expected) in found.iter().zip(&expected) {
             assert!((found - expected).abs() < 1e-10, "{formula}: {found} beside {expected}");
+        }
+    }
+}
+
+/// The n-th passage of the bottom, rising or falling, and how well its time and state are known.
+#[test]
+fn a_motion_ends_at_the_event_that_is_counted() {
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+    let quarter = pendulum.released_from(Angle::from_radians(2.5).unwrap()).unwrap().period() / 4.0;
+    for (direction, count, quarters) in [
+        (Direction::Any, 1, 1.0),
+        (Direction::Any, 6, 11.0),
+        (Direction::Rising, 1, 3.0),
+        (Direction::Falling, 3, 9.0),
+    ] {
+        let bottom = Event { formula: "theta".parse().unwrap(), direction, ends_at: Some(count) };
+        let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
+        let system = system.with_events(&[bottom]).unwrap();
+        let start = system.start(&[("theta", 2.5)]).unwrap();
+        for tolerance in [1e-4, 1e-6, 1e-9, 1e-12, 1e-15] {
+            let effort = Effort::to_tolerance(tolerance);
+            let solution = integrate(&system, &start, &[100.0], &effort).unwrap();
+            let error = ending_error(&system, &start, 100.0, &effort, &solution.end).unwrap();
+            let apart = (solution.end.time - quarters * quarter).abs();
+            assert!(apart <= error.time, "{direction:?} {count} {tolerance}: {apart:e} {:e}", error.time);
+            assert!(error.time < 1e4 * tolerance.max(1e-15), "{direction:?} {count} {tolerance}: {error:?}");
+            let speed = 2.0 * libm::sin(1.25);
+            assert!((solution.end.state[1].abs() - speed).abs() <= error.state[1], "{tolerance}: {error:?}");
+            assert_eq!(u64::try_from(solution.events.len()), Ok(count));
         }
     }
 }

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
+mod condition;
 mod golden;
 mod hidden_forces;
 mod period_majorants;
@@ -34,6 +35,7 @@ mod motion;
 mod normal_modes;
 mod open_gauge;
 mod orbit;
+mod passages;
 mod period;
 mod period_formulas;
 mod quantity;

@@ -248,3 +248,20 @@ fn an_energy_that_had_no_value_once_has_no_drift() {
     balance.record(&moment([0.5, 0.9]));
     assert!(balance.drift().is_nan());
 }
+
+/// Next to an equilibrium that no `f64` is the kinetic energy is less than the roundings of the energy: neither tells of a change.
+#[test]
+fn the_energy_of_what_rests_does_not_drift() {
+    let starts = [
+        ("henon_heiles", [("x", libm::sqrt(0.75)), ("y", -0.5)]),
+        ("henon_heiles", [("x", -libm::sqrt(0.75)), ("y", -0.5)]),
+        ("double_pendulum", [("theta1", std::f64::consts::PI), ("theta2", 0.0)]),
+    ];
+    for (key, start) in starts {
+        let model = Model::by_key(key, &[], &[]).unwrap();
+        let start = model.start(&start).unwrap();
+        let end =
+            integrate(&model.system().unwrap(), &start, &[10.0], &Effort::to_tolerance(1e-12)).unwrap().end;
+        assert_eq!(model.energy().unwrap().drift(&start, &end), 0.0, "{key} {start:?}");
+    }
+}

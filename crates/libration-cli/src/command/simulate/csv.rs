@@ -3,10 +3,9 @@
 use super::events::Happening;
 use super::fields;
 use super::motion::SimulatedMotion;
-use super::report::{AnswerWriter, Summary};
+use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::field::Fields;
 use crate::output::{csv, number};
-use libration::taylor::Moment;
 use std::io::{self, Write};
 
 /// If events are looked for they stand among the samples in the order of time, with their kind in a last column, which is empty in
@@ -21,9 +20,9 @@ impl Csv {
         Self { of_time: fields::of_time(), with_events: false }
     }
 
-    fn line(&self, time: f64, state: &[f64], kind: &str, out: &mut dyn Write) -> io::Result<()> {
+    fn line(&self, time: f64, numbers: [&[f64]; 2], kind: &str, out: &mut dyn Write) -> io::Result<()> {
         let mut cells = self.of_time.csv_cells(&time);
-        cells.extend(state.iter().map(|&value| number::exact(value)));
+        cells.extend(numbers.concat().into_iter().map(number::exact));
         cells.extend(self.with_events.then(|| kind.to_owned()));
         csv::line(out, &cells)
     }
@@ -32,17 +31,19 @@ impl Csv {
 impl AnswerWriter for Csv {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         self.with_events = !motion.watched.is_empty();
-        let mut names = [self.of_time.csv_names(), motion.model.state_names()].concat();
+        let mut names =
+            [self.of_time.csv_names(), motion.model.state_names(), motion.column_names().to_vec()].concat();
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)
     }
 
-    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
-        self.line(moment.time, &moment.state, "", out)
+    fn sample(&mut self, Sample { moment, columns }: &Sample, out: &mut dyn Write) -> io::Result<()> {
+        self.line(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])], "", out)
     }
 
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()> {
-        self.line(happening.time, &happening.state, &happening.kind, out)
+        let columns = happening.columns.as_deref().unwrap_or(&[]);
+        self.line(happening.time, [&happening.state, columns], &happening.kind, out)
     }
 
     fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {

@@ -1,12 +1,26 @@
 //! How an integration ended, and what is left to be said of that.
 
 use crate::failure::Failure;
+use libration::taylor::Moment;
 use std::path::Path;
+
+/// Where an event ended the motion.
+#[derive(Clone, Debug)]
+pub(super) struct EventEnding {
+    pub(super) name: String,
+    pub(super) end: Moment,
+    /// By how much each number may be wrong.
+    pub(super) error: Moment,
+}
 
 /// How an integration ended.
 #[derive(Clone, Debug)]
 pub(super) enum Ending {
     Complete,
+    /// An event ended it, at this place and with these errors.
+    Event(EventEnding),
+    /// The event that should end it did not happen.
+    NotReached(String),
     /// Ctrl-C was pressed.
     Interrupted(f64),
     /// The motion ends or cannot be followed: why.
@@ -17,7 +31,7 @@ impl Ending {
     /// What is left to be said when the answer is written.
     pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), Failure> {
         match self {
-            Self::Complete => Ok(()),
+            Self::Complete | Self::Event(_) => Ok(()),
             Self::Interrupted(time) => {
                 let how = output.map_or_else(
                     || "only a run written by --output as JSON or CSV can be continued".to_owned(),
@@ -27,7 +41,7 @@ impl Ending {
                     "interrupted at t = {time:?} s: what was computed is written; {how}"
                 )))
             }
-            Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),
+            Self::NotReached(reason) | Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use libration::expression::{Expression, Function, Symbol};
 use libration::systems::{Coordinate, Model};
-use libration::taylor::{Contact, Event, Occurrence};
+use libration::taylor::{Contact, Direction, Event, Occurrence};
 
 /// The events of a question, each with its name.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +17,31 @@ struct Kind {
     formula: Expression,
     /// The coordinate on whose curve it is marked.
     coordinate: usize,
+    direction: Direction,
+    /// At the how-manieth the motion ends.
+    ends_at: Option<u64>,
+}
+
+/// What ends a motion.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct UntilOptions {
+    /// End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; --times says how long it is waited for
+    #[arg(long, value_name = "EQUATION|EXPR")]
+    until: Option<String>,
+    /// Which passages count for --until: rising, falling, or any
+    #[arg(long, value_enum, requires = "until", default_value_t = Way::Any)]
+    direction: Way,
+    /// End the motion at the n-th passage that counts for --until
+    #[arg(long, value_name = "N", requires = "until", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    count: u64,
+}
+
+/// Through zero.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Way {
+    Any,
+    Rising,
+    Falling,
 }
 
 /// An event as it is written.
@@ -25,25 +50,35 @@ pub(super) struct Happening {
     pub(super) time: f64,
     pub(super) kind: String,
     pub(super) state: Vec<f64>,
+    /// The values of the columns that were asked for.
+    pub(super) columns: Option<Vec<f64>>,
 }
 
 impl Watched {
     /// Reads `turning`, `crossing`, or a formula of coordinates, velocities, parameters and t.
-    pub(super) fn read(texts: &[String], model: &Model) -> Result<Self, Failure> {
+    pub(super) fn read(texts: &[String], until: &UntilOptions, model: &Model) -> Result<Self, Failure> {
         let mut kinds = vec![];
         for text in texts {
             match text.trim() {
                 "turning" => kinds.extend(of_each(model, "turning", turning)),
                 "crossing" => kinds.extend(of_each(model, "crossing", crossing)),
-                text => kinds.push(zero_of(text, model)?),
+                text => kinds.push(zero_of("--events", text, model)?),
             }
+        }
+        if let Some(text) = &until.until {
+            kinds.push(until.kind(text, model)?);
         }
         Ok(Self { kinds })
     }
 
     /// What is looked for, by name.
     pub(super) fn names(&self) -> Vec<String> {
-        self.kinds.iter().map(|kind| kind.name.clone()).collect()
+        self.kinds.iter().map(Kind::full_name).collect()
+    }
+
+    /// What ends the motion.
+    pub(super) fn until(&self) -> Option<String> {
+        self.kinds.iter().find(|kind| kind.ends_at.is_some()).map(Kind::full_name)
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -51,7 +86,12 @@ impl Watched {
     }
 
     pub(super) fn events(&self) -> Vec<Event> {
-        self.kinds.iter().map(|kind| Event::zero_of(kind.formula.clone())).collect()
+        let event = |kind: &Kind| Event {
+            formula: kind.formula.clone(),
+            direction: kind.direction,
+            ends_at: kind.ends_at,
+        };
+        self.kinds.iter().map(event).collect()
     }
 
     /// The event with its name, and how it touched zero if not by passing it.
@@ -62,7 +102,7 @@ impl Watched {
             Contact::Grazing => format!("{name}, grazing"),
             Contact::Start => format!("{name}, at the start"),
         };
-        Happening { time: occurrence.time, kind, state: occurrence.state.clone() }
+        Happening { time: occurrence.time, kind, state: occurrence.state.clone(), columns: None }
     }
 
     /// The coordinate on whose curve an event is marked.
@@ -73,12 +113,42 @@ impl Watched {
     }
 }
 
+impl Kind {
+    /// The name, and what counts where not all does.
+    fn full_name(&self) -> String {
+        let way = match self.direction {
+            Direction::Any => "",
+            Direction::Rising => ", rising",
+            Direction::Falling => ", falling",
+        };
+        let count = self.ends_at.filter(|count| *count > 1).map(|count| format!(", passage {count}"));
+        format!("{}{way}{}", self.name, count.unwrap_or_default())
+    }
+}
+
+impl UntilOptions {
+    /// The difference of both sides, or a formula.
+    fn kind(&self, text: &str, model: &Model) -> Result<Kind, Failure> {
+        let difference = match text.split_once('=') {
+            Some((left, right)) => format!("({left}) - ({right})"),
+            None => text.to_owned(),
+        };
+        let direction = match self.direction {
+            Way::Any => Direction::Any,
+            Way::Rising => Direction::Rising,
+            Way::Falling => Direction::Falling,
+        };
+        let (name, ends_at) = (text.trim().to_owned(), Some(self.count));
+        Ok(Kind { name, direction, ends_at, ..zero_of("--until", &difference, model)? })
+    }
+}
+
 /// The event for each coordinate, whose name is added where there are several.
 fn of_each(model: &Model, name: &str, formula: fn(&Coordinate) -> Expression) -> Vec<Kind> {
     let several = model.coordinates().len() > 1;
     let kind = |(coordinate, it): (usize, &Coordinate)| {
         let name = if several { format!("{name} of {}", it.name) } else { name.to_owned() };
-        Kind { name, formula: formula(it), coordinate }
+        Kind { name, formula: formula(it), coordinate, direction: Direction::Any, ends_at: None }
     };
     model.coordinates().iter().enumerate().map(kind).collect()
 }
@@ -101,10 +171,10 @@ fn crossing(coordinate: &Coordinate) -> Expression {
     Expression::Call(Function::Sin, Box::new(half))
 }
 
-fn zero_of(text: &str, model: &Model) -> Result<Kind, Failure> {
+fn zero_of(argument: &'static str, text: &str, model: &Model) -> Result<Kind, Failure> {
     let written: Expression = text.parse().map_err(|error| {
         Failure::usage(
-            "--events",
+            argument,
             format!("{error}; write turning, crossing, or a formula such as theta - 0.5"),
         )
     })?;
@@ -117,7 +187,8 @@ fn zero_of(text: &str, model: &Model) -> Result<Kind, Failure> {
     if let Some(name) = unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
         let reason =
             format!("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "));
-        return Err(Failure::usage("--events", reason));
+        return Err(Failure::usage(argument, reason));
     }
-    Ok(Kind { name: written.to_string(), formula, coordinate: 0 })
+    let (name, direction) = (written.to_string(), Direction::Any);
+    Ok(Kind { name, formula, coordinate: 0, direction, ends_at: None })
 }

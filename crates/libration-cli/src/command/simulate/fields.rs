@@ -1,14 +1,13 @@
 //! What is said of a simulated motion, of its samples and events, and at its end.
 
-use super::ending::Ending;
+use super::ending::{Ending, EventEnding};
 use super::events::Happening;
 use super::motion::SimulatedMotion;
-use super::report::Summary;
+use super::report::{Sample, Summary};
 use super::resume::State;
 use crate::output::description::{Answers, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use libration::taylor::Moment;
 
 pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
     type Of<'a> = Field<SimulatedMotion<'a>>;
@@ -26,14 +25,25 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
             values.fold(Record::new(), add).into()
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
+            it.observables.as_ref().map(|observables| json::list(observables.names().to_vec()))
+        }),
     ])
 }
 
-pub(super) fn of_sample() -> Fields<Moment> {
-    type Of = Field<Moment>;
+pub(super) fn of_sample() -> Fields<Sample> {
+    type Of = Field<Sample>;
     Fields::from([
-        Of::number("time", "s", "time of the sample", |it| it.time),
-        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+        Of::number("time", "s", "time of the sample", |it| it.moment.time),
+        Of::value("state[]", "", "state then, in the order of the names", |it| {
+            json::numbers(&it.moment.state)
+        }),
+        Of::present_value(
+            "columns[]",
+            "",
+            "values of the formulas then, in the order of their names",
+            |it| it.columns.as_ref().map(|values| json::numbers(values)),
+        ),
     ])
 }
 
@@ -48,6 +58,12 @@ pub(super) fn of_event() -> Fields<Happening> {
             |it| it.kind.as_str().into(),
         ),
         Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+        Of::present_value(
+            "columns[]",
+            "",
+            "values of the formulas then, in the order of their names",
+            |it| it.columns.as_ref().map(|values| json::numbers(values)),
+        ),
     ])
 }
 
@@ -79,20 +95,40 @@ pub(super) fn of_summary() -> Fields<Summary> {
         Of::present_value("interrupted", "", "true where Ctrl-C ended the run early, else left out", |it| {
             matches!(it.ending, Ending::Interrupted(_)).then(|| true.into())
         }),
+        Of::present_nested("until.", &of_ending(), |it| match &it.ending {
+            Ending::Event(event) => Some(of_ending().record(event).into()),
+            _ => None,
+        }),
         Of::present_value(
             "stopped",
             "",
             "why the integration ended before the last time, else left out",
             |it| match &it.ending {
-                Ending::Stopped(reason) => Some(reason.as_str().into()),
+                Ending::NotReached(reason) | Ending::Stopped(reason) => Some(reason.as_str().into()),
                 _ => None,
             },
         ),
     ])
 }
 
+/// Where the event of `--until` ended the motion.
+fn of_ending() -> Fields<EventEnding> {
+    type Of = Field<EventEnding>;
+    Fields::from([
+        Of::value("event", "", "event of --until that ended the motion; without it left out", |it| {
+            it.name.as_str().into()
+        }),
+        Of::number("time", "s", "when", |it| it.end.time),
+        Of::number("time_error", "s", "by how much that may be wrong", |it| it.error.time),
+        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.end.state)),
+        Of::value("state_error[]", "", "by how much each of these may be wrong", |it| {
+            json::numbers(&it.error.state)
+        }),
+    ])
+}
+
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: Row = ("NAME", "", "state variable of this name");
+    const NUMBER: Row = ("NAME", "", "state variable of this name, then formula of --columns");
     let json = [
         of_motion().described(""),
         of_sample().described("samples[]."),

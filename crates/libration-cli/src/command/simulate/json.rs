@@ -3,14 +3,13 @@
 use super::events::Happening;
 use super::fields;
 use super::motion::SimulatedMotion;
-use super::report::{AnswerWriter, Summary};
+use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::field::Fields;
 use crate::output::json;
-use libration::taylor::Moment;
 use std::io::{self, Write};
 
 pub(super) struct Json {
-    of_sample: Fields<Moment>,
+    of_sample: Fields<Sample>,
     samples: json::List,
     /// They follow the samples.
     happenings: Vec<Happening>,
@@ -28,8 +27,8 @@ impl AnswerWriter for Json {
         self.samples.begin(out, "samples")
     }
 
-    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
-        self.samples.item(out, self.of_sample.record(moment))
+    fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()> {
+        self.samples.item(out, self.of_sample.record(sample))
     }
 
     fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {

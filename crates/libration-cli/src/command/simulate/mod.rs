@@ -21,7 +21,7 @@ use crate::output::file::NewFile;
 use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
 use ending::Ending;
-use events::Watched;
+use events::{UntilOptions, Watched};
 use libration::systems::Model;
 use libration::taylor::Effort;
 use motion::SimulatedMotion;
@@ -50,12 +50,16 @@ pub(crate) use fields::answers;
     --figure lorenz.svg --axes x,z
   libration simulate \"x' = x - x*y; y' = x*y - y\" --initial x=2,y=1 \\
     --times 0:20:1 --events turning
+  libration simulate pendulum --initial theta=179deg --times 0:50:5 \\
+    --until \"theta = 0\" --direction rising --count 2
   libration simulate fermi_pasta_ulam --set n=8 --times 0:100:50 \\
     --initial \"x[i]=sin(pi*i/9)\" --csv
   libration simulate \"x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..5; \\
     x[0] = sin(t)/9\" --initial x1=0 --times 0:20:5 --csv
   libration simulate pendulum --initial theta=179deg --times 0:50:1 \\
     --events \"turning,theta'-1\" --json
+  libration simulate \"x'' = -max(x, 0)^1.5\" --times 0:5:0.5 \\
+    --initial \"x=-1,x'=1\" --columns \"energy = x'^2/2 + max(x, 0)^2.5/2.5\"
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
     --initial theta=0.1 --times 0:100:0.1 --output long.csv
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
@@ -84,6 +88,11 @@ pub(crate) struct Simulate {
     /// Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5
     #[arg(long, value_name = "turning|crossing|EXPR", value_delimiter = ',')]
     events: Vec<String>,
+    #[command(flatten)]
+    until: UntilOptions,
+    /// Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'"
+    #[arg(long, value_name = "NAME=FORMULA,…")]
+    columns: Option<String>,
     /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -109,7 +118,10 @@ pub(crate) struct Simulate {
 impl Simulate {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let model = self.system.model()?;
-        let watched = Watched::read(&self.events, &model)?;
+        let watched = Watched::read(&self.events, &self.until, &model)?;
+        let observables = self.columns.as_deref();
+        let observables =
+            observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
         let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
         let (initial, earlier) = match &self.resume {
             Some(path) => {
@@ -125,6 +137,7 @@ impl Simulate {
             times: &self.times,
             effort: Effort::to_tolerance(self.tolerance),
             watched,
+            observables,
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
@@ -163,6 +176,7 @@ impl Simulate {
             initial,
             tolerance: self.tolerance,
             events: watched.names(),
+            columns: self.columns.iter().map(|columns| columns.trim().to_owned()).collect(),
         }
     }
 }

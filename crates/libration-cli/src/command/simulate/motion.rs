@@ -3,7 +3,7 @@
 use super::events::Watched;
 use super::resume::{Earlier, Mark, Question};
 use crate::arguments::{Initial, Times};
-use libration::systems::Model;
+use libration::systems::{Model, Observables};
 use libration::taylor::{Effort, Moment};
 
 /// A motion to be integrated, with what is asked about it.
@@ -14,6 +14,8 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) times: &'a Times,
     pub(super) effort: Effort,
     pub(super) watched: Watched,
+    /// Formulas whose values stand beside the state.
+    pub(super) observables: Option<Observables>,
     pub(super) earlier: Option<Earlier>,
 }
 
@@ -21,6 +23,16 @@ impl SimulatedMotion<'_> {
     /// What the system is called: its key, or the equations as they were understood.
     pub(super) fn name(&self) -> String {
         self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)
+    }
+
+    /// The values of the columns that were asked for.
+    pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
+        self.observables.as_ref().map(|observables| observables.values_at(moment))
+    }
+
+    /// What these are called.
+    pub(super) fn column_names(&self) -> &[String] {
+        self.observables.as_ref().map_or(&[], |observables| observables.names())
     }
 
     /// The state at t = 0.

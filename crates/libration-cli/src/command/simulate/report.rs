@@ -10,10 +10,16 @@ use std::io::{self, Write};
 /// A form of the answer.
 pub(super) trait AnswerWriter {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()>;
-    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()>;
+    fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()>;
     /// An event, behind all samples up to its time.
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()>;
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()>;
+}
+
+/// A state of the motion, with the values of the columns that were asked for.
+pub(super) struct Sample {
+    pub(super) moment: Moment,
+    pub(super) columns: Option<Vec<f64>>,
 }
 
 /// What is known when the integration has ended.

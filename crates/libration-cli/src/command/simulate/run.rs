@@ -1,7 +1,7 @@
 //! The integration, whose samples are written as they come.
 
 use super::csv::Csv;
-use super::ending::Ending;
+use super::ending::{Ending, EventEnding};
 use super::json::Json;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
@@ -16,7 +16,9 @@ use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
 use libration::systems::{Energy, EnergyBalance};
-use libration::taylor::{Cause, IntegrationError, Moment, Solution, Start, System, integrate_from};
+use libration::taylor::{
+    Cause, IntegrationError, Moment, Solution, Start, System, ending_error, integrate_from,
+};
 use std::io::Write;
 use std::path::Path;
 
@@ -83,6 +85,21 @@ impl SimulatedMotion<'_> {
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
 
+    /// Whether the event came that should end the motion, and where.
+    fn until(&self, system: &System, solution: &Solution) -> Result<Ending, Failure> {
+        let Some(name) = self.watched.until() else { return Ok(Ending::Complete) };
+        let last = self.times.last();
+        if (solution.end.time - last).abs() <= 0.0 {
+            return Ok(Ending::NotReached(format!(
+                "`{name}` does not happen until t = {last:?} s: give later --times, or another event"
+            )));
+        }
+        let end = solution.end.clone();
+        let error = ending_error(system, &self.beginning(), last, &self.effort, &end);
+        let error = error.map_err(|error| Failure::NoAnswer(error.to_string()))?;
+        Ok(Ending::Event(EventEnding { name, end, error }))
+    }
+
     /// The account of the energy, gone on with or begun.
     fn balance<'e>(&self, energy: &'e Energy) -> EnergyBalance<'e> {
         let account = self.mark().and_then(|mark| mark.energy.as_ref());
@@ -107,6 +124,10 @@ impl SimulatedMotion<'_> {
             return Err(failure);
         }
         let (ending, solution) = ended(outcome, self)?;
+        let ending = match ending {
+            Ending::Complete => self.until(system, &solution)?,
+            other => other,
+        };
         Ok((ending, solution.steps))
     }
 }

@@ -1,11 +1,11 @@
 //! The answer to read.
 
+use super::ending::{Ending, EventEnding};
 use super::events::Happening;
 use super::motion::SimulatedMotion;
-use super::report::{AnswerWriter, Summary};
+use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
-use libration::taylor::Moment;
 use std::io::{self, Write};
 
 /// What was asked, a table of samples, and what is to be said of the whole.
@@ -34,13 +34,14 @@ impl AnswerWriter for Sheet {
         let numbers = model.state_names().into_iter().zip(model.state_units());
         self.titles = vec!["t / s".to_owned()];
         self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
+        self.titles.extend(motion.column_names().iter().cloned());
         let titles = || self.titles.iter().map(Column::numbers).collect();
         self.table = self.listed.then(|| Table::new(titles()));
         Ok(())
     }
 
-    fn sample(&mut self, moment: &Moment, out: &mut dyn Write) -> io::Result<()> {
-        let cells = cells(moment.time, &moment.state);
+    fn sample(&mut self, Sample { moment, columns }: &Sample, out: &mut dyn Write) -> io::Result<()> {
+        let cells = cells(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])]);
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
@@ -58,7 +59,11 @@ impl AnswerWriter for Sheet {
         }
         let drift = drift(&summary.drift);
         writeln!(out)?;
-        sheet(out, &[("energy drift", drift), ("steps", summary.steps.to_string())])
+        let mut lines = vec![("energy drift", drift), ("steps", summary.steps.to_string())];
+        if let Ending::Event(event) = &summary.ending {
+            lines.insert(0, ("ends at", self.end_of(event)));
+        }
+        sheet(out, &lines)
     }
 }
 
@@ -67,12 +72,26 @@ impl Sheet {
         Self { listed, ..Self::default() }
     }
 
+    /// Where an event ended the motion, each number with its error.
+    fn end_of(&self, EventEnding { name, end, error }: &EventEnding) -> String {
+        let number = |title: &String, value: f64, error: f64| {
+            let name = title.split(" / ").next().unwrap_or(title);
+            format!("{name} = {} ± {}", number::rounded(value, 15), number::at_most(error))
+        };
+        let state = self.titles[1..].iter().zip(&end.state).zip(&error.state);
+        let state = state.map(|((title, value), error)| number(title, *value, *error));
+        let all: Vec<String> =
+            [number(&"t".to_owned(), end.time, error.time)].into_iter().chain(state).collect();
+        format!("{} ({name})", all.join(", "))
+    }
+
     fn write_events(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
         let columns = self.titles.iter().map(Column::numbers);
         let mut table = Table::new(columns.chain([Column::words("event")]).collect());
         for event in &self.happenings {
-            let mut cells = cells(event.time, &event.state);
+            let columns = event.columns.as_deref().unwrap_or(&[]);
+            let mut cells = cells(event.time, [&event.state, columns]);
             cells[0] = number::rounded(event.time, 12);
             cells.push(event.kind.clone());
             table.row(out, cells)?;
@@ -98,8 +117,8 @@ fn drift(drift: &Result<[f64; 2], String>) -> String {
     }
 }
 
-fn cells(time: f64, state: &[f64]) -> Vec<String> {
-    let state = state.iter().map(|&value| number::rounded(value, 12));
+fn cells(time: f64, numbers: [&[f64]; 2]) -> Vec<String> {
+    let state = numbers.concat().into_iter().map(|value| number::rounded(value, 12));
     [number::short(time, 12)].into_iter().chain(state).collect()
 }
 

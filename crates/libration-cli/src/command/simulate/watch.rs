@@ -2,7 +2,7 @@
 
 use super::events::Happening;
 use super::motion::SimulatedMotion;
-use super::report::{AnswerWriter, Summary};
+use super::report::{AnswerWriter, Sample, Summary};
 use super::resume::{Keeper, Mark, State};
 use super::tally::Tally;
 use crate::failure::Failure;
@@ -93,7 +93,7 @@ impl<'a> Watch<'a> {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
         }
         if let Some(trace) = &mut self.trace {
-            trace.follow(step);
+            trace.follow(step, taken.ended_at().unwrap_or(step.end()));
         }
         self.failure = self.rows(taken).map_err(Failure::from).and_then(|()| self.mark(taken)).err();
         let last = self.last;
@@ -123,7 +123,8 @@ impl<'a> Watch<'a> {
 
     fn sample(&mut self, moment: &Moment) -> io::Result<()> {
         self.rows[0] += 1;
-        self.report.sample(moment, &mut self.out)
+        let columns = self.motion.columns_at(moment);
+        self.report.sample(&Sample { moment: moment.clone(), columns }, &mut self.out)
     }
 
     fn happening(&mut self, happening: &Happening) -> io::Result<()> {
@@ -131,7 +132,9 @@ impl<'a> Watch<'a> {
         if let Some(trace) = &mut self.trace {
             trace.mark(self.motion.watched.coordinate(happening), happening.time, &happening.state);
         }
-        self.report.event(happening, &mut self.out)
+        let moment = Moment { time: happening.time, state: happening.state.clone() };
+        let columns = self.motion.columns_at(&moment);
+        self.report.event(&Happening { columns, ..happening.clone() }, &mut self.out)
     }
 
     /// Samples and events of a step in the order of time.
@@ -140,7 +143,7 @@ impl<'a> Watch<'a> {
             self.samples(taken.step(), event.time)?;
             self.happening(&self.motion.watched.happening(event))?;
         }
-        self.samples(taken.step(), taken.step().end())
+        self.samples(taken.step(), taken.ended_at().unwrap_or(taken.step().end()))
     }
 
     /// The samples of a step up to a time.

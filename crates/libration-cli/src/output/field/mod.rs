@@ -117,6 +117,16 @@ impl<A> Field<A> {
         Self { described: fields.described(place), ..Self::value(key_of(place), "", "", value).only_json() }
     }
 
+    /// The same, left out of JSON where there is nothing.
+    pub(crate) fn present_nested<B>(
+        place: &'static str,
+        fields: &Fields<B>,
+        value: Of<A, Option<Value>>,
+    ) -> Self {
+        let described = fields.described(place);
+        Self { described, ..Self::present_value(key_of(place), "", "", value).only_json() }
+    }
+
     /// What is to be said of the fields before it, in the note of JSON.
     pub(crate) fn note(note: Of<A, Option<String>>) -> Self {
         Self { described: vec![], ..Self::new("", "", "", Content::Note(note)).only_json() }

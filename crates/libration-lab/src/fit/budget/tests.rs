@@ -80,7 +80,7 @@ fn a_ball_on_a_rod_in_air_gives_its_g_back() {
 /// The time between two passages of the bottom in one direction.
 fn period_of(equations: &str, state: &[f64], angle: &str) -> f64 {
     let system = System::new(&equations.parse().unwrap()).unwrap();
-    let event = Event { formula: angle.parse().unwrap(), direction: Direction::Rising, terminal: false };
+    let event = Event { formula: angle.parse().unwrap(), direction: Direction::Rising, ends_at: None };
     let system = system.with_events(&[event]).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
     let solution = integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-13)).unwrap();

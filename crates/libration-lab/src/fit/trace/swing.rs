@@ -312,7 +312,7 @@ fn is_turn(event: &Occurrence) -> bool {
 /// The motion ends where the velocity changes its sign.
 fn until_it_turns(system: System) -> System {
     let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
-    let turning = Event { formula, direction: Direction::Any, terminal: true };
+    let turning = Event { formula, direction: Direction::Any, ends_at: Some(1) };
     system.with_events(&[turning]).expect("the velocity is a number of the state")
 }
 

@@ -1,6 +1,6 @@
 //! Bodies in a potential that are no pendulums: about a centre, in a galaxy, on a chain.
 
-use super::{number, parameter};
+use super::{NOTHING_SAID, number, parameter};
 use crate::systems::NamedSystem;
 
 pub(super) const SYSTEMS: &[NamedSystem] = &[
@@ -14,13 +14,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(x'^2 + y'^2)/2 - mu/sqrt(x^2 + y^2)",
         energy_unit: "energy over m",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
-        bodies: &[],
         description: "a planet in its plane, the sun at zero; from x = 1 - e, y' = sqrt((1 + e)/(1 - e)) at mu = 1 it goes about an ellipse of eccentricity e in the time 2*pi; x*y' - y*x' is conserved",
         domain: "motions that do not meet the centre; nowhere is it at rest: x = 1 is what is taken where nothing is given",
         source: "attributed to I. Newton, Philosophiae Naturalis Principia Mathematica (1687), book I, proposition 11",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "henon_heiles",
@@ -32,13 +29,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(x'^2 + y'^2 + x^2 + y^2)/2 + lambda*(x^2*y - y^3/3)",
         energy_unit: "1",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
-        bodies: &[],
         description: "a star in the plane through the axis of a galaxy, in units in which both frequencies are 1; at lambda = 1 most motions are regular at energies up to 1/12, and hardly any at 1/6",
         domain: "bounded at energies below 1/(6*lambda^2), inside the triangle about zero",
         source: "attributed to M. Henon and C. Heiles, Astron. J. 69, 73 (1964), doi:10.1086/109234",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "fermi_pasta_ulam",
@@ -53,15 +47,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
             parameter("beta", "0", "1", "cubic part of the springs' force"),
             parameter("n", "32", "1", "number of masses, from 1 to 1000"),
         ],
-        energy: "",
-        energy_unit: "",
-        power: "",
-        drive_frequency: None,
         count: Some("n"),
-        whole_powers: false,
-        bodies: &[],
         description: "n equal masses between n + 1 equal springs whose ends are fixed, in units of mass and spring; x[i] is how far a mass is from its rest; its modes have the angular frequencies 2*sin(pi*k/(2*(n + 1))); the energy is the sum of x[i]'^2/2 + d^2/2 + alpha*d^3/3 + beta*d^4/4 over masses and springs, d = x[i+1] - x[i]",
         domain: "with alpha alone, springs that are not pressed or drawn beyond |alpha*d| = 1, where they give way",
         source: "attributed to E. Fermi, J. Pasta and S. Ulam, Studies of nonlinear problems I, Los Alamos report LA-1940 (1955), doi:10.2172/4376203",
+        ..NOTHING_SAID
     },
 ];

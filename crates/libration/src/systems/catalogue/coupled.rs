@@ -1,6 +1,6 @@
 //! Pendulums of more than one coordinate.
 
-use super::{GRAVITY, OMEGA0, angle, parameter};
+use super::{GRAVITY, NOTHING_SAID, OMEGA0, angle, parameter};
 use crate::systems::{NamedBody, NamedCoordinate, NamedSystem};
 
 const fn length(name: &'static str, at_rest: &'static str) -> NamedCoordinate {
@@ -22,17 +22,14 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(r'^2 + r^2*theta'^2)/2 + kappa*(r - l)^2/2 - g*r*cos(theta)",
         energy_unit: "m^2/s^2, energy over m",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], pivot: ["0", "0"] }],
         description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
         domain: "r above zero",
         source: "derived from its Lagrangian; attributed to A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "double_pendulum",
-        also: &[],
         title: "double pendulum",
         equations: "theta1'' = -(m2*sin(theta1 - theta2)*(l1*theta1'^2*cos(theta1 - theta2) + l2*theta2'^2) \
                     + g*((m1 + m2)*sin(theta1) - m2*sin(theta2)*cos(theta1 - theta2)))\
@@ -52,9 +49,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
                  + 2*g*((m1 + m2)*l1*sin(theta1/2)^2 + m2*l2*sin(theta2/2)^2)",
         energy_unit: "J",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: &[
             NamedBody { place: ["l1*sin(theta1)", "-l1*cos(theta1)"], pivot: ["0", "0"] },
             NamedBody {
@@ -65,6 +59,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         description: "a pendulum that hangs from the bob of another, both rods massless; both angles from the downward vertical",
         domain: "all motions",
         source: "derived from its Lagrangian, solved for the accelerations; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 5",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "spherical_pendulum",
@@ -76,17 +71,14 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(theta'^2 + sin(theta)^2*phi'^2)/2 + 2*omega0^2*sin(theta/2)^2",
         energy_unit: "1/s^2, energy over m*l^2",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], pivot: ["0", "0"] }],
         description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
         domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
         source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "spherical_pendulum_xy",
-        also: &[],
         title: "spherical pendulum, seen from above",
         equations: "x'' = -x*(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2) + g*sqrt(l^2 - x^2 - y^2))/l^2; \
                     y'' = -y*(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2) + g*sqrt(l^2 - x^2 - y^2))/l^2",
@@ -95,13 +87,11 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(x'^2 + y'^2 + (x*x' + y*y')^2/(l^2 - x^2 - y^2))/2 + g*(x^2 + y^2)/(l + sqrt(l^2 - x^2 - y^2))",
         energy_unit: "m^2/s^2, energy over m",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], pivot: ["0", "0"] }],
         description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
         domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
         source: "derived from the force of the rod that keeps its length; attributed to J. L. Lagrange, Mecanique analytique (1788)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "coupled_pendulums",
@@ -124,9 +114,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
                  + kappa*(theta1 - theta2)^2/2",
         energy_unit: "1/s^2, energy over the moment of inertia",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: &[
             NamedBody { place: ["sin(theta1)", "-cos(theta1)"], pivot: ["0", "0"] },
             NamedBody { place: ["sin(theta2)", "-cos(theta2)"], pivot: ["0", "0"] },
@@ -134,5 +121,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
         domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",
         source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20",
+        ..NOTHING_SAID
     },
 ];

@@ -1,6 +1,6 @@
 //! One pendulum that is driven: by a torque, or by its pivot.
 
-use super::{HANGING, OMEGA0, SWING_ENERGY, THETA, parameter};
+use super::{HANGING, NOTHING_SAID, OMEGA0, SWING_ENERGY, THETA, parameter};
 use crate::catalogue::NamedParameter;
 use crate::systems::{NamedBody, NamedSystem};
 
@@ -25,12 +25,11 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "A*cos(omega*t)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
-        count: None,
-        whole_powers: false,
         bodies: HANGING,
         description: "a torque that alternates drives the pendulum at its axis; the standard example of chaos",
         domain: "all motions",
         source: "attributed to G. L. Baker and J. P. Gollub, Chaotic Dynamics, Cambridge University Press (1996)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "vertically_driven_pendulum",
@@ -48,8 +47,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "a*omega^2*cos(omega*t)*sin(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
-        count: None,
-        whole_powers: false,
         bodies: &[NamedBody {
             place: ["sin(theta)", "a*cos(omega*t) - cos(theta)"],
             pivot: ["0", "a*cos(omega*t)"],
@@ -57,6 +54,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         description: "the pivot is at the height a*l*cos(omega*t), whose acceleration adds to gravity; energy in the frame of the pivot; fast and strong driving holds the pendulum upright",
         domain: "all motions",
         source: "derived in the frame of the pivot; attributed to A. Stephenson, Phil. Mag. 15, 233 (1908), and P. L. Kapitza, Zh. Eksp. Teor. Fiz. 21, 588 (1951)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "horizontally_driven_pendulum",
@@ -74,8 +72,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "a*omega^2*cos(omega*t)*cos(theta)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
-        count: None,
-        whole_powers: false,
         bodies: &[NamedBody {
             place: ["a*cos(omega*t) + sin(theta)", "-cos(theta)"],
             pivot: ["a*cos(omega*t)", "0"],
@@ -83,5 +79,6 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         description: "the pivot is at a*l*cos(omega*t) along the horizontal in the plane of the swing; energy in the frame of the pivot",
         domain: "all motions",
         source: "derived in the frame of the pivot; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 30",
+        ..NOTHING_SAID
     },
 ];

@@ -1,7 +1,7 @@
 //! One pendulum left to itself: with any damping, and as an extended body in a fluid.
 
-use super::{GRAVITY, HANGING, OMEGA0, SWING_ENERGY, THETA, parameter};
-use crate::systems::NamedSystem;
+use super::{GRAVITY, HANGING, NOTHING_SAID, OMEGA0, SWING_ENERGY, THETA, parameter};
+use crate::systems::{NamedSystem, VelocityPower};
 
 pub(super) const SYSTEMS: &[NamedSystem] = &[
     NamedSystem {
@@ -14,13 +14,11 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: SWING_ENERGY,
         energy_unit: "1/s^2, energy over m*l^2",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: HANGING,
         description: "a mass on a rigid massless rod under gravity; theta from the downward vertical",
         domain: "all motions",
         source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; attributed to C. Huygens, Horologium Oscillatorium (1673)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "damped_pendulum",
@@ -41,13 +39,12 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: SWING_ENERGY,
         energy_unit: "1/s^2, energy over m*l^2",
         power: "-(c*abs(theta')^(n + 1) + c0*abs(theta') + c1*theta'^2 + c2*abs(theta')^3 + c3*theta'^4)",
-        drive_frequency: None,
-        count: None,
-        whole_powers: true,
+        velocity_power: Some(VelocityPower::Any),
         bodies: HANGING,
         description: "a pendulum with a resistance against its velocity, whatever its direction: c*theta'*abs(theta')^(n-1), and any sum of powers",
         domain: "all motions; with dry friction the pendulum rests where omega0^2*abs(sin(theta)) is below the friction",
         source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54), with the resistance always against the velocity; attributed to C. A. Coulomb and G. G. Stokes for dry friction and linear damping",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "damped_pendulum_54",
@@ -63,13 +60,12 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: SWING_ENERGY,
         energy_unit: "1/s^2, energy over m*l^2",
         power: "-c*theta'^(n + 1)",
-        drive_frequency: None,
-        count: None,
-        whole_powers: true,
+        velocity_power: Some(VelocityPower::Whole),
         bodies: HANGING,
         description: "as printed: for odd n it damps, for even n it is no damping, as it drives the swing back as much as it brakes the swing forth, and for n = 2 there is even a conserved quantity; damped_pendulum is what was meant",
         domain: "whole n",
         source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54)",
+        ..NOTHING_SAID
     },
     NamedSystem {
         key: "physical_pendulum",
@@ -93,12 +89,10 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy: "(I + Ca*rho*m*d^2)*theta'^2/2 + 2*(1 - rho)*m*g*d*sin(theta/2)^2",
         energy_unit: "J",
         power: "0",
-        drive_frequency: None,
-        count: None,
-        whole_powers: false,
         bodies: HANGING,
         description: "a body about a fixed axis; it displaces rho*m of fluid, whose weight m*g*rho lifts it at its centre of mass and which it must accelerate, Ca*rho*m at the distance d",
         domain: "homogeneous bodies small beside d, for buoyancy to act at the centre of mass and added mass to move as one point; without fluid (rho = 0) any body; resistance is left out",
         source: "derived from torque and ideal flow; attributed to R. A. Nelson and M. G. Olsson, Am. J. Phys. 54, 112 (1986), doi:10.1119/1.14703, and G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851)",
+        ..NOTHING_SAID
     },
 ];

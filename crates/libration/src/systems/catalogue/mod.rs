@@ -15,6 +15,26 @@ pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> + Clone {
     pendulums.chain(conservative::SYSTEMS).chain(first_order::SYSTEMS)
 }
 
+/// What an entry has that says nothing else.
+const NOTHING_SAID: NamedSystem = NamedSystem {
+    key: "",
+    also: &[],
+    title: "",
+    equations: "",
+    coordinates: &[],
+    parameters: &[],
+    energy: "",
+    energy_unit: "",
+    power: "",
+    drive_frequency: None,
+    count: None,
+    velocity_power: None,
+    bodies: &[],
+    description: "",
+    domain: "",
+    source: "",
+};
+
 const fn parameter(
     name: &'static str,
     default: &'static str,

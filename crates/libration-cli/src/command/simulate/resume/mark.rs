@@ -44,10 +44,10 @@ impl Mark {
             Of::value(
                 "event_formulas[][]",
                 "",
-                "side of zero, last zero and nearness to zero of each event",
+                "side of zero, last zero, nearness to zero and number of zeros of each event",
                 |it| {
                     let events = it.checkpoint.events.iter();
-                    json::list(events.map(|one| json!([one.side, one.last, one.near])))
+                    json::list(events.map(|one| json!([one.side, one.last, one.near, one.found])))
                 },
             ),
             Of::value("steps", "1", "steps until there", |it| it.checkpoint.steps.into()),
@@ -92,7 +92,8 @@ fn modulus(value: &Value) -> Option<ModulusCheckpoint> {
 }
 
 fn event(value: &Value) -> Option<EventCheckpoint> {
-    Some(EventCheckpoint { side: value[0].as_f64(), last: value[1].as_f64(), near: value[2].as_bool()? })
+    let (side, last) = (value[0].as_f64(), value[1].as_f64());
+    Some(EventCheckpoint { side, last, near: value[2].as_bool()?, found: value[3].as_u64().unwrap_or(0) })
 }
 
 /// Numbers that are not finite, as of an energy without a value, are null.

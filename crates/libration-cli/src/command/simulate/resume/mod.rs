@@ -119,7 +119,7 @@ impl Earlier {
     fn of_csv(path: &Path, question: &Question, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
-        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark)));
+        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question.columns.len())));
         if let Some((mark, rows)) = &known {
             let checksum = check_times(rows, mark, times)?;
             if checksum.value() != mark.checksum {

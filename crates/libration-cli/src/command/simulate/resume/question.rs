@@ -18,6 +18,8 @@ pub(crate) struct Question {
     pub(crate) tolerance: f64,
     /// What is looked for.
     pub(crate) events: Vec<String>,
+    /// Formulas that stand beside the state.
+    pub(crate) columns: Vec<String>,
 }
 
 /// Two questions that are not the same.
@@ -31,11 +33,16 @@ pub(crate) enum Difference {
     Tolerance { earlier: f64, asked: f64 },
     #[error("{}: give the same --events", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
+    #[error("its columns are {}, not {}: give the same --columns", listed(.earlier), listed(.asked))]
+    Columns { earlier: Vec<String>, asked: Vec<String> },
 }
 
 fn events(earlier: &[String], asked: &[String]) -> String {
-    let named = |events: &[String]| if events.is_empty() { "none".to_owned() } else { events.join(", ") };
-    format!("its events are {}, not {}", named(earlier), named(asked))
+    format!("its events are {}, not {}", listed(earlier), listed(asked))
+}
+
+fn listed(names: &[String]) -> String {
+    if names.is_empty() { "none".to_owned() } else { names.join(", ") }
 }
 
 impl Question {
@@ -50,6 +57,12 @@ impl Question {
         }
         if earlier.events != self.events {
             return Err(Difference::Events { earlier: earlier.events.clone(), asked: self.events.clone() });
+        }
+        if earlier.columns != self.columns {
+            return Err(Difference::Columns {
+                earlier: earlier.columns.clone(),
+                asked: self.columns.clone(),
+            });
         }
         Ok(())
     }
@@ -69,6 +82,7 @@ impl Question {
                 json::number(it.tolerance)
             }),
             Of::value("events[]", "", "events that are looked for", |it| json::list(it.events.clone())),
+            Of::value("columns[]", "", "formulas beside the state", |it| json::list(it.columns.clone())),
         ])
     }
 
@@ -83,6 +97,7 @@ impl Question {
             initial: value["initial"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?,
             tolerance: value["tolerance"].as_f64()?,
             events: texts("events")?,
+            columns: texts("columns").unwrap_or_default(),
         })
     }
 }

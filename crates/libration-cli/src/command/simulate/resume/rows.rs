@@ -13,14 +13,20 @@ pub(crate) enum Rows {
     /// In memory, in the order of time.
     List(Vec<Happening>),
     /// In the first lines of a CSV file, the first of which are names.
-    Csv { path: PathBuf, bytes: u64, numbers: usize },
+    Csv {
+        path: PathBuf,
+        bytes: u64,
+        numbers: usize,
+        /// How many columns of formulas stand behind the state; they are computed again.
+        columns: usize,
+    },
 }
 
 impl Rows {
     /// The rows of a CSV file that a mark counts.
-    pub(super) fn of_csv(path: &Path, mark: &Mark) -> Self {
+    pub(super) fn of_csv(path: &Path, mark: &Mark, columns: usize) -> Self {
         let numbers = 1 + mark.checkpoint.state.len();
-        Self::Csv { path: path.to_owned(), bytes: mark.bytes, numbers }
+        Self::Csv { path: path.to_owned(), bytes: mark.bytes, numbers, columns }
     }
 
     /// Those of a JSON answer that a mark counts.
@@ -43,7 +49,7 @@ impl Rows {
     ) -> Result<Checksum, E> {
         match self {
             Self::List(rows) => rows.iter().try_for_each(take).map(|()| Checksum::NONE),
-            Self::Csv { path, bytes, numbers } => {
+            Self::Csv { path, bytes, numbers, columns } => {
                 let shorter = || ResumeError::Shorter { bytes: *bytes };
                 let unreadable = |_| shorter();
                 let file = File::open(path).map_err(unreadable)?;
@@ -56,7 +62,7 @@ impl Rows {
                     checksum.include(&line);
                     number += 1;
                     if number > 1 {
-                        take(&of_line(&line, *numbers).ok_or(ResumeError::Unreadable(number))?)?;
+                        take(&of_line(&line, *numbers, *columns).ok_or(ResumeError::Unreadable(number))?)?;
                     }
                     line.clear();
                 }
@@ -69,16 +75,16 @@ impl Rows {
 fn of_record(value: &Value) -> Option<Happening> {
     let state = value["state"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     let kind = value["kind"].as_str().unwrap_or_default().to_owned();
-    Some(Happening { time: value["time"].as_f64()?, kind, state })
+    Some(Happening { time: value["time"].as_f64()?, kind, state, columns: None })
 }
 
 /// A sample, or an event if it has a kind, the last cell, which may hold commas.
-fn of_line(line: &[u8], numbers: usize) -> Option<Happening> {
+fn of_line(line: &[u8], numbers: usize, columns: usize) -> Option<Happening> {
     let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
-    let mut cells = line.splitn(numbers + 1, ',');
+    let mut cells = line.splitn(numbers + columns + 1, ',');
     let time = cells.next()?.parse().ok()?;
     let state =
         cells.by_ref().take(numbers - 1).map(|cell| cell.parse().ok()).collect::<Option<Vec<f64>>>()?;
-    let kind = cells.next().unwrap_or_default().trim_matches('"').to_owned();
-    (state.len() == numbers - 1).then_some(Happening { time, kind, state })
+    let kind = cells.nth(columns).unwrap_or_default().trim_matches('"').to_owned();
+    (state.len() == numbers - 1).then_some(Happening { time, kind, state, columns: None })
 }

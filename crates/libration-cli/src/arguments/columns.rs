@@ -1,0 +1,30 @@
+//! Formulas with names, `energy = x'^2/2 - cos(x), p = 2*x'`.
+
+use crate::failure::Failure;
+use libration::expression::Expression;
+use libration::systems::{Model, Observables};
+
+/// The formulas of an option; those without a name are called as they are written.
+pub(crate) fn columns(argument: &'static str, text: &str, model: &Model) -> Result<Observables, Failure> {
+    let usage = |reason: String| Failure::usage(argument, reason);
+    let mut formulas: Vec<(&str, Expression)> = vec![];
+    for item in at_commas(text) {
+        let (name, formula) = item.split_once('=').unwrap_or((item, item));
+        let formula = formula.trim().parse().map_err(|error| usage(format!("{}: {error}", name.trim())))?;
+        formulas.push((name.trim(), formula));
+    }
+    if let Some((name, _)) = formulas.iter().find(|(name, _)| name.is_empty()) {
+        return Err(usage(format!("`{name}` is no name: give NAME = FORMULA, such as energy = x'^2/2")));
+    }
+    Observables::new(model, &formulas).map_err(|error| usage(error.to_string()))
+}
+
+/// The parts between commas that stand in no brackets.
+fn at_commas(text: &str) -> Vec<&str> {
+    let mut open = 0_i32;
+    let outside = |letter: char| {
+        open += i32::from(letter == '(') - i32::from(letter == ')');
+        letter == ',' && open == 0
+    };
+    text.split(outside).collect()
+}
