@@ -1,8 +1,7 @@
 """Motions of the named systems in time: python reference/damped.py > crates/libration/tests/data/damped.csv
 
-By extrapolation of the modified midpoint rule (W. B. Gragg, R. Bulirsch and J. Stoer; E. Hairer, S. P. Norsett and
-G. Wanner, Solving Ordinary Differential Equations I, section II.9) in gmpy2 floats of 400 bits, each step refined until two
-columns agree to 1e-60. Nothing here knows Taylor series. Where damping is not analytic, at turning points, the step ends: the
+By extrapolation of the midpoint rule (extrapolation.py) in gmpy2 floats of 400 bits, each step refined until two columns agree
+to 1e-60. Where damping is not analytic, at turning points, the step ends: the
 zero of the velocity is found by Newton's method on the length of the step. Needs: pip install gmpy2. Takes some minutes.
 """
 import sys
@@ -11,46 +10,15 @@ from fractions import Fraction
 import gmpy2
 from gmpy2 import cos, mpfr, sin
 
+from extrapolation import Extrapolation
+
 gmpy2.get_context().precision = 400
-TOLERANCE = mpfr("1e-60")
-MOST_COLUMNS = 40
+STEPS = Extrapolation(tolerance=mpfr("1e-60"), columns=40)
 
 
 def number(text):
     """The f64 next to a decimal or a fraction, which is what the library takes."""
     return mpfr(float(Fraction(text)))
-
-
-def midpoint(f, t, y, length, substeps):
-    h = length / substeps
-    before, now = y, [a + h * b for a, b in zip(y, f(t, y))]
-    for n in range(1, substeps):
-        slope = f(t + n * h, now)
-        before, now = now, [a + 2 * h * b for a, b in zip(before, slope)]
-    slope = f(t + length, now)
-    return [(a + b + h * c) / 2 for a, b, c in zip(before, now, slope)]
-
-
-def extrapolated(f, t, y, length):
-    """The state a step later, or None when it is too long."""
-    rows = []
-    for k in range(MOST_COLUMNS):
-        row = [midpoint(f, t, y, length, 2 * k + 2)]
-        for j in range(1, k + 1):
-            factor = mpfr(k + 1) ** 2 / mpfr(k + 1 - j) ** 2 - 1
-            row.append([a + (a - b) / factor for a, b in zip(row[-1], rows[-1][j - 1])])
-        if rows and max(abs(a - b) for a, b in zip(row[-1], row[-2])) < TOLERANCE:
-            return row[-1]
-        rows.append(row)
-    return None
-
-
-def advance(f, t, y, length):
-    after = extrapolated(f, t, y, length)
-    if after is not None:
-        return after
-    half = length / 2
-    return advance(f, t + half, advance(f, t, y, half), half)
 
 
 class Motion:
@@ -80,7 +48,7 @@ class Motion:
     def go(self, to):
         while self.t < to and not self.stuck:
             length = min(self.longest, to - self.t)
-            after = advance(self.f, self.t, self.y, length)
+            after = STEPS.advance(self.f, self.t, self.y, length)
             v = after[self.n]
             if v * self.sign < 0 or (v == 0 and length < self.longest):
                 length, after = self.turn(length, after)
@@ -105,7 +73,7 @@ class Motion:
             if abs(change) < mpfr("1e-58"):
                 return length, after
             length = length - change if low < length - change < high else (low + high) / 2
-            after = advance(self.f, self.t, self.y, length)
+            after = STEPS.advance(self.f, self.t, self.y, length)
         raise ArithmeticError("no turning point")
 
 

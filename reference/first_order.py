@@ -1,15 +1,15 @@
 """Motions of equations of the first order, alone and beside ones of the second: python reference/first_order.py > crates/libration/tests/data/first_order.csv
 
-By extrapolation of the modified midpoint rule (W. B. Gragg, R. Bulirsch and J. Stoer; E. Hairer, S. P. Norsett and G. Wanner, Solving
-Ordinary Differential Equations I, section II.9) in mpmath floats of 50 digits, each step refined until two columns agree to 1e-40.
-Nothing here knows Taylor series. Needs: pip install mpmath. Takes some minutes.
+By extrapolation of the midpoint rule (extrapolation.py) in mpmath floats of 50 digits, each step refined until two columns agree to
+1e-40. Needs: pip install mpmath. Takes some minutes.
 """
 from mpmath import mp, mpf, nstr, sin, cos
 
+from extrapolation import Extrapolation
+
 mp.dps = 50
-TOLERANCE = mpf("1e-40")
+STEPS = Extrapolation(tolerance=mpf("1e-40"), columns=30)
 SHIFT = mpf("1e-15")
-MOST_COLUMNS = 30
 
 HEADER = """\
 # Motions of equations of the first order, alone and beside ones of the second. Source: reference/first_order.py (extrapolated midpoint
@@ -19,45 +19,13 @@ HEADER = """\
 equation,start,time,state,size,sensitivity"""
 
 
-def midpoint(f, t, y, length, substeps):
-    h = length / substeps
-    before, now = y, [a + h * b for a, b in zip(y, f(t, y))]
-    for n in range(1, substeps):
-        slope = f(t + n * h, now)
-        before, now = now, [a + 2 * h * b for a, b in zip(before, slope)]
-    slope = f(t + length, now)
-    return [(a + b + h * c) / 2 for a, b, c in zip(before, now, slope)]
-
-
-def extrapolated(f, t, y, length):
-    """The state a step later, or None when it is too long."""
-    rows = []
-    for k in range(MOST_COLUMNS):
-        row = [midpoint(f, t, y, length, 2 * k + 2)]
-        for j in range(1, k + 1):
-            factor = mpf(k + 1) ** 2 / mpf(k + 1 - j) ** 2 - 1
-            row.append([a + (a - b) / factor for a, b in zip(row[-1], rows[-1][j - 1])])
-        if rows and max(abs(a - b) for a, b in zip(row[-1], row[-2])) < TOLERANCE:
-            return row[-1]
-        rows.append(row)
-    return None
-
-
-def advance(f, t, y, length):
-    after = extrapolated(f, t, y, length)
-    if after is not None:
-        return after
-    half = length / 2
-    return advance(f, t + half, advance(f, t, y, half), half)
-
-
 def motion(f, y, times, step):
     """The states at the times, and the largest number until each."""
     t, size, found = mpf(0), mpf(0), []
     for time in times:
         while t < time:
             length = min(mpf(step), time - t)
-            y = advance(f, t, y, length)
+            y = STEPS.advance(f, t, y, length)
             t += length
             size = max(size, max(abs(x) for x in y))
         found.append((y, size))
