@@ -7,7 +7,9 @@ use std::collections::HashMap;
 
 use iced_x86::{Code, Encoder, IcedError, Instruction, MemoryOperand, Register};
 
+use crate::groups::groups;
 use crate::instruction_set::InstructionSet;
+use crate::packing::Packs;
 use crate::registers::Registers;
 use crate::uses::Uses;
 use crate::windows::Windows;
@@ -18,35 +20,43 @@ use crate::{Arithmetic, StraightLine};
 pub(crate) struct Assembled {
     pub(crate) code: Vec<u8>,
     pub(crate) numbers: Vec<f64>,
+    /// How many numbers it puts down beside the places.
+    pub(crate) scratch: usize,
 }
 
 /// The code of a line in a set of instructions, where so many lanes stand beside each other in memory; `None` if more values are
 /// wanted at the same time than there are registers.
-pub(crate) fn assembled(line: &StraightLine, set: &InstructionSet, lanes: usize) -> Option<Assembled> {
+pub(crate) fn assembled(line: &StraightLine, set: &'static InstructionSet, lanes: usize) -> Option<Assembled> {
     let mut assembler = Assembler::new(line, set, lanes)?;
     for instruction in assembler.windows.openings() {
         assembler.encode(instruction).ok()?;
     }
+    let groups = groups(line);
     for (number, step) in line.steps().iter().enumerate() {
+        if let Some(group) = groups.get(&number) {
+            assembler.inner_products(group).ok()?;
+        }
         assembler.write(number, step).ok()?;
         assembler.release(number, &[number]);
     }
     assembler.encode(Ok(Instruction::with(set.leave))).ok()?;
     assembler.encode(Ok(Instruction::with(Code::Retnq))).ok()?;
-    Some(Assembled { code: assembler.encoder.take_buffer(), numbers: assembler.numbers })
+    let (code, scratch) = (assembler.encoder.take_buffer(), assembler.packs.numbers());
+    Some(Assembled { code, numbers: assembler.numbers, scratch })
 }
 
 /// Where a value can be read again.
 #[derive(Clone, Copy, Debug)]
-enum Home {
+pub(crate) enum Home {
     Place(usize),
     Argument(usize),
     Number(usize),
+    Scratch(usize),
 }
 
 /// Why there is no code.
 #[derive(Debug)]
-enum NoCode {
+pub(crate) enum NoCode {
     /// All registers hold what is still needed and is nowhere else.
     Registers,
     /// An instruction that cannot be encoded, as one with an address beyond 2³¹.
@@ -59,26 +69,31 @@ impl From<IcedError> for NoCode {
     }
 }
 
-struct Assembler<'a> {
-    set: &'a InstructionSet,
+pub(crate) struct Assembler<'a> {
+    pub(crate) set: &'static InstructionSet,
+    pub(crate) line: &'a StraightLine,
     encoder: Encoder,
-    registers: Registers,
+    pub(crate) registers: Registers,
     /// By the numbers of the values.
-    homes: Vec<Option<Home>>,
+    pub(crate) homes: Vec<Option<Home>>,
     uses: Uses,
     /// The step that is written.
-    now: usize,
+    pub(crate) now: usize,
     numbers: Vec<f64>,
     places_of_numbers: HashMap<u64, usize>,
     /// Bytes from one place to the next.
     stride: usize,
     windows: Windows,
+    pub(crate) packs: Packs,
+    /// The values at the places where some were kept.
+    pub(crate) kept: HashMap<usize, usize>,
 }
 
 impl<'a> Assembler<'a> {
-    fn new(line: &StraightLine, set: &'a InstructionSet, lanes: usize) -> Option<Self> {
+    fn new(line: &'a StraightLine, set: &'static InstructionSet, lanes: usize) -> Option<Self> {
         Some(Self {
             set,
+            line,
             encoder: Encoder::new(64),
             registers: Registers::new(set.registers),
             homes: vec![None; line.steps().len()],
@@ -88,10 +103,12 @@ impl<'a> Assembler<'a> {
             places_of_numbers: HashMap::new(),
             stride: lanes * size_of::<f64>(),
             windows: Windows::new(set),
+            packs: Packs::default(),
+            kept: HashMap::new(),
         })
     }
 
-    fn encode(&mut self, instruction: Result<Instruction, IcedError>) -> Result<(), NoCode> {
+    pub(crate) fn encode(&mut self, instruction: Result<Instruction, IcedError>) -> Result<(), NoCode> {
         self.encoder.encode(&instruction?, 0)?;
         Ok(())
     }
@@ -120,8 +137,11 @@ impl<'a> Assembler<'a> {
                 let address = self.address(home)?;
                 self.encode(Instruction::with2(set.store, address, register))?;
                 self.homes[value] = Some(home);
+                self.kept.insert(place, value);
                 self.release(number, &[value]);
             }
+            // Its group was written before.
+            Arithmetic::InnerProduct { .. } => {}
         }
         Ok(())
     }
@@ -129,7 +149,7 @@ impl<'a> Assembler<'a> {
 
 /// What an instruction reads last.
 #[derive(Clone, Copy)]
-enum Operand {
+pub(crate) enum Operand {
     Register(Register),
     Memory(MemoryOperand),
 }
@@ -147,20 +167,21 @@ impl Assembler<'_> {
         matches!(self.homes[value], Some(Home::Number(number)) if self.numbers[number].to_bits() == 0)
     }
 
-    fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
+    pub(crate) fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
         let (base, offset) = match home {
             Home::Place(place) => self.windows.around(place * self.stride),
             Home::Argument(argument) => (Register::RSI, i64::try_from(argument * self.stride).ok()),
             Home::Number(number) => (Register::RDX, i64::try_from(number * self.set.bytes()).ok()),
+            Home::Scratch(number) => self.windows.in_scratch(number * size_of::<f64>()),
         };
         let displacement = offset.and_then(|offset| i32::try_from(offset).ok()).ok_or(NoCode::Instruction)?;
         Ok(MemoryOperand::with_base_displ(base, i64::from(displacement)))
     }
 
     /// A register for a value, which is no operand of this step.
-    fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
+    pub(crate) fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
-            let can_be_had_again = self.homes[held].is_some() && !operands.contains(&held);
+            let can_be_had_again = self.homes.get(held).is_some_and(Option::is_some) && !operands.contains(&held);
             can_be_had_again.then(|| self.uses.after(self.now, held).unwrap_or(usize::MAX))
         };
         let register = self.registers.take(next_use).ok_or(NoCode::Registers)?;
@@ -197,7 +218,7 @@ impl Assembler<'_> {
         if swaps { [b, a] } else { [a, b] }
     }
 
-    fn three(&mut self, code: Code, to: Register, first: Register, last: Operand) -> Result<(), NoCode> {
+    pub(crate) fn three(&mut self, code: Code, to: Register, first: Register, last: Operand) -> Result<(), NoCode> {
         self.encode(match last {
             Operand::Register(last) => Instruction::with3(code, to, first, last),
             Operand::Memory(last) => Instruction::with3(code, to, first, last),
@@ -225,7 +246,7 @@ impl Assembler<'_> {
         let [a, b] = self.memory_last(factors);
         let operands = [a, b, addend];
         let first = self.in_register(a, &operands)?;
-        let to = self.sum(value, addend, &operands)?;
+        let to = self.addend(value, addend, &operands)?;
         let last = self.operand(b)?;
         self.three(self.set.multiply_add, to, first, last)?;
         self.release(value, &[a, b]);
@@ -233,7 +254,7 @@ impl Assembler<'_> {
     }
 
     /// The register of a sum, which holds what is added to.
-    fn sum(&mut self, value: usize, addend: usize, operands: &[usize; 3]) -> Result<Register, NoCode> {
+    fn addend(&mut self, value: usize, addend: usize, operands: &[usize; 3]) -> Result<Register, NoCode> {
         if self.is_nothing(addend) {
             let to = self.take(value, operands)?;
             self.encode(Instruction::with3(self.set.exclusive_or, to, to, to))?;

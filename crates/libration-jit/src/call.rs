@@ -2,11 +2,12 @@
 
 use memmap2::{Mmap, MmapMut};
 
-use crate::StraightLine;
 use crate::assembly::Assembled;
+use crate::{Scratch, StraightLine};
 
-/// What the code is given: the first of the places, of the arguments and of the numbers in the line.
-type Function = unsafe extern "sysv64" fn(places: *mut f64, arguments: *const f64, numbers: *const f64);
+/// What the code is given: the first of the places, of the arguments, of the numbers in the line and of the scratch.
+type Function =
+    unsafe extern "sysv64" fn(places: *mut f64, arguments: *const f64, numbers: *const f64, scratch: *mut f64);
 
 /// Assembled code that can be called.
 #[derive(Debug)]
@@ -16,6 +17,7 @@ pub(crate) struct Code {
     numbers: Vec<f64>,
     places: usize,
     arguments: usize,
+    scratch: usize,
     lanes: usize,
     /// How many lanes a register has.
     width: usize,
@@ -24,28 +26,30 @@ pub(crate) struct Code {
 impl Code {
     /// `None` if the system grants no memory that can be executed.
     pub(crate) fn new(line: &StraightLine, assembled: Assembled, width: usize, lanes: usize) -> Option<Self> {
-        let Assembled { code, numbers } = assembled;
+        let Assembled { code, numbers, scratch } = assembled;
         let mut memory = MmapMut::map_anon(code.len()).ok()?;
         memory.copy_from_slice(&code);
         let memory = memory.make_exec().ok()?;
         let numbers = numbers.iter().flat_map(|number| std::iter::repeat_n(*number, width)).collect();
-        Some(Self { memory, numbers, places: line.places(), arguments: line.arguments(), lanes, width })
+        let (places, arguments) = (line.places(), line.arguments());
+        Some(Self { memory, numbers, places, arguments, scratch, lanes, width })
     }
 
-    pub(crate) fn run(&self, places: &mut [f64], arguments: &[f64]) {
+    pub(crate) fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Scratch) {
         let Self { memory, numbers, width, lanes, .. } = self;
         let places = &mut places[..self.places * lanes];
         let arguments = &arguments[..self.arguments * lanes];
+        let scratch = scratch.numbers(self.scratch);
         for first in (0..*lanes).step_by(*width) {
             // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the
             // `places`, and reads as many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the
-            // `numbers`, and nothing else: what it was assembled from names no others, and the slices are as long. The first lane
-            // is a multiple of the width below `lanes`, which is another. It changes no register that a function may not
+            // `numbers`, reads and writes what is in `scratch`, and nothing else: what it was assembled from names no others, and
+            // the slices are as long. The first lane is a multiple of the width below `lanes`, which is another. It changes no register that a function may not
             // change, and the processor has the instructions, as `InstructionSet` found out.
             #[expect(unsafe_code, reason = "calling code that was made at run time")]
             unsafe {
                 let function: Function = std::mem::transmute(memory.as_ptr());
-                function(places.as_mut_ptr().add(first), arguments.as_ptr().add(first), numbers.as_ptr());
+                function(places.as_mut_ptr().add(first), arguments.as_ptr().add(first), numbers.as_ptr(), scratch.as_mut_ptr());
             }
         }
     }

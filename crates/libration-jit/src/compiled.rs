@@ -1,8 +1,8 @@
 //! Machine code of a line.
 
-use crate::StraightLine;
 #[cfg(all(target_arch = "x86_64", unix))]
-use crate::{assembly::assembled, call::Code, instruction_set::InstructionSet};
+use crate::{assembly::assembled, call::Code, instruction_set::InstructionSet, written_out::written_out};
+use crate::{Scratch, StraightLine};
 
 /// A [`StraightLine`] as machine code.
 #[derive(Debug)]
@@ -20,15 +20,19 @@ impl Compiled {
     #[must_use]
     pub fn new(line: &StraightLine, lanes: usize) -> Option<Self> {
         let set = InstructionSet::for_lanes(lanes)?;
-        Some(Self { code: Code::new(line, assembled(line, set, lanes)?, set.lanes, lanes)? })
+        let assembled = match set.lanes {
+            1 => assembled(line, set, lanes)?,
+            _ => assembled(&written_out(line).ok()?, set, lanes)?,
+        };
+        Some(Self { code: Code::new(line, assembled, set.lanes, lanes)? })
     }
 
     /// Runs the line as [`StraightLine::interpret`] does, in the lanes it was compiled for.
     ///
     /// # Panics
     /// If there are fewer numbers than places or arguments times lanes.
-    pub fn run(&self, places: &mut [f64], arguments: &[f64]) {
-        self.code.run(places, arguments);
+    pub fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Scratch) {
+        self.code.run(places, arguments, scratch);
     }
 }
 
@@ -41,7 +45,7 @@ impl Compiled {
     }
 
     /// Never called.
-    pub fn run(&self, _: &mut [f64], _: &[f64]) {
+    pub fn run(&self, _: &mut [f64], _: &[f64], _: &mut Scratch) {
         match self.none {}
     }
 }

@@ -20,6 +20,43 @@ pub(crate) struct InstructionSet {
     pub(crate) exclusive_or: Code,
     /// Before the return.
     pub(crate) leave: Code,
+    /// With one lane: what is done to two or four numbers at once.
+    pub(crate) packed: Option<PackedSet>,
+}
+
+/// How two numbers are put beside each other, and two such pairs, and what is done with both widths.
+#[derive(Debug)]
+pub(crate) struct PackedSet {
+    /// The lower number of one and the lower one of another.
+    pub(crate) unpack_low: Code,
+    /// The higher number of both, from one register twice.
+    pub(crate) unpack_high: Code,
+    /// A number in memory above what is low in a register.
+    pub(crate) load_high: Code,
+    /// A pair above another.
+    pub(crate) insert: Code,
+    pub(crate) one: Packed,
+    pub(crate) two: Packed,
+    pub(crate) four: Packed,
+}
+
+/// What is done with a register of one, two or four numbers.
+#[derive(Debug)]
+pub(crate) struct Packed {
+    first: Register,
+    pub(crate) load: Code,
+    pub(crate) store: Code,
+    /// The same number in all lanes.
+    pub(crate) broadcast: Code,
+    pub(crate) add: Code,
+    pub(crate) multiply_add: Code,
+    pub(crate) exclusive_or: Code,
+}
+
+impl Packed {
+    pub(crate) fn register(&self, number: usize) -> Register {
+        self.first + u32::try_from(number).unwrap_or(u32::MAX)
+    }
 }
 
 impl InstructionSet {
@@ -73,6 +110,39 @@ static ONE: InstructionSet = InstructionSet {
     multiply_add: Code::VEX_Vfmadd231sd_xmm_xmm_xmmm64,
     exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
     leave: Code::VEX_Vzeroupper,
+    packed: Some(PackedSet {
+        unpack_low: Code::VEX_Vunpcklpd_xmm_xmm_xmmm128,
+        unpack_high: Code::VEX_Vunpckhpd_xmm_xmm_xmmm128,
+        load_high: Code::VEX_Vmovhpd_xmm_xmm_m64,
+        insert: Code::VEX_Vinsertf128_ymm_ymm_xmmm128_imm8,
+        one: Packed {
+            first: Register::XMM0,
+            load: Code::VEX_Vmovsd_xmm_m64,
+            store: Code::VEX_Vmovsd_m64_xmm,
+            broadcast: Code::VEX_Vmovsd_xmm_m64,
+            add: Code::VEX_Vaddsd_xmm_xmm_xmmm64,
+            multiply_add: Code::VEX_Vfmadd231sd_xmm_xmm_xmmm64,
+            exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
+        },
+        two: Packed {
+            first: Register::XMM0,
+            load: Code::VEX_Vmovupd_xmm_xmmm128,
+            store: Code::VEX_Vmovupd_xmmm128_xmm,
+            broadcast: Code::VEX_Vmovddup_xmm_xmmm64,
+            add: Code::VEX_Vaddpd_xmm_xmm_xmmm128,
+            multiply_add: Code::VEX_Vfmadd231pd_xmm_xmm_xmmm128,
+            exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
+        },
+        four: Packed {
+            first: Register::YMM0,
+            load: Code::VEX_Vmovupd_ymm_ymmm256,
+            store: Code::VEX_Vmovupd_ymmm256_ymm,
+            broadcast: Code::VEX_Vbroadcastsd_ymm_m64,
+            add: Code::VEX_Vaddpd_ymm_ymm_ymmm256,
+            multiply_add: Code::VEX_Vfmadd231pd_ymm_ymm_ymmm256,
+            exclusive_or: Code::VEX_Vxorpd_ymm_ymm_ymmm256,
+        },
+    }),
 };
 
 static ONE_OF_32: InstructionSet = InstructionSet {
@@ -89,6 +159,39 @@ static ONE_OF_32: InstructionSet = InstructionSet {
     multiply_add: Code::EVEX_Vfmadd231sd_xmm_k1z_xmm_xmmm64_er,
     exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
     leave: Code::VEX_Vzeroupper,
+    packed: Some(PackedSet {
+        unpack_low: Code::EVEX_Vunpcklpd_xmm_k1z_xmm_xmmm128b64,
+        unpack_high: Code::EVEX_Vunpckhpd_xmm_k1z_xmm_xmmm128b64,
+        load_high: Code::EVEX_Vmovhpd_xmm_xmm_m64,
+        insert: Code::EVEX_Vinsertf64x2_ymm_k1z_ymm_xmmm128_imm8,
+        one: Packed {
+            first: Register::XMM0,
+            load: Code::EVEX_Vmovsd_xmm_k1z_m64,
+            store: Code::EVEX_Vmovsd_m64_k1_xmm,
+            broadcast: Code::EVEX_Vmovsd_xmm_k1z_m64,
+            add: Code::EVEX_Vaddsd_xmm_k1z_xmm_xmmm64_er,
+            multiply_add: Code::EVEX_Vfmadd231sd_xmm_k1z_xmm_xmmm64_er,
+            exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
+        },
+        two: Packed {
+            first: Register::XMM0,
+            load: Code::EVEX_Vmovupd_xmm_k1z_xmmm128,
+            store: Code::EVEX_Vmovupd_xmmm128_k1z_xmm,
+            broadcast: Code::EVEX_Vmovddup_xmm_k1z_xmmm64,
+            add: Code::EVEX_Vaddpd_xmm_k1z_xmm_xmmm128b64,
+            multiply_add: Code::EVEX_Vfmadd231pd_xmm_k1z_xmm_xmmm128b64,
+            exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
+        },
+        four: Packed {
+            first: Register::YMM0,
+            load: Code::EVEX_Vmovupd_ymm_k1z_ymmm256,
+            store: Code::EVEX_Vmovupd_ymmm256_k1z_ymm,
+            broadcast: Code::EVEX_Vbroadcastsd_ymm_k1z_xmmm64,
+            add: Code::EVEX_Vaddpd_ymm_k1z_ymm_ymmm256b64,
+            multiply_add: Code::EVEX_Vfmadd231pd_ymm_k1z_ymm_ymmm256b64,
+            exclusive_or: Code::EVEX_Vxorpd_ymm_k1z_ymm_ymmm256b64,
+        },
+    }),
 };
 
 static FOUR: InstructionSet = InstructionSet {
@@ -105,6 +208,7 @@ static FOUR: InstructionSet = InstructionSet {
     multiply_add: Code::VEX_Vfmadd231pd_ymm_ymm_ymmm256,
     exclusive_or: Code::VEX_Vxorpd_ymm_ymm_ymmm256,
     leave: Code::VEX_Vzeroupper,
+    packed: None,
 };
 
 static EIGHT: InstructionSet = InstructionSet {
@@ -121,4 +225,5 @@ static EIGHT: InstructionSet = InstructionSet {
     multiply_add: Code::EVEX_Vfmadd231pd_zmm_k1z_zmm_zmmm512b64_er,
     exclusive_or: Code::EVEX_Vxorpd_zmm_k1z_zmm_zmmm512b64,
     leave: Code::VEX_Vzeroupper,
+    packed: None,
 };

@@ -1,6 +1,7 @@
 //! What a line comes to, one step after the other and one lane after the other.
 
-use crate::{Arithmetic, StraightLine};
+use crate::inner_product::Numbers;
+use crate::{Arithmetic, StraightLine, inner_product};
 
 impl StraightLine {
     /// Runs the line in so many lanes, the numbers of which stand beside each other at each place and in each argument.
@@ -21,6 +22,12 @@ impl StraightLine {
                     Arithmetic::Multiply(a, b) => values[a] * values[b],
                     Arithmetic::Divide(a, b) => values[a] / values[b],
                     Arithmetic::MultiplyAdd(a, b, c) => values[a].mul_add(values[b], values[c]),
+                    Arithmetic::InnerProduct { a, b, count } => {
+                        let at = |first: usize| -> Vec<f64> {
+                            (first..first + count).map(|place| places[place * lanes + lane]).collect()
+                        };
+                        inner_product(&Numbers, &at(a), &at(b))
+                    }
                     Arithmetic::Keep { value, place } => {
                         places[place * lanes + lane] = values[value];
                         0.0

@@ -23,7 +23,9 @@
 //!
 //! Compiled are lines for x86-64 with fused multiply-add on Unix, one lane at a time, or 4 and 8 in vector registers.
 
+mod inner_product;
 mod interpreter;
+mod scratch;
 mod straight_line;
 
 #[cfg(all(target_arch = "x86_64", unix))]
@@ -31,7 +33,13 @@ mod assembly;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod call;
 #[cfg(all(target_arch = "x86_64", unix))]
+mod groups;
+#[cfg(all(target_arch = "x86_64", unix))]
 mod instruction_set;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod written_out;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod packing;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod registers;
 #[cfg(all(target_arch = "x86_64", unix))]
@@ -42,4 +50,6 @@ mod windows;
 mod compiled;
 
 pub use compiled::Compiled;
+pub use inner_product::{MultiplyAdd, inner_product};
+pub use scratch::Scratch;
 pub use straight_line::{Arithmetic, OutOfOrder, StraightLine};

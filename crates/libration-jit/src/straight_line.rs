@@ -21,6 +21,15 @@ pub enum Arithmetic {
     Divide(usize, usize),
     /// a·b + c with one rounding.
     MultiplyAdd(usize, usize, usize),
+    /// The [`inner_product`](crate::inner_product) of what is at places behind each other.
+    InnerProduct {
+        /// The first place of the one.
+        a: usize,
+        /// The first place of the other, the last of which comes first.
+        b: usize,
+        /// How many places each has.
+        count: usize,
+    },
     /// Puts a value at a place.
     Keep {
         /// The value.
@@ -34,7 +43,7 @@ impl Arithmetic {
     /// The values that it needs.
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
         let operands = match *self {
-            Self::Place(_) | Self::Argument(_) | Self::Number(_) => [None; 3],
+            Self::Place(_) | Self::Argument(_) | Self::Number(_) | Self::InnerProduct { .. } => [None; 3],
             Self::Negate(a) | Self::Keep { value: a, .. } => [Some(a), None, None],
             Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => {
                 [Some(a), Some(b), None]
@@ -42,6 +51,29 @@ impl Arithmetic {
             Self::MultiplyAdd(a, b, c) => [Some(a), Some(b), Some(c)],
         };
         operands.into_iter().flatten()
+    }
+
+    /// The same with other operands.
+    pub(crate) fn with_operands(self, other: impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Place(_) | Self::Argument(_) | Self::Number(_) | Self::InnerProduct { .. } => self,
+            Self::Negate(a) => Self::Negate(other(a)),
+            Self::Add(a, b) => Self::Add(other(a), other(b)),
+            Self::Subtract(a, b) => Self::Subtract(other(a), other(b)),
+            Self::Multiply(a, b) => Self::Multiply(other(a), other(b)),
+            Self::Divide(a, b) => Self::Divide(other(a), other(b)),
+            Self::MultiplyAdd(a, b, c) => Self::MultiplyAdd(other(a), other(b), other(c)),
+            Self::Keep { value, place } => Self::Keep { value: other(value), place },
+        }
+    }
+
+    /// The places that an inner product reads.
+    pub(crate) fn read(&self) -> impl Iterator<Item = usize> + use<> {
+        let ranges = match *self {
+            Self::InnerProduct { a, b, count } => [a..a.saturating_add(count), b..b.saturating_add(count)],
+            _ => [0..0, 0..0],
+        };
+        ranges.into_iter().flatten()
     }
 }
 
@@ -75,9 +107,9 @@ impl StraightLine {
     ///
     /// # Errors
     /// A step whose operands are no values of steps before it; places and arguments that are not there; what was at a place, in use after
-    /// something was kept there; a second value kept at the same place.
+    /// something was kept there; a second value kept at the same place, or one where an inner product has read.
     pub fn new(steps: Vec<Arithmetic>, places: usize, arguments: usize) -> Result<Self, OutOfOrder> {
-        let mut kept = vec![false; places];
+        let (mut kept, mut read) = (vec![false; places], vec![false; places]);
         for (number, step) in steps.iter().enumerate() {
             let is_known = |operand: usize| match steps[..number].get(operand) {
                 Some(Arithmetic::Place(place)) => !kept[*place],
@@ -85,15 +117,19 @@ impl StraightLine {
                 Some(_) => true,
             };
             let known = step.operands().all(is_known);
-            let there = match *step {
+            let is_there = match *step {
                 Arithmetic::Place(place) => kept.get(place).is_some_and(|kept| !kept),
                 Arithmetic::Keep { place, .. } => {
-                    kept.get_mut(place).is_some_and(|kept| !std::mem::replace(kept, true))
+                    kept.get_mut(place).is_some_and(|kept| !std::mem::replace(kept, true)) && !read[place]
+                }
+                Arithmetic::InnerProduct { .. } => {
+                    let marked = |place: usize| read.get_mut(place).map(|read| *read = true).is_some();
+                    step.read().all(marked)
                 }
                 Arithmetic::Argument(argument) => argument < arguments,
                 _ => true,
             };
-            if !(known && there) {
+            if !(known && is_there) {
                 return Err(OutOfOrder { step: number });
             }
         }

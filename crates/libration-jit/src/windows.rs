@@ -6,8 +6,14 @@ use iced_x86::{Code, IcedError, Instruction, MemoryOperand, Register};
 use crate::instruction_set::InstructionSet;
 
 /// Which a function may change; the first one points to the places.
-const BASES: [Register; 7] =
-    [Register::RDI, Register::RAX, Register::RCX, Register::R8, Register::R9, Register::R10, Register::R11];
+const BASES: [Register; 6] =
+    [Register::RDI, Register::RAX, Register::R8, Register::R9, Register::R10, Register::R11];
+
+/// It is given in this one.
+const SCRATCH: Register = Register::RCX;
+
+/// How many registers behind each other are near on either side.
+const LEAST: usize = 128;
 
 /// As many bytes of the places for each register, one behind the other.
 #[derive(Debug)]
@@ -18,19 +24,33 @@ pub(crate) struct Windows {
 
 impl Windows {
     pub(crate) fn new(set: &InstructionSet) -> Self {
-        const LEAST: usize = 128;
         Self { half: if set.has_short_distances() { LEAST * set.bytes() } else { 0 } }
+    }
+
+    /// How far into the scratch its register points.
+    fn into_scratch(&self) -> usize {
+        const LONGEST_PACK: usize = 32;
+        if self.half == 0 { 0 } else { LEAST * LONGEST_PACK }
     }
 
     /// What has to be done before: the first register is changed last, from which the others are made.
     pub(crate) fn openings(&self) -> impl Iterator<Item = Result<Instruction, IcedError>> + use<> {
         let half = self.half;
         let count = if half == 0 { 0 } else { BASES.len() };
-        (0..count).rev().map(move |window| {
-            let middle = i64::try_from((2 * window + 1) * half).unwrap_or(i64::MAX);
-            let address = MemoryOperand::with_base_displ(Register::RDI, middle);
-            Instruction::with2(Code::Lea_r64_m, BASES[window], address)
-        })
+        let moved = |to: Register, from: Register, by: usize| {
+            let by = i64::try_from(by).unwrap_or(i64::MAX);
+            Instruction::with2(Code::Lea_r64_m, to, MemoryOperand::with_base_displ(from, by))
+        };
+        let scratch = (half > 0).then(|| moved(SCRATCH, SCRATCH, self.into_scratch()));
+        let places =
+            (0..count).rev().map(move |window| moved(BASES[window], Register::RDI, (2 * window + 1) * half));
+        scratch.into_iter().chain(places)
+    }
+
+    /// The register of the scratch and how far from it one of its bytes is.
+    pub(crate) fn in_scratch(&self, byte: usize) -> (Register, Option<i64>) {
+        let distance = byte.checked_signed_diff(self.into_scratch());
+        (SCRATCH, distance.and_then(|distance| i64::try_from(distance).ok()))
     }
 
     /// A register and how far from it a byte of the places is.

@@ -1,6 +1,6 @@
 //! Compiled lines give the bits of interpreted ones.
 
-use libration_jit::{Arithmetic, Compiled, OutOfOrder, StraightLine};
+use libration_jit::{Arithmetic, Compiled, OutOfOrder, Scratch, StraightLine};
 
 /// Numbers that look random, by a linear congruence.
 struct Numbers(u64);
@@ -22,12 +22,12 @@ impl Numbers {
 fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: usize) -> StraightLine {
     let mut steps = vec![Arithmetic::Place(0), Arithmetic::Argument(0), Arithmetic::Number(0.0)];
     let mut values: Vec<usize> = vec![0, 1, 2];
-    let mut kept = vec![false; places];
+    let (mut kept, mut read) = (vec![false; places], vec![false; places]);
     while steps.len() < length {
         let recent = values.len().min(if numbers.below(3) == 0 { values.len() } else { 9 });
         let mut any = || values[values.len() - 1 - numbers.below(recent)];
         let (a, b, c) = (any(), any(), any());
-        let step = match numbers.below(12) {
+        let step = match numbers.below(14) {
             0 => Arithmetic::Place(numbers.below(places)),
             1 => Arithmetic::Argument(numbers.below(arguments)),
             2 => Arithmetic::Number(numbers.number()),
@@ -37,11 +37,22 @@ fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: u
             6 => Arithmetic::Multiply(a, b),
             7 => Arithmetic::Divide(a, b),
             8 | 9 => Arithmetic::MultiplyAdd(a, b, c),
+            10 | 11 => {
+                let count = if numbers.below(2) == 0 { places.min(6) } else { numbers.below(places.min(20) + 1) };
+                let mut first = || numbers.below(places - count + 1);
+                Arithmetic::InnerProduct { a: first(), b: first(), count }
+            }
             _ => Arithmetic::Keep { value: a, place: numbers.below(places) },
         };
         match step {
             Arithmetic::Place(place) if kept[place] => continue,
-            Arithmetic::Keep { place, .. } if kept[place] => continue,
+            Arithmetic::Keep { place, .. } if kept[place] || read[place] => continue,
+            Arithmetic::InnerProduct { a, b, count } => {
+                for place in (a..a + count).chain(b..b + count) {
+                    read[place] = true;
+                }
+                values.push(steps.len());
+            }
             Arithmetic::Keep { place, .. } => {
                 kept[place] = true;
                 values.retain(|&value| steps[value] != Arithmetic::Place(place));
@@ -78,9 +89,9 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
             let Some(compiled) = Compiled::new(&line, lanes) else { continue };
             let start: Vec<f64> = (0..places * lanes).map(|_| numbers.number()).collect();
             let given: Vec<f64> = (0..arguments * lanes).map(|_| numbers.number()).collect();
-            let (mut one, mut other) = (start.clone(), start);
+            let (mut one, mut other, mut scratch) = (start.clone(), start, Scratch::default());
             line.interpret(&mut one, &given, lanes);
-            compiled.run(&mut other, &given);
+            compiled.run(&mut other, &given, &mut scratch);
             assert!(one.iter().zip(&other).all(|(a, b)| same(*a, *b)), "{seed} {lanes} {line:?}");
             (compiled_lines, steps) = (compiled_lines + 1, steps + line.steps().len());
         }
@@ -118,5 +129,5 @@ fn steps_that_cannot_be_done_are_refused() {
 fn too_few_places_are_not_written_behind() {
     let steps = vec![Arithmetic::Number(1.0), Arithmetic::Keep { value: 0, place: 5 }];
     let compiled = Compiled::new(&StraightLine::new(steps, 6, 0).unwrap(), 1);
-    compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[]);
+    compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[], &mut Scratch::default());
 }

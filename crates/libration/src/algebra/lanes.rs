@@ -2,7 +2,9 @@
 
 use std::cmp::Ordering;
 
-use super::lanewise::{MultiplyAdd, convolution, lanes};
+use libration_jit::{MultiplyAdd, inner_product};
+
+use super::lanewise::{convolution, lanes};
 use super::{Doubles, Function, Rational, Ring};
 use crate::elementary::{LARGEST_ANGLE, sin_cos};
 
@@ -110,7 +112,7 @@ impl<const N: usize> Ring for Lanes<N> {
 
     #[inline(always)]
     fn convolution(&self, a: &[[f64; N]], b: &[[f64; N]]) -> [f64; N] {
-        convolution(self, a, b)
+        convolution(self, a, b, |a, b| inner_product(self, a, b))
     }
 }
 

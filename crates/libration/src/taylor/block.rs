@@ -1,13 +1,15 @@
 //! All series of one step in several lanes, in one block of memory.
 
 use std::ops::{Index, IndexMut};
+use std::sync::Arc;
+
+use libration_jit::Scratch;
 
 use super::ends::Ends;
 use super::step::{elapsed, grown, higher};
 use super::{StateLayout, Step};
 use crate::algebra::lanes;
 use crate::double_double::DoubleDouble;
-use std::sync::Arc;
 
 /// One series of a block, by its first coefficient in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +38,8 @@ pub(super) struct Block<const N: usize> {
     pub(super) unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other.
     pub(super) coefficients: Vec<[f64; N]>,
+    /// For machine code.
+    pub(super) scratch: Scratch,
     /// What the first coefficients lack of the state.
     low: Vec<[f64; N]>,
     layout: Arc<StateLayout>,
@@ -66,7 +70,8 @@ impl<const N: usize> Block<N> {
         let coefficients = vec![[0.0; N]; rows * terms];
         let low = vec![[0.0; N]; layout.numbers()];
         let layout = Arc::clone(layout);
-        Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, low, layout, terms }
+        let scratch = Scratch::default();
+        Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, scratch, low, layout, terms }
     }
 
     /// How many numbers a state has.

@@ -102,7 +102,9 @@ impl<'a> Expander<'a> {
     /// All but the zeroth coefficients.
     fn go_on<const N: usize>(&self, block: &mut Block<N>, compiled: Option<&Compiled>) {
         match compiled {
-            Some(compiled) => compiled.run(block.coefficients.as_flattened_mut(), &block.unit),
+            Some(compiled) => {
+                compiled.run(block.coefficients.as_flattened_mut(), &block.unit, &mut block.scratch)
+            }
             None => dispatch_lanes::<N, _>(Expansion { expander: self, block }),
         }
     }

@@ -1,10 +1,11 @@
 //! One step: the state as polynomials of the time.
 
+use std::sync::Arc;
+
 use super::StateLayout;
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
-use std::sync::Arc;
 
 /// A step of an integration, which gives the state at every time inside it.
 #[derive(Clone, Copy, Debug)]

@@ -1,21 +1,22 @@
 //! The expansion of a system to an order as arithmetic without loops: what it does with numbers is written down.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 
-use libration_jit::{Arithmetic, StraightLine};
+use libration_jit::{Arithmetic, MultiplyAdd, StraightLine, inner_product};
 
 use super::block::Row;
 use super::expander::{Expander, rate};
 use super::program::begins_beyond;
-use crate::algebra::{Function, MultiplyAdd, Rational, Ring, convolution, prepared_reciprocal};
+use crate::algebra::{Function, Rational, Ring, convolution, prepared_reciprocal};
 use crate::expression::Evaluator;
 
 impl Expander<'_> {
     /// What an expansion does when the zeroth coefficients are known; `None` where that depends on the values, or is too much for code.
     pub(super) fn straight_line(&self) -> Option<StraightLine> {
-        /// Instructions times half the square of the number of terms. Code for more is no faster: for 256 springs at order 33, with about a
-        /// million, it takes four fifths of the time, for 64 two fifths, for 2 a quarter.
-        const MOST: usize = 1 << 21;
+        /// Instructions times half the square of the number of terms. Springs in a row at order 33: code for 0.2 million (64 masses) takes
+        /// 0.6 of the interpreter's time, for 0.7 and 1.2 million (256 and 400) 0.7, for 2.1 million (720) 5.4.
+        const MOST: usize = 1 << 20;
         let terms = self.order + 1;
         if self.program.instructions(1).count().saturating_mul(terms * terms / 2) > MOST {
             return None;
@@ -42,6 +43,8 @@ impl Expander<'_> {
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
+    /// Where values are.
+    places: RefCell<HashMap<Recorded, usize>>,
 }
 
 /// The number of a step.
@@ -52,6 +55,26 @@ impl Recorder {
         let mut steps = self.steps.borrow_mut();
         steps.push(step);
         steps.len() - 1
+    }
+
+    /// What is at a place from the beginning.
+    fn found(&self, place: usize) -> Recorded {
+        let value = self.push(Arithmetic::Place(place));
+        self.places.borrow_mut().insert(value, place);
+        value
+    }
+
+    fn keep(&self, value: Recorded, place: usize) {
+        self.push(Arithmetic::Keep { value, place });
+        self.places.borrow_mut().insert(value, place);
+    }
+
+    /// Of values at places behind each other.
+    fn first_place(&self, values: &[Recorded]) -> Option<usize> {
+        let places = self.places.borrow();
+        let first = *places.get(values.first()?)?;
+        let behind = (first..).zip(values).all(|(place, value)| places.get(value) == Some(&place));
+        behind.then_some(first)
     }
 }
 
@@ -134,7 +157,13 @@ impl Ring for Recorder {
     }
 
     fn convolution(&self, a: &[Recorded], b: &[Recorded]) -> Recorded {
-        convolution(self, a, b)
+        convolution(self, a, b, |a, b| match (self.first_place(a), self.first_place(b)) {
+            (Some(first), Some(other)) => {
+                self.push(Arithmetic::InnerProduct { a: first, b: other, count: a.len() })
+            }
+            _ if a.is_empty() => self.nothing(),
+            _ => inner_product(self, a, b),
+        })
     }
 }
 
@@ -150,13 +179,13 @@ struct Recording {
 impl Recording {
     fn new(rows: usize, terms: usize) -> Self {
         let recorder = Recorder::default();
-        let values = (0..rows * terms).map(|place| recorder.push(Arithmetic::Place(place))).collect();
+        let values = (0..rows * terms).map(|place| recorder.found(place)).collect();
         Self { recorder, values, terms }
     }
 
     fn keep(&mut self, row: Row, n: usize, value: Recorded) {
         let place = row.first() + n;
-        self.recorder.push(Arithmetic::Keep { value, place });
+        self.recorder.keep(value, place);
         self.values[place] = value;
     }
 }

@@ -1,0 +1,40 @@
+//! Which inner products are formed at the same time.
+
+use std::collections::HashMap;
+
+use crate::{Arithmetic, StraightLine};
+
+/// Inner products of the same length, by their steps; no more than a register has lanes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Group {
+    pub(crate) members: Vec<usize>,
+    pub(crate) count: usize,
+}
+
+/// How many numbers the registers hold in which inner products stand side by side.
+pub(crate) const WIDEST: usize = 4;
+
+/// All inner products of a line in groups, by the first step of each: there everything is known that the group reads.
+pub(crate) fn groups(line: &StraightLine) -> HashMap<usize, Group> {
+    let mut kept = vec![0; line.places()];
+    for (number, step) in line.steps().iter().enumerate() {
+        if let Arithmetic::Keep { place, .. } = *step {
+            kept[place] = number;
+        }
+    }
+    let mut groups: HashMap<usize, Group> = HashMap::new();
+    let mut open: HashMap<usize, usize> = HashMap::new();
+    for (number, step) in line.steps().iter().enumerate() {
+        let Arithmetic::InnerProduct { count, .. } = *step else { continue };
+        let known = step.read().map(|place| kept[place]).max().unwrap_or(0);
+        let joined = open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| known < *first));
+        match joined.filter(|group| group.members.len() < WIDEST) {
+            Some(group) => group.members.push(number),
+            None => {
+                open.insert(count, number);
+                groups.insert(number, Group { members: vec![number], count });
+            }
+        }
+    }
+    groups
+}

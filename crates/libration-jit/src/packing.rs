@@ -1,0 +1,231 @@
+//! Inner products of plain numbers, up to four side by side in a register.
+//!
+//! What they read stands row by row in memory. So that a register can be loaded at once, numbers of several rows are put beside each
+//! other in the scratch when an inner product reads them first; most inner products read, of each row, one more than those before.
+
+use std::collections::HashMap;
+
+use iced_x86::{Instruction, Register};
+
+use crate::assembly::{Assembler, Home, NoCode, Operand};
+use crate::groups::{Group, WIDEST};
+use crate::instruction_set::{Packed, PackedSet};
+use crate::written_out::inner_product_steps;
+use crate::{Arithmetic, StraightLine};
+
+/// One place for each lane.
+type Places = [usize; WIDEST];
+
+/// What was put into the scratch.
+#[derive(Debug, Default)]
+pub(crate) struct Packs {
+    /// The first number of those that came from these places, by the width of the register.
+    at: HashMap<(usize, Places), usize>,
+    numbers: usize,
+}
+
+impl Packs {
+    /// How many numbers there are.
+    pub(crate) fn numbers(&self) -> usize {
+        self.numbers
+    }
+
+    /// Room for one more register.
+    fn room(&mut self) -> usize {
+        self.numbers += WIDEST;
+        self.numbers - WIDEST
+    }
+}
+
+/// What a group reads, and in what registers.
+struct Rows {
+    /// The first places of either factor.
+    first: [Places; 2],
+    count: usize,
+    lanes: usize,
+    packed: &'static Packed,
+    set: &'static PackedSet,
+}
+
+impl Rows {
+    fn new(line: &StraightLine, group: &Group, set: &'static PackedSet) -> Self {
+        let mut first = [[0; WIDEST]; 2];
+        for lane in 0..WIDEST {
+            let member = group.members[lane.min(group.members.len() - 1)];
+            if let Arithmetic::InnerProduct { a, b, .. } = line.steps()[member] {
+                (first[0][lane], first[1][lane]) = (a, b);
+            }
+        }
+        let (lanes, packed) = match group.members.len() {
+            1 => (1, &set.one),
+            2 => (2, &set.two),
+            _ => (WIDEST, &set.four),
+        };
+        Self { first, count: group.count, lanes, packed, set }
+    }
+
+    /// Where a factor is: first come those of the one row of each lane, then those of the other.
+    fn places(&self, factor: usize) -> Places {
+        self.first[factor / self.count].map(|first| first + factor % self.count)
+    }
+}
+
+/// The number of a register's upper half before it is put there.
+const UPPER: usize = usize::MAX / 2;
+
+/// A sum or a factor while a group is written, as a value that no step has.
+fn temporary(line: &StraightLine, number: usize) -> usize {
+    line.steps().len() + number
+}
+
+impl Assembler<'_> {
+    /// All inner products of a group.
+    pub(crate) fn inner_products(&mut self, group: &Group) -> Result<(), NoCode> {
+        let rows = Rows::new(self.line, group, self.set.packed.as_ref().ok_or(NoCode::Instruction)?);
+        self.now = group.members[0];
+        let (steps, result) = inner_product_steps(group.count);
+        for (number, step) in steps.iter().enumerate() {
+            match *step {
+                Arithmetic::MultiplyAdd(a, b, onto) => {
+                    let onto = self.sum(&rows, &steps, onto, number)?;
+                    self.add_product(&rows, [a, b], onto)?;
+                }
+                Arithmetic::Add(a, b) => {
+                    let (to, other) =
+                        (self.sum(&rows, &steps, a, number)?, self.sum(&rows, &steps, b, steps.len())?);
+                    self.three(rows.packed.add, to, to, Operand::Register(other))?;
+                    self.registers.free(temporary(self.line, steps.len()));
+                }
+                _ => {}
+            }
+        }
+        self.give(&rows, group, result)
+    }
+
+    fn take_packed(&mut self, rows: &Rows, number: usize) -> Result<Register, NoCode> {
+        let value = temporary(self.line, number);
+        self.take(value, &[])?;
+        self.packed_register(rows.packed, value)
+    }
+
+    fn packed_register(&self, packed: &Packed, value: usize) -> Result<Register, NoCode> {
+        self.registers.find(value).map(|number| packed.register(number)).ok_or(NoCode::Registers)
+    }
+
+    /// The register of a sum, which is renamed: it is needed but once.
+    fn sum(&mut self, rows: &Rows, steps: &[Arithmetic], sum: usize, new: usize) -> Result<Register, NoCode> {
+        if let Arithmetic::Number(_) = steps[sum] {
+            let to = self.take_packed(rows, new)?;
+            self.three(rows.packed.exclusive_or, to, to, Operand::Register(to))?;
+            return Ok(to);
+        }
+        let new = temporary(self.line, new);
+        self.registers.rename(temporary(self.line, sum), new);
+        self.packed_register(rows.packed, new)
+    }
+
+    fn add_product(&mut self, rows: &Rows, [a, b]: [usize; 2], onto: Register) -> Result<(), NoCode> {
+        // What is in memory as it is wanted need not be loaded before.
+        let [a, b] = if self.packed_home(rows, a).is_some() { [b, a] } else { [a, b] };
+        let first = self.factor(rows, a)?;
+        let last = match self.packed_home(rows, b) {
+            Some(home) => Operand::Memory(self.address(home)?),
+            None => Operand::Register(self.factor(rows, b)?),
+        };
+        self.three(rows.packed.multiply_add, onto, first, last)?;
+        for factor in [a, b] {
+            self.registers.free(temporary(self.line, factor));
+        }
+        Ok(())
+    }
+
+    /// Where the numbers of a factor are beside each other.
+    fn packed_home(&self, rows: &Rows, factor: usize) -> Option<Home> {
+        let places = rows.places(factor);
+        match rows.lanes {
+            1 => Some(Home::Place(places[0])),
+            lanes => self.packs.at.get(&(lanes, places)).map(|first| Home::Scratch(*first)),
+        }
+    }
+
+    /// A register with the numbers of a factor.
+    fn factor(&mut self, rows: &Rows, factor: usize) -> Result<Register, NoCode> {
+        let (home, to, places) = (self.packed_home(rows, factor), self.take_packed(rows, factor)?, rows.places(factor));
+        if let Some(home) = home {
+            let address = self.address(home)?;
+            self.encode(Instruction::with2(rows.packed.load, to, address))?;
+        } else if places.iter().all(|place| *place == places[0]) {
+            let address = self.address(Home::Place(places[0]))?;
+            self.encode(Instruction::with2(rows.packed.broadcast, to, address))?;
+        } else {
+            self.pack(rows, factor, to)?;
+        }
+        Ok(to)
+    }
+
+    /// Puts the numbers of a factor beside each other, in a register and in the scratch.
+    fn pack(&mut self, rows: &Rows, factor: usize, to: Register) -> Result<(), NoCode> {
+        let places = rows.places(factor);
+        let low = self.packed_register(&rows.set.two, temporary(self.line, factor))?;
+        self.pair(rows.set, [places[0], places[1]], low)?;
+        if rows.lanes > 2 {
+            let upper = temporary(self.line, UPPER);
+            self.take(upper, &[])?;
+            let high = self.packed_register(&rows.set.two, upper)?;
+            self.pair(rows.set, [places[2], places[3]], high)?;
+            self.encode(Instruction::with4(rows.set.insert, to, to, high, 1))?;
+            self.registers.free(upper);
+        }
+        let first = self.packs.room();
+        self.packs.at.insert((rows.lanes, places), first);
+        let address = self.address(Home::Scratch(first))?;
+        self.encode(Instruction::with2(rows.packed.store, address, to))
+    }
+
+    fn pair(&mut self, set: &PackedSet, [a, b]: [usize; 2], to: Register) -> Result<(), NoCode> {
+        let first = match self.at_place(a)? {
+            Operand::Register(register) => register,
+            Operand::Memory(address) => {
+                self.encode(Instruction::with2(set.one.load, to, address))?;
+                to
+            }
+        };
+        match self.at_place(b)? {
+            Operand::Register(second) => self.encode(Instruction::with3(set.unpack_low, to, first, second)),
+            Operand::Memory(address) => self.encode(Instruction::with3(set.load_high, to, first, address)),
+        }
+    }
+
+    /// A number that may still be in a register.
+    fn at_place(&self, place: usize) -> Result<Operand, NoCode> {
+        if let Some(value) = self.kept.get(&place) {
+            if let Some(register) = self.registers.find(*value) {
+                return Ok(Operand::Register(self.set.register(register)));
+            }
+        }
+        Ok(Operand::Memory(self.address(Home::Place(place))?))
+    }
+
+    /// Hands the lanes of a sum to the steps of the group.
+    fn give(&mut self, rows: &Rows, group: &Group, result: usize) -> Result<(), NoCode> {
+        let result = temporary(self.line, result);
+        if let [only] = group.members[..] {
+            self.registers.rename(result, only);
+            return Ok(());
+        }
+        let first = self.packs.room();
+        let (address, from) = (self.address(Home::Scratch(first))?, self.packed_register(rows.packed, result)?);
+        self.encode(Instruction::with2(rows.packed.store, address, from))?;
+        for (lane, member) in group.members.iter().enumerate() {
+            self.homes[*member] = Some(Home::Scratch(first + lane));
+        }
+        self.registers.rename(result, group.members[0]);
+        if let [first, second] = group.members[..] {
+            self.take(second, &[first])?;
+            let (low, high) =
+                (self.packed_register(&rows.set.two, first)?, self.packed_register(&rows.set.two, second)?);
+            self.three(rows.set.unpack_high, high, low, Operand::Register(low))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,68 @@
+//! Inner products written out.
+
+use std::cell::RefCell;
+
+use crate::{Arithmetic, MultiplyAdd, OutOfOrder, StraightLine, inner_product};
+
+/// The same line with every inner product written out: for registers the lanes of which are taken already.
+pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrder> {
+    let steps = Steps::default();
+    let mut numbers = Vec::with_capacity(line.steps().len());
+    let mut at: Vec<Option<usize>> = vec![None; line.places()];
+    for step in line.steps() {
+        let new = match *step {
+            Arithmetic::InnerProduct { a, b, count } => {
+                let mut values = |first: usize| -> Vec<usize> {
+                    let value = |place: usize| *at[place].get_or_insert_with(|| steps.push(Arithmetic::Place(place)));
+                    (first..first + count).map(value).collect()
+                };
+                inner_product(&steps, &values(a), &values(b))
+            }
+            other => steps.push(other.with_operands(|operand| numbers[operand])),
+        };
+        if let Arithmetic::Keep { value, place } = *step {
+            at[place] = Some(numbers[value]);
+        }
+        numbers.push(new);
+    }
+    StraightLine::new(steps.0.into_inner(), line.places(), line.arguments())
+}
+
+/// What an inner product is made of, and the step that is it. Places are numbered: first those of the one row, then those of the other.
+pub(crate) fn inner_product_steps(count: usize) -> (Vec<Arithmetic>, usize) {
+    let steps = Steps::default();
+    let row = |first: usize| -> Vec<usize> {
+        (first..first + count).map(|place| steps.push(Arithmetic::Place(place))).collect()
+    };
+    let [a, b] = [row(0), row(count)];
+    let result = inner_product(&steps, &a, &b);
+    (steps.0.into_inner(), result)
+}
+
+/// Steps that are written one after the other.
+#[derive(Debug, Default)]
+struct Steps(RefCell<Vec<Arithmetic>>);
+
+impl Steps {
+    fn push(&self, step: Arithmetic) -> usize {
+        let mut steps = self.0.borrow_mut();
+        steps.push(step);
+        steps.len() - 1
+    }
+}
+
+impl MultiplyAdd for Steps {
+    type Element = usize;
+
+    fn nothing(&self) -> usize {
+        self.push(Arithmetic::Number(0.0))
+    }
+
+    fn sum(&self, a: usize, b: usize) -> usize {
+        self.push(Arithmetic::Add(a, b))
+    }
+
+    fn multiply_add(&self, a: usize, b: usize, c: usize) -> usize {
+        self.push(Arithmetic::MultiplyAdd(a, b, c))
+    }
+}
