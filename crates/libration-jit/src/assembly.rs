@@ -26,7 +26,11 @@ pub(crate) struct Assembled {
 
 /// The code of a line in a set of instructions, where so many lanes stand beside each other in memory; `None` if more values are
 /// wanted at the same time than there are registers.
-pub(crate) fn assembled(line: &StraightLine, set: &'static InstructionSet, lanes: usize) -> Option<Assembled> {
+pub(crate) fn assembled(
+    line: &StraightLine,
+    set: &'static InstructionSet,
+    lanes: usize,
+) -> Option<Assembled> {
     let mut assembler = Assembler::new(line, set, lanes)?;
     for instruction in assembler.windows.openings() {
         assembler.encode(instruction).ok()?;
@@ -181,7 +185,8 @@ impl Assembler<'_> {
     /// A register for a value, which is no operand of this step.
     pub(crate) fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
-            let can_be_had_again = self.homes.get(held).is_some_and(Option::is_some) && !operands.contains(&held);
+            let can_be_had_again =
+                self.homes.get(held).is_some_and(Option::is_some) && !operands.contains(&held);
             can_be_had_again.then(|| self.uses.after(self.now, held).unwrap_or(usize::MAX))
         };
         let register = self.registers.take(next_use).ok_or(NoCode::Registers)?;
@@ -218,7 +223,13 @@ impl Assembler<'_> {
         if swaps { [b, a] } else { [a, b] }
     }
 
-    pub(crate) fn three(&mut self, code: Code, to: Register, first: Register, last: Operand) -> Result<(), NoCode> {
+    pub(crate) fn three(
+        &mut self,
+        code: Code,
+        to: Register,
+        first: Register,
+        last: Operand,
+    ) -> Result<(), NoCode> {
         self.encode(match last {
             Operand::Register(last) => Instruction::with3(code, to, first, last),
             Operand::Memory(last) => Instruction::with3(code, to, first, last),

@@ -6,8 +6,12 @@ use crate::assembly::Assembled;
 use crate::{Scratch, StraightLine};
 
 /// What the code is given: the first of the places, of the arguments, of the numbers in the line and of the scratch.
-type Function =
-    unsafe extern "sysv64" fn(places: *mut f64, arguments: *const f64, numbers: *const f64, scratch: *mut f64);
+type Function = unsafe extern "sysv64" fn(
+    places: *mut f64,
+    arguments: *const f64,
+    numbers: *const f64,
+    scratch: *mut f64,
+);
 
 /// Assembled code that can be called.
 #[derive(Debug)]
@@ -49,7 +53,12 @@ impl Code {
             #[expect(unsafe_code, reason = "calling code that was made at run time")]
             unsafe {
                 let function: Function = std::mem::transmute(memory.as_ptr());
-                function(places.as_mut_ptr().add(first), arguments.as_ptr().add(first), numbers.as_ptr(), scratch.as_mut_ptr());
+                function(
+                    places.as_mut_ptr().add(first),
+                    arguments.as_ptr().add(first),
+                    numbers.as_ptr(),
+                    scratch.as_mut_ptr(),
+                );
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Machine code of a line.
 
+use crate::{Scratch, StraightLine};
 #[cfg(all(target_arch = "x86_64", unix))]
 use crate::{assembly::assembled, call::Code, instruction_set::InstructionSet, written_out::written_out};
-use crate::{Scratch, StraightLine};
 
 /// A [`StraightLine`] as machine code.
 #[derive(Debug)]

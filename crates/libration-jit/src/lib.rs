@@ -37,8 +37,6 @@ mod groups;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod instruction_set;
 #[cfg(all(target_arch = "x86_64", unix))]
-mod written_out;
-#[cfg(all(target_arch = "x86_64", unix))]
 mod packing;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod registers;
@@ -46,6 +44,8 @@ mod registers;
 mod uses;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod windows;
+#[cfg(all(target_arch = "x86_64", unix))]
+mod written_out;
 
 mod compiled;
 

@@ -150,7 +150,8 @@ impl Assembler<'_> {
 
     /// A register with the numbers of a factor.
     fn factor(&mut self, rows: &Rows, factor: usize) -> Result<Register, NoCode> {
-        let (home, to, places) = (self.packed_home(rows, factor), self.take_packed(rows, factor)?, rows.places(factor));
+        let (home, to, places) =
+            (self.packed_home(rows, factor), self.take_packed(rows, factor)?, rows.places(factor));
         if let Some(home) = home {
             let address = self.address(home)?;
             self.encode(Instruction::with2(rows.packed.load, to, address))?;
@@ -214,7 +215,8 @@ impl Assembler<'_> {
             return Ok(());
         }
         let first = self.packs.room();
-        let (address, from) = (self.address(Home::Scratch(first))?, self.packed_register(rows.packed, result)?);
+        let (address, from) =
+            (self.address(Home::Scratch(first))?, self.packed_register(rows.packed, result)?);
         self.encode(Instruction::with2(rows.packed.store, address, from))?;
         for (lane, member) in group.members.iter().enumerate() {
             self.homes[*member] = Some(Home::Scratch(first + lane));

@@ -13,7 +13,8 @@ pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrde
         let new = match *step {
             Arithmetic::InnerProduct { a, b, count } => {
                 let mut values = |first: usize| -> Vec<usize> {
-                    let value = |place: usize| *at[place].get_or_insert_with(|| steps.push(Arithmetic::Place(place)));
+                    let value =
+                        |place: usize| *at[place].get_or_insert_with(|| steps.push(Arithmetic::Place(place)));
                     (first..first + count).map(value).collect()
                 };
                 inner_product(&steps, &values(a), &values(b))

@@ -38,7 +38,8 @@ fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: u
             7 => Arithmetic::Divide(a, b),
             8 | 9 => Arithmetic::MultiplyAdd(a, b, c),
             10 | 11 => {
-                let count = if numbers.below(2) == 0 { places.min(6) } else { numbers.below(places.min(20) + 1) };
+                let count =
+                    if numbers.below(2) == 0 { places.min(6) } else { numbers.below(places.min(20) + 1) };
                 let mut first = || numbers.below(places - count + 1);
                 Arithmetic::InnerProduct { a: first(), b: first(), count }
             }

@@ -204,8 +204,9 @@ fn size_of([zeroth, first, second]: [f64; 3], gain: f64, units: f64, floor: f64)
     larger(larger(zeroth, change), floor)
 }
 
+/// The first where they cannot be compared.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
