@@ -16,18 +16,19 @@ pub(crate) const WIDEST: usize = 4;
 
 /// All inner products of a line in groups, by the first step of each: there everything is known that the group reads.
 pub(crate) fn groups(line: &StraightLine) -> HashMap<usize, Group> {
-    let mut kept = vec![0; line.places()];
+    let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {
         if let Arithmetic::Keep { place, .. } = *step {
-            kept[place] = number;
+            kept[place] = Some(number);
         }
     }
     let mut groups: HashMap<usize, Group> = HashMap::new();
     let mut open: HashMap<usize, usize> = HashMap::new();
     for (number, step) in line.steps().iter().enumerate() {
         let Arithmetic::InnerProduct { count, .. } = *step else { continue };
-        let known = step.read().map(|place| kept[place]).max().unwrap_or(0);
-        let joined = open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| known < *first));
+        let known = step.read().filter_map(|place| kept[place]).max();
+        let joined =
+            open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| known < Some(*first)));
         match joined.filter(|group| group.members.len() < WIDEST) {
             Some(group) => group.members.push(number),
             None => {

@@ -49,13 +49,18 @@ struct Rows {
 
 impl Rows {
     fn new(line: &StraightLine, group: &Group, set: &'static PackedSet) -> Self {
-        let mut first = [[0; WIDEST]; 2];
-        for lane in 0..WIDEST {
-            let member = group.members[lane.min(group.members.len() - 1)];
-            if let Arithmetic::InnerProduct { a, b, .. } = line.steps()[member] {
-                (first[0][lane], first[1][lane]) = (a, b);
-            }
-        }
+        let first = [true, false].map(|of_one| {
+            std::array::from_fn(|lane| match line.steps()[group.members[lane.min(group.members.len() - 1)]] {
+                Arithmetic::InnerProduct { a, b, .. } => {
+                    if of_one {
+                        a
+                    } else {
+                        b
+                    }
+                }
+                _ => 0,
+            })
+        });
         let (lanes, packed) = match group.members.len() {
             1 => (1, &set.one),
             2 => (2, &set.two),
@@ -199,12 +204,10 @@ impl Assembler<'_> {
 
     /// A number that may still be in a register.
     fn at_place(&self, place: usize) -> Result<Operand, NoCode> {
-        if let Some(value) = self.kept.get(&place) {
-            if let Some(register) = self.registers.find(*value) {
-                return Ok(Operand::Register(self.set.register(register)));
-            }
+        match self.kept.get(&place).and_then(|value| self.registers.find(*value)) {
+            Some(register) => Ok(Operand::Register(self.set.register(register))),
+            None => Ok(Operand::Memory(self.address(Home::Place(place))?)),
         }
-        Ok(Operand::Memory(self.address(Home::Place(place))?))
     }
 
     /// Hands the lanes of a sum to the steps of the group.

@@ -122,9 +122,11 @@ impl StraightLine {
                 Arithmetic::Keep { place, .. } => {
                     kept.get_mut(place).is_some_and(|kept| !std::mem::replace(kept, true)) && !read[place]
                 }
-                Arithmetic::InnerProduct { .. } => {
-                    let marked = |place: usize| read.get_mut(place).map(|read| *read = true).is_some();
-                    step.read().all(marked)
+                Arithmetic::InnerProduct { a, b, count } => {
+                    let is_inside = |first: usize| first.checked_add(count).is_some_and(|end| end <= places);
+                    let are_inside = is_inside(a) && is_inside(b);
+                    step.read().filter(|_| are_inside).for_each(|place| read[place] = true);
+                    are_inside
                 }
                 Arithmetic::Argument(argument) => argument < arguments,
                 _ => true,

@@ -27,8 +27,8 @@ impl Windows {
         Self { half: if set.has_short_distances() { LEAST * set.bytes() } else { 0 } }
     }
 
-    /// How far into the scratch its register points.
-    fn into_scratch(&self) -> usize {
+    /// How far behind the first byte of the scratch its register points.
+    fn middle_of_scratch(&self) -> usize {
         const LONGEST_PACK: usize = 32;
         if self.half == 0 { 0 } else { LEAST * LONGEST_PACK }
     }
@@ -41,7 +41,7 @@ impl Windows {
             let by = i64::try_from(by).unwrap_or(i64::MAX);
             Instruction::with2(Code::Lea_r64_m, to, MemoryOperand::with_base_displ(from, by))
         };
-        let scratch = (half > 0).then(|| moved(SCRATCH, SCRATCH, self.into_scratch()));
+        let scratch = (half > 0).then(|| moved(SCRATCH, SCRATCH, self.middle_of_scratch()));
         let places =
             (0..count).rev().map(move |window| moved(BASES[window], Register::RDI, (2 * window + 1) * half));
         scratch.into_iter().chain(places)
@@ -49,7 +49,7 @@ impl Windows {
 
     /// The register of the scratch and how far from it one of its bytes is.
     pub(crate) fn in_scratch(&self, byte: usize) -> (Register, Option<i64>) {
-        let distance = byte.checked_signed_diff(self.into_scratch());
+        let distance = byte.checked_signed_diff(self.middle_of_scratch());
         (SCRATCH, distance.and_then(|distance| i64::try_from(distance).ok()))
     }
 

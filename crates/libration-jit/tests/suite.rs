@@ -1,5 +1,7 @@
 //! Compiled lines give the bits of interpreted ones.
 
+use std::cell::RefCell;
+
 use libration_jit::{Arithmetic, Compiled, OutOfOrder, Scratch, StraightLine};
 
 /// Numbers that look random, by a linear congruence.
@@ -97,8 +99,69 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
             (compiled_lines, steps) = (compiled_lines + 1, steps + line.steps().len());
         }
     }
-    let expected = cfg!(all(target_arch = "x86_64", unix)) && std::is_x86_feature_detected!("fma");
-    assert!(!expected || (compiled_lines > 1000 && steps > 100_000), "{compiled_lines} lines, {steps} steps");
+    assert!(
+        !is_supported() || (compiled_lines > 1000 && steps > 100_000),
+        "{compiled_lines} lines, {steps} steps"
+    );
+}
+
+/// Rows that grow by one number each from inner products of all before, and of what was just kept: as many rows as fill a register,
+/// fewer and more.
+#[test]
+fn inner_products_of_many_rows_have_the_bits_of_interpreted_ones() {
+    for (rows, terms) in [(1, 30), (2, 40), (3, 17), (4, 23), (5, 9), (9, 33)] {
+        let steps = RefCell::new(vec![]);
+        let push = |step| {
+            steps.borrow_mut().push(step);
+            steps.borrow().len() - 1
+        };
+        for n in 1..terms {
+            let products = (0..rows).map(|row| {
+                let (a, b) = (row * terms, (row * 5 + 1) % rows * terms);
+                push(Arithmetic::InnerProduct { a, b, count: n })
+            });
+            let products: Vec<usize> = products.collect();
+            for (row, product) in products.into_iter().enumerate() {
+                let value = push(Arithmetic::Multiply(product, product));
+                push(Arithmetic::Keep { value, place: row * terms + n });
+            }
+            // One that reads what was kept after the others stands alone.
+            let last = push(Arithmetic::InnerProduct { a: 0, b: n, count: 1 });
+            push(Arithmetic::Keep { value: last, place: rows * terms + n });
+        }
+        assert_same_bits(&StraightLine::new(steps.into_inner(), (rows + 1) * terms, 0).unwrap());
+    }
+}
+
+/// Two products of the rows that four others read too, three of these one and the same.
+#[test]
+fn packs_of_two_are_none_of_four() {
+    let product = |a, b, count| Arithmetic::InnerProduct { a, b, count };
+    let pair = [product(0, 20, 4), product(10, 30, 4)];
+    let four = [product(0, 20, 3), product(10, 30, 3), product(10, 20, 3), product(10, 20, 3)];
+    let keep = (0..6).map(|value| Arithmetic::Keep { value, place: 40 + value });
+    let steps = pair.into_iter().chain(four).chain(keep);
+    assert_same_bits(&StraightLine::new(steps.collect(), 46, 0).unwrap());
+}
+
+fn assert_same_bits(line: &StraightLine) {
+    let start: Vec<f64> = (0_u32..).map(|k| 0.6 / (1.0 + f64::from(k % 7))).take(line.places()).collect();
+    let [mut interpreted, mut compiled] = [start.clone(), start.clone()];
+    line.interpret(&mut interpreted, &[], 1);
+    match Compiled::new(line, 1) {
+        Some(code) => code.run(&mut compiled, &[], &mut Scratch::default()),
+        None if is_supported() => panic!("no code for {line:?}"),
+        None => return,
+    }
+    let are_same = interpreted.iter().zip(&compiled).all(|(a, b)| same(*a, *b));
+    assert!(are_same && interpreted != start, "{interpreted:?} {compiled:?}");
+}
+
+fn is_supported() -> bool {
+    #[cfg(all(target_arch = "x86_64", unix))]
+    return std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
+    #[cfg(not(all(target_arch = "x86_64", unix)))]
+    false
 }
 
 #[test]
@@ -123,6 +186,10 @@ fn steps_that_cannot_be_done_are_refused() {
     refused(&[Arithmetic::Number(1.0), keep(0, 0), keep(0, 0)], 2);
     refused(&[Arithmetic::Number(1.0), keep(0, 0), Arithmetic::Place(0)], 2);
     refused(&[Arithmetic::Place(0), Arithmetic::Number(1.0), keep(1, 0), Arithmetic::Negate(0)], 3);
+    let product = |a, b, count| Arithmetic::InnerProduct { a, b, count };
+    refused(&[product(0, 0, 2)], 0);
+    refused(&[product(0, usize::MAX, 1)], 0);
+    refused(&[product(0, 0, 1), keep(0, 0)], 1);
 }
 
 #[test]

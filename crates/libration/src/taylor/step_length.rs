@@ -60,6 +60,8 @@ const HIGHEST_ORDER: usize = 63;
 
 /// How many of the last coefficients are asked: by symmetry or by chance some are small.
 const LAST: usize = 4;
+/// Of so many numbers logarithms are taken at once, whatever the lanes.
+const WIDTH: usize = 8;
 /// How many of the first coefficients tell the size.
 const FIRST: usize = 3;
 
@@ -148,17 +150,17 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radi
     const LEAST: f64 = -1074.0;
     /// Next to numbers so small others may have underflowed.
     const TINY: f64 = -600.0;
-    let (mut first, mut last) = ([[0.0; N]; FIRST], [[0.0; N]; LAST]);
     let from = series.len() - LAST;
-    for (logarithm, c) in first.iter_mut().zip([size].into_iter().chain(&series[1..])) {
-        *logarithm = *c;
+    let mut logarithms = [[0.0; N]; WIDTH];
+    logarithms[0] = *size;
+    logarithms[1..FIRST].copy_from_slice(&series[1..FIRST]);
+    logarithms[FIRST..FIRST + LAST].copy_from_slice(&series[from..]);
+    for some in logarithms.as_flattened_mut().as_chunks_mut::<WIDTH>().0 {
+        *some = lanes(|k| log2(some[k].abs()));
     }
-    last.copy_from_slice(&series[from..]);
-    for logarithm in first.iter_mut().chain(&mut last).flatten() {
-        *logarithm = log2(logarithm.abs());
-    }
+    let (first, last) = logarithms.split_at_mut(FIRST);
     let mut largest = [LEAST; N];
-    for first in &mut first {
+    for first in &mut *first {
         *first = lanes(|lane| larger(LEAST, first[lane]));
         largest = lanes(|lane| larger(largest[lane], first[lane]));
     }
@@ -167,7 +169,7 @@ fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radi
     let mut by = [[f64::NEG_INFINITY; N]; LAST];
     for (n, first) in first.iter().enumerate() {
         let parts = &RECIPROCALS[from - n..][..LAST];
-        for ((by, last), part) in by.iter_mut().zip(&last).zip(parts) {
+        for ((by, last), part) in by.iter_mut().zip(&*last).zip(parts) {
             let log2_ratio = |lane: usize| first[lane] - larger(least_last[lane], last[lane]);
             *by = lanes(|lane| larger(by[lane], log2_ratio(lane) * part));
         }
