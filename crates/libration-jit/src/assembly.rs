@@ -3,13 +3,15 @@
 //! Values stay in registers until these are wanted for others. What is kept at a place is written at once, and can be read again
 //! from there.
 
+mod packing;
+
 use std::collections::HashMap;
 
 use iced_x86::{Code, Encoder, IcedError, Instruction, MemoryOperand, Register};
 
+use self::packing::Packs;
 use crate::groups::groups;
 use crate::instruction_set::InstructionSet;
-use crate::packing::Packs;
 use crate::registers::Registers;
 use crate::uses::Uses;
 use crate::windows::Windows;
@@ -51,7 +53,7 @@ pub(crate) fn assembled(
 
 /// Where a value can be read again.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Home {
+enum Home {
     Place(usize),
     Argument(usize),
     Number(usize),
@@ -60,7 +62,7 @@ pub(crate) enum Home {
 
 /// Why there is no code.
 #[derive(Debug)]
-pub(crate) enum NoCode {
+enum NoCode {
     /// All registers hold what is still needed and is nowhere else.
     Registers,
     /// An instruction that cannot be encoded, as one with an address beyond 2³¹.
@@ -73,24 +75,24 @@ impl From<IcedError> for NoCode {
     }
 }
 
-pub(crate) struct Assembler<'a> {
-    pub(crate) set: &'static InstructionSet,
-    pub(crate) line: &'a StraightLine,
+struct Assembler<'a> {
+    set: &'static InstructionSet,
+    line: &'a StraightLine,
     encoder: Encoder,
-    pub(crate) registers: Registers,
+    registers: Registers,
     /// By the numbers of the values.
-    pub(crate) homes: Vec<Option<Home>>,
+    homes: Vec<Option<Home>>,
     uses: Uses,
     /// The step that is written.
-    pub(crate) now: usize,
+    now: usize,
     numbers: Vec<f64>,
     places_of_numbers: HashMap<u64, usize>,
     /// Bytes from one place to the next.
     stride: usize,
     windows: Windows,
-    pub(crate) packs: Packs,
+    packs: Packs,
     /// The values at the places where some were kept.
-    pub(crate) kept: HashMap<usize, usize>,
+    kept: HashMap<usize, usize>,
 }
 
 impl<'a> Assembler<'a> {
@@ -112,7 +114,7 @@ impl<'a> Assembler<'a> {
         })
     }
 
-    pub(crate) fn encode(&mut self, instruction: Result<Instruction, IcedError>) -> Result<(), NoCode> {
+    fn encode(&mut self, instruction: Result<Instruction, IcedError>) -> Result<(), NoCode> {
         self.encoder.encode(&instruction?, 0)?;
         Ok(())
     }
@@ -153,7 +155,7 @@ impl<'a> Assembler<'a> {
 
 /// What an instruction reads last.
 #[derive(Clone, Copy)]
-pub(crate) enum Operand {
+enum Operand {
     Register(Register),
     Memory(MemoryOperand),
 }
@@ -171,7 +173,7 @@ impl Assembler<'_> {
         matches!(self.homes[value], Some(Home::Number(number)) if self.numbers[number].to_bits() == 0)
     }
 
-    pub(crate) fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
+    fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
         let (base, offset) = match home {
             Home::Place(place) => self.windows.around(place * self.stride),
             Home::Argument(argument) => (Register::RSI, i64::try_from(argument * self.stride).ok()),
@@ -183,7 +185,7 @@ impl Assembler<'_> {
     }
 
     /// A register for a value, which is no operand of this step.
-    pub(crate) fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
+    fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
             let can_be_had_again =
                 self.homes.get(held).is_some_and(Option::is_some) && !operands.contains(&held);
@@ -223,13 +225,7 @@ impl Assembler<'_> {
         if swaps { [b, a] } else { [a, b] }
     }
 
-    pub(crate) fn three(
-        &mut self,
-        code: Code,
-        to: Register,
-        first: Register,
-        last: Operand,
-    ) -> Result<(), NoCode> {
+    fn three(&mut self, code: Code, to: Register, first: Register, last: Operand) -> Result<(), NoCode> {
         self.encode(match last {
             Operand::Register(last) => Instruction::with3(code, to, first, last),
             Operand::Memory(last) => Instruction::with3(code, to, first, last),

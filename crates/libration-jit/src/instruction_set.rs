@@ -60,18 +60,15 @@ impl Packed {
 }
 
 impl InstructionSet {
-    /// The widest for which so many lanes are a multiple, and that the processor has.
-    pub(crate) fn for_lanes(lanes: usize) -> Option<&'static Self> {
-        if lanes == 0 || !(is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")) {
-            return None;
-        }
-        let sets = [&EIGHT, &FOUR, &ONE_OF_32, &ONE];
-        let fits = |set: &&'static Self| {
+    /// Those for which so many lanes are a multiple, and that the processor has; the widest first.
+    pub(crate) fn for_lanes(lanes: usize) -> impl Iterator<Item = &'static Self> {
+        let is_known = lanes > 0 && is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        let fits = move |set: &&'static Self| {
             lanes.is_multiple_of(set.lanes)
                 && (set.lanes > 1 || lanes == 1)
                 && (set.registers < EIGHT.registers || has_avx512())
         };
-        sets.into_iter().find(fits)
+        [&EIGHT, &FOUR, &ONE_OF_32, &ONE].into_iter().filter(move |set| is_known && fits(set))
     }
 
     /// The size of a register.

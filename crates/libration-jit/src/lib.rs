@@ -21,7 +21,8 @@
 //! # Ok::<(), libration_jit::OutOfOrder>(())
 //! ```
 //!
-//! Compiled are lines for x86-64 with fused multiply-add on Unix, one lane at a time, or 4 and 8 in vector registers.
+//! Compiled are lines for x86-64 with fused multiply-add on Unix, with 4 or 8 lanes in a vector register, or one lane at a time; then up to
+//! four inner products stand side by side instead.
 
 mod inner_product;
 mod interpreter;
@@ -36,8 +37,6 @@ mod call;
 mod groups;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod instruction_set;
-#[cfg(all(target_arch = "x86_64", unix))]
-mod packing;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod registers;
 #[cfg(all(target_arch = "x86_64", unix))]

@@ -38,12 +38,13 @@ impl Effort {
     }
 
     /// The order at which a given accuracy costs least: 1 − ln(tolerance)/2 if a step cost the square of its order, as
-    /// products of series do. But what a step costs beside is as much, so that longer steps of higher order pay: pendulums at 1e-9 take
-    /// 11.2, 10.8, 9.1, 8.8, 10.0 and 8.4 ms with a factor of 0.75, 0.9, 1, 1.1, 1.2 and 1.35, at 1e-16 14.3, 15.4, 13.9, 14.1, 14.3 and
-    /// 15.1 ms, and double pendulums at 1e-12 1.02, 1.05, 0.98, 0.95, 0.98 and 1.01 ms.
+    /// products of series do. But what a step costs beside is as much, so that longer steps of higher order pay: pendulums at 1e-12
+    /// take 14.0, 12.2, 11.1 and 10.6 ms with a factor of 0.65, 0.75, 0.9 and 1.05, at 1e-16 16.1, 14.4, 13.8 and 14.0 ms, and double
+    /// pendulums at 1e-12 1.02, 1.05, 0.98 and 0.95 ms with 0.75, 0.9, 1 and 1.1. With 1.05 steps no longer pass all removable
+    /// singularities.
     pub(super) fn order(&self) -> usize {
         const LOWEST: usize = 6;
-        let best = 1.0 - 1.05 * libm::log(self.relative);
+        let best = 1.0 - 0.9 * libm::log(self.relative);
         (LOWEST..HIGHEST_ORDER).find(|&order| count(order) >= best).unwrap_or(HIGHEST_ORDER)
     }
 

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use iced_x86::{Instruction, Register};
 
-use crate::assembly::{Assembler, Home, NoCode, Operand};
+use super::{Assembler, Home, NoCode, Operand};
 use crate::groups::{Group, WIDEST};
 use crate::instruction_set::{Packed, PackedSet};
 use crate::written_out::inner_product_steps;
@@ -18,7 +18,7 @@ type Places = [usize; WIDEST];
 
 /// What was put into the scratch.
 #[derive(Debug, Default)]
-pub(crate) struct Packs {
+pub(super) struct Packs {
     /// The first number of those that came from these places, by the width of the register.
     at: HashMap<(usize, Places), usize>,
     numbers: usize,
@@ -26,7 +26,7 @@ pub(crate) struct Packs {
 
 impl Packs {
     /// How many numbers there are.
-    pub(crate) fn numbers(&self) -> usize {
+    pub(super) fn numbers(&self) -> usize {
         self.numbers
     }
 
@@ -85,7 +85,7 @@ fn temporary(line: &StraightLine, number: usize) -> usize {
 
 impl Assembler<'_> {
     /// All inner products of a group.
-    pub(crate) fn inner_products(&mut self, group: &Group) -> Result<(), NoCode> {
+    pub(super) fn inner_products(&mut self, group: &Group) -> Result<(), NoCode> {
         let rows = Rows::new(self.line, group, self.set.packed.as_ref().ok_or(NoCode::Instruction)?);
         self.now = group.members[0];
         let (steps, result) = inner_product_steps(group.count);
