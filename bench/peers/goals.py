@@ -35,10 +35,10 @@ def aligned(lines):
     return "\n".join("| " + " | ".join(text.ljust(width) for text, width in zip(line, widths)) + " |" for line in lines)
 
 
-def finish(lines, path=None):
-    """Prints the table, writes it if asked to, and gives the number of lines that fall short."""
+def finish(lines, path=None, **besides):
+    """Prints the table, writes it if asked to, with what is to be written besides, and gives the number of lines that fall short."""
     print("\n" + aligned([["work", "peer", "quotient", "range", "goal", ""], *(line.cells() for line in lines)]), flush=True)
     if path:
         records = [{"work": it.name, "peer": it.peer, "goal": it.goal, "quotients": it.quotients} for it in lines]
-        Path(path).write_text(json.dumps({"schema": 1, "lines": records}, indent=1) + "\n", encoding="utf-8")
+        Path(path).write_text(json.dumps({"schema": 1, **besides, "lines": records}, indent=1) + "\n", encoding="utf-8")
     return sum(line.falls_short() for line in lines)

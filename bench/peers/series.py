@@ -1,10 +1,12 @@
 """Times exact perturbation series in libration, FLINT, PARI/GP, SymPy and the package asymptotics, one after the other.
 
 Every tool gets each case and order in a process of its own, on one core, with a time limit; starting the tool is not
-timed. The tools' last coefficients, with letters all of them, are compared with each other exactly. Exit status 1 if ours disagree.
+timed. The tools' last coefficients, with letters all of them, are compared with each other exactly.
 
 Times are seconds of the processor, so that other work on the machine matters less. A cell shows the
-median, the growth N^p since the order above, and the quotient by our time (theirs/ours).
+median, the growth N^p since the order above, and the quotient by our time (theirs/ours). The last table shows the goals:
+FLINT's time over ours, both asked in turns, round by round. The exit status is the number of lines that fall short and
+of answers of ours that disagree.
 """
 import argparse
 import json
@@ -20,8 +22,9 @@ from collections import Counter
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "perturbation"))
+sys.path += [str(HERE), str(HERE / "perturbation")]
 sys.dont_write_bytecode = True
+from goals import Line, finish  # noqa: E402
 
 IN_A1 = "Omega to eps^(N-1) and all harmonics to eps^N, in the gauge eps = a1"
 IN_AMPLITUDE = "the same, then the reversion: eps, Omega, T and all harmonics as series in the amplitude"
@@ -38,6 +41,14 @@ CASES = {
     "period, AGM": ("T/T0 to theta0^N as 1/agm(1, cos(theta0/2)) on series", (100, 200, 400)),
 }
 OURS = "libration"
+PEER = "FLINT"
+GOALS = (
+    ("pendulum, full answer", 31, 1.2),
+    ("pendulum, full answer", 101, 1.2),
+    ("pendulum, full answer", 201, 1.2),
+    ("duffing, full answer", 101, 1.2),
+    ("van_der_pol", 60, 1),
+)
 
 
 class Timed:
@@ -224,6 +235,22 @@ def short(check):
     return ", ".join(it if not it or len(it) < 40 else f"{it[:20]}…{it[-16:]}" for it in check if it)
 
 
+def goal(case, order, least, tools, rounds, limit):
+    """The line of the table of goals, and how many of our answers disagree."""
+    ours, peer = (next((tool for tool in tools if tool.name == name), None) for name in (OURS, PEER))
+    pairs = [(ours.ask(case, order, limit), peer.ask(case, order, limit)) for _ in range(rounds) if ours and peer]
+    quotients = [theirs.seconds / mine.seconds for mine, theirs in pairs if mine.seconds and theirs.seconds]
+    disagree = sum(mine.contradicts(theirs.check) for mine, theirs in pairs)
+    return Line(f"{case}, order {order}", PEER, least, quotients), disagree
+
+
+def wanted_goals(options):
+    """Those that the options leave."""
+    for case, order, least in GOALS:
+        if case in (options.case or CASES) and order <= options.largest and options.line in f"{case}, order {order}":
+            yield case, order, least
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     built = HERE.parents[1] / "target/release/libration-series"
@@ -231,7 +258,9 @@ def arguments():
     parser.add_argument("--limit", type=float, default=60, help="seconds a tool may take for one answer")
     parser.add_argument("--largest", type=int, default=10**6, help="leave out orders above this")
     parser.add_argument("--case", action="append", choices=CASES, help="only this case; may be repeated")
-    parser.add_argument("--json", metavar="FILE", help="write all times there too")
+    parser.add_argument("--rounds", type=int, default=5, help="alternations for each goal")
+    parser.add_argument("--line", metavar="WORDS", default="", help="only goals whose line contains this, and no other table")
+    parser.add_argument("--json", metavar="FILE", help="write all times and the goals there too")
     return parser.parse_args()
 
 
@@ -242,18 +271,21 @@ def main(options):
     versions = {tool.name: tool.version() for tool in every}
     print("\n".join(f"{name}: {version}" for name, version in versions.items()))
     tools = [tool for tool in every if not versions[tool.name].startswith("missing")]
-    kept, ours_wrong = [], False
-    for case in options.case or CASES:
+    kept, wrong = [], 0
+    for case in [] if options.line else options.case or CASES:
         meaning, orders = CASES[case]
         rows = measure(tools, case, [order for order in orders if order <= options.largest], options.limit)
         print(f"\n{case}: {meaning}\n", *table(rows, tools), sep="\n", flush=True)
         for order, name, check, truth in contradictions(rows):
             print(f"{name} at N = {order} gives {short(check)}; the others {short(truth)}")
-            ours_wrong |= name == OURS
+            wrong += name == OURS
         kept += records(case, rows)
-    if options.json:
-        Path(options.json).write_text(json.dumps({"schema": 1, "versions": versions, "times": kept}, indent=1) + "\n", encoding="utf-8")
-    return ours_wrong
+    lines = []
+    for case, order, least in wanted_goals(options):
+        line, disagree = goal(case, order, least, tools, options.rounds, options.limit)
+        lines.append(line)
+        wrong += disagree
+    return finish(lines, options.json, versions=versions, times=kept) + wrong
 
 
 if __name__ == "__main__":

@@ -19,6 +19,11 @@ pub(crate) trait PhaseRing: Ring {
     /// The k-th harmonic of a sum.
     fn harmonic(&self, a: &Self::Element, k: usize) -> HarmonicPair<Number<Self>>;
 
+    /// Several harmonics of a sum.
+    fn harmonics(&self, a: &Self::Element, wanted: &[usize]) -> Vec<HarmonicPair<Number<Self>>> {
+        wanted.iter().map(|&k| self.harmonic(a, k)).collect()
+    }
+
     /// The sum of some harmonics, each with its k.
     fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<Number<Self>>)]) -> Self::Element;
 

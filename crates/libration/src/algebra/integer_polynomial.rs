@@ -1,6 +1,6 @@
 //! The product of polynomials with integer coefficients, as one product of two large integers.
 
-use dashu::base::{BitTest, Sign};
+use dashu::base::{BitTest, Sign, UnsignedAbs};
 use dashu::integer::{IBig, UBig};
 
 /// The product of two polynomials with integer coefficients, constant term first, by Kronecker substitution:
@@ -27,17 +27,19 @@ fn largest_bits(coefficients: &[IBig]) -> usize {
     coefficients.iter().map(BitTest::bit_len).max().unwrap_or(0)
 }
 
-/// The polynomial's value at 2^slot.
+/// The polynomial's value at 2^slot, a whole number of bytes.
 fn pack(coefficients: &[IBig], slot: usize) -> IBig {
     let part = |sign: Sign| {
-        let digits: Vec<UBig> = coefficients.iter().map(|c| magnitude_if(c, sign)).collect();
-        IBig::from(UBig::from_chunks(digits.iter(), slot))
+        let mut bytes = vec![0; coefficients.len() * slot / 8];
+        for (place, coefficient) in bytes.chunks_mut(slot / 8).zip(coefficients) {
+            if coefficient.sign() == sign {
+                let magnitude = coefficient.unsigned_abs().to_le_bytes();
+                place[..magnitude.len()].copy_from_slice(&magnitude);
+            }
+        }
+        IBig::from(UBig::from_le_bytes(&bytes))
     };
     part(Sign::Positive) - part(Sign::Negative)
-}
-
-fn magnitude_if(coefficient: &IBig, sign: Sign) -> UBig {
-    if coefficient.sign() == sign { coefficient.clone().into_parts().1 } else { UBig::ZERO }
 }
 
 /// The first `length` coefficients of the polynomial whose value at 2^slot is given: digits in balanced form.

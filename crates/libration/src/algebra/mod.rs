@@ -13,6 +13,7 @@
 //! ```
 
 mod big_float;
+mod common_denominator;
 mod complex;
 mod decimal_digits;
 mod doubles;
@@ -23,10 +24,12 @@ mod integer_polynomial;
 mod lanes;
 mod lanewise;
 mod laurent;
+mod mixed_radix;
 mod pi_powers;
 mod pi_sum;
 mod polynomial;
 mod prime_field;
+mod prime_fields;
 mod primes;
 mod quadratic_field;
 mod rational;
@@ -52,11 +55,12 @@ pub(crate) use pi_powers::{PiPolynomial, PiPowers};
 pub use pi_sum::PiSum;
 pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
 pub(crate) use prime_field::PrimeField;
+pub(crate) use prime_fields::{LANES, PrimeFields, Residues};
 pub(crate) use primes::primes_with_roots;
 pub(crate) use quadratic_field::{Quadratic, QuadraticField};
 pub use rational::{NotARational, Rational};
 pub use rationals::Rationals;
-pub(crate) use reconstruction::{Images, Stopped, reconstruct};
+pub(crate) use reconstruction::{Images, Place, Stopped, reconstruct};
 pub use ring::Ring;
 pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};
 pub use surd::Surd;

@@ -143,7 +143,7 @@ impl Rational {
     }
 
     /// Numerator and denominator modulo a prime, both between 0 and p − 1.
-    pub(crate) fn residues(&self, prime: u64) -> (u64, u64) {
+    pub(crate) fn residues(&self, prime: u32) -> (u32, u32) {
         let (numerator, denominator) = self.parts();
         let (sign, magnitude) = numerator.clone().into_parts();
         let residue = magnitude % prime;

@@ -1,9 +1,10 @@
 //! The field of fractions as a ring of coefficients.
 
-use dashu::base::Gcd;
+use dashu::base::{DivRem, Gcd};
 use dashu::integer::{IBig, UBig};
 
-use super::{Function, Rational, Ring, product};
+use super::common_denominator::{OverCommon, composition};
+use super::{Function, Rational, Ring};
 
 /// The field of all fractions.
 #[derive(Clone, Copy, Debug)]
@@ -67,31 +68,55 @@ impl Ring for Rationals {
         None
     }
 
+    /// Over a common denominator, which is reduced once.
+    fn convolution(&self, a: &[Rational], b: &[Rational]) -> Rational {
+        let (mut sum, mut denominator) = (IBig::ZERO, UBig::ONE);
+        for (a, b) in a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_zero() && !b.is_zero()) {
+            let ((a, under_a), (b, under_b)) = (a.parts(), b.parts());
+            let own = under_a * under_b;
+            let (quotient, remainder) = (&denominator).div_rem(&own);
+            if remainder.is_zero() {
+                sum += a * b * IBig::from(quotient);
+            } else {
+                let common = (&denominator).gcd(&own);
+                let (factor, others) = (&own / &common, &denominator / common);
+                sum = sum * IBig::from(factor.clone()) + a * b * IBig::from(others);
+                denominator *= factor;
+            }
+        }
+        Rational::from_parts(sum, denominator)
+    }
+
     /// Over common denominators, so that one greatest common divisor is taken for each coefficient.
     fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
-        let ((a, under_a), (b, under_b)) = (over_common(a, length), over_common(b, length));
-        let denominator = under_a * under_b;
-        let mut products = product(&a, &b);
-        products.resize(length, IBig::ZERO);
-        products.into_iter().map(|sum| Rational::from_parts(sum, denominator.clone())).collect()
+        let first = |series: &[Rational]| OverCommon::new(&series[..series.len().min(length)]);
+        first(a).product(&first(b), length).into_fractions()
+    }
+
+    fn series_composition(
+        &self,
+        outer: &[Rational],
+        inner: &[Rational],
+        length: usize,
+        go_on: &dyn Fn() -> bool,
+    ) -> Option<Vec<Rational>> {
+        composition(outer, inner, length, go_on)
     }
 }
 
-/// The first numerators over the least common denominator, and the latter.
-fn over_common(series: &[Rational], length: usize) -> (Vec<IBig>, UBig) {
-    let series = &series[..series.len().min(length)];
-    let common = series.iter().fold(UBig::ONE, |common, fraction| {
-        let denominator = fraction.parts().1;
-        if (&common % denominator).is_zero() {
-            common
-        } else {
-            let gcd = (&common).gcd(denominator);
-            common / gcd * denominator
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn convolutions_are_sums_of_products() {
+        let fraction =
+            |n: i64, seed: i64| Rational::new((n * n - seed) % 11, 1 + (n * seed) % 7 * 6).unwrap();
+        for length in 0..9 {
+            let (a, b): (Vec<_>, Vec<_>) = (0..length).map(|n| (fraction(n, 4), fraction(n, 5))).unzip();
+            let terms = a.iter().zip(b.iter().rev()).map(|(a, b)| Rationals.multiply(a, b));
+            let expected = terms.fold(Rational::from(0), |sum, term| Rationals.add(&sum, &term));
+            assert_eq!(Rationals.convolution(&a, &b), expected);
         }
-    });
-    let numerator = |fraction: &Rational| {
-        let (numerator, denominator) = fraction.parts();
-        numerator * IBig::from(&common / denominator)
-    };
-    (series.iter().map(numerator).collect(), common)
+    }
 }

@@ -70,4 +70,24 @@ pub trait Ring {
         };
         (0..length).map(coefficient).collect()
     }
+
+    /// The first `length` coefficients of outer(inner(x)) of two power series, the inner one without constant term. `go_on` is asked
+    /// at each step; `None` when it says no.
+    fn series_composition(
+        &self,
+        outer: &[Self::Element],
+        inner: &[Self::Element],
+        length: usize,
+        go_on: &dyn Fn() -> bool,
+    ) -> Option<Vec<Self::Element>> {
+        let mut sum = vec![self.zero(); length];
+        for coefficient in outer.iter().take(length).rev() {
+            go_on().then_some(())?;
+            sum = self.series_product(&sum, inner, length);
+            if let Some(constant) = sum.first_mut() {
+                *constant = self.add(constant, coefficient);
+            }
+        }
+        Some(sum)
+    }
 }

@@ -1,6 +1,8 @@
-//! Sums of harmonics modulo a prime, held as their values at roots of unity: products are pointwise.
+//! Sums of harmonics modulo primes, held as their values at roots of unity: products are pointwise.
 
-use super::{Function, HarmonicPair, PhaseRing, PrimeField, Rational, Ring};
+use super::prime_fields::{Lanes, Sums, accumulated};
+use super::{Function, HarmonicPair, LANES, PhaseRing, PrimeFields, Rational, Residues, Ring};
+use crate::dispatch::{Kernel, dispatch_slices};
 
 /// What is known of all the sums of a ring, so that fewer points determine them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,15 +17,13 @@ pub(crate) struct Symmetry {
 /// The empty list of values is zero.
 #[derive(Clone, Debug)]
 pub(crate) struct SampledHarmonics {
-    field: PrimeField,
+    fields: PrimeFields,
     symmetry: Symmetry,
     /// cos(jτ₁) and sin(jτ₁) for j < M.
-    cosines: Vec<u64>,
-    sines: Vec<u64>,
-    /// How many of the M points each sampled point stands for.
-    multiplicities: Vec<u64>,
-    /// 2/M.
-    norm: u64,
+    cosines: Vec<Residues>,
+    sines: Vec<Residues>,
+    /// 2/M times how many of the M points each sampled point stands for.
+    weights: Vec<Residues>,
 }
 
 impl SampledHarmonics {
@@ -32,61 +32,49 @@ impl SampledHarmonics {
         (2 * degree + 1).next_power_of_two().max(8)
     }
 
-    /// `None` when the prime has no root of unity of order [`Self::period`].
-    pub(crate) fn new(field: PrimeField, degree: usize, symmetry: Symmetry) -> Option<Self> {
+    /// `None` when a prime has no root of unity of order [`Self::period`].
+    pub(crate) fn new(fields: PrimeFields, degree: usize, symmetry: Symmetry) -> Option<Self> {
         let period = Self::period(degree);
-        let order = u64::try_from(period).ok()?;
-        let root = field.root_of_unity(order)?;
-        let powers: Vec<u64> = std::iter::successors(Some(field.unit()), |&z| Some(field.product(z, root)))
-            .take(period)
-            .collect();
-        let conjugate = |j: usize| powers[(period - j) % period];
-        let half = field.inverse(field.integer(2))?;
+        let order = u32::try_from(period).ok()?;
+        let root = fields.in_each(|field| field.root_of_unity(order))?;
+        let powers: Vec<Residues> =
+            std::iter::successors(Some(fields.unit()), |z| Some(fields.multiply(z, &root)))
+                .take(period)
+                .collect();
+        let conjugate = |j: usize| &powers[(period - j) % period];
+        let half = fields.over_integer(&fields.unit(), 2)?;
         // powers[M/4] is the imaginary unit.
-        let half_over_i = field.product(half, conjugate(period / 4));
-        let combine = |sign: u64, factor: u64| -> Vec<u64> {
-            let sum = |j: usize| field.sum(powers[j], field.product(sign, conjugate(j)));
-            (0..period).map(|j| field.product(factor, sum(j))).collect()
-        };
-        let cosines = combine(field.unit(), half);
-        let sines = combine(field.negate(&field.unit()), half_over_i);
-        let multiplicities =
-            multiplicities(period, symmetry).iter().map(|&count| field.integer(count)).collect();
-        let norm = field.divide(&field.integer(2), &field.integer(order))?;
-        Some(Self { field, symmetry, cosines, sines, multiplicities, norm })
+        let half_over_i = fields.multiply(&half, conjugate(period / 4));
+        let cosine = |j: usize| fields.multiply(&half, &fields.add(&powers[j], conjugate(j)));
+        let sine = |j: usize| fields.multiply(&half_over_i, &fields.subtract(&powers[j], conjugate(j)));
+        let norm = fields.over_integer(&fields.integer(2), u64::from(order))?;
+        let weight = |&count: &i64| fields.times_integer(&norm, count);
+        Some(Self {
+            symmetry,
+            cosines: (0..period).map(cosine).collect(),
+            sines: (0..period).map(sine).collect(),
+            weights: multiplicities(period, symmetry).iter().map(weight).collect(),
+            fields,
+        })
     }
 
     pub(crate) fn points(&self) -> usize {
-        self.multiplicities.len()
+        self.weights.len()
     }
 
-    fn map(&self, a: &[u64], f: impl Fn(u64) -> u64) -> Vec<u64> {
-        a.iter().map(|&value| f(value)).collect()
+    fn constant(&self, value: Residues) -> Vec<Residues> {
+        if self.fields.is_zero(&value) { vec![] } else { vec![value; self.points()] }
     }
 
-    fn zip(a: &[u64], b: &[u64], f: impl Fn(u64, u64) -> u64) -> Vec<u64> {
-        a.iter().zip(b).map(|(&a, &b)| f(a, b)).collect()
-    }
-
-    fn constant(&self, value: u64) -> Vec<u64> {
-        if value == 0 { vec![] } else { vec![value; self.points()] }
-    }
-
-    fn as_constant(a: &[u64]) -> Option<u64> {
-        let first = a.first().copied().unwrap_or(0);
+    fn as_constant(a: &[Residues]) -> Option<Residues> {
+        let first = a.first().copied().unwrap_or([0; LANES]);
         a.iter().all(|&value| value == first).then_some(first)
-    }
-
-    /// The entries of a table at k·j for j = 0, 1, ….
-    fn every<'a>(&self, table: &'a [u64], k: usize) -> impl Iterator<Item = u64> + 'a {
-        let mask = table.len() - 1;
-        (0..self.points()).map(move |j| table[(k * j) & mask])
     }
 }
 
 /// Of M points on the circle each sampled one stands for its mirror images too.
-fn multiplicities(period: usize, symmetry: Symmetry) -> Vec<u64> {
-    let with_ends = |last: usize, inner: u64| {
+fn multiplicities(period: usize, symmetry: Symmetry) -> Vec<i64> {
+    let with_ends = |last: usize, inner: i64| {
         (0..=last).map(|j| if j == 0 || j == last { inner / 2 } else { inner }).collect()
     };
     match (symmetry.even_in_phase, symmetry.half_wave) {
@@ -98,120 +86,257 @@ fn multiplicities(period: usize, symmetry: Symmetry) -> Vec<u64> {
 }
 
 impl Ring for SampledHarmonics {
-    type Element = Vec<u64>;
+    type Element = Vec<Residues>;
 
-    fn zero(&self) -> Vec<u64> {
+    fn zero(&self) -> Vec<Residues> {
         vec![]
     }
 
-    fn is_zero(&self, a: &Vec<u64>) -> bool {
-        a.iter().all(|&value| value == 0)
+    fn is_zero(&self, a: &Vec<Residues>) -> bool {
+        a.iter().all(|value| self.fields.is_zero(value))
     }
 
-    fn rational(&self, value: &Rational) -> Option<Vec<u64>> {
-        self.field.rational(value).map(|value| self.constant(value))
+    fn rational(&self, value: &Rational) -> Option<Vec<Residues>> {
+        self.fields.rational(value).map(|value| self.constant(value))
     }
 
-    fn add(&self, a: &Vec<u64>, b: &Vec<u64>) -> Vec<u64> {
+    fn add(&self, a: &Vec<Residues>, b: &Vec<Residues>) -> Vec<Residues> {
         match (a.is_empty(), b.is_empty()) {
             (true, _) => b.clone(),
             (_, true) => a.clone(),
-            _ => Self::zip(a, b, |a, b| self.field.sum(a, b)),
+            _ => a.iter().zip(b).map(|(a, b)| self.fields.add(a, b)).collect(),
         }
     }
 
-    fn subtract(&self, a: &Vec<u64>, b: &Vec<u64>) -> Vec<u64> {
+    fn subtract(&self, a: &Vec<Residues>, b: &Vec<Residues>) -> Vec<Residues> {
         match (a.is_empty(), b.is_empty()) {
             (true, _) => self.negate(b),
             (_, true) => a.clone(),
-            _ => Self::zip(a, b, |a, b| self.field.difference(a, b)),
+            _ => a.iter().zip(b).map(|(a, b)| self.fields.subtract(a, b)).collect(),
         }
     }
 
-    fn negate(&self, a: &Vec<u64>) -> Vec<u64> {
-        self.map(a, |value| self.field.difference(0, value))
+    fn negate(&self, a: &Vec<Residues>) -> Vec<Residues> {
+        a.iter().map(|value| self.fields.negate(value)).collect()
     }
 
-    fn multiply(&self, a: &Vec<u64>, b: &Vec<u64>) -> Vec<u64> {
-        if a.is_empty() || b.is_empty() { vec![] } else { Self::zip(a, b, |a, b| self.field.product(a, b)) }
-    }
-
-    fn times_integer(&self, a: &Vec<u64>, factor: i64) -> Vec<u64> {
-        self.times_number(a, &self.field.times_integer(&self.field.unit(), factor))
-    }
-
-    fn divide(&self, a: &Vec<u64>, divisor: &Vec<u64>) -> Option<Vec<u64>> {
-        Some(self.times_number(a, &self.field.inverse(Self::as_constant(divisor)?)?))
-    }
-
-    fn over_integer(&self, a: &Vec<u64>, divisor: u64) -> Option<Vec<u64>> {
-        Some(self.times_number(a, &self.field.over_integer(&self.field.unit(), divisor)?))
-    }
-
-    fn value(&self, _: Function, _: &Vec<u64>) -> Option<Vec<u64>> {
-        None
-    }
-
-    fn power(&self, _: &Vec<u64>, _: &Rational) -> Option<Vec<u64>> {
-        None
-    }
-
-    fn pi(&self) -> Option<Vec<u64>> {
-        None
-    }
-
-    fn convolution(&self, a: &[Vec<u64>], b: &[Vec<u64>]) -> Vec<u64> {
-        let mut sums: Vec<u128> = vec![];
-        for (a, b) in a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_empty() && !b.is_empty()) {
-            sums.resize(self.points(), 0);
-            for ((sum, &a), &b) in sums.iter_mut().zip(a).zip(b) {
-                *sum = self.field.accumulated(*sum, a, b);
-            }
+    fn multiply(&self, a: &Vec<Residues>, b: &Vec<Residues>) -> Vec<Residues> {
+        if a.is_empty() || b.is_empty() {
+            return vec![];
         }
-        sums.into_iter().map(|sum| self.field.settled(sum)).collect()
+        dispatch_slices(Pointwise { lanes: self.fields.lanes(), a, b })
+    }
+
+    fn times_integer(&self, a: &Vec<Residues>, factor: i64) -> Vec<Residues> {
+        self.times_number(a, &self.fields.times_integer(&self.fields.unit(), factor))
+    }
+
+    fn divide(&self, a: &Vec<Residues>, divisor: &Vec<Residues>) -> Option<Vec<Residues>> {
+        Some(self.times_number(a, &self.fields.inverse(&Self::as_constant(divisor)?)?))
+    }
+
+    fn over_integer(&self, a: &Vec<Residues>, divisor: u64) -> Option<Vec<Residues>> {
+        Some(self.times_number(a, &self.fields.over_integer(&self.fields.unit(), divisor)?))
+    }
+
+    fn value(&self, _: Function, _: &Vec<Residues>) -> Option<Vec<Residues>> {
+        None
+    }
+
+    fn power(&self, _: &Vec<Residues>, _: &Rational) -> Option<Vec<Residues>> {
+        None
+    }
+
+    fn pi(&self) -> Option<Vec<Residues>> {
+        None
+    }
+
+    fn convolution(&self, a: &[Vec<Residues>], b: &[Vec<Residues>]) -> Vec<Residues> {
+        let present = a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_empty() && !b.is_empty());
+        let pairs: Vec<(&[Residues], &[Residues])> =
+            present.map(|(a, b)| (a.as_slice(), b.as_slice())).collect();
+        if pairs.is_empty() {
+            return vec![];
+        }
+        dispatch_slices(SumOfProducts { lanes: self.fields.lanes(), pairs: &pairs, points: self.points() })
     }
 }
 
 impl PhaseRing for SampledHarmonics {
-    type Numbers = PrimeField;
+    type Numbers = PrimeFields;
 
-    fn numbers(&self) -> &PrimeField {
-        &self.field
+    fn numbers(&self) -> &PrimeFields {
+        &self.fields
     }
 
-    fn harmonic(&self, a: &Vec<u64>, k: usize) -> HarmonicPair<u64> {
+    fn harmonic(&self, a: &Vec<Residues>, k: usize) -> HarmonicPair<Residues> {
+        self.harmonics(a, &[k]).swap_remove(0)
+    }
+
+    fn harmonics(&self, a: &Vec<Residues>, wanted: &[usize]) -> Vec<HarmonicPair<Residues>> {
+        let nothing = self.fields.zero();
         if a.is_empty() {
-            return HarmonicPair { cosine: 0, sine: 0 };
+            return vec![HarmonicPair { cosine: nothing, sine: nothing }; wanted.len()];
         }
-        let against = |table: &[u64]| {
-            let weights = self.every(table, k).zip(&self.multiplicities);
-            let weighted = a.iter().zip(weights).map(|(&a, (c, &m))| (self.field.product(a, m), c));
-            self.field.product(self.norm, self.field.inner_product(weighted))
+        let lanes = self.fields.lanes();
+        let weighted = &dispatch_slices(Pointwise { lanes, a, b: &self.weights });
+        let against = |table: &[Residues], k| dispatch_slices(Harmonic { lanes, weighted, table, k });
+        let half = self.fields.over_integer(&self.fields.unit(), 2).expect("two is not zero");
+        let pair = |&k: &usize| {
+            let cosine = against(&self.cosines, k);
+            // The mean is half of what the formula for the other harmonics gives.
+            let cosine = if k > 0 { cosine } else { self.fields.multiply(&cosine, &half) };
+            let sine = if self.symmetry.even_in_phase || k == 0 { nothing } else { against(&self.sines, k) };
+            HarmonicPair { cosine, sine }
         };
-        let cosine = against(&self.cosines);
-        // The mean is half of what the formula for the other harmonics gives.
-        let cosine = if k > 0 { Some(cosine) } else { self.field.over_integer(&cosine, 2) };
-        let sine = if self.symmetry.even_in_phase || k == 0 { 0 } else { against(&self.sines) };
-        HarmonicPair { cosine: cosine.expect("two is not zero"), sine }
+        wanted.iter().map(pair).collect()
     }
 
-    fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<u64>)]) -> Vec<u64> {
-        let mut sums: Vec<u128> = vec![];
-        for (table, k, factor) in
-            terms.iter().flat_map(|(k, h)| [(&self.cosines, k, h.cosine), (&self.sines, k, h.sine)])
-        {
-            if factor != 0 {
-                sums.resize(self.points(), 0);
-                for (sum, value) in sums.iter_mut().zip(self.every(table, *k)) {
-                    *sum = self.field.accumulated(*sum, value, factor);
-                }
+    fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<Residues>)]) -> Vec<Residues> {
+        let both = |(k, h): &(usize, HarmonicPair<Residues>)| {
+            [(self.cosines.as_slice(), *k, h.cosine), (self.sines.as_slice(), *k, h.sine)]
+        };
+        let terms: Vec<_> =
+            terms.iter().flat_map(both).filter(|(.., factor)| !self.fields.is_zero(factor)).collect();
+        if terms.is_empty() {
+            return vec![];
+        }
+        dispatch_slices(SumOfHarmonics { lanes: self.fields.lanes(), terms: &terms, points: self.points() })
+    }
+
+    fn times_number(&self, a: &Vec<Residues>, factor: &Residues) -> Vec<Residues> {
+        if self.fields.is_zero(factor) {
+            return vec![];
+        }
+        dispatch_slices(Scaled { lanes: self.fields.lanes(), a, factor })
+    }
+}
+
+/// aⱼ·bⱼ.
+struct Pointwise<'a> {
+    lanes: &'a Lanes,
+    a: &'a [Residues],
+    b: &'a [Residues],
+}
+
+impl Kernel for Pointwise<'_> {
+    type Output = Vec<Residues>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<Residues> {
+        let mut products = self.a.to_vec();
+        for (a, b) in products.iter_mut().zip(self.b) {
+            *a = self.lanes.product(a, b);
+        }
+        products
+    }
+}
+
+/// aⱼ·c.
+struct Scaled<'a> {
+    lanes: &'a Lanes,
+    a: &'a [Residues],
+    factor: &'a Residues,
+}
+
+impl Kernel for Scaled<'_> {
+    type Output = Vec<Residues>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<Residues> {
+        let mut products = self.a.to_vec();
+        for a in &mut products {
+            *a = self.lanes.product(a, self.factor);
+        }
+        products
+    }
+}
+
+/// Σ aⱼ·bⱼ over pairs of sums, four pairs at a time so that a sum is loaded and stored once for them.
+struct SumOfProducts<'a> {
+    lanes: &'a Lanes,
+    pairs: &'a [(&'a [Residues], &'a [Residues])],
+    points: usize,
+}
+
+impl Kernel for SumOfProducts<'_> {
+    type Output = Vec<Residues>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<Residues> {
+        let mut sums: Vec<Sums> = vec![[0; LANES]; self.points];
+        let mut fours = self.pairs.chunks_exact(4);
+        for four in &mut fours {
+            let &[(a0, b0), (a1, b1), (a2, b2), (a3, b3)] = four else { continue };
+            let (left, right) =
+                (a0.iter().zip(a1).zip(a2.iter().zip(a3)), b0.iter().zip(b1).zip(b2.iter().zip(b3)));
+            for ((sum, ((a0, a1), (a2, a3))), ((b0, b1), (b2, b3))) in sums.iter_mut().zip(left).zip(right) {
+                let first = accumulated(&accumulated(sum, a0, b0), a1, b1);
+                *sum = self.lanes.folded(&accumulated(&accumulated(&first, a2, b2), a3, b3));
             }
         }
-        sums.into_iter().map(|sum| self.field.settled(sum)).collect()
+        for (a, b) in fours.remainder() {
+            for ((sum, a), b) in sums.iter_mut().zip(*a).zip(*b) {
+                *sum = accumulated(sum, a, b);
+            }
+        }
+        sums.iter().map(|sum| self.lanes.settled(sum)).collect()
     }
+}
 
-    fn times_number(&self, a: &Vec<u64>, factor: &u64) -> Vec<u64> {
-        if *factor == 0 { vec![] } else { self.map(a, |value| self.field.product(value, *factor)) }
+/// The part of a weighted sum that a harmonic has.
+struct Harmonic<'a> {
+    lanes: &'a Lanes,
+    weighted: &'a [Residues],
+    table: &'a [Residues],
+    k: usize,
+}
+
+impl Kernel for Harmonic<'_> {
+    type Output = Residues;
+
+    #[inline(always)]
+    fn run(self) -> Residues {
+        let (mask, mut at) = (self.table.len() - 1, 0);
+        let mut sums = [0; LANES];
+        for values in self.weighted.chunks(super::prime_fields::PRODUCTS) {
+            sums = self.lanes.folded(&sums);
+            for value in values {
+                sums = accumulated(&sums, value, &self.table[at & mask]);
+                at += self.k;
+            }
+        }
+        self.lanes.settled(&sums)
+    }
+}
+
+/// A cosine or sine, by its table, with its harmonic and what stands before it.
+type Term<'a> = (&'a [Residues], usize, Residues);
+
+/// The values of some harmonics.
+struct SumOfHarmonics<'a> {
+    lanes: &'a Lanes,
+    terms: &'a [Term<'a>],
+    points: usize,
+}
+
+impl Kernel for SumOfHarmonics<'_> {
+    type Output = Vec<Residues>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<Residues> {
+        let mut values = vec![[0; LANES]; self.points];
+        for (j, value) in values.iter_mut().enumerate() {
+            let mut sums = [0; LANES];
+            for terms in self.terms.chunks(super::prime_fields::PRODUCTS) {
+                sums = self.lanes.folded(&sums);
+                for (table, k, factor) in terms {
+                    sums = accumulated(&sums, &table[(k * j) & (table.len() - 1)], factor);
+                }
+            }
+            *value = self.lanes.settled(&sums);
+        }
+        values
     }
 }
 
@@ -236,7 +361,8 @@ mod tests {
         let exact = HarmonicSums { numbers: Rationals };
         for (even_in_phase, half_wave) in [(false, false), (false, true), (true, false), (true, true)] {
             let symmetry = Symmetry { even_in_phase, half_wave };
-            let field = PrimeField::new(primes_with_roots(12).next().unwrap());
+            let mut primes = primes_with_roots(12);
+            let field = PrimeFields::new(std::array::from_fn(|_| primes.next().unwrap()));
             let sampled = SampledHarmonics::new(field.clone(), 10, symmetry).unwrap();
             let in_lists = |seed| {
                 let rational = |n| Rational::from(n);
@@ -261,6 +387,27 @@ mod tests {
                 assert_eq!(field.rational(&truth.cosine), Some(found.cosine), "{symmetry:?} cos {k}");
                 assert_eq!(field.rational(&truth.sine), Some(found.sine), "{symmetry:?} sin {k}");
             }
+        }
+    }
+
+    #[test]
+    fn sums_of_products_of_any_length_are_those_of_the_products() {
+        let mut primes = primes_with_roots(12);
+        let fields = PrimeFields::new(std::array::from_fn(|_| primes.next().unwrap()));
+        let largest = fields.primes().map(|prime| prime - 1);
+        let symmetry = Symmetry { even_in_phase: true, half_wave: true };
+        let ring = SampledHarmonics::new(fields.clone(), 20, symmetry).unwrap();
+        let element = |seed: u64| -> Vec<Residues> {
+            let value =
+                |j| if seed.is_multiple_of(2) { largest } else { fields.integer(seed * 1_000_003 + j) };
+            if seed % 5 == 3 { vec![] } else { (0..ring.points() as u64).map(value).collect() }
+        };
+        for length in [0, 1, 3, 4, 5, 11, 40] {
+            let (a, b): (Vec<_>, Vec<_>) = (0..length).map(|n| (element(n), element(n + 7))).unzip();
+            let products = a.iter().zip(b.iter().rev()).map(|(a, b)| ring.multiply(a, b));
+            let expected = products.fold(ring.zero(), |sum, product| ring.add(&sum, &product));
+            let difference = ring.subtract(&ring.convolution(&a, &b), &expected);
+            assert!(ring.is_zero(&difference), "{length}");
         }
     }
 }

@@ -4,9 +4,10 @@ use super::conservative::{displacement, period_ratio};
 use super::first_integral::{self, PlaneOfStates};
 use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
+use super::shape::Shape;
 use crate::algebra::{HarmonicSums, Quadratic, QuadraticField, Rational, Rationals, Ring};
 use crate::expression::Jet;
-use crate::series::truncated::product;
+use crate::series::truncated::{composition, product};
 use crate::watch::Watch;
 
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
@@ -20,23 +21,24 @@ pub(crate) fn agrees_with_the_potential<R: Ring>(
     watch: &Watch<'_>,
 ) -> Option<bool> {
     let square = squared_energy_amplitude(ring, model, &set.x_max, watch)?;
-    if !same(&square, &squared_energy_amplitude(ring, model, &set.x_min, watch)?) {
+    if !are_opposite(ring, model, set)
+        && !same(&square, &squared_energy_amplitude(ring, model, &set.x_min, watch)?)
+    {
         return Some(false);
     }
     let x = displacement(ring, &model.tape, model.values.clone(), &model.omega0_squared, model.order)?;
     let by_square: Vec<R::Element> = period_ratio(ring, &x)?.into_iter().step_by(2).collect();
     let length = set.frequency.len();
-    let mut period = vec![ring.zero(); length];
-    for (n, coefficient) in by_square.iter().enumerate().rev() {
-        if watch.reached(2 * n).is_err() {
-            return None;
-        }
-        period = product(ring, &period, &square, length);
-        period[0] = ring.add(&period[0], coefficient);
-    }
+    let period = composition(ring, &by_square, &square, length, &|| watch.go_on().is_ok())?;
     let mut one = vec![ring.zero(); length];
     one[0] = ring.rational(&Rational::from(1))?;
     Some(same(&product(ring, &period, &set.frequency, length), &one))
+}
+
+/// Whether the turning points are opposite in an even potential, and so have the same energy.
+fn are_opposite<R: Ring>(ring: &R, model: &Model<R::Element>, set: &SeriesSet<R::Element>) -> bool {
+    let is_odd = matches!(model.motion, Motion::Centre { shape: Shape::Odd, .. });
+    is_odd && set.x_max.iter().zip(&set.x_min).all(|(max, min)| ring.is_zero(&ring.add(max, min)))
 }
 
 /// ρ² = 2V/ω0² at a displacement that is itself a series: −2/ω0²·∫ F dx.
@@ -133,7 +135,7 @@ pub(crate) fn agrees_with_plain_rationals(
     set: &SeriesSet<Rational>,
     watch: &Watch<'_>,
 ) -> Option<bool> {
-    let Some(square) = irrational_root(model) else {
+    let Some(square) = model.irrational_roots().next() else {
         let ring = HarmonicSums { numbers: Rationals };
         let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
         return (!watch.is_stopped()).then(|| plain.numbers() == set.numbers());
@@ -143,14 +145,4 @@ pub(crate) fn agrees_with_plain_rationals(
     let number = |number: &Rational| Some(field.ring.plain(number.clone()));
     let found = model.series(&ring, number, |square| field.root(square), watch)?;
     (!watch.is_stopped()).then(|| field.are(&found.numbers(), &set.numbers()))
-}
-
-/// What the computation takes the root of, where that is no fraction.
-fn irrational_root(model: &Model<Rational>) -> Option<&Rational> {
-    let unit = match &model.motion {
-        Motion::LimitCycle(selected) => Some(&selected.unit_squared),
-        Motion::Centre { .. } => None,
-    };
-    let omega0_squared = model.uses_velocity.then_some(&model.omega0_squared);
-    omega0_squared.into_iter().chain(unit).find(|square| square.square_root().is_none())
 }

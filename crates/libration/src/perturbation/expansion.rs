@@ -110,8 +110,8 @@ pub struct AmplitudeSeries<C = Rational> {
     pub harmonics: Vec<(usize, Vec<C>)>,
 }
 
-/// How an answer was checked. The series are always found modulo many primes, put together, and compared with two
-/// fresh primes of 62 bits.
+/// How an answer was checked. The series are always found modulo many primes, put together, and compared with five
+/// fresh primes of 30 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Certificate {

@@ -3,7 +3,7 @@
 //! About either of these phases x = Σ cⱼ(μ)·σʲ, and the root σ(μ) of dx/dσ next to it has no constant term, so that
 //! each of its coefficients follows from those before it.
 
-use super::half_turns::{BothTurns, half_turns};
+use super::half_turns::BothTurns;
 use super::lindstedt::Family;
 use crate::algebra::{HarmonicPair, Rational, Ring};
 use crate::series::truncated::product;
@@ -11,39 +11,68 @@ use crate::series::truncated::product;
 /// The largest and the smallest displacement of a motion that has them at τ = 0 and τ = π when the variable is zero.
 /// `None` when a number is not in the ring.
 pub(crate) fn extremes<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<BothTurns<R::Element>> {
-    let (at_zero, at_pi): (Vec<_>, Vec<_>) = taylor(ring, family)?.into_iter().unzip();
-    Some((extreme(ring, &at_zero)?, extreme(ring, &at_pi)?))
-}
-
-/// The displacement and its first derivatives dʲx/dτʲ/j! at τ = 0 and τ = π: one more than the series has powers.
-fn taylor<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option<Vec<BothTurns<R::Element>>> {
-    let mut derivative = family.clone();
-    let mut inverse_factorial = ring.rational(&Rational::from(1))?;
-    let mut taylor = vec![half_turns(ring, family)];
-    for j in 1..=family.frequency.len() {
-        differentiate(ring, &mut derivative)?;
-        inverse_factorial = ring.over_integer(&inverse_factorial, u64::try_from(j).ok()?)?;
-        let scaled = |series: Vec<R::Element>| -> Vec<R::Element> {
-            series.iter().map(|c| ring.multiply(c, &inverse_factorial)).collect()
-        };
-        let (at_zero, at_pi) = half_turns(ring, &derivative);
-        taylor.push((scaled(at_zero), scaled(at_pi)));
+    let [even, odd] = [Harmonics::new(ring, family, 0), Harmonics::new(ring, family, 1)];
+    let odd = taylor(ring, family, odd)?;
+    if even.vanish() {
+        let x_max = extreme(ring, &odd)?;
+        let x_min = x_max.iter().map(|a| ring.negate(a)).collect();
+        return Some((x_max, x_min));
     }
-    Some(taylor)
+    let even = taylor(ring, family, even)?;
+    // Half a turn on, the odd harmonics have the other sign.
+    let combined = |combine: fn(&R, &R::Element, &R::Element) -> R::Element| -> Vec<Vec<R::Element>> {
+        let row = |(a, b): (&Vec<_>, &Vec<_>)| a.iter().zip(b).map(|(a, b)| combine(ring, a, b)).collect();
+        even.iter().zip(&odd).map(row).collect()
+    };
+    Some((extreme(ring, &combined(R::add))?, extreme(ring, &combined(R::subtract))?))
 }
 
-/// dx/dτ in the place of x.
-fn differentiate<R: Ring>(ring: &R, family: &mut Family<R::Element>) -> Option<()> {
-    let absent = |h: &HarmonicPair<R::Element>| ring.is_zero(&h.cosine) && ring.is_zero(&h.sine);
-    for (k, harmonic) in family.harmonics.iter_mut().enumerate() {
-        let k = i64::try_from(k).ok()?;
-        for coefficient in harmonic.iter_mut().filter(|coefficient| !absent(coefficient)) {
-            let cosine = ring.times_integer(&coefficient.sine, k);
-            let sine = ring.times_integer(&coefficient.cosine, -k);
-            *coefficient = HarmonicPair { cosine, sine };
+/// The harmonics whose number is even, or odd.
+struct Harmonics<E> {
+    k: Vec<i64>,
+    /// Cosines and sines by order, from the highest harmonic down; nothing where all are zero.
+    coefficients: [Vec<Vec<E>>; 2],
+}
+
+impl<E: Clone> Harmonics<E> {
+    fn new<R: Ring<Element = E>>(ring: &R, family: &Family<E>, parity: usize) -> Self {
+        let present: Vec<usize> = (parity..family.harmonics.len()).step_by(2).collect();
+        let of_order = |n: usize, part: fn(&HarmonicPair<E>) -> &E| -> Vec<E> {
+            let list: Vec<E> = present.iter().rev().map(|&k| part(&family.harmonics[k][n]).clone()).collect();
+            if list.iter().all(|a| ring.is_zero(a)) { vec![] } else { list }
+        };
+        let orders = family.harmonics.first().map_or(0, Vec::len);
+        let all = |part| (0..orders).map(|n| of_order(n, part)).collect();
+        let coefficients = [all(|pair| &pair.cosine), all(|pair| &pair.sine)];
+        Self { k: present.into_iter().filter_map(|k| i64::try_from(k).ok()).collect(), coefficients }
+    }
+
+    fn vanish(&self) -> bool {
+        self.coefficients.iter().flatten().all(Vec::is_empty)
+    }
+}
+
+/// The part of displacement and derivatives dʲx/dτʲ/j! at τ = 0 that some harmonics have: one derivative more than the series has powers.
+fn taylor<R: Ring>(
+    ring: &R,
+    family: &Family<R::Element>,
+    harmonics: Harmonics<R::Element>,
+) -> Option<Vec<Vec<R::Element>>> {
+    // kʲ/j!
+    let mut weights = vec![ring.rational(&Rational::from(1))?; harmonics.k.len()];
+    let mut taylor = vec![];
+    for j in 0..=family.frequency.len() {
+        let sum = |list: &Vec<R::Element>| {
+            let sum = if list.is_empty() { ring.zero() } else { ring.convolution(&weights, list) };
+            // Derivatives of a cosine are −sin, −cos, sin, those of a sine cos, −sin, −cos.
+            if j % 4 < 2 { sum } else { ring.negate(&sum) }
+        };
+        taylor.push(harmonics.coefficients[j % 2].iter().map(sum).collect());
+        for (weight, &k) in weights.iter_mut().zip(&harmonics.k) {
+            *weight = ring.over_integer(&ring.times_integer(weight, k), u64::try_from(j + 1).ok()?)?;
         }
     }
-    Some(())
+    Some(taylor)
 }
 
 /// Σ cⱼσʲ where its derivative vanishes.

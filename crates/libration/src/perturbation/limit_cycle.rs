@@ -95,16 +95,24 @@ struct Expansion<'a, R: PhaseRing> {
     compliance: Number<R>,
     squared: Vec<Number<R>>,
     frequency: Vec<Number<R>>,
-    /// xₙₖ by n and k.
-    orders: Vec<Vec<HarmonicPair<Number<R>>>>,
+    /// xₙₖ by k and n.
+    harmonics: Vec<Waves<Number<R>>>,
+    /// How many orders are solved, the zeroth included.
+    solved: usize,
+}
+
+/// The coefficients of one harmonic by powers of μ.
+struct Waves<N> {
+    cosines: Vec<N>,
+    sines: Vec<N>,
 }
 
 impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn new(ring: &'a R, excitation: &'a Excitation<'a, R>) -> Option<Self> {
         let numbers = ring.numbers();
         let (zero, one) = (numbers.zero(), numbers.rational(&1.into())?);
-        let nothing = HarmonicPair { cosine: zero.clone(), sine: zero.clone() };
-        let first = HarmonicPair { cosine: excitation.amplitude.clone(), sine: zero };
+        let nothing = Waves { cosines: vec![zero.clone()], sines: vec![zero.clone()] };
+        let first = Waves { cosines: vec![excitation.amplitude.clone()], sines: vec![zero] };
         let jet = start(ring, excitation.tape, &excitation.omega0, &excitation.amplitude)?;
         Some(Self {
             ring,
@@ -115,7 +123,8 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             jet,
             squared: vec![one.clone()],
             frequency: vec![one],
-            orders: vec![vec![nothing, first]],
+            harmonics: vec![nothing, first],
+            solved: 1,
         })
     }
 
@@ -123,29 +132,48 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
     fn extend(&mut self) -> Option<()> {
         let numbers = self.ring.numbers();
         let rest = self.settle_amplitude()?;
-        let n = self.orders.len();
-        let secular = numbers.add(&self.driving(&rest, 1).cosine, &self.mixed(1).cosine);
+        let n = self.solved;
+        let highest = highest_harmonic(self.excitation.degree, n);
+        let forced: Vec<usize> =
+            (0..=highest).filter(|k| *k != 1 && !(self.excitation.symmetric && k % 2 == 0)).collect();
+        let wanted: Vec<usize> = std::iter::once(1).chain(forced).collect();
+        let driving = self.driving(&rest, &wanted);
+        let secular = numbers.add(&driving[0].cosine, &self.mixed(1).cosine);
         let next = numbers.divide(&numbers.negate(&secular), &self.excitation.amplitude)?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
-        let nothing = || HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() };
-        let symmetric = self.excitation.symmetric;
-        let forced = (0..=highest_harmonic(self.excitation.degree, n))
-            .map(
-                |k| if k == 1 || (symmetric && k % 2 == 0) { Some(nothing()) } else { self.forced(&rest, k) },
-            )
-            .collect::<Option<Vec<_>>>()?;
-        self.orders.push(forced);
-        let position = self.sum_of(&self.orders[n]);
+        let answers = wanted[1..].iter().zip(&driving[1..]);
+        let answers = answers.map(|(&k, driving)| Some((k, self.forced(driving, k)?)));
+        let answers = answers.collect::<Option<Vec<_>>>()?;
+        self.keep(highest, answers);
+        let position = self.ring.sum_of_harmonics(&self.of_order(n));
         self.jet.amend(&self.position_gains, &position);
         let velocity = self.velocity(n)?;
         self.jet.amend(&self.velocity_gains, &velocity);
         Some(())
     }
 
+    /// Takes in the harmonics of the next order.
+    fn keep(&mut self, highest: usize, answers: Vec<(usize, HarmonicPair<Number<R>>)>) {
+        let zero = self.ring.numbers().zero();
+        let nothing = || vec![zero.clone(); self.solved];
+        while self.harmonics.len() <= highest {
+            self.harmonics.push(Waves { cosines: nothing(), sines: nothing() });
+        }
+        self.solved += 1;
+        for (k, answer) in answers {
+            self.harmonics[k].cosines.push(answer.cosine);
+            self.harmonics[k].sines.push(answer.sine);
+        }
+        for waves in &mut self.harmonics {
+            waves.cosines.resize(self.solved, zero.clone());
+            waves.sines.resize(self.solved, zero.clone());
+        }
+    }
+
     /// The acceleration of the next order, after the open amplitude of cos τ is chosen so that it has no sin τ.
     fn settle_amplitude(&mut self) -> Option<R::Element> {
-        let (ring, numbers, n) = (self.ring, self.ring.numbers(), self.orders.len());
+        let (ring, numbers, n) = (self.ring, self.ring.numbers(), self.solved);
         self.jet.extend(&next_inputs(ring, n)?).ok()?;
         let rest = self.jet.result(0)[n].clone();
         let sine = ring.harmonic(&rest, 1).sine;
@@ -154,7 +182,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         }
         let amplitude = numbers.divide(&numbers.negate(&sine), &self.excitation.slope)?;
         self.jet.shorten();
-        self.orders[n - 1][1].cosine = amplitude.clone();
+        self.harmonics[1].cosines[n - 1] = amplitude.clone();
         let position = HarmonicPair { cosine: amplitude.clone(), sine: numbers.zero() };
         let speed = numbers.negate(&numbers.multiply(&self.excitation.omega0, &amplitude));
         let velocity = HarmonicPair { cosine: numbers.zero(), sine: speed };
@@ -164,12 +192,13 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         Some(self.jet.result(0)[n].clone())
     }
 
-    fn forced(&self, rest: &R::Element, k: usize) -> Option<HarmonicPair<Number<R>>> {
+    /// The harmonic that its driving, the Rₙₖ/ω0², forces.
+    fn forced(&self, driving: &HarmonicPair<Number<R>>, k: usize) -> Option<HarmonicPair<Number<R>>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
         let detunings =
             if k == 0 { [1, 1] } else { [u64::try_from(k).ok()? - 1, u64::try_from(k).ok()? + 1] };
-        let (driving, mixed) = (self.driving(rest, k), self.mixed(k));
+        let mixed = self.mixed(k);
         let respond = |driving: &Number<R>, mixed: &Number<R>| {
             let forcing = numbers.add(driving, &numbers.times_integer(mixed, k_squared));
             let response =
@@ -182,58 +211,54 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         })
     }
 
-    /// Rₙₖ/ω0².
-    fn driving(&self, rest: &R::Element, k: usize) -> HarmonicPair<Number<R>> {
+    /// Rₙₖ/ω0² for some k.
+    fn driving(&self, rest: &R::Element, wanted: &[usize]) -> Vec<HarmonicPair<Number<R>>> {
         let numbers = self.ring.numbers();
-        let HarmonicPair { cosine, sine } = self.ring.harmonic(rest, k);
-        HarmonicPair {
+        let scaled = |HarmonicPair { cosine, sine }| HarmonicPair {
             cosine: numbers.multiply(&cosine, &self.compliance),
             sine: numbers.multiply(&sine, &self.compliance),
-        }
+        };
+        self.ring.harmonics(rest, wanted).into_iter().map(scaled).collect()
     }
 
     /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 where k ≠ 1 and it is nothing.
     fn mixed(&self, k: usize) -> HarmonicPair<Number<R>> {
-        let (numbers, n) = (self.ring.numbers(), self.orders.len());
-        let sum = |part: fn(&HarmonicPair<Number<R>>) -> &Number<R>| {
-            let terms = (1..n).filter_map(|j| Some((&self.squared[n - j], part(self.orders[j].get(k)?))));
-            let terms = terms.filter(|(w, x)| !numbers.is_zero(w) && !numbers.is_zero(x));
-            terms.fold(numbers.zero(), |sum, (w, x)| numbers.add(&sum, &numbers.multiply(w, x)))
-        };
-        HarmonicPair { cosine: sum(|h| &h.cosine), sine: sum(|h| &h.sine) }
+        let (numbers, n) = (self.ring.numbers(), self.solved);
+        let sum = |x: &[Number<R>]| numbers.convolution(&self.squared[1..n], &x[1..n]);
+        match self.harmonics.get(k) {
+            Some(waves) => HarmonicPair { cosine: sum(&waves.cosines), sine: sum(&waves.sines) },
+            None => HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() },
+        }
     }
 
-    fn sum_of(&self, harmonics: &[HarmonicPair<Number<R>>]) -> R::Element {
-        let terms: Vec<_> = harmonics.iter().cloned().enumerate().collect();
-        self.ring.sum_of_harmonics(&terms)
+    /// The harmonics of one order.
+    fn of_order(&self, n: usize) -> Vec<(usize, HarmonicPair<Number<R>>)> {
+        let pair = |waves: &Waves<Number<R>>| HarmonicPair {
+            cosine: waves.cosines[n].clone(),
+            sine: waves.sines[n].clone(),
+        };
+        self.harmonics.iter().map(pair).enumerate().collect()
     }
 
     /// The velocity of order n, ω0·Σ wₙ₋ⱼ·dxⱼ/dτ.
     fn velocity(&self, n: usize) -> Option<R::Element> {
-        let (ring, numbers) = (self.ring, self.ring.numbers());
-        let highest = self.orders[n].len();
-        let mut slopes = vec![HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() }; highest];
-        for (j, order) in self.orders.iter().enumerate() {
-            let w = &self.frequency[n - j];
-            for (k, (slope, x)) in slopes.iter_mut().zip(order).enumerate() {
-                let k = i64::try_from(k).ok()?;
-                let cosine = numbers.times_integer(&numbers.multiply(w, &x.sine), k);
-                let sine = numbers.times_integer(&numbers.multiply(w, &x.cosine), -k);
-                slope.cosine = numbers.add(&slope.cosine, &cosine);
-                slope.sine = numbers.add(&slope.sine, &sine);
-            }
-        }
-        Some(ring.times_number(&self.sum_of(&slopes), &self.excitation.omega0))
+        let numbers = self.ring.numbers();
+        let sum = |x: &[Number<R>]| numbers.convolution(&self.frequency[..=n], &x[..=n]);
+        let slope = |(k, waves): (usize, &Waves<Number<R>>)| {
+            let factor = numbers.times_integer(&self.excitation.omega0, i64::try_from(k).ok()?);
+            let cosine = numbers.multiply(&sum(&waves.sines), &factor);
+            let sine = numbers.negate(&numbers.multiply(&sum(&waves.cosines), &factor));
+            Some((k, HarmonicPair { cosine, sine }))
+        };
+        let slopes = self.harmonics.iter().enumerate().map(slope).collect::<Option<Vec<_>>>()?;
+        Some(self.ring.sum_of_harmonics(&slopes))
     }
 
     fn into_family(self) -> Family<Number<R>> {
-        let numbers = self.ring.numbers();
-        let highest = self.orders.last().map_or(0, Vec::len);
-        let nothing = HarmonicPair { cosine: numbers.zero(), sine: numbers.zero() };
-        let coefficient =
-            |order: &Vec<HarmonicPair<Number<R>>>, k: usize| order.get(k).unwrap_or(&nothing).clone();
-        let harmonics =
-            (0..highest).map(|k| self.orders.iter().map(|order| coefficient(order, k)).collect()).collect();
-        Family { frequency: self.frequency, harmonics }
+        let pairs = |waves: Waves<Number<R>>| {
+            let pairs = waves.cosines.into_iter().zip(waves.sines);
+            pairs.map(|(cosine, sine)| HarmonicPair { cosine, sine }).collect()
+        };
+        Family { frequency: self.frequency, harmonics: self.harmonics.into_iter().map(pairs).collect() }
     }
 }

@@ -108,8 +108,10 @@ struct Expansion<'a, R: PhaseRing> {
     /// W₀, W₁, ….
     squared: Vec<Number<R>>,
     frequency: Vec<Number<R>>,
-    /// xₙₖ by n and k.
-    coefficients: Vec<Vec<Number<R>>>,
+    /// xₙₖ by k and n.
+    harmonics: Vec<Vec<Number<R>>>,
+    /// How many orders are solved, the zeroth included.
+    solved: usize,
 }
 
 /// What the coefficients of x and of x′ change.
@@ -134,49 +136,63 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
             wave: centre.wave,
             squared: vec![one.clone()],
             frequency: vec![one],
-            coefficients: vec![vec![]],
+            harmonics: vec![],
+            solved: 1,
         })
     }
 
     /// Solves the equations of the next order, in which only these harmonics are present.
     fn extend(&mut self, gauge: &Number<R>, harmonics: &[usize]) -> Option<()> {
-        let (ring, n) = (self.ring, self.coefficients.len());
+        let (ring, n) = (self.ring, self.solved);
+        let numbers = ring.numbers();
         self.jet.extend(&vec![ring.zero(); self.inputs]).ok()?;
         let rest = self.jet.result(0)[n].clone();
+        let driving = self.driving(&rest, harmonics);
+        let first = harmonics.iter().position(|&k| k == 1);
         if n > 1 {
-            let secular = if harmonics.contains(&1) { self.secular(&rest) } else { ring.numbers().zero() };
+            let secular =
+                first.map_or_else(|| numbers.zero(), |at| numbers.add(&driving[at], &self.mixed(1)));
             self.impose_solvability(&secular)?;
         }
-        let mut coefficients = vec![ring.numbers().zero(); n + 1];
-        for &k in harmonics {
-            coefficients[k] = if k == 1 { gauge.clone() } else { self.forced(&rest, k)? };
-        }
-        self.coefficients.push(coefficients);
-        let position = self.sum(n, |_, a| self.wave.pair(a.clone(), ring.numbers().zero()));
-        self.jet.amend(&self.gains.position, &position);
+        let forced = |(&k, driving): (&usize, &Number<R>)| {
+            Some((k, if k == 1 { gauge.clone() } else { self.forced(driving, k)? }))
+        };
+        let answers = harmonics.iter().zip(&driving).map(forced).collect::<Option<Vec<_>>>()?;
+        let position: Vec<_> =
+            answers.iter().map(|(k, a)| (*k, self.wave.pair(a.clone(), numbers.zero()))).collect();
+        self.keep(answers);
+        self.jet.amend(&self.gains.position, &ring.sum_of_harmonics(&position));
         self.amend_velocity(n);
         Some(())
     }
 
-    /// What drives the first harmonic at order n without Wₙ₋₁.
-    fn secular(&self, rest: &R::Element) -> Number<R> {
-        self.ring.numbers().add(&self.driving(rest, 1), &self.mixed(1))
+    /// Takes in the harmonics of the next order.
+    fn keep(&mut self, answers: Vec<(usize, Number<R>)>) {
+        let zero = self.ring.numbers().zero();
+        self.harmonics.resize(self.solved + 1, vec![zero.clone(); self.solved]);
+        self.solved += 1;
+        for (k, answer) in answers {
+            self.harmonics[k].push(answer);
+        }
+        for series in &mut self.harmonics {
+            series.resize(self.solved, zero.clone());
+        }
     }
 
     /// Wₙ₋₁ from the first harmonic of order n.
     fn impose_solvability(&mut self, secular: &Number<R>) -> Option<()> {
         let numbers = self.ring.numbers();
-        let next = numbers.divide(&numbers.negate(secular), &self.coefficients[1][1])?;
+        let next = numbers.divide(&numbers.negate(secular), &self.harmonics[1][1])?;
         self.frequency.push(next_square_root(numbers, &next, &self.frequency)?);
         self.squared.push(next);
         Some(())
     }
 
-    /// The k-th harmonic that the lower orders force, k ≠ 1.
-    fn forced(&self, rest: &R::Element, k: usize) -> Option<Number<R>> {
+    /// The k-th harmonic that its driving and the lower orders force, k ≠ 1.
+    fn forced(&self, driving: &Number<R>, k: usize) -> Option<Number<R>> {
         let numbers = self.ring.numbers();
         let k_squared = i64::try_from(k * k).ok()?;
-        let forcing = numbers.add(&self.driving(rest, k), &numbers.times_integer(&self.mixed(k), k_squared));
+        let forcing = numbers.add(driving, &numbers.times_integer(&self.mixed(k), k_squared));
         if k == 0 {
             return Some(forcing);
         }
@@ -185,48 +201,38 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         Some(numbers.negate(&response))
     }
 
-    /// Rₙₖ/ω0².
-    fn driving(&self, rest: &R::Element, k: usize) -> Number<R> {
-        self.ring.numbers().multiply(&self.wave.of(self.ring.harmonic(rest, k)), &self.compliance)
+    /// Rₙₖ/ω0² for some k.
+    fn driving(&self, rest: &R::Element, wanted: &[usize]) -> Vec<Number<R>> {
+        let scaled = |pair| self.ring.numbers().multiply(&self.wave.of(pair), &self.compliance);
+        self.ring.harmonics(rest, wanted).into_iter().map(scaled).collect()
     }
 
-    /// Σ Wₙ₋ⱼ·xⱼₖ over 1 < j < n, and j = 1 where W is known and k ≠ 1.
+    /// Σ Wₙ₋ⱼ·xⱼₖ over 1 < j < n, and j = 1 where W is known and k ≠ 1; there is no k-th harmonic below order k.
     fn mixed(&self, k: usize) -> Number<R> {
-        let (numbers, n) = (self.ring.numbers(), self.coefficients.len());
-        let products = (2..n).filter_map(|j| {
-            let (w, x) = (&self.squared[n - j], self.coefficients[j].get(k)?);
-            (!numbers.is_zero(w) && !numbers.is_zero(x)).then(|| numbers.multiply(w, x))
-        });
-        products.fold(numbers.zero(), |sum, product| numbers.add(&sum, &product))
-    }
-
-    /// The harmonics of order n as a sum, each as it is told.
-    fn sum(&self, n: usize, harmonic: impl Fn(usize, &Number<R>) -> HarmonicPair<Number<R>>) -> R::Element {
-        let present =
-            self.coefficients[n].iter().enumerate().filter(|(_, a)| !self.ring.numbers().is_zero(a));
-        self.ring.sum_of_harmonics(&present.map(|(k, a)| (k, harmonic(k, a))).collect::<Vec<_>>())
+        let (numbers, n, first) = (self.ring.numbers(), self.solved, k.max(2));
+        match self.harmonics.get(k) {
+            Some(series) if first < n => numbers.convolution(&self.squared[1..=n - first], &series[first..n]),
+            _ => numbers.zero(),
+        }
     }
 
     /// The velocity of order n, ω0·Σ wₙ₋ⱼ·dxⱼ/dτ.
     fn amend_velocity(&mut self, n: usize) {
         let (Some(omega0), Some(gains)) = (&self.omega0, &self.gains.velocity) else { return };
-        let (ring, numbers) = (self.ring, self.ring.numbers());
-        let mut velocity = ring.zero();
-        for j in 1..=n {
-            let factor = numbers.multiply(omega0, &self.frequency[n - j]);
-            let slope = self.sum(j, |k, a| self.wave.slope(numbers, k, a));
-            velocity = ring.add(&velocity, &ring.times_number(&slope, &factor));
-        }
-        self.jet.amend(gains, &velocity);
+        let numbers = self.ring.numbers();
+        let slope = |(k, series): (usize, &Vec<Number<R>>)| {
+            let sum = numbers.convolution(&self.frequency[..n], &series[1..=n]);
+            (k, self.wave.slope(numbers, k, &numbers.multiply(omega0, &sum)))
+        };
+        let velocity: Vec<_> = self.harmonics.iter().enumerate().map(slope).collect();
+        self.jet.amend(gains, &self.ring.sum_of_harmonics(&velocity));
     }
 
     fn into_family(self) -> Family<Number<R>> {
         let zero = self.ring.numbers().zero();
-        let order = self.coefficients.len() - 1;
-        let coefficient = |k: usize, n: usize| {
-            self.wave.pair(self.coefficients[n].get(k).unwrap_or(&zero).clone(), zero.clone())
+        let pairs = |series: Vec<Number<R>>| {
+            series.into_iter().map(|number| self.wave.pair(number, zero.clone())).collect()
         };
-        let harmonics = (0..=order).map(|k| (0..=order).map(|n| coefficient(k, n)).collect()).collect();
-        Family { frequency: self.frequency, harmonics }
+        Family { frequency: self.frequency, harmonics: self.harmonics.into_iter().map(pairs).collect() }
     }
 }

@@ -147,6 +147,18 @@ impl<N> Model<N> {
     }
 }
 
+impl Model<Rational> {
+    /// What the computation takes the root of, where that is no fraction.
+    pub(crate) fn irrational_roots(&self) -> impl Iterator<Item = &Rational> {
+        let unit = match &self.motion {
+            Motion::LimitCycle(selected) => Some(&selected.unit_squared),
+            Motion::Centre { .. } => None,
+        };
+        let omega0_squared = self.uses_velocity.then_some(&self.omega0_squared);
+        omega0_squared.into_iter().chain(unit).filter(|square| square.square_root().is_none())
+    }
+}
+
 /// The pendulum's first harmonic 8√q/(1 + q) with ε = 8√q.
 fn of_nome<R: Ring>(ring: &R, order: usize) -> Option<Vec<R::Element>> {
     let mut term = ring.rational(&Rational::from(1))?;

@@ -5,15 +5,13 @@ use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
 
 use crate::algebra::{
-    Images, PrimeField, Rational, Ring, SampledHarmonics, Stopped, Symmetry, primes_with_roots, reconstruct,
+    Images, Place, PrimeField, PrimeFields, Rational, Residues, Ring, SampledHarmonics, Stopped, Symmetry,
+    primes_with_roots, reconstruct,
 };
 use crate::watch::{Stage, Watch};
 
-/// Roots of unity of order 2²⁰ are in every field used, enough for half a million harmonics.
-const LOG_ROOTS: u32 = 20;
-
 /// More primes than any order that is allowed needs.
-const MOST_PRIMES: usize = 4000;
+const MOST_PRIMES: usize = 8000;
 
 /// The series modulo as many primes as it takes.
 pub(crate) fn exact_series(
@@ -21,12 +19,17 @@ pub(crate) fn exact_series(
     watch: &Watch<'_>,
 ) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
-    let numbers = match reconstruct(&mut images, primes_with_roots(LOG_ROOTS).take(MOST_PRIMES)) {
+    let points = SampledHarmonics::period(model.highest_harmonic());
+    // Only half of all primes have such a root.
+    let squares: Vec<&Rational> = model.irrational_roots().collect();
+    let has_roots =
+        |&prime: &u32| squares.iter().all(|square| root(&PrimeField::new(prime), square).is_some());
+    let primes = primes_with_roots(points.trailing_zeros()).take(MOST_PRIMES).filter(has_roots);
+    let numbers = match reconstruct(&mut images, primes) {
         Ok(numbers) => numbers.ok_or(Unsolved::NoPrimes)?,
         Err(Stopped { error: NoImage::NoPrimes, .. }) => return Err(Unsolved::NoPrimes),
-        Err(Stopped { error: NoImage::Interrupted, residues }) => {
-            let known = images.shape.and_then(|shape| {
-                let (numbers, complete) = residues.of_low_orders(&shape.orders(model.order))?;
+        Err(Stopped { error: NoImage::Interrupted, known }) => {
+            let known = images.shape.zip(known).and_then(|(shape, (numbers, complete))| {
                 let set = shape.with_numbers(numbers.into_iter())?.without_last(model.order - complete);
                 (complete > 0).then_some(set)
             });
@@ -58,8 +61,8 @@ fn symmetry(model: &Model<Rational>) -> Symmetry {
     }
 }
 
-/// After this many primes in a row without an image it is not the primes that are bad.
-const MOST_BAD_PRIMES: usize = 64;
+/// After this many groups of primes in a row without an image it is not the primes that are bad.
+const MOST_BAD_GROUPS: usize = 8;
 
 /// Why there is no image.
 enum NoImage {
@@ -73,21 +76,21 @@ struct ModelImages<'a> {
     watch: &'a Watch<'a>,
     done: usize,
     bad: usize,
-    /// The set of the first prime, for the lengths of its lists.
-    shape: Option<SeriesSet<u64>>,
+    /// The set modulo the first primes, for the lengths of its lists.
+    shape: Option<SeriesSet<Residues>>,
 }
 
 impl Images for ModelImages<'_> {
     type Error = NoImage;
 
-    fn image(&mut self, field: &PrimeField) -> Result<Option<Vec<u64>>, NoImage> {
+    fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, NoImage> {
         self.watch.begin(Stage::Prime { done: self.done }, Some(self.model.order));
         let degree = self.model.highest_harmonic();
-        let set = SampledHarmonics::new(field.clone(), degree, self.symmetry).and_then(|ring| {
+        let set = SampledHarmonics::new(fields.clone(), degree, self.symmetry).and_then(|ring| {
             self.model.series(
                 &ring,
-                |number| field.rational(number),
-                |square| root(field, square),
+                |number| fields.rational(number),
+                |square| fields.in_each(|field| root(field, square)),
                 self.watch,
             )
         });
@@ -96,12 +99,16 @@ impl Images for ModelImages<'_> {
         }
         let Some(set) = set else {
             self.bad += 1;
-            return if self.bad > MOST_BAD_PRIMES { Err(NoImage::NoPrimes) } else { Ok(None) };
+            return if self.bad > MOST_BAD_GROUPS { Err(NoImage::NoPrimes) } else { Ok(None) };
         };
-        (self.bad, self.done) = (0, self.done + 1);
+        (self.bad, self.done) = (0, self.done + fields.primes().len());
         let numbers = set.numbers();
         self.shape.get_or_insert(set);
         Ok(Some(numbers))
+    }
+
+    fn places(&self) -> Vec<Place> {
+        self.shape.as_ref().map_or_else(Vec::new, |shape| shape.places(self.model.order))
     }
 
     fn go_on(&mut self, primes: usize) -> Result<(), NoImage> {
@@ -111,9 +118,9 @@ impl Images for ModelImages<'_> {
 }
 
 /// The root itself where it is a fraction, else one of the two in the field.
-fn root(field: &PrimeField, square: &Rational) -> Option<u64> {
+fn root(field: &PrimeField, square: &Rational) -> Option<u32> {
     match square.square_root() {
-        Some(root) => field.rational(&root),
-        None => field.square_root(field.rational(square)?),
+        Some(root) => field.fraction(&root),
+        None => field.square_root(field.fraction(square)?),
     }
 }

@@ -4,7 +4,7 @@
 use super::half_turns::BothTurns;
 use super::lindstedt::{Family, Wave};
 use super::shape::Shape;
-use crate::algebra::{HarmonicPair, Ring};
+use crate::algebra::{HarmonicPair, Place, Ring};
 use crate::series::truncated::{SeriesPowers, powers, powers_of_inverse, reciprocal};
 
 /// The series of a family by powers of its variable, and of its amplitudes.
@@ -73,27 +73,27 @@ impl<E: Clone> SeriesSet<E> {
     }
 
     /// For each number, in the order of [`Self::numbers`], the least order of an expansion that has it, where this one goes
-    /// to `order`.
-    pub(crate) fn orders(&self, order: usize) -> Vec<usize> {
-        let of = |series: &[E]| orders_of(series.len(), order);
-        let of_amplitude = |of_own: &OfAmplitude<E>| OfAmplitude {
-            frequency: of(&of_own.frequency),
-            period: of(&of_own.period),
-            epsilon: of(&of_own.epsilon),
-            harmonics: of_own.harmonics.iter().map(|series| of(series)).collect(),
+    /// to `order`; series by one variable are a family.
+    pub(crate) fn places(&self, order: usize) -> Vec<Place> {
+        let of = |family: usize, series: &[E]| places_of(family, series.len(), order);
+        let of_variable = |family: usize, of_own: &OfAmplitude<E>| OfAmplitude {
+            frequency: of(family, &of_own.frequency),
+            period: of(family, &of_own.period),
+            epsilon: of(family, &of_own.epsilon),
+            harmonics: of_own.harmonics.iter().map(|series| of(family, series)).collect(),
         };
-        let both = |n: usize| HarmonicPair { cosine: n, sine: n };
+        let both = |place: Place| HarmonicPair { cosine: place, sine: place };
         let of_harmonic =
-            |series: &Vec<HarmonicPair<E>>| orders_of(series.len(), order).into_iter().map(both).collect();
-        let orders = SeriesSet {
-            frequency: of(&self.frequency),
+            |series: &Vec<HarmonicPair<E>>| places_of(0, series.len(), order).into_iter().map(both).collect();
+        let places = SeriesSet {
+            frequency: of(0, &self.frequency),
             harmonics: self.harmonics.iter().map(of_harmonic).collect(),
-            x_max: of(&self.x_max),
-            x_min: of(&self.x_min),
-            of_amplitude: self.of_amplitude.as_ref().map(of_amplitude),
-            of_half_swing: self.of_half_swing.as_ref().map(of_amplitude),
+            x_max: of(0, &self.x_max),
+            x_min: of(0, &self.x_min),
+            of_amplitude: self.of_amplitude.as_ref().map(|it| of_variable(1, it)),
+            of_half_swing: self.of_half_swing.as_ref().map(|it| of_variable(2, it)),
         };
-        orders.numbers()
+        places.numbers()
     }
 
     /// The set of an expansion to a lower order.
@@ -170,9 +170,10 @@ impl<E: Clone> OfAmplitude<E> {
     }
 }
 
-/// The orders that the terms of a series belong to, whose last term belongs to the order of the expansion.
-fn orders_of(length: usize, order: usize) -> Vec<usize> {
-    (0..length).map(|n| (n + order + 1).saturating_sub(length)).collect()
+/// The places of the terms of a series, whose last term belongs to the order of the expansion.
+fn places_of(family: usize, length: usize, order: usize) -> Vec<Place> {
+    let place = |n: usize| Place { order: (n + order + 1).saturating_sub(length), family };
+    (0..length).map(place).collect()
 }
 
 /// The family with its variable replaced by a series in another one.

@@ -22,11 +22,32 @@ pub fn product<R: Ring>(ring: &R, a: &[R::Element], b: &[R::Element], length: us
     };
     let half = length.saturating_sub(p + q).div_ceil(2);
     let halves = ring.series_product(&every_second(a, p), &every_second(b, q), half);
-    let mut spread = vec![ring.zero(); length];
-    for (n, coefficient) in halves.into_iter().enumerate() {
-        spread[p + q + 2 * n] = coefficient;
+    spread(ring, halves, p + q, length)
+}
+
+/// Every second coefficient from `first` on, the others being zero.
+fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usize) -> Vec<R::Element> {
+    let mut all = vec![ring.zero(); length];
+    for (place, coefficient) in all.iter_mut().skip(first).step_by(2).zip(halves) {
+        *place = coefficient;
     }
-    spread
+    all
+}
+
+/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is asked at each step; `None` when
+/// it says no.
+pub(crate) fn composition<R: Ring>(
+    ring: &R,
+    outer: &[R::Element],
+    inner: &[R::Element],
+    length: usize,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<R::Element>> {
+    if parity(ring, inner) != Some(0) {
+        return ring.series_composition(outer, inner, length, go_on);
+    }
+    let halves = ring.series_composition(outer, &every_second(inner, 0), length.div_ceil(2), go_on)?;
+    Some(spread(ring, halves, 0, length))
 }
 
 /// As many coefficients of 1/a as a has; `None` when a₀ has no inverse.
@@ -69,7 +90,7 @@ pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Ele
         let next = product(ring, a, &powers[powers.len() - 1], length);
         powers.push(next);
     }
-    Some(SeriesPowers { powers })
+    Some(SeriesPowers::new(ring, &powers))
 }
 
 /// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula
@@ -89,33 +110,44 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPo
             powers[j][n] = ring.over_integer(&scaled, u64::try_from(n).ok()?)?;
         }
     }
-    Some(SeriesPowers { powers })
+    Some(SeriesPowers::new(ring, &powers))
 }
 
 /// The powers of a series without constant term, which is what it takes to compose with it.
 #[derive(Clone, Debug)]
 pub struct SeriesPowers<E> {
-    powers: Vec<Vec<E>>,
+    /// For each power of the variable its coefficients in the powers of the series, from the highest that has one down: in those of one parity
+    /// where the series is odd.
+    columns: Vec<Vec<E>>,
+    odd: bool,
+    first: Vec<E>,
 }
 
 impl<E: Clone> SeriesPowers<E> {
+    fn new<R: Ring<Element = E>>(ring: &R, powers: &[Vec<E>]) -> Self {
+        let odd = powers.get(1).is_some_and(|first| parity(ring, first) == Some(1));
+        let step = if odd { 2 } else { 1 };
+        let column = |n: usize| (0..=n).rev().step_by(step).map(|j| powers[j][n].clone()).collect();
+        let length = powers.first().map_or(0, Vec::len).min(powers.len());
+        let first = powers.get(1).cloned().unwrap_or_default();
+        Self { columns: (0..length).map(column).collect(), odd, first }
+    }
+
     /// The series itself.
     pub fn first(&self) -> Vec<E> {
-        self.powers.get(1).cloned().unwrap_or_default()
+        self.first.clone()
     }
 
     /// outer(inner(x)): as many coefficients as both determine.
     pub fn composed<R: Ring<Element = E>>(&self, ring: &R, outer: &[E]) -> Vec<E> {
-        let length = outer.len().min(self.powers.len());
-        let mut sums = vec![ring.zero(); length];
-        for (j, factor) in outer.iter().take(length).enumerate().filter(|(_, factor)| !ring.is_zero(factor)) {
-            for (sum, power) in sums.iter_mut().zip(&self.powers[j]).skip(j) {
-                if !ring.is_zero(power) {
-                    *sum = ring.add(sum, &ring.multiply(factor, power));
-                }
-            }
-        }
-        sums
+        let length = outer.len().min(self.columns.len());
+        let parts = if self.odd { [0, 1].map(|p| every_second(outer, p)) } else { [outer.to_vec(), vec![]] };
+        let vanish = [0, 1].map(|p| parts[p].iter().all(|factor| ring.is_zero(factor)));
+        let coefficient = |(n, column): (usize, &Vec<E>)| {
+            let part = if self.odd { n % 2 } else { 0 };
+            if vanish[part] { ring.zero() } else { ring.convolution(&parts[part][..column.len()], column) }
+        };
+        self.columns.iter().enumerate().take(length).map(coefficient).collect()
     }
 }
 

@@ -241,13 +241,13 @@ fn checked<C>(answer: &Answer<C>) -> String {
         Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
         Certificate::Potential => {
             "how the frequency depends on the turning points is proven by the reversion of the potential, \
-             the rest is confirmed modulo two further primes of 62 bits"
+             the rest is confirmed modulo five further primes of 30 bits"
         }
         Certificate::FirstIntegral => {
             "how the period depends on the amplitude is proven by the first integral, \
-             the rest is confirmed modulo two further primes of 62 bits"
+             the rest is confirmed modulo five further primes of 30 bits"
         }
-        Certificate::FreshPrimes => "confirmed modulo two further primes of 62 bits, not proven",
+        Certificate::FreshPrimes => "confirmed modulo five further primes of 30 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
         Certificate::Quadrature => "to 30 digits they are those that a quadrature gives",
         Certificate::Substitution | Certificate::Unchecked => "not checked by another road",

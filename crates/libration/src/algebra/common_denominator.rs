@@ -1,0 +1,162 @@
+//! Power series of fractions over one denominator: one greatest common divisor for a series, not one for each coefficient.
+
+use dashu::base::{Gcd, UnsignedAbs};
+use dashu::integer::{IBig, UBig};
+
+use super::{Rational, product};
+
+/// Σ nᵢxⁱ/d.
+#[derive(Clone, Debug)]
+pub(super) struct OverCommon {
+    numerators: Vec<IBig>,
+    denominator: UBig,
+}
+
+impl OverCommon {
+    /// Over the least common denominator.
+    pub(super) fn new(series: &[Rational]) -> Self {
+        let denominator = series.iter().fold(UBig::ONE, |common, one| lcm(common, one.parts().1));
+        let numerator = |fraction: &Rational| {
+            let (numerator, own) = fraction.parts();
+            numerator * IBig::from(&denominator / own)
+        };
+        Self { numerators: series.iter().map(numerator).collect(), denominator }
+    }
+
+    pub(super) fn into_fractions(self) -> Vec<Rational> {
+        let Self { numerators, denominator } = self;
+        numerators.into_iter().map(|sum| Rational::from_parts(sum, denominator.clone())).collect()
+    }
+
+    /// The first coefficients of the product.
+    pub(super) fn product(&self, other: &Self, length: usize) -> Self {
+        let first = |series: &Self| series.numerators.len().min(length);
+        let mut numerators = product(&self.numerators[..first(self)], &other.numerators[..first(other)]);
+        numerators.resize(length, IBig::ZERO);
+        Self { numerators, denominator: &self.denominator * &other.denominator }
+    }
+
+    /// Without the factors that all numerators share with the denominator.
+    fn reduced(self) -> Self {
+        let Self { numerators, denominator } = self;
+        // The last coefficients have the largest denominators, and so tell at once what is left over.
+        let excess =
+            numerators.iter().rev().filter(|n| !n.is_zero()).try_fold(denominator.clone(), |excess, n| {
+                if excess.is_one() { Err(()) } else { Ok(excess.gcd(n.unsigned_abs())) }
+            });
+        match excess {
+            Ok(excess) if !excess.is_one() => {
+                let divisor = IBig::from(excess.clone());
+                let numerators = numerators.into_iter().map(|n| n / &divisor).collect();
+                Self { numerators, denominator: denominator / excess }
+            }
+            _ => Self { numerators, denominator },
+        }
+    }
+
+    /// Σ factorⱼ·seriesⱼ to so many coefficients.
+    fn combination(factors: &[Rational], series: &[Self], length: usize) -> Self {
+        let under = |(factor, series): (&Rational, &Self)| factor.parts().1 * &series.denominator;
+        let denominators: Vec<UBig> = factors.iter().zip(series).map(under).collect();
+        let denominator = denominators.iter().fold(UBig::ONE, lcm);
+        let mut numerators = vec![IBig::ZERO; length];
+        for ((factor, series), own) in factors.iter().zip(series).zip(&denominators) {
+            let multiplier = factor.parts().0 * IBig::from(&denominator / own);
+            for (sum, numerator) in numerators.iter_mut().zip(&series.numerators) {
+                if !numerator.is_zero() {
+                    *sum += numerator * &multiplier;
+                }
+            }
+        }
+        Self { numerators, denominator }.reduced()
+    }
+
+    /// self + xᵏ·other.
+    fn plus_shifted(self, other: &Self, k: usize) -> Self {
+        let denominator = lcm(self.denominator.clone(), &other.denominator);
+        let (own, others) =
+            (IBig::from(&denominator / &self.denominator), IBig::from(&denominator / &other.denominator));
+        let mut numerators: Vec<IBig> = self.numerators.into_iter().map(|n| n * &own).collect();
+        for (sum, numerator) in numerators.iter_mut().skip(k).zip(&other.numerators) {
+            *sum += numerator * &others;
+        }
+        Self { numerators, denominator }.reduced()
+    }
+
+    /// Without the first coefficients.
+    fn skip(&self, coefficients: usize) -> Self {
+        let numerators = self.numerators.iter().skip(coefficients).cloned().collect();
+        Self { numerators, denominator: self.denominator.clone() }
+    }
+}
+
+fn lcm(common: UBig, denominator: &UBig) -> UBig {
+    if (&common % denominator).is_zero() {
+        common
+    } else {
+        let gcd = (&common).gcd(denominator);
+        common / gcd * denominator
+    }
+}
+
+/// The first coefficients of outer(inner(x)), the inner series without constant term, asking `go_on` at each step; `None` when told not to.
+///
+/// Reference: M. S. Paterson, L. J. Stockmeyer, SIAM J. Comput. 2, 60 (1973), doi:10.1137/0202007.
+pub(super) fn composition(
+    outer: &[Rational],
+    inner: &[Rational],
+    length: usize,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<Rational>> {
+    let outer = &outer[..outer.len().min(length)];
+    let step = outer.len().isqrt().max(1);
+    let inner = OverCommon::new(&inner[..inner.len().min(length)]);
+    let mut powers = vec![OverCommon { numerators: vec![IBig::ONE], denominator: UBig::ONE }];
+    for _ in 0..step {
+        go_on().then_some(())?;
+        powers.push(powers[powers.len() - 1].product(&inner, length).reduced());
+    }
+    let giant = powers.pop()?.skip(step);
+    let mut sum: Option<OverCommon> = None;
+    for (i, factors) in outer.chunks(step).enumerate().rev() {
+        go_on().then_some(())?;
+        // What is multiplied by the i-th power of the giant step loses as many coefficients.
+        let left = length - i * step;
+        let block = OverCommon::combination(factors, &powers, left);
+        sum = Some(match sum {
+            None => block,
+            Some(higher) => block.plus_shifted(&higher.product(&giant, left - step), step),
+        });
+    }
+    Some(sum.map_or_else(|| vec![Rational::from(0); length], OverCommon::into_fractions))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Rationals, Ring};
+    use super::*;
+
+    #[test]
+    fn steps_of_any_size_give_what_one_power_after_the_other_gives() {
+        let series = |seed: i64, length: i64| -> Vec<Rational> {
+            (0..length)
+                .map(|n| Rational::new(if n == 0 { 0 } else { seed - n * n }, n + seed).unwrap())
+                .collect()
+        };
+        for (outer, inner, length) in
+            [(0, 4, 5), (1, 3, 4), (5, 6, 4), (7, 12, 12), (12, 12, 12), (30, 9, 17)]
+        {
+            let (outer, inner) = (series(5, outer), series(3, inner));
+            let mut expected = vec![Rational::from(0); length];
+            for factor in outer.iter().take(length).rev() {
+                expected = Rationals.series_product(&expected, &inner, length);
+                expected[0] = expected[0].clone() + factor.clone();
+            }
+            assert_eq!(composition(&outer, &inner, length, &|| true), Some(expected));
+        }
+        let steps = std::cell::Cell::new(0);
+        let until =
+            |last| composition(&series(5, 30), &series(3, 30), 30, &|| steps.replace(steps.get() + 1) < last);
+        assert!(until(4).is_none() && until(100).is_some());
+    }
+}
