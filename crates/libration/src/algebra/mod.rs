@@ -17,6 +17,7 @@ mod common_denominator;
 mod complex;
 mod decimal_digits;
 mod doubles;
+mod expected_denominators;
 mod floats;
 mod function;
 mod harmonics;
@@ -37,6 +38,7 @@ mod rationals;
 mod reconstruction;
 mod ring;
 mod sampled_harmonics;
+mod sampled_values;
 mod surd;
 pub(crate) mod univariate;
 

@@ -34,8 +34,8 @@ const fn first_integral_order(kind: &Kind) -> usize {
 /// the self-excitation; the gauge has no meaning there and must be the default one. Where the equilibrium or another
 /// number is not rational the coefficients are floats of 40 digits, and [`Expansion::precision`] says so.
 ///
-/// Cost: about N³ machine operations for each prime, and about N primes. On one core the pendulum to order 31 takes
-/// milliseconds, to order 101 a fraction of a second.
+/// Cost: about N³ machine operations for each prime, eight of them at once, and about N/3 primes. On one core the pendulum to
+/// order 31 takes milliseconds, to order 101 some tens of them.
 ///
 /// # Examples
 /// ```
