@@ -6,7 +6,7 @@
 
 use super::Contact;
 use super::sign_change::{bernstein, first_sign_change, sign_changes};
-use crate::roots::{Tolerance, bisect};
+use crate::roots::{Tolerance, zero_between};
 
 /// One formula on its way.
 #[derive(Clone, Copy, Debug)]
@@ -57,8 +57,12 @@ impl Stretch<'_> {
     fn zero_between(&self, before: f64, behind: f64) -> f64 {
         let negative_behind = self.at(behind) < 0.0;
         let is_before = |tau| (self.at(tau) < 0.0) != negative_behind;
-        let [_, behind] = bisect([before, behind], Tolerance::LAST_BIT, is_before);
-        behind
+        let ends = [before, behind].map(|tau| (tau, self.at(tau)));
+        match zero_between(ends, Tolerance::LAST_BIT, |tau| self.at(tau)) {
+            Some(zero) if is_before(zero) => zero.next_up().min(behind),
+            Some(zero) => zero,
+            None => behind,
+        }
     }
 
     /// The first place in the step where it changes its sign or comes within the blur of zero.

@@ -4,6 +4,7 @@
 //! *Curves and Surfaces for CAGD*, 5th ed., Morgan Kaufmann 2002, section 6.
 
 use crate::elementary::count;
+use crate::roots::{Tolerance, zero_between};
 use std::ops::ControlFlow;
 
 /// The first place in 0 < x ≤ 1 behind which Σ cₙxⁿ has the other sign; `None` if there is none.
@@ -46,13 +47,17 @@ fn search(
     to: f64,
     found: &mut impl FnMut(f64) -> ControlFlow<f64>,
 ) -> ControlFlow<f64> {
-    let signs = || form.iter().filter(|c| **c != 0.0).map(|c| c.is_sign_positive());
-    if signs().zip(signs().skip(1)).all(|(before, after)| before == after) {
+    let changes = changes_of_sign(&form);
+    if changes == 0 {
         return ControlFlow::Continue(());
     }
     if to - from <= NARROWEST * to {
-        let changes = signs().next() != signs().next_back();
-        return if changes { found(to) } else { ControlFlow::Continue(()) };
+        return if changes.is_multiple_of(2) { ControlFlow::Continue(()) } else { found(to) };
+    }
+    if changes == 1
+        && let Some(part) = only_zero(&form)
+    {
+        return found(from + part * (to - from));
     }
     let middle = 0.5 * (from + to);
     let (left, mut right) = halves(form);
@@ -65,20 +70,60 @@ fn search(
     search(right, middle, to, found)
 }
 
+fn changes_of_sign(form: &[f64]) -> usize {
+    let signs = || form.iter().filter(|c| **c != 0.0).map(|c| c.is_sign_positive());
+    signs().zip(signs().skip(1)).filter(|(before, after)| before != after).count()
+}
+
+/// The zero in 0 < x < 1 of a form with one change of sign. Over (1 − x)ᵐ it is a polynomial in u = x/(1 − x) with the coefficients
+/// (m over i)βᵢ, which has by Descartes' rule one positive zero: below one, or its inverse is, where they stand in reverse.
+/// None where they overflow.
+fn only_zero(form: &[f64]) -> Option<f64> {
+    let mut terms = times_binomials(form);
+    if !terms.iter().map(|c| c.abs()).sum::<f64>().is_finite() {
+        return None;
+    }
+    let at_one: f64 = terms.iter().sum();
+    let is_below = terms.iter().find(|c| **c != 0.0).is_some_and(|first| first * at_one.signum() < 0.0);
+    if !is_below {
+        terms.reverse();
+    }
+    // A zero at the end itself is none of these.
+    let first = terms.iter().position(|c| *c != 0.0)?;
+    let terms = &terms[first..];
+    let value = |u: f64| terms.iter().rev().fold(0.0, |sum, c| sum * u + c);
+    let u = zero_between([(0.0, terms[0]), (1.0, at_one)], Tolerance::relative(NARROWEST), value)?;
+    Some(if is_below { u / (1.0 + u) } else { 1.0 / (1.0 + u) })
+}
+
+fn times_binomials(form: &[f64]) -> Vec<f64> {
+    let mut binomial = 1.0;
+    let terms = form.iter().enumerate().map(|(i, c)| {
+        let term = binomial * c;
+        binomial *= count(form.len() - 1 - i) / count(i + 1);
+        term
+    });
+    terms.collect()
+}
+
 /// The coefficients βᵢ = Σⱼ (i over j)/(m over j)·cⱼ in Bernstein's basis, between the least and the greatest of which
 /// the polynomial stays.
 pub(super) fn bernstein(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.len().saturating_sub(1);
-    let coefficient = |i: usize| {
-        let mut ratio = 1.0;
-        let mut sum = 0.0;
-        for (j, c) in coefficients.iter().enumerate().take(i + 1) {
-            sum += ratio * c;
-            ratio *= count(i - j) / count((degree - j).max(1));
+    let mut over_binomial = 1.0;
+    let quotients = coefficients.iter().enumerate().map(|(j, c)| {
+        let quotient = over_binomial * c;
+        over_binomial *= count(j + 1) / count((degree - j).max(1));
+        quotient
+    });
+    let mut form: Vec<f64> = quotients.collect();
+    // Pascal's triangle.
+    for first in 1..form.len() {
+        for i in (first..form.len()).rev() {
+            form[i] += form[i - 1];
         }
-        sum
-    };
-    (0..coefficients.len()).map(coefficient).collect()
+    }
+    form
 }
 
 /// De Casteljau's division in the middle.
@@ -116,6 +161,45 @@ mod tests {
         // (x − 1/4)(x − 1/2)(x − 3/4).
         let three = sign_changes(&[-0.09375, 0.6875, -1.5, 1.0]);
         assert_eq!(three.len(), 3, "{three:?}");
+    }
+
+    /// Of (x/c)ⁿ = 1 for c over twenty decades, and of x = 1 − c.
+    #[test]
+    fn zeros_of_any_size_are_found_to_their_last_bits() {
+        for exponent in 0..=66 {
+            let small = libm::ldexp(0.75, -exponent);
+            for power in 1..=12 {
+                let mut binomial = vec![0.0; power + 1];
+                (binomial[0], binomial[power]) = (-1.0, (0..power).fold(1.0, |product, _| product / small));
+                let place = first_sign_change(&binomial).unwrap();
+                assert!((place / small - 1.0).abs() < 4.0 * f64::EPSILON, "{small} {power}: {place}");
+            }
+            if exponent <= 50 {
+                let place = first_sign_change(&[small - 1.0, 1.0]).unwrap();
+                assert!((place - (1.0 - small)).abs() <= 2.0 * f64::EPSILON, "{small}: {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn zeros_at_the_ends_are_not_inside() {
+        assert_eq!(first_sign_change(&[0.0, -1.0, 2.0]), Some(0.5));
+        assert_eq!(first_sign_change(&[0.0, 1.0]), None);
+        assert_eq!(first_sign_change(&[1.0, -1.0]), None);
+        // (x − 1)(x − 1/4)
+        assert_eq!(first_sign_change(&[0.25, -1.25, 1.0]), Some(0.25));
+    }
+
+    /// Thirty-nine terms and no more than one zero, whatever their size.
+    #[test]
+    fn long_series_of_any_size_have_the_zero_that_the_short_ones_have() {
+        for scale in [1.0, 1e-300, 1e300] {
+            // (x − 3/8)(1 + x/2 + … + (x/2)³⁷)
+            let growing = |n: i32| if (0..38).contains(&n) { libm::ldexp(scale, -n) } else { 0.0 };
+            let product: Vec<f64> = (0..39).map(|n| growing(n - 1) - 0.375 * growing(n)).collect();
+            let places = sign_changes(&product);
+            assert!(places.len() == 1 && (places[0] - 0.375).abs() < 1e-15, "{scale}: {places:?}");
+        }
     }
 
     #[test]
