@@ -5,7 +5,7 @@ Prints, for each kernel, the interpolant of the function at Chebyshev nodes (60 
 f64 (leading coefficients that are kept in two words as a pair), with the largest relative error of the
 rounded polynomial, evaluated without rounding error, on the interval. Needs `pip install mpmath`.
 """
-from mpmath import mp, mpf, matrix, lu_solve, cos, sin, pi, agm, log, exp, atan, sinh, cosh, sqrt, atanh
+from mpmath import mp, mpf, matrix, lu_solve, cos, ellipe, sin, pi, agm, log, exp, atan, sinh, cosh, sqrt, atanh
 
 mp.dps = 90
 
@@ -89,3 +89,37 @@ table("(sin r - r)/r^3 in r^2, first coefficient in two words", lambda x: (sin(s
       eighth, 7, pairs=1, exact=(-mpf(1) / 6,))
 table("(cos r - 1 + r^2/2)/r^4 in r^2, first coefficient in two words", lambda x: (cos(sqrt(x)) - 1 + x / 2) / x ** 2,
       tiny, eighth, 7, pairs=1, exact=(mpf(1) / 24,))
+
+
+def first(p):
+    """2K/pi of the parameter p."""
+    return 1 / agm(1, sqrt(1 - p))
+
+
+def log_of_nome(p):
+    """ln(16 q/p)."""
+    return log(16 / p) - pi * agm(1, sqrt(1 - p)) / agm(1, sqrt(p))
+
+
+def second(p):
+    """2E/pi."""
+    return 2 / pi * ellipe(p)
+
+
+def of_logarithm(p):
+    """A in E(k') = 1 + p/4 (A ln(16/p) - B): 4(K - E)/(pi p)."""
+    return 2 * (first(p) - second(p)) / p
+
+
+def without_logarithm(p):
+    """B, by Legendre's relation."""
+    return of_logarithm(p) * log_of_nome(p) + 4 * (1 - 1 / first(p)) / p
+
+
+half = mpf(1) / 2
+table("(2K/pi - 1 - p/4 - 9p^2/64)/p^3", lambda p: (first(p) - 1 - p / 4 - 9 * p**2 / 64) / p**3, tiny, half, 20)
+table("(ln(16 q/p) - p/2 - 13p^2/64)/p^3", lambda p: (log_of_nome(p) - p / 2 - 13 * p**2 / 64) / p**3, tiny, half, 19)
+table("(2E/pi - 1 + p/4)/p^2", lambda p: (second(p) - 1 + p / 4) / p**2, tiny, half, 19)
+table("(A - 1 - 3p/8)/p^2, A = 4(K - E)/(pi p)", lambda p: (of_logarithm(p) - 1 - 3 * p / 8) / p**2, tiny, half, 20)
+table("(B - 1 - 13p/16)/p^2, E(k') = 1 + p/4 (A ln(16/p) - B)", lambda p: (without_logarithm(p) - 1 - 13 * p / 16) / p**2,
+      tiny, half, 20)

@@ -70,19 +70,22 @@ class Case:
     goal: float
 
 
+TITLES = ("10 000 rows, 500 swings, eight models", "1 000 000 rows, 300 swings, one model", "14 runs of 1500 rows, eight models")
+
+
 def cases(folder):
     random = np.random.default_rng(1)
     period = 2 * np.pi / OMEGA0
     air = Damping(linear=0.004, quadratic=0.002)
     long = recorded(random, air, [1.2, 0.0], np.linspace(0, 516 * period, 10_000))
-    yield Case("10 000 rows, 500 swings, eight models", write(folder / "long.csv", [long]), "auto", air, 4)
+    yield Case(TITLES[0], write(folder / "long.csv", [long]), "auto", air, 4)
     thick = Damping(linear=0.006)
     dense = recorded(random, thick, [1.0, 0.0], np.linspace(0, 300 * period, 1_000_000))
-    yield Case("1 000 000 rows, 300 swings, one model", write(folder / "dense.csv", [dense]), "linear", thick, 10)
+    yield Case(TITLES[1], write(folder / "dense.csv", [dense]), "linear", thick, 10)
     all_kinds = Damping(dry=0.01, linear=0.01, quadratic=0.01)
     starts = [[0.2 + 0.1 * run, 0.3 * (run % 3 - 1)] for run in range(14)]
     runs = [recorded(random, all_kinds, start, np.arange(1500) * 0.02) for start in starts]
-    yield Case("14 runs of 1500 rows, eight models", write(folder / "runs.csv", runs), "auto", all_kinds, 20)
+    yield Case(TITLES[2], write(folder / "runs.csv", runs), "auto", all_kinds, 20)
 
 
 def ours(command, file, model, cores=None):

@@ -1,30 +1,35 @@
-"""Times libration beside SciPy: the period, the motion at one amplitude, the motion when all varies.
+"""Times libration beside SciPy: periods, motions at one amplitude and when all varies, elliptic integrals and functions.
 
 Both sides work on the same arrays, on one core, in turns; the medians, and the ratio of each turn, are printed
-with the largest error of both on a sample, against mpmath. Exit status 1 if a promised ratio is missed.
+with the largest error of both on a sample, against mpmath. Then the command is timed on all cores: a million periods from text to CSV, and
+the fits of bench/lab. The last table shows the goals; the exit status is the number of lines that fall short.
 """
 import argparse
+import importlib.util
 import os
 import statistics
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 import numpy as np
 import scipy
-from mpmath import mp, mpf
-from mpmath import asin, cos, pi, sin
-from scipy.special import ellipj, ellipk, ellipkm1
+from mpmath import asin, cos, ellipe as mp_ellipe, ellipf as mp_ellipf, ellipk as mp_ellipk, mp, mpf, pi, sin
+from scipy.special import ellipe, ellipeinc, ellipj, ellipk, ellipkinc, ellipkm1
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "reference"))
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(ROOT / "reference"), str(HERE)]
 sys.dont_write_bytecode = True
 from elliptic import first, jacobi  # noqa: E402
+from goals import Line, finish  # noqa: E402
 
 mp.dps = 60
 SAMPLE = 300
+COMMAND = ROOT / "target/release/libration"
 
 
 class Ours:
@@ -124,58 +129,150 @@ def worst_radians(found, truths):
     return max(float(abs(mpf(float(x)) - t)) for x, t in zip(found, truths))
 
 
-def line(name, promise, count, rounds, ours_error, peer_error):
-    """Prints a row; True if the promise is kept."""
-    ratios = [peer / ours for ours, peer in rounds]
-    ratio = statistics.median(ratios)
-    ours, peer = (statistics.median(side) / count for side in zip(*rounds))
-    promised = f"{promise:g}" if promise else ""
-    print(f"| {name} | {ours:.2f} | {peer:.1f} | {ratio:.1f} | {min(ratios):.1f} | {max(ratios):.1f} | {promised} | {ours_error} | {peer_error} |", flush=True)
-    return not promise or ratio >= promise
+def line(name, peer, goal, count, rounds, ours_error, peer_error):
+    """Prints a row, and gives its line of the table of goals where there is one."""
+    ratios = [theirs / ours for ours, theirs in rounds]
+    ours, theirs = (statistics.median(side) / count for side in zip(*rounds))
+    median, least, largest = statistics.median(ratios), min(ratios), max(ratios)
+    print(f"| {name}; {peer} | {ours:.2f} | {theirs:.1f} | {median:.1f} | {least:.1f} | {largest:.1f} | {ours_error} | {peer_error} |", flush=True)
+    return [Line(name, f"SciPy {peer}", goal, ratios)] if goal else []
 
 
-def periods(ours, peer, amplitudes, rounds):
-    ours.send("amplitudes", amplitudes)
+def periods(ours, peer, data, rounds):
+    amplitudes = data.amplitudes
     sample = np.random.default_rng(3).integers(0, len(amplitudes), SAMPLE)
     truths = [true_ratio(x) for x in amplitudes[sample]]
-    for name, promise, route in (
-        ("period; ellipkm1(cos²(θ0/2))·2/π", 6, peer.period_by_complement),
-        ("period; ellipk(sin²(θ0/2))·2/π", None, peer.period_by_parameter),
-    ):
+    for name, goal, route in (("ellipkm1(cos²(θ0/2))·2/π", 8, peer.period_by_complement), ("ellipk(sin²(θ0/2))·2/π", None, peer.period_by_parameter)):
         times = alternate(ours, "period", lambda: route(amplitudes), rounds)
         errors = [f"{worst_ulp(x[sample], truths):.2g} ulp" for x in (ours.angles(len(amplitudes)), route(amplitudes))]
-        yield line(name, promise, len(amplitudes), times, *errors)
+        yield from line("period", name, goal, len(amplitudes), times, *errors)
 
 
-def motions(ours, peer, what, request, promise, theta0, times, rounds):
-    sample = np.random.default_rng(4).integers(0, len(times), SAMPLE)
-    truths = [true_angle(x, t) for x, t in zip(np.broadcast_to(theta0, times.shape)[sample], times[sample])]
-    for name, wanted, route in (("ellipj alone", promise, peer.functions), ("ellipj, then θ and θ′", None, peer.states)):
-        rounds_ns = alternate(ours, request, lambda: route(theta0, times), rounds)
-        angles = ours.angles(len(times)), peer.states(theta0, times).copy()
-        errors = [f"{worst_radians(x[sample], truths):.1e} rad" for x in angles]
-        yield line(f"{what}; {name}", wanted, len(times), rounds_ns, *errors)
+def motions(what, request, goal, theta0):
+    """Amplitudes that vary are those of the data."""
+    def lines(ours, peer, data, rounds):
+        amplitude, times = data.amplitudes if theta0 is None else theta0, data.times
+        sample = np.random.default_rng(4).integers(0, len(times), SAMPLE)
+        truths = [true_angle(x, t) for x, t in zip(np.broadcast_to(amplitude, times.shape)[sample], times[sample])]
+        for name, wanted, route in (("ellipj alone", goal, peer.functions), ("ellipj, then θ and θ′", None, peer.states)):
+            rounds_ns = alternate(ours, request, lambda: route(amplitude, times), rounds)
+            angles = ours.angles(len(times)), peer.states(amplitude, times).copy()
+            errors = [f"{worst_radians(x[sample], truths):.1e} rad" for x in angles]
+            yield from line(what, name, wanted, len(times), rounds_ns, *errors)
+    return lines
+
+
+def functions_of_modulus(what, request, goal, function, truth, argument=None):
+    """SciPy's function of the parameter, or of an array of the data and the parameter; of several results the first."""
+    def lines(ours, peer, data, rounds):
+        given = ([getattr(data, argument)] if argument else []) + [data.parameters]
+        sample = np.random.default_rng(5).integers(0, len(data.parameters), SAMPLE)
+        truths = [truth(*(mpf(float(x)) for x in row)) for row in zip(*(array[sample] for array in given))]
+        out = tuple(peer.buffers[:function.nout])
+        times = alternate(ours, request, lambda: function(*given, out=out), rounds)
+        errors = [f"{worst_ulp(x[sample], truths):.2g} ulp" for x in (ours.angles(len(data.parameters)), out[0])]
+        yield from line(what, function.__name__, goal, len(data.parameters), times, *errors)
+    return lines
+
+
+def true_sn(u, m):
+    return jacobi(u, mp.sqrt(m), mp.sqrt(1 - m))[0]
+
+
+TASKS = [
+    ("period", periods),
+    *((name, motions(name, request, goal, theta0)) for name, request, goal, theta0 in (
+        ("motion, θ0 = 2", "motion 2.0", None, 2.0),
+        ("prepared motion, θ0 = 2", "prepared 2.0", 60, 2.0),
+        ("motion, θ0 = 179°", f"motion {float(np.radians(179))!r}", None, float(np.radians(179))),
+        ("prepared motion, θ0 = 179°", f"prepared {float(np.radians(179))!r}", 60, float(np.radians(179))),
+        ("motion, all varies", "varying", 20, None))),
+    *((task[0], functions_of_modulus(*task)) for task in (
+        ("K(m)", "first", 1, ellipk, mp_ellipk),
+        ("E(m)", "second", 1, ellipe, mp_ellipe),
+        ("F(φ, m)", "incomplete_first", 1, ellipkinc, mp_ellipf, "amplitudes"),
+        ("E(φ, m)", "incomplete_second", 1, ellipeinc, mp_ellipe, "amplitudes"),
+        ("sn, cn, dn, am", "jacobi", 4, ellipj, true_sn, "times"))),
+]
+
+
+class Data:
+    def __init__(self, count):
+        random = np.random.default_rng(1)
+        self.amplitudes, self.times = random.uniform(0, np.pi, count), random.uniform(0, 50, count)
+        self.parameters = random.uniform(0, 1, count)
+
+
+def beside_scipy(options, wanted):
+    data, ours, peer = Data(options.count), Ours(), Scipy(options.count)
+    for name in ("amplitudes", "times", "parameters"):
+        ours.send(name, getattr(data, name))
+    print(f"SciPy {scipy.__version__}, NumPy {np.__version__}, {options.count} elements, {options.rounds} rounds, one core\n")
+    print("| task; peer | ours ns | peer ns | ratio | min | max | our error | peer's error |")
+    print("|---|---|---|---|---|---|---|---|")
+    return [it for task in wanted for it in task(ours, peer, data, options.rounds)]
+
+
+def seconds_of_csv(file):
+    """Of a million periods, each with one formula, written to a file as a shell does it."""
+    with open(os.devnull, "wb") as nowhere:
+        start = time.monotonic()
+        subprocess.run([COMMAND, "period", "--from-file", file, "--formulas", "bernoulli", "--csv"], stdout=nowhere, check=True)
+        return time.monotonic() - start
+
+
+def csv_of_periods(rounds):
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "amplitudes.txt"
+        amplitudes = np.random.default_rng(6).uniform(0, np.pi, 1_000_000)
+        file.write_text("".join(f"{float(x)!r}\n" for x in amplitudes))
+        return [0.8 / seconds_of_csv(file) for _ in range(rounds)]
+
+
+def fits_of_swings(wanted, rounds):
+    """The fits of bench/lab."""
+    spec = importlib.util.spec_from_file_location("lab", ROOT / "bench/lab/run.py")
+    lab = importlib.util.module_from_spec(spec)
+    sys.modules["lab"] = lab
+    spec.loader.exec_module(lab)
+    if not any(wanted in f"fit trace, {title}" for title in lab.TITLES):
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        for case in lab.cases(Path(folder)):
+            name = f"fit trace, {case.title}"
+            if wanted in name:
+                found = [case.goal / lab.ours(COMMAND, case.file, case.model)[1] for _ in range(rounds)]
+                yield Line(name, f"{case.goal:g} s", 1, found)
+
+
+def of_the_command(options):
+    """Seconds wanted over seconds taken, on all cores."""
+    rounds = min(options.rounds, 5)
+    name = "period of 1e6 amplitudes, text to CSV"
+    if options.line in name:
+        yield Line(name, "0.8 s", 1, csv_of_periods(rounds))
+    yield from fits_of_swings(options.line, rounds)
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=1_000_000, help="elements an array")
     parser.add_argument("--rounds", type=int, default=9, help="alternations, at least 5")
+    parser.add_argument("--line", metavar="WORDS", default="", help="only work whose name contains this")
+    parser.add_argument("--no-command", action="store_true", help="leaves the command out")
+    parser.add_argument("--json", metavar="FILE", help="write the goals there too")
     return parser.parse_args()
 
 
+def main(options):
+    wanted = [task for name, task in TASKS if options.line in name]
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(cores)})
+    lines = beside_scipy(options, wanted) if wanted else []
+    os.sched_setaffinity(0, cores)
+    lines += [] if options.no_command else of_the_command(options)
+    return finish(lines, options.json)
+
+
 if __name__ == "__main__":
-    options = arguments()
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
-    ours, peer, random = Ours(), Scipy(options.count), np.random.default_rng(1)
-    amplitudes, times = random.uniform(0, np.pi, options.count), random.uniform(0, 50, options.count)
-    print(f"SciPy {scipy.__version__}, NumPy {np.__version__}, {options.count} elements, {options.rounds} rounds, one core\n")
-    print("| task; peer | ours ns | peer ns | ratio | min | max | promised | our error | peer's error |")
-    print("|---|---|---|---|---|---|---|---|---|")
-    kept = list(periods(ours, peer, amplitudes, options.rounds))
-    ours.send("times", times)
-    for name, theta0 in (("θ0 = 2", 2.0), ("θ0 = 179°", float(np.radians(179)))):
-        kept += motions(ours, peer, f"motion, {name}", f"motion {theta0!r}", None, theta0, times, options.rounds)
-        kept += motions(ours, peer, f"prepared motion, {name}", f"prepared {theta0!r}", 50, theta0, times, options.rounds)
-    kept += motions(ours, peer, "motion, all varies", "varying", 15, amplitudes, times, options.rounds)
-    sys.exit(0 if all(kept) else 1)
+    sys.exit(main(arguments()))

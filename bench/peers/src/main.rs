@@ -1,10 +1,12 @@
 //! Our side of the comparison: keeps the arrays that `run.py` sends, times one pass over them on request.
 //!
 //! Requests are lines on standard input, answers go to standard output:
-//! `amplitudes N` or `times N`, followed by N binary `f64`, keeps an array (no answer);
-//! `period`, `motion THETA0`, `prepared THETA0` and `varying` make one pass and answer its nanoseconds as a line;
-//! `angles` answers what the last pass wrote, as binary `f64`.
+//! `amplitudes N`, `times N` or `parameters N`, followed by N binary `f64`, keeps an array (no answer);
+//! `period`, `motion THETA0`, `prepared THETA0` and `varying`, and of the parameters `first` (K), `second` (E), `incomplete_first` (of the
+//! amplitudes), `incomplete_second` and `jacobi` (of the times) make one pass and answer its nanoseconds as a line;
+//! `angles` answers what the last pass wrote first (sn for `jacobi`), as binary `f64`.
 
+mod elliptic;
 mod work;
 
 use std::io::{self, BufRead, Read, Write};
@@ -32,10 +34,16 @@ fn answer(
     match verb {
         "amplitudes" => work.amplitudes = numbers(argument, input)?,
         "times" => work.times = numbers(argument, input)?,
+        "parameters" => work.parameters = numbers(argument, input)?,
         "period" => writeln!(output, "{}", work.period()?.as_nanos())?,
         "motion" => writeln!(output, "{}", work.motion(argument.parse()?)?.as_nanos())?,
         "prepared" => writeln!(output, "{}", work.prepared(argument.parse()?)?.as_nanos())?,
         "varying" => writeln!(output, "{}", work.varying()?.as_nanos())?,
+        "first" => writeln!(output, "{}", work.complete_firsts()?.as_nanos())?,
+        "second" => writeln!(output, "{}", work.complete_seconds()?.as_nanos())?,
+        "incomplete_first" => writeln!(output, "{}", work.incomplete_firsts()?.as_nanos())?,
+        "incomplete_second" => writeln!(output, "{}", work.incomplete_seconds()?.as_nanos())?,
+        "jacobi" => writeln!(output, "{}", work.jacobi()?.as_nanos())?,
         "angles" => work.angles.iter().try_for_each(|angle| output.write_all(&angle.to_le_bytes()))?,
         _ => return Err(Failure::Request(request.to_owned())),
     }

@@ -11,8 +11,10 @@ use std::time::{Duration, Instant};
 pub(crate) struct Work {
     pub(crate) amplitudes: Vec<f64>,
     pub(crate) times: Vec<f64>,
+    pub(crate) parameters: Vec<f64>,
     pub(crate) angles: Vec<f64>,
-    velocities: Vec<f64>,
+    pub(crate) velocities: Vec<f64>,
+    pub(crate) others: [Vec<f64>; 2],
 }
 
 /// Why a request could not be answered.

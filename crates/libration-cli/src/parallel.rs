@@ -3,8 +3,11 @@
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
 use libration::watch::Watch;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, channel};
 use std::thread::{available_parallelism, scope};
 use std::time::Duration;
 
@@ -20,6 +23,57 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
     let mut done = done.into_inner().expect("no piece of work panics");
     done.sort_by_key(|(place, _)| *place);
     done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Hands the results for so many places on in their order, while the next ones are made on all cores; until it fails, or somebody asks
+/// for an early end. No core is more than a few places ahead.
+pub(crate) fn in_order<R: Send, E>(
+    places: usize,
+    work: impl Fn(usize) -> R + Sync,
+    mut hand_on: impl FnMut(usize, R) -> Result<(), E>,
+) -> Result<(), E> {
+    let cores = available_parallelism().map_or(1, usize::from);
+    let (orders, to_do) = channel();
+    let (finished, results) = channel();
+    let to_do = Mutex::new(to_do);
+    scope(|scope| {
+        // Dropped with what is left to be done when no more is wanted.
+        let (orders, results) = (orders, results);
+        for _ in 0..cores {
+            let (finished, to_do, work) = (finished.clone(), &to_do, &work);
+            scope.spawn(move || {
+                while let Some(place) = next_order(to_do) {
+                    let result = catch_unwind(AssertUnwindSafe(|| work(place)));
+                    if finished.send((place, result)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        let mut ordered = 0..places;
+        let mut ahead = BTreeMap::new();
+        for place in 0..places {
+            for order in ordered.by_ref().take(if place == 0 { AHEAD * cores } else { 1 }) {
+                orders.send(order).expect("the cores wait for orders");
+            }
+            if interrupt::asked() {
+                break;
+            }
+            while !ahead.contains_key(&place) {
+                let (place, result) = results.recv().expect("what is ordered is finished");
+                ahead.insert(place, result.unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            ahead.remove(&place).map_or(Ok(()), |result| hand_on(place, result))?;
+        }
+        Ok(())
+    })
+}
+
+/// How many places each core has before it.
+const AHEAD: usize = 4;
+
+fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
+    to_do.lock().ok()?.recv().ok()
 }
 
 /// The results for the items, in their order, but for those that are not done when somebody asks for an early end; meanwhile a
@@ -80,7 +134,7 @@ pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl Fn
             std::thread::park_timeout(PAUSE);
             progress.show(&how_far);
         }
-        worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        worker.join().unwrap_or_else(|panic| resume_unwind(panic))
     })
 }
 
@@ -99,8 +153,37 @@ mod tests {
     }
 
     #[test]
+    fn results_are_handed_on_in_order_until_that_fails() {
+        for places in [0, 1, 7, 1000] {
+            let mut seen = vec![];
+            let all = in_order(
+                places,
+                |place| place * place,
+                |place, square| {
+                    seen.push((place, square));
+                    Ok::<(), ()>(())
+                },
+            );
+            assert_eq!((all, seen), (Ok(()), (0..places).map(|place| (place, place * place)).collect()));
+        }
+        let mut seen = 0;
+        let stopped = in_order(
+            1000,
+            |place| place,
+            |place, _| {
+                seen += 1;
+                if place == 10 { Err("full") } else { Ok(()) }
+            },
+        );
+        assert_eq!((stopped, seen), (Err("full"), 11));
+    }
+
+    #[test]
     fn work_that_panics_panics() {
         let work = || until_asked("a panic", |_| assert!(std::hint::black_box(false)));
-        assert!(std::panic::catch_unwind(work).is_err());
+        assert!(catch_unwind(work).is_err());
+        let one = |place: usize| assert!(std::hint::black_box(place != 5));
+        let in_order = || in_order(100, one, |_, ()| Ok::<(), ()>(()));
+        assert!(catch_unwind(in_order).is_err());
     }
 }

@@ -39,17 +39,28 @@ impl AmplitudeOptions {
             }
             None => self.amplitudes.clone(),
         };
-        for angle in sets.iter().flat_map(AngleSet::widest) {
-            Amplitude::new(angle).map_err(|error| Failure::no_answer("AMPLITUDE", error))?;
-        }
+        let is_amplitude = |angle| Amplitude::new(angle).map(|_| ());
+        let checked = sets.iter().flat_map(AngleSet::widest).try_for_each(is_amplitude);
+        checked.map_err(|error| Failure::no_answer("AMPLITUDE", error))?;
         Ok(Amplitudes(sets))
     }
 }
 
 impl Amplitudes {
     pub(crate) fn iter(&self) -> impl Iterator<Item = Amplitude> + '_ {
-        let below_pi = "an angle no larger than an amplitude is an amplitude";
-        self.0.iter().flat_map(AngleSet::iter).map(|angle| Amplitude::new(angle).expect(below_pi))
+        (0..self.len()).filter_map(|place| self.get(place))
+    }
+
+    /// The amplitude at a place, from zero.
+    pub(crate) fn get(&self, mut place: usize) -> Option<Amplitude> {
+        for set in &self.0 {
+            if place < set.len() {
+                let below_pi = "an angle no larger than an amplitude is an amplitude";
+                return set.get(place).map(|angle| Amplitude::new(angle).expect(below_pi));
+            }
+            place -= set.len();
+        }
+        None
     }
 
     /// How many there are.
@@ -65,10 +76,10 @@ impl Amplitudes {
 }
 
 impl AngleSet {
-    fn iter(&self) -> Box<dyn Iterator<Item = Angle> + '_> {
+    fn get(&self, place: usize) -> Option<Angle> {
         match self {
-            Self::List(angles) => Box::new(angles.iter().copied()),
-            Self::Range(range) => Box::new(range.iter()),
+            Self::List(angles) => angles.get(place).copied(),
+            Self::Range(range) => range.get(place),
         }
     }
 
@@ -80,11 +91,10 @@ impl AngleSet {
     }
 
     /// Angles among which is the largest of the set.
-    fn widest(&self) -> Vec<Angle> {
-        match self {
-            Self::List(angles) => angles.clone(),
-            Self::Range(range) => [range.get(0), range.get(range.len() - 1)].into_iter().flatten().collect(),
-        }
+    fn widest(&self) -> impl Iterator<Item = Angle> + '_ {
+        let last = self.len().saturating_sub(1);
+        let step = if let Self::Range(_) = self { last.max(1) } else { 1 };
+        (0..=last).step_by(step).filter_map(|place| self.get(place))
     }
 }
 

@@ -130,6 +130,14 @@ fn fields(out: &mut dyn Write, record: Record) -> io::Result<()> {
     Ok(())
 }
 
+/// An item of such a list behind a text.
+pub(crate) fn write_item(text: &mut Vec<u8>, item: Record) {
+    serde_json::to_writer(text, &Value::from(item)).expect("a record can be written to memory");
+}
+
+/// What stands between two items.
+pub(crate) const BETWEEN_ITEMS: &[u8] = b",\n";
+
 /// A list in an answer that is written part by part, one item a line.
 #[derive(Debug, Default)]
 pub(crate) struct List {
@@ -142,10 +150,16 @@ impl List {
     }
 
     pub(crate) fn item(&mut self, out: &mut dyn Write, item: Record) -> io::Result<()> {
-        out.write_all(if self.has_items { b",\n" } else { b"\n" })?;
+        let mut text = vec![];
+        write_item(&mut text, item);
+        self.items(out, &text)
+    }
+
+    /// Items that are written already, [`BETWEEN_ITEMS`] between them.
+    pub(crate) fn items(&mut self, out: &mut dyn Write, text: &[u8]) -> io::Result<()> {
+        out.write_all(if self.has_items { BETWEEN_ITEMS } else { b"\n" })?;
         self.has_items = true;
-        serde_json::to_writer(&mut *out, &Value::from(item))?;
-        Ok(())
+        out.write_all(text)
     }
 
     pub(crate) fn end(&mut self, out: &mut dyn Write) -> io::Result<()> {

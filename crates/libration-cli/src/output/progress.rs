@@ -30,6 +30,11 @@ impl ProgressLine {
         Self { due: stderr().is_terminal().then(|| Instant::now() + SILENCE), shown: false }
     }
 
+    /// One where the answer itself is not seen.
+    pub(crate) fn beside_the_answer() -> Option<Self> {
+        (!stdout().is_terminal()).then(Self::new)
+    }
+
     /// Shows how far the work is, if it is time.
     pub(crate) fn show(&mut self, how_far: impl FnOnce() -> String) {
         if self.due.is_some_and(|due| Instant::now() >= due) && !QUIET.load(Ordering::Relaxed) {
@@ -46,7 +51,7 @@ pub(crate) fn watched<T>(
     all: usize,
     what: &'static str,
 ) -> impl Iterator<Item = T> {
-    let mut progress = (!stdout().is_terminal()).then(ProgressLine::new);
+    let mut progress = ProgressLine::beside_the_answer();
     let counted = items.enumerate().map(move |(place, item)| {
         if let Some(progress) = &mut progress {
             progress.show(|| format!("{place} of {all} {what}"));

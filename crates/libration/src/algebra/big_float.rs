@@ -182,6 +182,21 @@ impl BigFloat {
         Self(self.0 >> 1)
     }
 
+    /// ⌊x·2^bits⌋.
+    pub(super) fn in_units_of(&self, bits: usize) -> IBig {
+        let repr = self.0.repr();
+        let shift = repr.exponent().saturating_add(bits.cast_signed());
+        match usize::try_from(shift) {
+            Ok(left) => repr.significand() << left,
+            Err(_) => repr.significand() >> shift.unsigned_abs(),
+        }
+    }
+
+    /// n/2^bits, rounded to a precision.
+    pub(super) fn from_units(units: IBig, bits: usize, precision: usize) -> Self {
+        Self(rounded(Float::from(units) >> bits.cast_signed(), precision))
+    }
+
     fn from_big(integer: IBig, precision: usize) -> Self {
         Self(rounded(Float::from(integer), precision))
     }

@@ -13,6 +13,7 @@
 //! ```
 
 mod big_float;
+mod big_sine;
 mod common_denominator;
 mod complex;
 mod decimal_digits;

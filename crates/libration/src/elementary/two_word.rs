@@ -1,9 +1,26 @@
 //! Elementary functions in two words, relative error about 2⁻¹⁰⁰. Slow: for what is prepared once.
 
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 
 /// sin x and cos x for |x| ≤ π/2 or a little more, each relatively accurate except next to its far zero.
 pub(crate) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    dispatch(SinCos(x))
+}
+
+struct SinCos(DoubleDouble);
+
+impl Kernel for SinCos {
+    type Output = (DoubleDouble, DoubleDouble);
+    #[inline(always)]
+    fn run(self) -> (DoubleDouble, DoubleDouble) {
+        sin_cos_inline(self.0)
+    }
+}
+
+/// [`sin_cos`] inside a kernel.
+#[inline(always)]
+pub(crate) fn sin_cos_inline(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     if x.hi.abs() > std::f64::consts::FRAC_PI_4 {
         let rest = if x.hi > 0.0 { DoubleDouble::FRAC_PI_2 - x } else { DoubleDouble::FRAC_PI_2 + x };
         let (c, s) = sin_cos_series(rest);

@@ -4,19 +4,13 @@ use super::complete::{second_far, second_near};
 use super::descent::Descent;
 use super::incomplete::{First, Second};
 use super::moduli::{LengthMismatch, Moduli};
-use super::modulus_stages::ModulusStages;
+use super::modulus_stages::{ModulusStages, inside};
 use super::nearer::Nearer;
 use super::nome;
+use super::rounded::{first_with, log_of_inverse, second_with};
 use crate::dispatch::{Kernel, dispatch_slices};
-use crate::double_double::block::BLOCK;
+use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, pick};
-use std::marker::PhantomData;
-
-/// A function of the modulus.
-trait OfModulus {
-    /// Its value, given ln(1/q) of the nearer side; `#[inline(always)]`.
-    fn value(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64;
-}
 
 /// A function of the modulus in two words.
 pub(super) trait OfModulusWords {
@@ -40,53 +34,67 @@ impl OfModulusWords for Second {
     }
 }
 
-impl<F: OfModulusWords> OfModulus for F {
-    #[inline(always)]
-    fn value(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64 {
-        F::words(nearer, descent, log).to_f64()
-    }
-}
-
-struct Nome;
-
-impl OfModulus for Nome {
-    #[inline(always)]
-    fn value(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64 {
-        nome(nearer, descent, log)
-    }
-}
-
-struct Each<'a, F> {
+struct Nomes<'a> {
     moduli: Moduli<'a>,
-    results: &'a mut [f64],
-    function: PhantomData<F>,
+    nomes: &'a mut [f64],
 }
 
-impl<F: OfModulus> Kernel for Each<'_, F> {
+impl Kernel for Nomes<'_> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
         let mut stages = ModulusStages::ZERO;
-        let mut block = [0.5; BLOCK];
-        let mut results = [0.0; BLOCK];
-        for (values, written) in self.moduli.values().chunks(BLOCK).zip(self.results.chunks_mut(BLOCK)) {
-            block[..values.len()].copy_from_slice(values);
-            stages.load(&self.moduli, &block);
+        in_blocks(self.moduli, self.nomes, |block, nomes| {
+            stages.load(&self.moduli, block);
             stages.descend();
             stages.logarithms();
-            for (i, result) in results.iter_mut().enumerate() {
-                let value = F::value(&stages.nearer(i), &stages.descent(i), stages.log.get(i));
-                *result = stages.inside[i] * value;
+            for (i, written) in nomes.iter_mut().enumerate() {
+                let found = nome(&stages.nearer(i), &stages.descent(i), stages.log.get(i));
+                *written = stages.inside[i] * found;
             }
-            written.copy_from_slice(&results[..written.len()]);
-        }
+        });
     }
 }
 
-fn each<F: OfModulus>(moduli: Moduli<'_>, results: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(moduli.values(), results)?;
-    dispatch_slices(Each { moduli, results, function: PhantomData::<F> });
-    Ok(())
+/// A function of whether m is above one half, of the nearer parameter p and of ln(16/p).
+struct Each<'a, F> {
+    moduli: Moduli<'a>,
+    results: &'a mut [f64],
+    function: F,
+}
+
+impl<F: Fn(bool, DoubleDouble, DoubleDouble) -> f64> Kernel for Each<'_, F> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let (mut above, mut p, mut log) = ([0.0; BLOCK], Words::ZERO, Words::ZERO);
+        in_blocks(self.moduli, self.results, |block, results| {
+            Nearer::each(&self.moduli, block, |i, nearer| {
+                above[i] = if nearer.above { 1.0 } else { 0.0 };
+                p.set(i, nearer.plain_smaller());
+                log.set(i, log_of_inverse(nearer.smaller, nearer.raised));
+            });
+            for (i, result) in results.iter_mut().enumerate() {
+                *result = inside(block[i]) * (self.function)(above[i] > 0.5, p.get(i), log.get(i));
+            }
+        });
+    }
+}
+
+/// Block by block, the last one filled up.
+#[inline(always)]
+fn in_blocks(
+    moduli: Moduli<'_>,
+    results: &mut [f64],
+    mut of_block: impl FnMut(&[f64; BLOCK], &mut [f64; BLOCK]),
+) {
+    let mut block = [0.5; BLOCK];
+    let mut found = [0.0; BLOCK];
+    for (values, written) in moduli.values().chunks(BLOCK).zip(results.chunks_mut(BLOCK)) {
+        block[..values.len()].copy_from_slice(values);
+        of_block(&block, &mut found);
+        written.copy_from_slice(&found[..written.len()]);
+    }
 }
 
 /// The complete integral of the first kind K of each modulus (DLMF 19.2.8): [`Modulus::first`](super::Modulus::first), bit for bit.
@@ -106,7 +114,9 @@ fn each<F: OfModulus>(moduli: Moduli<'_>, results: &mut [f64]) -> Result<(), Len
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn complete_firsts(moduli: Moduli<'_>, firsts: &mut [f64]) -> Result<(), LengthMismatch> {
-    each::<First>(moduli, firsts)
+    LengthMismatch::check(moduli.values(), firsts)?;
+    dispatch_slices(Each { moduli, results: firsts, function: first_with });
+    Ok(())
 }
 
 /// The complete integral of the second kind E of each modulus (DLMF 19.2.8): [`Modulus::second`](super::Modulus::second), bit for
@@ -127,7 +137,9 @@ pub fn complete_firsts(moduli: Moduli<'_>, firsts: &mut [f64]) -> Result<(), Len
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), LengthMismatch> {
-    each::<Second>(moduli, seconds)
+    LengthMismatch::check(moduli.values(), seconds)?;
+    dispatch_slices(Each { moduli, results: seconds, function: second_with });
+    Ok(())
 }
 
 /// The nome q = exp(−πK′/K) of each modulus (DLMF 22.2.1): [`Modulus::nome`](super::Modulus::nome), bit for bit.
@@ -147,5 +159,7 @@ pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), L
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn nomes(moduli: Moduli<'_>, nomes: &mut [f64]) -> Result<(), LengthMismatch> {
-    each::<Nome>(moduli, nomes)
+    LengthMismatch::check(moduli.values(), nomes)?;
+    dispatch_slices(Nomes { moduli, nomes });
+    Ok(())
 }

@@ -26,6 +26,7 @@ mod moduli;
 mod modulus_stages;
 mod nearer;
 mod precise;
+mod rounded;
 mod theta;
 
 pub use complete_stages::{complete_firsts, complete_seconds, nomes};
@@ -193,16 +194,16 @@ impl Modulus {
     /// The complete integral of the first kind K, the quarter period; ∞ for k = 1 (DLMF 19.2.8).
     ///
     /// # Accuracy
-    /// 0.56 ulp, as E and K′: rounded from two words (ledger in `tests/suite/promises.rs`).
+    /// 0.56 ulp, as E and K′ (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn first(&self) -> f64 {
-        self.integrals.first.to_f64()
+        rounded::first(&self.nearer)
     }
 
-    /// The complete integral of the second kind E (DLMF 19.2.8), rounded from two words.
+    /// The complete integral of the second kind E (DLMF 19.2.8), within 0.56 ulp.
     #[must_use]
     pub fn second(&self) -> f64 {
-        self.integrals.second.to_f64()
+        rounded::second(&self.nearer)
     }
 
     /// K′ = K(k′), rounded from two words; ∞ for k = 0.

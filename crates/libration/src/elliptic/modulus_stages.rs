@@ -1,11 +1,15 @@
 //! A block of moduli on the way to what belongs to them, stage by stage.
 
 use super::descent::Descent;
-use super::leg;
 use super::moduli::Moduli;
 use super::nearer::Nearer;
-use crate::double_double::DoubleDouble;
 use crate::double_double::block::{BLOCK, Words};
+
+/// One, or NaN where there is no such modulus.
+#[inline(always)]
+pub(super) fn inside(value: f64) -> f64 {
+    if value >= 0.0 && value <= 1.0 { 1.0 } else { f64::NAN }
+}
 
 /// What one stage leaves for the next.
 pub(super) struct ModulusStages {
@@ -37,32 +41,13 @@ impl ModulusStages {
     /// The nearer sides of the moduli; the values are those of a block of `moduli`.
     #[inline(always)]
     pub(super) fn load(&mut self, moduli: &Moduli<'_>, values: &[f64; BLOCK]) {
-        match moduli {
-            Moduli::Parameters(_) => self.load_by(values, Nearer::from_parameter),
-            Moduli::ComplementaryParameters(_) => self.load_by(values, Nearer::from_complementary_parameter),
-            Moduli::Moduli(_) => self.load_by(values, |value| {
-                let modulus = DoubleDouble::from(value);
-                Nearer::from_words(modulus, leg(modulus))
-            }),
-            Moduli::ComplementaryModuli(_) => self.load_by(values, |value| {
-                let complementary = DoubleDouble::from(value);
-                Nearer::from_words(leg(complementary), complementary)
-            }),
-        }
-        for (inside, value) in self.inside.iter_mut().zip(values) {
-            *inside = if *value >= 0.0 && *value <= 1.0 { 1.0 } else { f64::NAN };
-        }
-    }
-
-    #[inline(always)]
-    fn load_by(&mut self, values: &[f64; BLOCK], nearer: impl Fn(f64) -> Nearer) {
-        for (i, value) in values.iter().enumerate() {
-            let Nearer { above, smaller, raised, root } = nearer(*value);
+        Nearer::each(moduli, values, |i, Nearer { above, smaller, raised, root }| {
             self.above[i] = if above { 1.0 } else { 0.0 };
             self.raised[i] = if raised { 1.0 } else { 0.0 };
             self.smaller.set(i, smaller);
             self.root.set(i, root);
-        }
+        });
+        self.inside = values.map(inside);
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@
 use super::law::Law;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::BigFloat;
+use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::DoubleDouble;
 
 /// Bits of the fractional error that are certain before it is rounded.
@@ -33,9 +34,7 @@ const QUICK_ERROR: f64 = 1.3234889800848443e-23;
 
 impl Quick {
     fn new(amplitude: SwingAmplitude) -> Option<Self> {
-        let swing = Swing::in_two_words(amplitude)?;
-        let exact = swing.exact_ratio();
-        Some(Self { swing, exact })
+        dispatch(InTwoWords(amplitude))
     }
 
     /// formula/exact − 1, if all that it may be rounds to one number.
@@ -44,6 +43,18 @@ impl Quick {
         let off = QUICK_ERROR * (1.0 + error.hi.abs());
         let (below, above) = (error.hi + (error.lo - off), error.hi + (error.lo + off));
         (below.to_bits() == above.to_bits() && below.is_finite()).then_some(below)
+    }
+}
+
+struct InTwoWords(SwingAmplitude);
+
+impl Kernel for InTwoWords {
+    type Output = Option<Quick>;
+    #[inline(always)]
+    fn run(self) -> Option<Quick> {
+        let swing = Swing::in_two_words(self.0)?;
+        let exact = swing.exact_ratio();
+        Some(Quick { swing, exact })
     }
 }
 

@@ -90,15 +90,16 @@ impl Swing<f64> {
 
 impl Swing<DoubleDouble> {
     /// `None` next to the bottom and to the top, where quotients of small differences would lose digits.
+    #[inline(always)]
     pub(super) fn in_two_words(amplitude: SwingAmplitude) -> Option<Self> {
         const NEAREST: f64 = 0.0625;
         match amplitude {
             SwingAmplitude::FromBottom(amplitude) if amplitude.hi >= NEAREST => {
-                let (sin_half, cos_half) = two_word::sin_cos(amplitude.scaled(0.5));
+                let (sin_half, cos_half) = two_word::sin_cos_inline(amplitude.scaled(0.5));
                 Some(Self { amplitude, complement: DoubleDouble::PI - amplitude, cos_half, sin_half })
             }
             SwingAmplitude::FromTop(complement) if complement.hi >= NEAREST => {
-                let (cos_half, sin_half) = two_word::sin_cos(complement.scaled(0.5));
+                let (cos_half, sin_half) = two_word::sin_cos_inline(complement.scaled(0.5));
                 Some(Self { amplitude: DoubleDouble::PI - complement, complement, cos_half, sin_half })
             }
             _ => None,
@@ -106,6 +107,7 @@ impl Swing<DoubleDouble> {
     }
 
     /// T/T0 = 1/agm(1, cos(θ0/2)), in six steps at most.
+    #[inline(always)]
     pub(super) fn exact_ratio(&self) -> DoubleDouble {
         let (mut a, mut b) = (DoubleDouble::ONE, self.cos_half);
         while a.hi - b.hi > 1e-9 {
@@ -123,15 +125,15 @@ impl Swing<BigFloat> {
         match amplitude {
             SwingAmplitude::FromBottom(words) => {
                 let amplitude = BigFloat::from_words(words, precision);
-                let half = amplitude.clone().halved();
+                let (sin_half, cos_half) = amplitude.clone().halved().sin_cos();
                 let complement = pi - amplitude.clone();
-                Self { amplitude, complement, cos_half: half.cos(), sin_half: half.sin() }
+                Self { amplitude, complement, cos_half, sin_half }
             }
             SwingAmplitude::FromTop(words) => {
                 let complement = BigFloat::from_words(words, precision);
-                let half = complement.clone().halved();
+                let (cos_half, sin_half) = complement.clone().halved().sin_cos();
                 let amplitude = pi - complement.clone();
-                Self { amplitude, complement, cos_half: half.sin(), sin_half: half.cos() }
+                Self { amplitude, complement, cos_half, sin_half }
             }
         }
     }

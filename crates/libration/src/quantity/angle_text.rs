@@ -32,6 +32,11 @@ impl FromStr for Angle {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
+        // Most lines of a file of angles.
+        let plain = if text.len() <= LONGEST_TEXT { Decimal::nearest_to(text) } else { None };
+        if let Some(angle) = plain.and_then(|radians| Self::from_radians(radians).ok()) {
+            return Ok(angle);
+        }
         let angle = terms(text).and_then(|(first, second)| match second {
             None => first.alone(),
             Some(second) => in_range(&first.followed_by(&second)?),

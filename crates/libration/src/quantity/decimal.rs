@@ -25,6 +25,15 @@ impl Decimal {
         rest.is_empty().then_some(number)
     }
 
+    /// The `f64` nearest to the whole text, if that is a decimal number that [`Self::parse`] reads.
+    pub(super) fn nearest_to(text: &str) -> Option<f64> {
+        let unsigned = text.strip_prefix('-').unwrap_or(text);
+        let exponent = unsigned.find(['e', 'E']).map_or("0", |place| &unsigned[place + 1..]);
+        let is_bounded = exponent.parse::<i32>().is_ok_and(|e| e.abs() <= LARGEST_EXPONENT);
+        let is_number = !unsigned.is_empty() && number_length(unsigned) == unsigned.len() && is_bounded;
+        text.parse::<f64>().ok().filter(|x| is_number && x.is_finite())
+    }
+
     /// The unsigned decimal number that the text begins with, and the text after it.
     pub(super) fn split_from(text: &str) -> Option<(Self, &str)> {
         let (number, rest) = text.split_at(number_length(text));
@@ -98,6 +107,51 @@ mod tests {
         assert_eq!(number.exact() * RBig::from(10), -RBig::ONE);
         assert_eq!(number.nearest().to_bits(), (-0.1f64).to_bits());
         assert_eq!(Decimal::parse("1.5e2").unwrap().exact(), RBig::from(150));
+    }
+
+    #[test]
+    fn a_number_is_read_quickly_if_it_is_read_at_all() {
+        for text in [
+            "0",
+            "-0",
+            "-0.0",
+            "1.5",
+            ".5",
+            "5.",
+            "-2.5e-3",
+            "1E5",
+            "1e+5",
+            "1e-500",
+            "1e-400",
+            "1e308",
+            "1e309",
+            "1e500",
+            "1e501",
+            "1e-501",
+            "1e99999999999",
+            "",
+            "-",
+            ".",
+            "e5",
+            "1e",
+            "1e+",
+            "+1",
+            "--1",
+            "1 ",
+            "1_0",
+            "nan",
+            "inf",
+            "infinity",
+            "0x1",
+            "1.5rad",
+            "1,5",
+            "٣",
+        ] {
+            let exact = Decimal::parse(text).map(|number| number.nearest().to_bits());
+            assert_eq!(Decimal::nearest_to(text).map(f64::to_bits), exact, "{text}");
+        }
+        assert_eq!(Decimal::nearest_to(&"9".repeat(129)), None);
+        assert!(Decimal::nearest_to(&"9".repeat(128)).is_some());
     }
 
     #[test]

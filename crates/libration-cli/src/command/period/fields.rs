@@ -11,13 +11,17 @@ use libration::period_formulas::PeriodFormula;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub(super) amplitude: Amplitude,
-    pub(super) pendulum: Pendulum,
+    pub(super) small_angle_period: f64,
     pub(super) exact: SwingPeriod,
 }
 
 impl Swing {
-    pub(super) fn new(amplitude: Amplitude, pendulum: Pendulum) -> Self {
-        Self { amplitude, pendulum, exact: pendulum.swing_period(&amplitude) }
+    pub(super) fn new(amplitude: Amplitude, pendulum: &Pendulum) -> Self {
+        Self {
+            amplitude,
+            small_angle_period: pendulum.small_angle_period(),
+            exact: pendulum.swing_period(&amplitude),
+        }
     }
 }
 
@@ -46,7 +50,7 @@ pub(super) fn of_swing() -> Fields<Swing> {
             .rounded("π − θ₀ / rad", 8)
             .line("π − θ₀", DIGITS),
         Of::number("small_angle_period_s", "s", "period of small swings, 2π√(l/g)", |it| {
-            it.pendulum.small_angle_period()
+            it.small_angle_period
         })
         .line(SMALL_ANGLE_PERIOD, DIGITS),
         Of::number("period_s", "s", "exact period at this amplitude", |it| it.exact.period)

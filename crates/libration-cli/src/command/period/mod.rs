@@ -7,8 +7,6 @@ mod table;
 use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::json;
-use crate::output::progress::watched;
 use crate::output::{Form, FormOptions};
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
@@ -53,20 +51,10 @@ impl Period {
         let pendulum = self.pendulum.pendulum()?;
         interrupt::listen()?;
         match self.form.form() {
-            Form::Json => {
-                let formulas = self.formulas.chosen_or_all();
-                let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
-                let amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
-                let results = amplitudes.map(|amplitude| {
-                    let swing = Swing::new(amplitude, pendulum);
-                    let estimates = self.sorted(estimates(&swing, formulas));
-                    of_swing.record(&swing).with("formulas", of_formula.records(&estimates))
-                });
-                json::document_with_list(out, self.pendulum.record(), "results", results)?;
-            }
+            Form::Json => table::write_json(out, self, &amplitudes, &pendulum)?,
             Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
             Form::Table => match amplitudes.single() {
-                Some(amplitude) => sheet::write(out, self, &Swing::new(amplitude, pendulum))?,
+                Some(amplitude) => sheet::write(out, self, &Swing::new(amplitude, &pendulum))?,
                 None => table::write(out, self, &amplitudes, &pendulum)?,
             },
         }
@@ -89,7 +77,7 @@ fn estimates<'a>(swing: &Swing, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'
     let errors = fractional_errors(formulas, &angle);
     let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| {
         let ratio = formula.period_ratio(&angle);
-        let period = swing.pendulum.small_angle_period() * ratio;
+        let period = swing.small_angle_period * ratio;
         Estimate { formula, period, ratio, fractional_error }
     };
     formulas.iter().zip(errors).map(estimate).collect()

@@ -3,11 +3,12 @@
 use super::fields::{self, DIGITS, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
 use crate::arguments::Amplitudes;
-use crate::output::progress::watched;
+use crate::output::json::{self, Record};
+use crate::output::progress::{ProgressLine, watched};
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use crate::parallel;
-use libration::pendulum::{Amplitude, Pendulum};
+use libration::pendulum::Pendulum;
 use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
@@ -27,7 +28,7 @@ pub(super) fn write(
     for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
         let errors = fractional_errors(formulas, &amplitude.angle());
         let errors = errors.into_iter().map(|error| number::rounded(error, 3));
-        let swing = Swing::new(amplitude, *pendulum);
+        let swing = Swing::new(amplitude, pendulum);
         table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
     }
     table.finish(out)
@@ -43,29 +44,66 @@ pub(super) fn write_csv(
     let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
     let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
     csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
-    let mut amplitudes = watched(amplitudes.iter(), amplitudes.len(), "amplitudes");
-    loop {
-        let batch: Vec<Amplitude> = amplitudes.by_ref().take(BATCH).collect();
-        if batch.is_empty() {
-            return Ok(());
+    let row = |text: &mut Vec<u8>, swing: &Swing| {
+        exact.write_csv_cells(text, swing);
+        for estimate in estimates(swing, formulas) {
+            text.push(b',');
+            of_formula.write_csv_cells(text, &estimate);
         }
-        let pieces: Vec<&[Amplitude]> = batch.chunks(PIECE).collect();
-        let lines = |piece: &&[Amplitude]| {
-            piece.iter().map(|amplitude| Swing::new(*amplitude, *pendulum)).fold(vec![], |mut text, swing| {
-                exact.write_csv_cells(&mut text, &swing);
-                for estimate in estimates(&swing, formulas) {
-                    text.push(b',');
-                    of_formula.write_csv_cells(&mut text, &estimate);
-                }
-                text.push(b'\n');
-                text
-            })
-        };
-        parallel::map(&pieces, lines).iter().try_for_each(|text| out.write_all(text))?;
-    }
+    };
+    in_pieces(amplitudes, pendulum, b"\n", row, |text| {
+        out.write_all(text)?;
+        out.write_all(b"\n")
+    })
 }
 
-/// How many amplitudes are answered between two looks at Ctrl-C: a fraction of a second with every formula.
-const BATCH: usize = 1024;
-/// How many lines one core makes at a time.
+pub(super) fn write_json(
+    out: &mut dyn Write,
+    question: &Period,
+    amplitudes: &Amplitudes,
+    pendulum: &Pendulum,
+) -> io::Result<()> {
+    let formulas = question.formulas.chosen_or_all();
+    let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
+    let item = |text: &mut Vec<u8>, swing: &Swing| {
+        let estimates = question.sorted(estimates(swing, formulas));
+        let record = of_swing.record(swing).with("formulas", of_formula.records(&estimates));
+        json::write_item(text, record);
+    };
+    json::begin_document(out, question.pendulum.record())?;
+    let mut list = json::List::default();
+    list.begin(out, "results")?;
+    in_pieces(amplitudes, pendulum, json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
+    list.end(out)?;
+    json::end_document(out, Record::new())
+}
+
+/// Hands the texts of many amplitudes on, each of several with something between them, in their order.
+fn in_pieces(
+    amplitudes: &Amplitudes,
+    pendulum: &Pendulum,
+    between: &[u8],
+    write: impl Fn(&mut Vec<u8>, &Swing) + Sync,
+    mut hand_on: impl FnMut(&[u8]) -> io::Result<()>,
+) -> io::Result<()> {
+    let all = amplitudes.len();
+    let texts = |piece: usize| {
+        let places = piece * PIECE..all.min((piece + 1) * PIECE);
+        let found = places.filter_map(|place| amplitudes.get(place));
+        found.map(|amplitude| Swing::new(amplitude, pendulum)).fold(vec![], |mut text, swing| {
+            text.extend_from_slice(if text.is_empty() { b"" } else { between });
+            write(&mut text, &swing);
+            text
+        })
+    };
+    let mut progress = ProgressLine::beside_the_answer();
+    parallel::in_order(all.div_ceil(PIECE), texts, |piece, text| {
+        if let Some(progress) = &mut progress {
+            progress.show(|| format!("{} of {all} amplitudes", piece * PIECE));
+        }
+        hand_on(&text)
+    })
+}
+
+/// How many amplitudes one core answers at a time: in a fraction of a second with every formula.
 const PIECE: usize = 128;
