@@ -144,6 +144,7 @@ impl DoubleDouble {
         Self::ONE / self
     }
 
+    #[inline(always)]
     pub(crate) fn is_finite(self) -> bool {
         self.hi.is_finite()
     }

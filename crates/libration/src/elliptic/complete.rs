@@ -43,7 +43,7 @@ impl Complete {
         if nearer.above {
             return Self::far(nearer, near, later, log);
         }
-        let cosine_part = near * (DoubleDouble::from(0.5) - later);
+        let cosine_part = cosine_part_near(near, later);
         let parameter = nearer.plain_smaller();
         Self {
             first: near,
@@ -61,9 +61,7 @@ impl Complete {
             return Self { first, second: one, cosine_part: one, second_less_scaled_first: one };
         }
         let first = Descent::far_quarter(near, log);
-        let product = DoubleDouble::FRAC_PI_2.over(near);
-        let scaled = nearer.plain_smaller() * first;
-        let less = product - scaled * (DoubleDouble::from(0.5) - later);
+        let less = second_less_scaled_first_far(nearer, near, later, first);
         Self {
             first,
             second: second_far(nearer, near, later, log),
@@ -71,6 +69,25 @@ impl Complete {
             second_less_scaled_first: less,
         }
     }
+}
+
+/// (E − k′²K)/k² of √p.
+#[inline(always)]
+pub(super) fn cosine_part_near(near: DoubleDouble, later: DoubleDouble) -> DoubleDouble {
+    near * (DoubleDouble::from(0.5) - later)
+}
+
+/// E − k′²K of c, given K(c).
+#[inline(always)]
+pub(super) fn second_less_scaled_first_far(
+    nearer: &Nearer,
+    near: DoubleDouble,
+    later: DoubleDouble,
+    first: DoubleDouble,
+) -> DoubleDouble {
+    let product = DoubleDouble::FRAC_PI_2.over(near);
+    let scaled = nearer.plain_smaller() * first;
+    product - scaled * (DoubleDouble::from(0.5) - later)
 }
 
 /// E(√p) = K(√p)·(1 − p·(½ + later differences)).

@@ -27,6 +27,7 @@ mod modulus_stages;
 mod nearer;
 mod precise;
 mod rounded;
+mod swing_stages;
 mod theta;
 
 pub use complete_stages::{complete_firsts, complete_seconds, nomes};
@@ -37,6 +38,7 @@ pub use moduli::{LengthMismatch, Moduli};
 
 pub(crate) use incomplete::first_of_point;
 pub(crate) use precise::PreciseQuotients;
+pub(crate) use swing_stages::SwingStages;
 pub(crate) use theta::{
     CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient,
     ratio, scaled_by,

@@ -37,10 +37,10 @@ pub struct LengthMismatch {
 
 impl LengthMismatch {
     pub(crate) fn check(input: &[f64], output: &[f64]) -> Result<(), Self> {
-        if input.len() == output.len() {
-            Ok(())
-        } else {
-            Err(Self { expected: input.len(), found: output.len() })
-        }
+        Self::check_lengths(input.len(), output.len())
+    }
+
+    pub(crate) fn check_lengths(expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self { expected, found }) }
     }
 }

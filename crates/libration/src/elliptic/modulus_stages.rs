@@ -41,13 +41,16 @@ impl ModulusStages {
     /// The nearer sides of the moduli; the values are those of a block of `moduli`.
     #[inline(always)]
     pub(super) fn load(&mut self, moduli: &Moduli<'_>, values: &[f64; BLOCK]) {
-        Nearer::each(moduli, values, |i, Nearer { above, smaller, raised, root }| {
-            self.above[i] = if above { 1.0 } else { 0.0 };
-            self.raised[i] = if raised { 1.0 } else { 0.0 };
-            self.smaller.set(i, smaller);
-            self.root.set(i, root);
-        });
+        Nearer::each(moduli, values, |i, nearer| self.set(i, nearer));
         self.inside = values.map(inside);
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, i: usize, Nearer { above, smaller, raised, root }: Nearer) {
+        self.above[i] = if above { 1.0 } else { 0.0 };
+        self.raised[i] = if raised { 1.0 } else { 0.0 };
+        self.smaller.set(i, smaller);
+        self.root.set(i, root);
     }
 
     #[inline(always)]

@@ -10,7 +10,7 @@ use crate::elliptic::{self, Modulus};
 use crate::quantity::Angle;
 
 /// Half of a complement below this would be rounded among the subnormal numbers.
-const SMALLEST_HALVED: f64 = 2.0 * f64::MIN_POSITIVE;
+pub(super) const SMALLEST_HALVED: f64 = 2.0 * f64::MIN_POSITIVE;
 
 /// The amplitude of a libration: an angle of at least zero and less than π, with its complement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,8 +92,7 @@ impl Amplitude {
     }
 
     fn condition_with(&self, slope: DoubleDouble) -> f64 {
-        // 1/δ is beyond the range of numbers for the smallest complements.
-        if slope.is_finite() { (self.angle.in_turn_words() * slope).to_f64() } else { f64::INFINITY }
+        condition_of(self.angle.in_turn_words(), slope)
     }
 
     /// (1/T)·dT/dθ0 = (E − k′²K)/(2kk′K), in 1/rad.
@@ -108,7 +107,7 @@ impl Amplitude {
     ) -> DoubleDouble {
         let complement = self.angle.complement_words();
         let twice = if complement.hi < SMALLEST_HALVED { complement } else { complementary.scaled(2.0) };
-        k * integrals.cosine_part / integrals.first / twice
+        slope_of(k, integrals.cosine_part, integrals.first, twice)
     }
 
     /// The period in units of 4/ω0, the nome and the condition number, with one preparation for all.
@@ -158,7 +157,27 @@ impl Amplitude {
     }
 }
 
+/// (E − k′²K)/k²·k/K/2k′, given twice k′.
+#[inline(always)]
+pub(super) fn slope_of(
+    k: DoubleDouble,
+    cosine_part: DoubleDouble,
+    first: DoubleDouble,
+    twice: DoubleDouble,
+) -> DoubleDouble {
+    k * cosine_part / first / twice
+}
+
+/// The condition number of the period, given its logarithmic slope.
+#[inline(always)]
+pub(super) fn condition_of(amplitude: DoubleDouble, slope: DoubleDouble) -> f64 {
+    // 1/δ is beyond the range of numbers for the smallest complements.
+    let product = (amplitude * slope).to_f64();
+    if slope.is_finite() { product } else { f64::INFINITY }
+}
+
 /// 4K/ω0.
+#[inline(always)]
 pub(super) fn period_of_quarter(first: DoubleDouble, angular_frequency: DoubleDouble) -> f64 {
     (first.scaled(4.0) / angular_frequency).to_f64()
 }

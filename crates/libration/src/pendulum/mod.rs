@@ -35,6 +35,7 @@ mod prepared;
 mod table;
 
 mod swing_period;
+mod swing_period_stages;
 
 mod varying;
 mod varying_stages;

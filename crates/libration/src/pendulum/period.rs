@@ -158,7 +158,7 @@ pub(super) struct Nearer {
 
 impl Nearer {
     #[inline(always)]
-    fn new(above: bool, amplitude: DoubleDouble, complement: DoubleDouble) -> Self {
+    pub(super) fn new(above: bool, amplitude: DoubleDouble, complement: DoubleDouble) -> Self {
         let s = DoubleDouble::new(
             if above { complement.hi } else { amplitude.hi },
             if above { complement.lo } else { amplitude.lo },
@@ -197,7 +197,7 @@ pub(super) fn within_pi(amplitude: f64) -> bool {
 pub(super) struct OfAmplitude<R>(pub(super) R);
 
 /// How the two forms of the period are rounded to one answer.
-trait Rounding: Copy {
+pub(super) trait Rounding: Copy {
     /// The answer, from T/T0 − 1 below π/2 and T/T0 above.
     fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
 }

@@ -5,7 +5,7 @@ use crate::promises::RATIO;
 use crate::random::Random;
 use crate::ulp::{Truth, ulp};
 use core::f64::consts::{FRAC_PI_2, PI};
-use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum, PendulumError};
+use libration::pendulum::{self, Amplitude, LengthMismatch, Pendulum, PendulumError, SwingPeriod};
 use libration::quantity::Angle;
 
 #[test]
@@ -282,13 +282,7 @@ fn a_measured_period_gives_length_and_gravity_back() {
 #[test]
 fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
     let pendulum = Pendulum::new(0.7, 9.81).unwrap();
-    let mut random = Random::seeded(21);
-    let complements = [5e-324, 2.2e-308, 4.4e-308, 4.5e-308, 1e-300, 1e-9].map(Angle::from_complement);
-    let radians = [0.0, 1e-300, 1e-9, FRAC_PI_2, FRAC_PI_2.next_up(), FRAC_PI_2.next_down(), PI.next_down()];
-    let drawn: Vec<f64> = (0..2000).map(|_| random.between(0.0, PI)).collect();
-    let radians = radians.into_iter().chain(drawn).map(Angle::from_radians);
-    for angle in complements.into_iter().chain(radians) {
-        let amplitude = Amplitude::new(angle.unwrap()).unwrap();
+    for amplitude in seams_and_2000_amplitudes() {
         let swing = pendulum.swing_period(&amplitude);
         let found = [swing.period, swing.ratio, swing.excess, swing.nome, swing.condition];
         let expected = [
@@ -304,4 +298,34 @@ fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
             assert_eq!(swing.nome.to_bits(), amplitude.modulus().nome().to_bits(), "{amplitude:?}");
         }
     }
+}
+
+#[test]
+fn what_belongs_to_many_periods_is_what_belongs_to_each_bit_for_bit() {
+    let bits = |it: &SwingPeriod| [it.period, it.ratio, it.excess, it.nome, it.condition].map(f64::to_bits);
+    let amplitudes = seams_and_2000_amplitudes();
+    for pendulum in [Pendulum::new(0.7, 9.81), Pendulum::from_angular_frequency(1e-200)].map(Result::unwrap) {
+        // Blocks of every length, with those that are not regular at any place.
+        for length in (0..200).chain([amplitudes.len()]) {
+            let amplitudes = &amplitudes[..length];
+            let mut found = vec![SwingPeriod::default(); length];
+            pendulum.swing_periods(amplitudes, &mut found).unwrap();
+            for (amplitude, found) in amplitudes.iter().zip(&found) {
+                let alone = pendulum.swing_period(amplitude);
+                assert_eq!(bits(found), bits(&alone), "{amplitude:?}: {found:?} {alone:?}");
+            }
+        }
+    }
+    let mut two = [SwingPeriod::default(); 2];
+    let refused = Pendulum::new(1.0, 9.81).unwrap().swing_periods(&amplitudes[..3], &mut two);
+    assert_eq!(refused, Err(LengthMismatch { expected: 3, found: 2 }));
+}
+
+fn seams_and_2000_amplitudes() -> Vec<Amplitude> {
+    let mut random = Random::seeded(21);
+    let complements = [5e-324, 2.2e-308, 4.4e-308, 4.5e-308, 1e-300, 1e-9].map(Angle::from_complement);
+    let radians = [0.0, 1e-300, 1e-9, FRAC_PI_2, FRAC_PI_2.next_up(), FRAC_PI_2.next_down(), PI.next_down()];
+    let drawn: Vec<f64> = (0..2000).map(|_| random.between(0.0, PI)).collect();
+    let radians = radians.into_iter().chain(drawn).map(Angle::from_radians);
+    complements.into_iter().chain(radians).map(|angle| Amplitude::new(angle.unwrap()).unwrap()).collect()
 }

@@ -17,11 +17,17 @@ pub(super) struct Swing {
 
 impl Swing {
     pub(super) fn new(amplitude: Amplitude, pendulum: &Pendulum) -> Self {
-        Self {
-            amplitude,
-            small_angle_period: pendulum.small_angle_period(),
-            exact: pendulum.swing_period(&amplitude),
-        }
+        let small_angle_period = pendulum.small_angle_period();
+        Self { amplitude, small_angle_period, exact: pendulum.swing_period(&amplitude) }
+    }
+
+    /// Of many amplitudes.
+    pub(super) fn all(amplitudes: &[Amplitude], pendulum: &Pendulum) -> Vec<Self> {
+        let small_angle_period = pendulum.small_angle_period();
+        let mut exact = vec![SwingPeriod::default(); amplitudes.len()];
+        pendulum.swing_periods(amplitudes, &mut exact).expect("there is one for each");
+        let swing = |(&amplitude, exact)| Self { amplitude, small_angle_period, exact };
+        amplitudes.iter().zip(exact).map(swing).collect()
     }
 }
 

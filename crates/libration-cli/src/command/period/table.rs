@@ -8,7 +8,7 @@ use crate::output::progress::{ProgressLine, watched};
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use crate::parallel;
-use libration::pendulum::Pendulum;
+use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
@@ -89,10 +89,10 @@ fn in_pieces(
     let all = amplitudes.len();
     let texts = |piece: usize| {
         let places = piece * PIECE..all.min((piece + 1) * PIECE);
-        let found = places.filter_map(|place| amplitudes.get(place));
-        found.map(|amplitude| Swing::new(amplitude, pendulum)).fold(vec![], |mut text, swing| {
+        let found: Vec<Amplitude> = places.filter_map(|place| amplitudes.get(place)).collect();
+        Swing::all(&found, pendulum).iter().fold(vec![], |mut text, swing| {
             text.extend_from_slice(if text.is_empty() { b"" } else { between });
-            write(&mut text, &swing);
+            write(&mut text, swing);
             text
         })
     };
