@@ -75,7 +75,7 @@ impl<F: Fn(bool, DoubleDouble, DoubleDouble) -> f64> Kernel for Each<'_, F> {
                 log.set(i, log_of_inverse(nearer.smaller, nearer.raised));
             });
             for (i, result) in results.iter_mut().enumerate() {
-                *result = inside(block[i]) * (self.function)(above[i] > 0.5, p.get(i), log.get(i));
+                *result = inside(&block[i]) * (self.function)(above[i] > 0.5, p.get(i), log.get(i));
             }
         });
     }

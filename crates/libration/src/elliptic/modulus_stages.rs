@@ -7,8 +7,8 @@ use crate::double_double::block::{BLOCK, Words};
 
 /// One, or NaN where there is no such modulus.
 #[inline(always)]
-pub(super) fn inside(value: f64) -> f64 {
-    if value >= 0.0 && value <= 1.0 { 1.0 } else { f64::NAN }
+pub(super) fn inside(value: &f64) -> f64 {
+    if *value >= 0.0 && *value <= 1.0 { 1.0 } else { f64::NAN }
 }
 
 /// What one stage leaves for the next.
@@ -42,7 +42,9 @@ impl ModulusStages {
     #[inline(always)]
     pub(super) fn load(&mut self, moduli: &Moduli<'_>, values: &[f64; BLOCK]) {
         Nearer::each(moduli, values, |i, nearer| self.set(i, nearer));
-        self.inside = values.map(inside);
+        for (inside_one, value) in self.inside.iter_mut().zip(values) {
+            *inside_one = inside(value);
+        }
     }
 
     #[inline(always)]
