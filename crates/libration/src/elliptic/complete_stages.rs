@@ -4,13 +4,14 @@ use super::complete::{second_far, second_near};
 use super::descent::Descent;
 use super::incomplete::{First, Second};
 use super::moduli::{LengthMismatch, Moduli};
-use super::modulus_stages::{ModulusStages, inside};
+use super::modulus_stages::ModulusStages;
 use super::nearer::Nearer;
 use super::nome;
-use super::rounded::{first_with, log_of_inverse, second_with};
+use super::rounded::{Rounded, log_of_inverse};
 use crate::dispatch::{Kernel, dispatch_slices};
-use crate::double_double::block::{BLOCK, Words};
+use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, pick};
+use std::marker::PhantomData;
 
 /// A function of the modulus in two words.
 pub(super) trait OfModulusWords {
@@ -44,57 +45,56 @@ impl Kernel for Nomes<'_> {
     #[inline(always)]
     fn run(self) {
         let mut stages = ModulusStages::ZERO;
-        in_blocks(self.moduli, self.nomes, |block, nomes| {
-            stages.load(&self.moduli, block);
+        let mut block = [0.5; BLOCK];
+        let mut nomes = [0.0; BLOCK];
+        for (values, written) in self.moduli.values().chunks(BLOCK).zip(self.nomes.chunks_mut(BLOCK)) {
+            block[..values.len()].copy_from_slice(values);
+            stages.load(&self.moduli, &block);
             stages.descend();
             stages.logarithms();
-            for (i, written) in nomes.iter_mut().enumerate() {
-                let found = nome(&stages.nearer(i), &stages.descent(i), stages.log.get(i));
-                *written = stages.inside[i] * found;
+            for (i, found) in nomes.iter_mut().enumerate() {
+                let nome = nome(&stages.nearer(i), &stages.descent(i), stages.log.get(i));
+                *found = stages.inside[i] * nome;
             }
-        });
+            written.copy_from_slice(&nomes[..written.len()]);
+        }
     }
 }
 
-/// A function of whether m is above one half, of the nearer parameter p and of ln(16/p).
 struct Each<'a, F> {
     moduli: Moduli<'a>,
     results: &'a mut [f64],
-    function: F,
+    function: PhantomData<F>,
 }
 
-impl<F: Fn(bool, DoubleDouble, DoubleDouble) -> f64> Kernel for Each<'_, F> {
+impl<F: Rounded> Kernel for Each<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let (mut above, mut p, mut log) = ([0.0; BLOCK], Words::ZERO, Words::ZERO);
-        in_blocks(self.moduli, self.results, |block, results| {
-            Nearer::each(&self.moduli, block, |i, nearer| {
-                above[i] = if nearer.above { 1.0 } else { 0.0 };
-                p.set(i, nearer.plain_smaller());
-                log.set(i, log_of_inverse(nearer.smaller, nearer.raised));
-            });
-            for (i, result) in results.iter_mut().enumerate() {
-                *result = inside(&block[i]) * (self.function)(above[i] > 0.5, p.get(i), log.get(i));
+        let mut stages = ModulusStages::ZERO;
+        let mut block = [0.5; BLOCK];
+        let mut results = [0.0; BLOCK];
+        for (values, written) in self.moduli.values().chunks(BLOCK).zip(self.results.chunks_mut(BLOCK)) {
+            block[..values.len()].copy_from_slice(values);
+            stages.load(&self.moduli, &block);
+            for i in 0..BLOCK {
+                let nearer = stages.nearer(i);
+                stages.log.set(i, log_of_inverse(nearer.smaller, nearer.raised));
             }
-        });
+            for (i, result) in results.iter_mut().enumerate() {
+                let nearer = stages.nearer(i);
+                let value = F::value(nearer.above, nearer.plain_smaller(), stages.log.get(i));
+                *result = stages.inside[i] * value;
+            }
+            written.copy_from_slice(&results[..written.len()]);
+        }
     }
 }
 
-/// Block by block, the last one filled up.
-#[inline(always)]
-fn in_blocks(
-    moduli: Moduli<'_>,
-    results: &mut [f64],
-    mut of_block: impl FnMut(&[f64; BLOCK], &mut [f64; BLOCK]),
-) {
-    let mut block = [0.5; BLOCK];
-    let mut found = [0.0; BLOCK];
-    for (values, written) in moduli.values().chunks(BLOCK).zip(results.chunks_mut(BLOCK)) {
-        block[..values.len()].copy_from_slice(values);
-        of_block(&block, &mut found);
-        written.copy_from_slice(&found[..written.len()]);
-    }
+fn each<F: Rounded>(moduli: Moduli<'_>, results: &mut [f64]) -> Result<(), LengthMismatch> {
+    LengthMismatch::check(moduli.values(), results)?;
+    dispatch_slices(Each { moduli, results, function: PhantomData::<F> });
+    Ok(())
 }
 
 /// The complete integral of the first kind K of each modulus (DLMF 19.2.8): [`Modulus::first`](super::Modulus::first), bit for bit.
@@ -114,9 +114,7 @@ fn in_blocks(
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn complete_firsts(moduli: Moduli<'_>, firsts: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(moduli.values(), firsts)?;
-    dispatch_slices(Each { moduli, results: firsts, function: first_with });
-    Ok(())
+    each::<First>(moduli, firsts)
 }
 
 /// The complete integral of the second kind E of each modulus (DLMF 19.2.8): [`Modulus::second`](super::Modulus::second), bit for
@@ -137,9 +135,7 @@ pub fn complete_firsts(moduli: Moduli<'_>, firsts: &mut [f64]) -> Result<(), Len
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), LengthMismatch> {
-    LengthMismatch::check(moduli.values(), seconds)?;
-    dispatch_slices(Each { moduli, results: seconds, function: second_with });
-    Ok(())
+    each::<Second>(moduli, seconds)
 }
 
 /// The nome q = exp(−πK′/K) of each modulus (DLMF 22.2.1): [`Modulus::nome`](super::Modulus::nome), bit for bit.

@@ -5,12 +5,6 @@ use super::moduli::Moduli;
 use super::nearer::Nearer;
 use crate::double_double::block::{BLOCK, Words};
 
-/// One, or NaN where there is no such modulus.
-#[inline(always)]
-pub(super) fn inside(value: &f64) -> f64 {
-    if *value >= 0.0 && *value <= 1.0 { 1.0 } else { f64::NAN }
-}
-
 /// What one stage leaves for the next.
 pub(super) struct ModulusStages {
     /// One, or NaN where there is no such modulus.
@@ -41,9 +35,21 @@ impl ModulusStages {
     /// The nearer sides of the moduli; the values are those of a block of `moduli`.
     #[inline(always)]
     pub(super) fn load(&mut self, moduli: &Moduli<'_>, values: &[f64; BLOCK]) {
-        Nearer::each(moduli, values, |i, nearer| self.set(i, nearer));
-        for (inside_one, value) in self.inside.iter_mut().zip(values) {
-            *inside_one = inside(value);
+        match moduli {
+            Moduli::Parameters(_) => self.load_by(values, Nearer::from_parameter),
+            Moduli::ComplementaryParameters(_) => self.load_by(values, Nearer::from_complementary_parameter),
+            Moduli::Moduli(_) => self.load_by(values, Nearer::from_modulus),
+            Moduli::ComplementaryModuli(_) => self.load_by(values, Nearer::from_complementary_modulus),
+        }
+        for (inside, value) in self.inside.iter_mut().zip(values) {
+            *inside = if *value >= 0.0 && *value <= 1.0 { 1.0 } else { f64::NAN };
+        }
+    }
+
+    #[inline(always)]
+    fn load_by(&mut self, values: &[f64; BLOCK], nearer: impl Fn(f64) -> Nearer) {
+        for (i, value) in values.iter().enumerate() {
+            self.set(i, nearer(*value));
         }
     }
 

@@ -3,9 +3,7 @@
 //! All that belongs to a modulus follows from it: on its own side by series that converge in a few terms, on the other
 //! by the logarithm of the nome.
 
-use super::moduli::Moduli;
 use super::{Expansion, leg};
-use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, fast_two_sum, pick};
 
 /// The smaller of m and 1 − m, and the root of the larger.
@@ -43,25 +41,14 @@ impl Nearer {
         Self::from_smaller(above, if above { complementary } else { 1.0 - complementary })
     }
 
-    /// Of each of a block of `moduli`, with its place.
     #[inline(always)]
-    pub(crate) fn each(moduli: &Moduli<'_>, values: &[f64; BLOCK], found: impl FnMut(usize, Self)) {
-        match moduli {
-            Moduli::Parameters(_) => each_by(values, Self::from_parameter, found),
-            Moduli::ComplementaryParameters(_) => each_by(values, Self::from_complementary_parameter, found),
-            Moduli::Moduli(_) => each_by(values, Self::from_modulus, found),
-            Moduli::ComplementaryModuli(_) => each_by(values, Self::from_complementary_modulus, found),
-        }
-    }
-
-    #[inline(always)]
-    fn from_modulus(modulus: f64) -> Self {
+    pub(crate) fn from_modulus(modulus: f64) -> Self {
         let modulus = DoubleDouble::from(modulus);
         Self::from_words(modulus, leg(modulus))
     }
 
     #[inline(always)]
-    fn from_complementary_modulus(complementary: f64) -> Self {
+    pub(crate) fn from_complementary_modulus(complementary: f64) -> Self {
         let complementary = DoubleDouble::from(complementary);
         Self::from_words(leg(complementary), complementary)
     }
@@ -106,12 +93,5 @@ impl Nearer {
     #[inline(always)]
     pub(crate) fn plain_smaller(&self) -> DoubleDouble {
         self.smaller.scaled(self.lowering()).scaled(self.lowering())
-    }
-}
-
-#[inline(always)]
-fn each_by(values: &[f64; BLOCK], nearer: impl Fn(f64) -> Nearer, mut found: impl FnMut(usize, Nearer)) {
-    for (i, value) in values.iter().enumerate() {
-        found(i, nearer(*value));
     }
 }

@@ -17,10 +17,12 @@
 //! | tables | 0.01 | 2e-16 of those terms |
 //! | the one rounding to `f64` | 0.5 | |
 
+use super::incomplete::{First, Second};
 use super::nearer::Nearer;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{polynomial, split_logarithm};
+use std::marker::PhantomData;
 
 /// (2K/π − 1 − p/4 − 9p²/64)/p³ in p on [0, ½]: relative error 1.5e-16.
 const QUARTER: [f64; 20] = [
@@ -141,46 +143,54 @@ const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949
 /// The powers of two by which a parameter is raised.
 const RAISED: f64 = 1200.0;
 
+/// A complete integral rounded once.
+pub(super) trait Rounded {
+    /// Its value, from whether m is above one half, from p and ln(16/p); `#[inline(always)]`.
+    fn value(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64;
+}
+
+impl Rounded for First {
+    #[inline(always)]
+    fn value(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64 {
+        let quarter = quarter(p);
+        let far = product(quarter, log_inverse_nome(p, log).scaled(0.5)).to_f64();
+        let far = if log.hi < f64::INFINITY { far } else { f64::INFINITY };
+        let near = product(quarter, DoubleDouble::FRAC_PI_2).to_f64();
+        if above { far } else { near }
+    }
+}
+
+impl Rounded for Second {
+    #[inline(always)]
+    fn value(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64 {
+        let far = second_far(p, log);
+        let far = if p.hi == 0.0 { 1.0 } else { far };
+        let near = product(second_near(p), DoubleDouble::FRAC_PI_2).to_f64();
+        if above { far } else { near }
+    }
+}
+
 /// K.
 pub(super) fn first(nearer: &Nearer) -> f64 {
-    dispatch(One(first_with, nearer))
+    dispatch(One(PhantomData::<First>, nearer))
 }
 
 /// E.
 pub(super) fn second(nearer: &Nearer) -> f64 {
-    dispatch(One(second_with, nearer))
+    dispatch(One(PhantomData::<Second>, nearer))
 }
 
 /// A function of one modulus.
-struct One<'a, F>(F, &'a Nearer);
+struct One<'a, F>(PhantomData<F>, &'a Nearer);
 
-impl<F: Fn(bool, DoubleDouble, DoubleDouble) -> f64> Kernel for One<'_, F> {
+impl<F: Rounded> Kernel for One<'_, F> {
     type Output = f64;
     #[inline(always)]
     fn run(self) -> f64 {
-        let Self(function, nearer) = self;
+        let nearer = self.1;
         let log = log_of_inverse(nearer.smaller, nearer.raised);
-        function(nearer.above, nearer.plain_smaller(), log)
+        F::value(nearer.above, nearer.plain_smaller(), log)
     }
-}
-
-/// K, whether m is above one half, from p and ln(16/p).
-#[inline(always)]
-pub(super) fn first_with(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64 {
-    let quarter = quarter(p);
-    let far = product(quarter, log_inverse_nome(p, log).scaled(0.5)).to_f64();
-    let far = if log.hi < f64::INFINITY { far } else { f64::INFINITY };
-    let near = product(quarter, DoubleDouble::FRAC_PI_2).to_f64();
-    if above { far } else { near }
-}
-
-/// E, from the same.
-#[inline(always)]
-pub(super) fn second_with(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64 {
-    let far = second_far(p, log);
-    let far = if p.hi == 0.0 { 1.0 } else { far };
-    let near = product(second_near(p), DoubleDouble::FRAC_PI_2).to_f64();
-    if above { far } else { near }
 }
 
 /// 2K(√p)/π.
