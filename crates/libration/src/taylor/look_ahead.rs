@@ -2,9 +2,9 @@
 
 use super::Cause;
 use super::block::Row;
+use super::larger::larger_or_nan;
 use super::step_length::{log2_time_scale, step_lengths};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
-use super::trial::larger_or_nan;
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch_lanes};
 use crate::elementary::rough::exp2;

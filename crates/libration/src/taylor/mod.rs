@@ -21,6 +21,7 @@
 
 mod error;
 mod event;
+mod larger;
 mod layout;
 mod system;
 mod tangent;

@@ -3,7 +3,7 @@
 //! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
 
 use super::block::{Block, Row};
-use super::trial::larger;
+use super::larger::larger;
 use crate::algebra::lanes;
 use crate::elementary::count;
 

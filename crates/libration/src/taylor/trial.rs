@@ -5,6 +5,7 @@
 //! before a step is taken the accelerations at its end are compared with those of its polynomials.
 
 use super::Cause;
+use super::larger::{larger, larger_or_nan};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch_lanes};
@@ -204,21 +205,10 @@ fn size_of([zeroth, first, second]: [f64; 3], gain: f64, units: f64, floor: f64)
     larger(larger(zeroth, change), floor)
 }
 
-/// The first where they cannot be compared.
-#[inline(always)]
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if b > a { b } else { a }
-}
-
 /// Nothing is no part of nothing.
 #[inline(always)]
 fn part_of(change: f64, size: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / size }
-}
-
-#[inline(always)]
-pub(super) fn larger_or_nan(largest: f64, part: f64) -> f64 {
-    if part <= largest || largest.is_nan() { largest } else { part }
 }
 
 /// The states at the ends of the steps and the misfits there, in all lanes.
