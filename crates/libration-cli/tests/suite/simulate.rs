@@ -345,3 +345,37 @@ fn columns_and_counted_events_survive_a_stop() {
     let refused = run(&[&question[..], &other].concat());
     assert!(message(&refused).contains("--columns"), "{}", message(&refused));
 }
+
+/// x′ = x − x², which is 1/(1 + e⁻ᵗ), and a swing that is the same before and after its start.
+#[test]
+fn times_may_lie_on_both_sides_of_the_start() {
+    let question = ["simulate", "x' = x - x^2", "--initial", "x=0.5", "--times=-10:10:2.5"];
+    let output = run(&[&question[..], &["--json"]].concat());
+    assert!(output.status.success(), "{}", message(&output));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let times: Vec<f64> =
+        answer["samples"].as_array().unwrap().iter().map(|row| row["time"].as_f64().unwrap()).collect();
+    assert_eq!(times, [-10.0, -7.5, -5.0, -2.5, 0.0, 2.5, 5.0, 7.5, 10.0]);
+    for (place, time) in times.iter().enumerate() {
+        let exact = 1.0 / (1.0 + (-time).exp());
+        assert!((sample(&answer, place)[0] - exact).abs() < 1e-11 * exact, "{time}");
+    }
+    let swing =
+        json("simulate pendulum --initial theta=1 --times=-7:7:7 --events crossing --tolerance 1e-14");
+    let bits = |place: usize| sample(&swing, place)[0].to_bits();
+    assert_eq!(bits(0), bits(2));
+    assert!((sample(&swing, 0)[1] + sample(&swing, 2)[1]).abs() <= 0.0);
+    let passed: Vec<f64> =
+        swing["events"].as_array().unwrap().iter().map(|row| row["time"].as_f64().unwrap()).collect();
+    assert!(passed.len() == 4 && passed.is_sorted(), "{passed:?}");
+    assert!((passed[0] + passed[3]).abs() < 1e-12 && (passed[1] + passed[2]).abs() < 1e-12, "{passed:?}");
+    assert!(swing["energy_drift"].as_f64().unwrap() < 1e-13);
+    for option in ["--until theta=0", "--figure swing.svg"] {
+        let refused = libration(&format!("simulate pendulum --initial theta=1 --times=-1:1:1 {option}"));
+        assert_eq!(refused.status.code(), Some(2), "{option}");
+        assert!(message(&refused).contains("in one direction"), "{}", message(&refused));
+    }
+    let turned = libration("simulate pendulum --initial theta=1 --times=1,0,-1");
+    assert_eq!(turned.status.code(), Some(2));
+    assert!(message(&turned).contains("in ascending order"), "{}", message(&turned));
+}

@@ -64,6 +64,7 @@ mod batch;
 mod partial_solution;
 
 mod accepted_step;
+mod both_ways;
 mod dense_solution;
 mod ending;
 mod integrate;
@@ -72,6 +73,7 @@ mod integrate;
 mod tests;
 
 pub use accepted_step::{AcceptedStep, Start, integrate_from};
+pub use both_ways::integrate_both_ways;
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use dense_solution::{DenseSolution, integrate_dense};
 pub use ending::ending_error;

@@ -1,5 +1,6 @@
 //! `libration simulate`: the motion of any system in time.
 
+mod both_ways;
 mod csv;
 mod ending;
 mod events;
@@ -46,6 +47,7 @@ pub(crate) use fields::answers;
     --times 0:60:1 --figure plane.svg --axes \"theta,theta'\"
   libration simulate \"x'' = y - x; y'' = x - y\" --initial x=1 \\
     --times 0,1,10 --json
+  libration simulate \"x' = x - x^2\" --initial x=0.5 --times=-10:10:2
   libration simulate lorenz --initial x=1,y=1,z=1 --times 0:20:1 \\
     --figure lorenz.svg --axes x,z
   libration simulate \"x' = x - x*y; y' = x*y - y\" --initial x=2,y=1 \\
@@ -79,7 +81,7 @@ pub(crate) struct Simulate {
     system: PendulumSystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0; negative ones run backward
+    /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward
     #[arg(long, value_parser = arguments::times)]
     times: Times,
     /// The relative error allowed in each step

@@ -52,8 +52,14 @@ impl SimulatedMotion<'_> {
         keeper: Option<Keeper>,
     ) -> Result<Outcome, Failure> {
         interrupt::listen()?;
+        if self.goes_both_ways() {
+            self.check_both_ways(figure.is_some())?;
+        }
         let system = self.system()?;
         let mut report = report(form, figure.is_none());
+        if self.goes_both_ways() {
+            return self.write_both_ways(&system, &mut *report, out);
+        }
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
         let trace = figure.as_ref().map(|_| Trace::new(self.model, self.times.last()));
@@ -80,7 +86,9 @@ impl SimulatedMotion<'_> {
 
     /// The system with its events, when the times can be reached.
     fn system(&self) -> Result<System, Failure> {
-        check_order(self.times)?;
+        if !self.goes_both_ways() {
+            check_order(self.times)?;
+        }
         let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
@@ -160,7 +168,7 @@ fn check_order(times: &Times) -> Result<(), Failure> {
 }
 
 /// How it ended, with what was computed.
-fn ended(
+pub(super) fn ended(
     outcome: Result<Solution, IntegrationError>,
     motion: &SimulatedMotion,
 ) -> Result<(Ending, Solution), Failure> {
