@@ -1,6 +1,6 @@
 """Measures how cost grows with size: amplitudes, orders of a series, trajectories, rows of a recording, ours beside a peer's.
 
-Each cost is the median of --rounds; tools take turns. The numbers go to a file as JSON, with date and processor, and the picture is
+Each cost is the median of --rounds; tools take turns (SciPy's fits, which take seconds, are made once). The numbers go to a file as JSON, with date and processor, and the picture is
 drawn from that file alone (--draw draws it again without measuring).
 """
 import argparse
@@ -11,6 +11,7 @@ import platform
 import statistics
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -77,12 +78,8 @@ def trajectories(rounds):
 
 
 def rows(rounds):
-    import importlib.util
     import scipy
-    spec = importlib.util.spec_from_file_location("lab", ROOT / "bench/lab/run.py")
-    lab = importlib.util.module_from_spec(spec)
-    sys.modules["lab"] = lab
-    spec.loader.exec_module(lab)
+    from fits import lab
     damping, random, cores = lab.Damping(linear=0.02, quadratic=0.01), np.random.default_rng(2), {max(os.sched_getaffinity(0))}
 
     def point(count, folder):
@@ -90,25 +87,27 @@ def rows(rounds):
         file = lab.write(Path(folder) / f"{count}.csv", [recording])
         def by_us():
             return lab.ours(ROOT / "target/release/libration", file, "linear+quadratic", cores)[2]
-        if count > 10_000:
-            return count, *medians(rounds, by_us), None
-        return count, *medians(min(rounds, 3), by_us, lambda: run_stopwatch(lab.by_scipy, recording))
+        theirs = processor_seconds(lab.by_scipy, *recording) if count <= 3000 else None
+        return count, *medians(rounds, by_us), theirs
 
     with tempfile.TemporaryDirectory() as folder:
-        points = [point(10**power, folder) for power in range(3, 7)]
+        points = [point(count, folder) for count in (300, 1000, 3000, 10_000, 100_000, 1_000_000)]
     return panel("fit of 25 damped swings", "rows", f"SciPy {scipy.__version__} least_squares", points)
 
 
-def run_stopwatch(task, arguments):
-    import run
-    return run.stopwatch(task, *arguments) * 1e-9
+def processor_seconds(task, *arguments):
+    start = time.process_time()
+    task(*arguments)
+    return time.process_time() - start
 
 
 PANELS = (amplitudes, orders, trajectories, rows)
 
 
 def processor():
-    names = [line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")] if Path("/proc/cpuinfo").exists() else []
+    told = Path("/proc/cpuinfo")
+    lines = told.read_text().splitlines() if told.exists() else []
+    names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
     return names[0] if names else platform.processor() or "unknown processor"
 
 

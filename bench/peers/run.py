@@ -5,7 +5,6 @@ with the largest error of both on a sample, against mpmath. Then the command is 
 the fits of bench/lab. The last table shows the goals; the exit status is the number of lines that fall short.
 """
 import argparse
-import importlib.util
 import os
 import statistics
 import struct
@@ -25,6 +24,7 @@ ROOT = HERE.parents[1]
 sys.path[:0] = [str(ROOT / "reference"), str(HERE)]
 sys.dont_write_bytecode = True
 from elliptic import first, jacobi  # noqa: E402
+from fits import lab  # noqa: E402
 from goals import Line, finish  # noqa: E402
 
 mp.dps = 60
@@ -231,10 +231,6 @@ def csv_of_periods(rounds):
 
 def fits_of_swings(wanted, rounds):
     """The fits of bench/lab."""
-    spec = importlib.util.spec_from_file_location("lab", ROOT / "bench/lab/run.py")
-    lab = importlib.util.module_from_spec(spec)
-    sys.modules["lab"] = lab
-    spec.loader.exec_module(lab)
     if not any(wanted in f"fit trace, {title}" for title in lab.TITLES):
         return
     with tempfile.TemporaryDirectory() as folder:
