@@ -49,18 +49,13 @@ struct Rows {
 
 impl Rows {
     fn new(line: &StraightLine, group: &Group, set: &'static PackedSet) -> Self {
-        let first = [true, false].map(|of_one| {
-            std::array::from_fn(|lane| match line.steps()[group.members[lane.min(group.members.len() - 1)]] {
-                Arithmetic::InnerProduct { a, b, .. } => {
-                    if of_one {
-                        a
-                    } else {
-                        b
-                    }
-                }
-                _ => 0,
-            })
-        });
+        let last = group.members.len() - 1;
+        let rows: [[usize; 2]; WIDEST] =
+            std::array::from_fn(|lane| match line.steps()[group.members[lane.min(last)]] {
+                Arithmetic::InnerProduct { a, b, .. } => [a, b],
+                _ => [0; 2],
+            });
+        let first = [rows.map(|[a, _]| a), rows.map(|[_, b]| b)];
         let (lanes, packed) = match group.members.len() {
             1 => (1, &set.one),
             2 => (2, &set.two),
