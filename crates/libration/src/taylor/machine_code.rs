@@ -42,8 +42,8 @@ impl MachineCode {
     /// The code of an expansion that starts from the zeroth coefficients, with the unit of time as argument, given what it does; the same
     /// bits come out without it.
     pub(super) fn expansion(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
-        /// Compiling takes as long as so many expansions without, for chains of 2 to 256 springs, at orders 20 and 33, as 140 to 1650, and
-        /// most often as 500; after it they take a third, of the longest chains nine tenths.
+        /// Compiling takes as long as so many expansions without, for chains of 2 to 720 springs, at orders 20 and 33, as 40 to 750, and
+        /// most often as 250; after it they take a tenth to a half.
         const FIRST: usize = 500;
         if let Some(known) = self.compiled.get() {
             return known.as_ref();

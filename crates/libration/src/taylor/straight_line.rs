@@ -14,8 +14,9 @@ use crate::expression::Evaluator;
 impl Expander<'_> {
     /// What an expansion does when the zeroth coefficients are known; `None` where that depends on the values, or is too much for code.
     pub(super) fn straight_line(&self) -> Option<StraightLine> {
-        /// Instructions times half the square of the number of terms. Springs in a row at order 33: code for 0.2 million (64 masses) takes
-        /// 0.6 of the interpreter's time, for 0.7 and 1.2 million (256 and 400) 0.7, for 2.1 million (720) 5.4.
+        /// Instructions times half the square of the number of terms. Springs in a row: code for 0.2 million (64 masses at order 33) takes a
+        /// quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; when inner products were not
+        /// packed yet it took 0.7 for 1.2 million (400 at order 33) and 5.4 for 2.1 million.
         const MOST: usize = 1 << 20;
         let terms = self.order + 1;
         if self.program.instructions(1).count().saturating_mul(terms * terms / 2) > MOST {
