@@ -123,7 +123,7 @@ fn small_numbers_are_not_written_with_hundreds_of_zeros() {
     for arguments in [
         "backbone pendulum --amplitudes -1e-300",
         "figure errors --from -1e-300 --output errors.svg",
-        "simulate pendulum --initial theta=1 --times -1e-300,1e-300",
+        "simulate pendulum --initial theta=1 --times 1e-300,-1e-300,2e-300",
         "bifurcation driven_pendulum --vary A=-1e-300:1e300:1e-301 --initial theta=1",
         "expand duffing --evaluate -1e-300",
         "decay 60deg --linear -1e-300",
