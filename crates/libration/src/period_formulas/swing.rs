@@ -88,17 +88,22 @@ impl Swing<f64> {
     }
 }
 
+/// 2⁻¹⁰: there the error of the best formulas with a root or a logarithm is near 10⁻¹⁴ and what two words are off 2⁻⁸⁶.
+pub(super) const NEAREST_BOTTOM: f64 = 0.0009765625;
+/// 2⁻³⁶.
+pub(super) const NEAREST_TOP: f64 = 1.4551915228366852e-11;
+
 impl Swing<DoubleDouble> {
-    /// `None` next to the bottom and to the top, where quotients of small differences would lose digits.
+    /// `None` next to the bottom, where errors are so small that two words do not show them, and so near the top that its digits were not
+    /// tried.
     #[inline(always)]
     pub(super) fn in_two_words(amplitude: SwingAmplitude) -> Option<Self> {
-        const NEAREST: f64 = 0.0625;
         match amplitude {
-            SwingAmplitude::FromBottom(amplitude) if amplitude.hi >= NEAREST => {
+            SwingAmplitude::FromBottom(amplitude) if amplitude.hi >= NEAREST_BOTTOM => {
                 let (sin_half, cos_half) = two_word::sin_cos_inline(amplitude.scaled(0.5));
                 Some(Self { amplitude, complement: DoubleDouble::PI - amplitude, cos_half, sin_half })
             }
-            SwingAmplitude::FromTop(complement) if complement.hi >= NEAREST => {
+            SwingAmplitude::FromTop(complement) if complement.hi >= NEAREST_TOP => {
                 let (cos_half, sin_half) = two_word::sin_cos_inline(complement.scaled(0.5));
                 Some(Self { amplitude: DoubleDouble::PI - complement, complement, cos_half, sin_half })
             }
@@ -106,7 +111,7 @@ impl Swing<DoubleDouble> {
         }
     }
 
-    /// T/T0 = 1/agm(1, cos(θ0/2)), in six steps at most.
+    /// T/T0 = 1/agm(1, cos(θ0/2)), in ten steps at most.
     #[inline(always)]
     pub(super) fn exact_ratio(&self) -> DoubleDouble {
         let (mut a, mut b) = (DoubleDouble::ONE, self.cos_half);
