@@ -105,6 +105,6 @@ fn in_pieces(
     })
 }
 
-/// How many amplitudes one core answers at a time: in a fraction of a second with every formula. With 128 a fifth of the time went
-/// into handing over.
-const PIECE: usize = 1024;
+/// How many amplitudes one core answers at a time: with every formula in half a second at worst, next to zero. With 128 a fifth of the time
+/// went into handing over.
+const PIECE: usize = 512;
