@@ -3,6 +3,7 @@
 /// What compiled code needs beside the places, kept from one run to the next so that it need not be asked for again.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
+    #[cfg(all(target_arch = "x86_64", unix))]
     memory: Vec<f64>,
 }
 

@@ -53,20 +53,6 @@ impl Arithmetic {
         operands.into_iter().flatten()
     }
 
-    /// The same with other operands.
-    pub(crate) fn with_operands(self, other: impl Fn(usize) -> usize) -> Self {
-        match self {
-            Self::Place(_) | Self::Argument(_) | Self::Number(_) | Self::InnerProduct { .. } => self,
-            Self::Negate(a) => Self::Negate(other(a)),
-            Self::Add(a, b) => Self::Add(other(a), other(b)),
-            Self::Subtract(a, b) => Self::Subtract(other(a), other(b)),
-            Self::Multiply(a, b) => Self::Multiply(other(a), other(b)),
-            Self::Divide(a, b) => Self::Divide(other(a), other(b)),
-            Self::MultiplyAdd(a, b, c) => Self::MultiplyAdd(other(a), other(b), other(c)),
-            Self::Keep { value, place } => Self::Keep { value: other(value), place },
-        }
-    }
-
     /// The places that an inner product reads.
     pub(crate) fn read(&self) -> impl Iterator<Item = usize> + use<> {
         let ranges = match *self {

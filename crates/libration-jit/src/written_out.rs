@@ -19,7 +19,7 @@ pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrde
                 };
                 inner_product(&steps, &values(a), &values(b))
             }
-            other => steps.push(other.with_operands(|operand| numbers[operand])),
+            other => steps.push(with_operands(other, |operand| numbers[operand])),
         };
         if let Arithmetic::Keep { value, place } = *step {
             at[place] = Some(numbers[value]);
@@ -27,6 +27,23 @@ pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrde
         numbers.push(new);
     }
     StraightLine::new(steps.0.into_inner(), line.places(), line.arguments())
+}
+
+/// The same step with other operands.
+fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic {
+    match step {
+        Arithmetic::Place(_)
+        | Arithmetic::Argument(_)
+        | Arithmetic::Number(_)
+        | Arithmetic::InnerProduct { .. } => step,
+        Arithmetic::Negate(a) => Arithmetic::Negate(other(a)),
+        Arithmetic::Add(a, b) => Arithmetic::Add(other(a), other(b)),
+        Arithmetic::Subtract(a, b) => Arithmetic::Subtract(other(a), other(b)),
+        Arithmetic::Multiply(a, b) => Arithmetic::Multiply(other(a), other(b)),
+        Arithmetic::Divide(a, b) => Arithmetic::Divide(other(a), other(b)),
+        Arithmetic::MultiplyAdd(a, b, c) => Arithmetic::MultiplyAdd(other(a), other(b), other(c)),
+        Arithmetic::Keep { value, place } => Arithmetic::Keep { value: other(value), place },
+    }
 }
 
 /// What an inner product is made of, and the step that is it. Places are numbered: first those of the one row, then those of the other.
