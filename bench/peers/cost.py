@@ -1,7 +1,7 @@
 """Measures how cost grows with size: amplitudes, orders of a series, trajectories, rows of a recording, ours beside a peer's.
 
-Each cost is the median of --rounds; tools take turns (SciPy's fits, which take seconds, are made once). The numbers go to a file as JSON, with date and processor, and the picture is
-drawn from that file alone (--draw draws it again without measuring).
+Each cost is the median of --rounds; tools take turns (SciPy's fits, which take seconds, are made once). The numbers go to a file as
+JSON, with date and processor, and the picture is drawn from that file alone (--draw draws it again without measuring).
 """
 import argparse
 import datetime
@@ -16,12 +16,19 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+import scipy
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
-OURS, THEIRS = "libration", "peer"
+# Before run, which looks for modules in reference first, where there is another one of this name.
+import motion  # noqa: E402
+import run  # noqa: E402
+import series  # noqa: E402
+from fits import lab  # noqa: E402
+
+OURS = "libration"
 
 
 def medians(rounds, *tasks):
@@ -37,8 +44,6 @@ def panel(title, of, peer, points):
 
 
 def amplitudes(rounds):
-    import run
-    import scipy
 
     def point(count):
         ours, peer, data = run.Ours(), run.Scipy(count), run.Data(count)
@@ -55,7 +60,6 @@ def amplitudes(rounds):
 
 def orders(rounds):
     import flint
-    import series
     ours, peer = series.Libration(str(ROOT / "target/release/libration-series")), series.PythonTool("FLINT", "with_flint")
     case = "pendulum, full answer"
     points = [(order, *medians(min(rounds, 3), *(lambda tool=tool: tool.ask(case, order, 60).seconds for tool in (ours, peer))))
@@ -64,7 +68,6 @@ def orders(rounds):
 
 
 def trajectories(rounds):
-    import motion
     tools = [tool for tool in motion.tools() if tool.name in (motion.OURS, "heyoka, batches of 8")]
 
     def point(number):
@@ -78,8 +81,6 @@ def trajectories(rounds):
 
 
 def rows(rounds):
-    import scipy
-    from fits import lab
     damping, random, cores = lab.Damping(linear=0.02, quadratic=0.01), np.random.default_rng(2), {max(os.sched_getaffinity(0))}
 
     def point(count, folder):
