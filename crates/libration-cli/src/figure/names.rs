@@ -45,6 +45,12 @@ pub(crate) fn symbol(name: &str) -> String {
     }
 }
 
+/// A formula as an axis shows it: `θ₁` for theta1, and what is no name as it is written.
+pub(crate) fn formula(written: &str) -> String {
+    let is_name = written.chars().all(|letter| letter.is_alphanumeric() || letter == '\'');
+    if is_name { symbol(written) } else { written.replace('\'', "′") }
+}
+
 /// What an axis shows, with its unit if it is known: `θ′ / (rad/s)`.
 pub(crate) fn axis_label(name: &str, unit: &str) -> String {
     match unit {

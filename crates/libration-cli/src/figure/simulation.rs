@@ -1,13 +1,13 @@
-//! The coordinates of a system in time.
+//! The coordinates of a system, and formulas, in time.
 
 use super::animation::Sampled;
 use super::chart::{Axis, Panel, Picture, Series, Units};
-use super::names::{subject, symbol};
+use super::names::{formula, subject, symbol};
 use super::parameters::{Angles, of_model, of_start};
 use super::range::around;
 use super::section::StateAxis;
 use super::style;
-use libration::systems::Model;
+use libration::systems::{Model, Observables};
 use libration::taylor::{Moment, Step};
 
 /// Points of a curve, evenly spaced in time.
@@ -15,23 +15,28 @@ const POINTS: u32 = 6000;
 /// More marks on one curve would hide it.
 const MOST_MARKS: usize = 1000;
 
-/// The coordinates at evenly spaced times, filled in as the integration goes on.
+/// The coordinates and the values of formulas at evenly spaced times, filled in as the integration goes on.
 #[derive(Debug)]
-pub(crate) struct Trace {
+pub(crate) struct Trace<'a> {
+    observables: Option<&'a Observables>,
     end: f64,
     next: u32,
     times: Vec<f64>,
     /// One list for each number of the state, the coordinates first.
     values: Vec<Vec<f64>>,
+    /// One list for each formula.
+    columns: Vec<Vec<f64>>,
     /// Events on the curve of each coordinate.
     marks: Vec<Vec<(f64, f64)>>,
 }
 
-impl Trace {
+impl<'a> Trace<'a> {
     /// A trace from 0 to this time.
-    pub(crate) fn new(model: &Model, end: f64) -> Self {
+    pub(crate) fn new(model: &Model, observables: Option<&'a Observables>, end: f64) -> Self {
         let values = vec![vec![]; model.state_names().len()];
-        Self { end, next: 0, times: vec![], values, marks: vec![vec![]; model.coordinates().len()] }
+        let columns = vec![vec![]; observables.map_or(0, |observables| observables.names().len())];
+        let marks = vec![vec![]; model.coordinates().len()];
+        Self { observables, end, next: 0, times: vec![], values, columns, marks }
     }
 
     fn time(&self, place: u32) -> f64 {
@@ -67,6 +72,10 @@ impl Trace {
         for (values, value) in self.values.iter_mut().zip(&moment.state) {
             values.push(*value);
         }
+        let columns = self.observables.map_or(vec![], |observables| observables.values_at(moment));
+        for (values, value) in self.columns.iter_mut().zip(columns) {
+            values.push(value);
+        }
     }
 
     /// The same with the bodies that move.
@@ -79,11 +88,14 @@ impl Trace {
         })
     }
 
-    /// A panel for each unit, with the coordinates that have it.
+    /// A panel for each unit, with the coordinates that have it, and one for each formula.
     pub(crate) fn picture(&self, model: &Model, start: &[f64]) -> Picture {
         let units = units(model);
         let time = Axis::linear("time t / s", self.end.min(0.0), self.end.max(0.0));
-        let mut panels: Vec<Panel> = units.iter().map(|unit| self.panel(model, unit, &time)).collect();
+        let coordinates = units.iter().map(|unit| self.panel(model, unit, &time));
+        let names = self.observables.map_or(&[][..], |observables| observables.names());
+        let formulas = names.iter().zip(&self.columns).map(|(name, values)| self.column(name, values, &time));
+        let mut panels: Vec<Panel> = coordinates.chain(formulas).collect();
         let last = panels.len().saturating_sub(1);
         for panel in &mut panels[..last] {
             panel.x.label.clear();
@@ -131,6 +143,14 @@ impl Trace {
         let y = Axis::linear(&label(&names.join(", "), unit), low, high);
         let y = if unit == "rad" { y.in_units(Units::Degrees) } else { y };
         Panel { x: time.clone(), y, series, share: 1.0 }
+    }
+
+    /// A formula in time.
+    fn column(&self, name: &str, values: &[f64], time: &Axis) -> Panel {
+        let points = self.times.iter().copied().zip(values.iter().copied());
+        let series = vec![Series::line("", style::curve(0), points)];
+        let (low, high) = around(values.iter().copied());
+        Panel { x: time.clone(), y: Axis::linear(&formula(name), low, high), series, share: 1.0 }
     }
 }
 

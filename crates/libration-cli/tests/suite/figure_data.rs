@@ -266,6 +266,27 @@ fn a_motion_in_time_with_its_events() {
     );
 }
 
+#[test]
+fn formulas_in_time_below_the_coordinates() {
+    let columns = "energy = x'^2/2 + x^2/2, 3*x*x', ln(x)";
+    let drawing =
+        drawn(&format!("simulate|x''=-x|--initial|x=1|--times|0:10:5|--columns|{columns}"), "--figure");
+    assert_eq!(drawing.panels.len(), 4);
+    let formulas: [fn(f64) -> f64; 4] = [f64::cos, |_| 0.5, |t| -1.5 * (2.0 * t).sin(), |t| t.cos().ln()];
+    for (panel, formula) in formulas.into_iter().enumerate() {
+        let curve = drawing.curves(panel, FIRST).concat();
+        let (_, y) = drawing.panels[panel].resolution();
+        assert!(curve.len() > 1000 || panel == 1, "{panel}: {}", curve.len());
+        let shown = curve.iter().filter(|(t, _)| panel < 3 || t.cos() > 0.1);
+        shown.for_each(|(t, value)| close(*value, formula(*t), 3.0 * y + 0.02));
+    }
+    let animated = drawn(
+        &format!("simulate|x''=-x|--initial|x=1|--times|0,1|--animate|--columns|{columns}"),
+        "--figure",
+    );
+    assert_eq!(animated.panels.len(), 4);
+}
+
 /// What the picture was made with; its spaces hold lines together.
 fn parameters(drawing: &Drawing) -> String {
     drawing.of_class("parameters").join(" ").replace('\u{a0}', " ")

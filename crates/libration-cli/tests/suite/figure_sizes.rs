@@ -130,6 +130,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
         "backbone pendulum --amplitudes 10deg:170deg:20deg".to_owned(),
         "simulate double_pendulum --initial theta1=1 --times 0:3:0.1 --events turning".to_owned(),
         "simulate spring_pendulum --initial theta=0.001 --times 0:3:0.1".to_owned(),
+        "simulate pendulum --initial theta=1 --times 0:3:0.1 --columns energy=theta'^2/2-cos(theta),theta''".to_owned(),
         "modes double_pendulum".to_owned(),
         "section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 20 --skip 1".to_owned(),
         "bifurcation driven_pendulum --set c=1/2 --over A=1:1.2:0.1 --initial theta=0.2 --points 3 --skip 1 --sweep both"

@@ -95,7 +95,7 @@ pub(crate) struct Simulate {
     /// Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'"
     #[arg(long, value_name = "NAME=FORMULA,…")]
     columns: Option<String>,
-    /// Draw the coordinates against time to FILE.svg or FILE.png instead of listing the samples
+    /// Draw the coordinates and the formulas of --columns against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Draw one state variable against another instead of the coordinates against time, such as theta,theta'

@@ -62,7 +62,8 @@ impl SimulatedMotion<'_> {
         }
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
-        let trace = figure.as_ref().map(|_| Trace::new(self.model, self.times.last()));
+        let trace =
+            figure.as_ref().map(|_| Trace::new(self.model, self.observables.as_ref(), self.times.last()));
         let mut watch = Watch::new(self, &mut *report, out, balance, trace, keeper);
         watch.begin()?;
         let (ending, steps) = self.follow(&system, &mut watch)?;

@@ -22,7 +22,7 @@ pub(super) struct Watch<'a> {
     report: &'a mut dyn AnswerWriter,
     out: Tally<'a>,
     balance: Option<EnergyBalance<'a>>,
-    pub(super) trace: Option<Trace>,
+    pub(super) trace: Option<Trace<'a>>,
     /// What went wrong in writing.
     pub(super) failure: Option<Failure>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
@@ -41,7 +41,7 @@ impl<'a> Watch<'a> {
         report: &'a mut dyn AnswerWriter,
         out: &'a mut dyn Write,
         balance: Option<EnergyBalance<'a>>,
-        trace: Option<Trace>,
+        trace: Option<Trace<'a>>,
         keeper: Option<Keeper>,
     ) -> Self {
         let mark = motion.earlier.as_ref().and_then(|earlier| earlier.mark().cloned());
