@@ -16,6 +16,7 @@
 
 mod period;
 mod period_stages;
+mod periods;
 
 mod amplitude;
 mod initial;
@@ -51,6 +52,7 @@ pub use libration::Libration;
 pub use motion::{Motion, Regime, Rest};
 pub use period::{period_excess, period_ratio, period_ratio_near_top};
 pub use period_stages::{period_excesses, period_ratios, period_ratios_near_top};
+pub use periods::{period, periods};
 pub use prepared::PreparedMotion;
 pub use rotation::Rotation;
 pub use separatrix::Separatrix;

@@ -6,8 +6,8 @@
 
 use super::LengthMismatch;
 use super::period::{
-    EXCESS, Excess, LOG_NOME, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
-    log_inverse_nome_with, ratio_above,
+    EXCESS, Excess, LOG_NOME, Nearer, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
+    log_inverse_nome_with, nearer_of_amplitude, ratio_above,
 };
 use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::DoubleDouble;
@@ -85,17 +85,28 @@ impl Stages {
 
     #[inline(always)]
     fn block<P: PeriodFunction>(&mut self, arguments: &[f64; BLOCK], values: &mut [f64; BLOCK]) {
-        for (i, argument) in arguments.iter().enumerate() {
-            let nearer = P::nearer(*argument);
-            self.s.set(i, nearer.s);
-            self.u.set(i, nearer.u);
-        }
-        self.excess();
-        self.log();
+        self.load_by(arguments, P::nearer);
         for (i, (argument, value)) in arguments.iter().zip(values).enumerate() {
             let excess = self.excess.get(i);
             *value = P::value(*argument, excess, ratio_above(excess, self.log.get(i)));
         }
+    }
+
+    /// Excess and logarithm of these amplitudes.
+    #[inline(always)]
+    pub(super) fn load(&mut self, amplitudes: &[f64; BLOCK]) {
+        self.load_by(amplitudes, nearer_of_amplitude);
+    }
+
+    #[inline(always)]
+    fn load_by(&mut self, arguments: &[f64; BLOCK], nearer: impl Fn(f64) -> Nearer) {
+        for (i, argument) in arguments.iter().enumerate() {
+            let Nearer { s, u } = nearer(*argument);
+            self.s.set(i, s);
+            self.u.set(i, u);
+        }
+        self.excess();
+        self.log();
     }
 
     #[inline(always)]

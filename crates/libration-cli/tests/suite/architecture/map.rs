@@ -1,13 +1,14 @@
 //! The tables of ARCHITECTURE.md: a heading with the name of a crate, then rows of modules.
 
 /// From the bottom up.
-pub(crate) const CRATES: [&str; 6] = [
+pub(crate) const CRATES: [&str; 7] = [
     "libration-jit",
     "libration",
     "libration-lab",
     "libration-derivation",
     "libration-report",
     "libration-cli",
+    "libration-py",
 ];
 
 #[derive(Debug)]

@@ -1,0 +1,234 @@
+//! NumPy's universal functions over batches of the library, and the only unsafe code of this crate.
+//!
+//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the
+//! stack, calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that
+//! are the inputs, or lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
+#![expect(unsafe_code, reason = "loops over NumPy's arrays, and the flags of floating-point exceptions")]
+
+use std::array;
+use std::ffi::{CStr, c_char, c_int, c_void};
+use std::hint::black_box;
+
+use libration::elliptic::LengthMismatch;
+use numpy::npyffi::{NPY_TYPES, PY_UFUNC_API, PyUFuncGenericFunction, npy_intp};
+use pyo3::prelude::*;
+
+/// A function of N numbers with M values, over slices of one length.
+pub(crate) type Batch<const N: usize, const M: usize> =
+    fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthMismatch>;
+
+/// Elements that go to a batch together: enough to hide what a call costs, few enough for the first-level cache.
+const BLOCK: usize = 512;
+/// As many as a call for one number or a few shall prepare.
+const SMALL_BLOCK: usize = 8;
+
+/// The batch as an `np.ufunc` with loops for `float32` and `float64`.
+pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
+    py: Python<'py>,
+    name: &'static CStr,
+    documentation: &'static CStr,
+    batch: Batch<N, M>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let loops: [PyUFuncGenericFunction; 2] = [Some(inner_loop::<f32, N, M>), Some(inner_loop::<f64, N, M>)];
+    let types = [f32::TYPE, f64::TYPE].map(|number| vec![number; N + M]).concat();
+    let (loops, types) = (Box::leak(Box::new(loops)), Vec::leak(types));
+    let batch: &'static mut Batch<N, M> = Box::leak(Box::new(batch));
+    let data = Box::leak(Box::new([std::ptr::from_mut(batch).cast::<c_void>(); 2]));
+    // SAFETY: the loops are of NumPy's type, and their data what they expect; loops, data, types, name and documentation live as long as the
+    // process, and there are as many as is said: two loops, each with a type for every input and output. What comes back is a new
+    // reference, or null with an exception set.
+    unsafe {
+        let found = PY_UFUNC_API.PyUFunc_FromFuncAndData(
+            py,
+            loops.as_mut_ptr(),
+            data.as_mut_ptr(),
+            types.as_mut_ptr(),
+            count_of(data.len()),
+            count_of(N),
+            count_of(M),
+            NO_IDENTITY,
+            name.as_ptr(),
+            documentation.as_ptr(),
+            0,
+        );
+        Bound::from_owned_ptr_or_err(py, found)
+    }
+}
+
+/// `PyUFunc_None` of NumPy: reductions have no first value.
+const NO_IDENTITY: c_int = -1;
+
+fn count_of(arrays: usize) -> c_int {
+    c_int::try_from(arrays).expect("ufuncs have few arrays")
+}
+
+/// A number that NumPy's arrays hold.
+trait Number: Copy {
+    const TYPE: c_char;
+    fn to_f64(self) -> f64;
+    fn from_f64(value: f64) -> Self;
+}
+
+impl Number for f64 {
+    const TYPE: c_char = NPY_TYPES::NPY_DOUBLE as c_char;
+    fn to_f64(self) -> f64 {
+        self
+    }
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+}
+
+impl Number for f32 {
+    const TYPE: c_char = NPY_TYPES::NPY_FLOAT as c_char;
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "the nearest f32")]
+    fn from_f64(value: f64) -> Self {
+        value as Self
+    }
+}
+
+/// Elements of one array, a step in bytes apart.
+#[derive(Clone, Copy)]
+struct Strided {
+    first: *mut c_char,
+    step: npy_intp,
+}
+
+impl Strided {
+    /// # Safety
+    /// The array has an element of this type there.
+    unsafe fn at<T>(self, element: usize) -> *mut T {
+        self.first.wrapping_offset(self.step.wrapping_mul(element.cast_signed())).cast()
+    }
+
+    /// # Safety
+    /// The array has elements of type `T` from `start` on, as many as the block.
+    unsafe fn read<T: Number>(self, start: usize, block: &mut [f64]) {
+        for (i, value) in block.iter_mut().enumerate() {
+            // SAFETY: as the caller has it; nothing is said of alignment.
+            *value = unsafe { self.at::<T>(start + i).read_unaligned() }.to_f64();
+        }
+    }
+
+    /// # Safety
+    /// As [`Self::read`], and the elements may be written.
+    unsafe fn write<T: Number>(self, start: usize, block: &[f64]) {
+        for (i, value) in block.iter().enumerate() {
+            // SAFETY: as the caller has it; nothing is said of alignment.
+            unsafe { self.at::<T>(start + i).write_unaligned(T::from_f64(*value)) };
+        }
+    }
+}
+
+/// What NumPy calls.
+///
+/// # Safety
+/// `data` is a `Batch<N, M>`. `arguments` and `steps` have N + M entries, `dimensions` one, the count; each array has as many elements of type `T` from its argument on, its
+/// step apart, and the last M may be written.
+unsafe extern "C" fn inner_loop<T: Number, const N: usize, const M: usize>(
+    arguments: *mut *mut c_char,
+    dimensions: *mut npy_intp,
+    steps: *mut npy_intp,
+    data: *mut c_void,
+) {
+    // SAFETY: as the caller has it.
+    let (batch, count, arrays) = unsafe {
+        let strided = |i: usize| Strided { first: *arguments.add(i), step: *steps.add(i) };
+        (
+            *data.cast::<Batch<N, M>>(),
+            *dimensions,
+            (array::from_fn(strided), array::from_fn(|i| strided(N + i))),
+        )
+    };
+    let count = usize::try_from(count).unwrap_or(0);
+    let flags = Flags::now();
+    // SAFETY: as the caller has it.
+    let invalid = unsafe {
+        if count <= SMALL_BLOCK {
+            blocks::<T, N, M, SMALL_BLOCK>(batch, arrays, count)
+        } else {
+            blocks::<T, N, M, BLOCK>(batch, arrays, count)
+        }
+    };
+    flags.restore();
+    if invalid {
+        raise_invalid();
+    }
+}
+
+/// Goes through the arrays block by block; whether there is an element that is NaN though no input is.
+///
+/// # Safety
+/// Each array has `count` elements of type `T`; those of the second kind may be written.
+unsafe fn blocks<T: Number, const N: usize, const M: usize, const SIZE: usize>(
+    batch: Batch<N, M>,
+    (inputs, outputs): ([Strided; N], [Strided; M]),
+    count: usize,
+) -> bool {
+    let mut invalid = false;
+    let (mut arguments, mut values) = ([[0.0; SIZE]; N], [[0.0; SIZE]; M]);
+    for start in (0..count).step_by(SIZE) {
+        let length = SIZE.min(count - start);
+        for (input, block) in inputs.iter().zip(&mut arguments) {
+            // SAFETY: these elements are below the count.
+            unsafe { input.read::<T>(start, &mut block[..length]) };
+        }
+        batch(
+            arguments.each_ref().map(|block| &block[..length]),
+            values.each_mut().map(|block| &mut block[..length]),
+        )
+        .expect("blocks of one length");
+        for (output, block) in outputs.iter().zip(&values) {
+            // SAFETY: these elements are below the count.
+            unsafe { output.write::<T>(start, &block[..length]) };
+        }
+        invalid |= has_new_nan(&arguments, &values, length);
+    }
+    invalid
+}
+
+/// Whether an element is NaN in any output and in no input.
+fn has_new_nan<const N: usize, const M: usize, const SIZE: usize>(
+    inputs: &[[f64; SIZE]; N],
+    outputs: &[[f64; SIZE]; M],
+    length: usize,
+) -> bool {
+    let any = |blocks: &[[f64; SIZE]], i: usize| blocks.iter().any(|block| block[i].is_nan());
+    (0..length).any(|i| any(outputs, i) && !any(inputs, i))
+}
+
+/// The flags of floating-point exceptions, from which NumPy takes its warnings. The kernels leave some that mean nothing: selections compute both sides.
+struct Flags(u64);
+
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(windows)))]
+const ALL_FLAGS: c_int = 0x3d;
+#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), not(windows))))]
+const ALL_FLAGS: c_int = 0x1f;
+
+#[cfg_attr(unix, link(name = "m"))]
+unsafe extern "C" {
+    fn fegetexceptflag(flags: *mut u64, which: c_int) -> c_int;
+    fn fesetexceptflag(flags: *const u64, which: c_int) -> c_int;
+}
+
+impl Flags {
+    fn now() -> Self {
+        let mut flags = 0;
+        // SAFETY: no system's `fexcept_t` is larger than 64 bits.
+        unsafe { fegetexceptflag(&raw mut flags, ALL_FLAGS) };
+        Self(flags)
+    }
+
+    fn restore(&self) {
+        // SAFETY: these flags were read by its counterpart.
+        unsafe { fesetexceptflag(&raw const self.0, ALL_FLAGS) };
+    }
+}
+
+/// What NumPy shows as "invalid value encountered".
+fn raise_invalid() {
+    black_box(black_box(f64::INFINITY) - black_box(f64::INFINITY));
+}

@@ -1,0 +1,33 @@
+"""The pendulum at any amplitude, and from there any nonlinear oscillator.
+
+Angles are radians from the downward vertical, times seconds, lengths metres. Periods, states and elliptic functions (`libration.special`) are NumPy ufuncs.
+
+>>> import numpy as np
+>>> import libration as lb
+>>> lb.period_ratio(np.radians([30, 60, 90])).round(6).tolist()
+[1.017409, 1.073182, 1.180341]
+"""
+
+from . import special
+from ._native import (
+    __version__,
+    motion,
+    nome,
+    period,
+    period_excess,
+    period_ratio,
+    period_ratio_near_top,
+    state,
+)
+
+__all__ = [
+    "__version__",
+    "motion",
+    "nome",
+    "period",
+    "period_excess",
+    "period_ratio",
+    "period_ratio_near_top",
+    "special",
+    "state",
+]

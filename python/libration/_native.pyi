@@ -1,0 +1,123 @@
+"""The compiled part of the package."""
+
+from typing import Any, Literal, Protocol, TypeAlias, TypedDict, overload
+
+from numpy import bool_, float64, floating
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+from typing_extensions import Unpack
+
+__version__: str
+
+_Array: TypeAlias = NDArray[floating[Any]]
+
+class _Options(TypedDict, total=False):
+    """The keywords of all ufuncs but ``out``."""
+
+    where: bool | NDArray[bool_]
+    casting: Literal["no", "equiv", "safe", "same_kind", "unsafe"]
+    order: Literal["K", "A", "C", "F"]
+    dtype: DTypeLike
+    subok: bool
+
+class _Ufunc(Protocol):
+    """What all of them have; NumPy's own types say of a call only that it is `Any`."""
+
+    @property
+    def __name__(self) -> str: ...
+    @property
+    def nin(self) -> int: ...
+    @property
+    def nout(self) -> int: ...
+    @property
+    def nargs(self) -> int: ...
+    @property
+    def ntypes(self) -> int: ...
+    @property
+    def types(self) -> list[str]: ...
+    @property
+    def identity(self) -> None: ...
+    @property
+    def signature(self) -> None: ...
+
+class _OneToOne(_Ufunc, Protocol):
+    """One number to one."""
+
+    @overload
+    def __call__(self, x: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
+    @overload
+    def __call__(self, x: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    @overload
+    def __call__(self, x: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+
+class _TwoToOne(_Ufunc, Protocol):
+    """Two numbers to one."""
+
+    @overload
+    def __call__(self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+
+class _ThreeToOne(_Ufunc, Protocol):
+    """Three numbers to one."""
+
+    @overload
+    def __call__(self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+
+class _TwoToFour(_Ufunc, Protocol):
+    """Two numbers to four."""
+
+    @overload
+    def __call__(self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64, float64, float64]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: tuple[_Array, _Array, _Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array, _Array, _Array]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array, _Array, _Array]: ...
+
+class _ThreeToTwo(_Ufunc, Protocol):
+    """Three numbers to two."""
+
+    @overload
+    def __call__(self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: tuple[_Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+
+class _FourToTwo(_Ufunc, Protocol):
+    """Four numbers to two."""
+
+    @overload
+    def __call__(self, x1: float, x2: float, x3: float, x4: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, /, out: tuple[_Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    @overload
+    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+
+period_ratio: _OneToOne
+period_excess: _OneToOne
+period_ratio_near_top: _OneToOne
+period: _ThreeToOne
+nome: _OneToOne
+state: _ThreeToTwo
+motion: _FourToTwo
+ellipk: _OneToOne
+ellipkm1: _OneToOne
+ellipk_kp: _OneToOne
+ellipe: _OneToOne
+ellipe_kp: _OneToOne
+ellipkinc: _TwoToOne
+ellipkinc_kp: _TwoToOne
+ellipeinc: _TwoToOne
+ellipeinc_kp: _TwoToOne
+ellipj: _TwoToFour
+ellipj_kp: _TwoToFour
+ellipnome: _OneToOne
+ellipnome_kp: _OneToOne
+inverse_nome: _OneToOne
+inverse_nome_kp: _OneToOne

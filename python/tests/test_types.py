@@ -1,0 +1,24 @@
+"""The types of calls, as mypy and pyright see them, each where it is installed."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+FILE = Path(__file__).with_name("types_of_calls.py")
+
+
+def test_mypy():
+    api = pytest.importorskip("mypy.api")
+    report, errors, status = api.run(["--strict", f"--cache-dir={os.devnull}", str(FILE)])
+    assert status == 0, report + errors
+
+
+def test_pyright():
+    if not shutil.which("pyright"):
+        pytest.skip("pyright is not installed")
+    found = subprocess.run(["pyright", "--pythonpath", sys.executable, str(FILE)], capture_output=True, text=True)
+    assert found.returncode == 0, found.stdout

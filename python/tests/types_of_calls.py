@@ -1,0 +1,25 @@
+"""What a type checker shall find: read by mypy and pyright, not run."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import assert_type
+
+import libration as lb
+
+Floats = NDArray[np.floating[Any]]
+
+array = np.linspace(0.0, 1.0, 5)
+assert_type(lb.period_ratio(1.0), np.float64)
+assert_type(lb.period_ratio(array), Floats)
+assert_type(lb.period([0.1, 0.2], 1.0, 9.81), Floats)
+assert_type(lb.period_excess(array, out=array, where=array > 0.5), Floats)
+assert_type(lb.motion(1.0, 1.0, 0.0, 3.0), tuple[np.float64, np.float64])
+assert_type(lb.state(array, 1.0, 3.0), tuple[Floats, Floats])
+assert_type(lb.special.ellipj(array, 0.5), tuple[Floats, Floats, Floats, Floats])
+assert_type(lb.special.ellipkinc(0.5, 0.5), np.float64)
+assert_type(lb.special.ellipk.nin, int)
+
+lb.period(1.0, 1.0)  # type: ignore[call-overload]  # pyright: ignore
+lb.state(array, 1.0, 3.0, out=array)  # type: ignore[call-overload]  # pyright: ignore
