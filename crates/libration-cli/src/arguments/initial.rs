@@ -3,7 +3,7 @@
 use super::values::plain_name;
 use crate::failure::Failure;
 use libration::expression::{Expression, Symbol};
-use libration::quantity::{Dimension, parse};
+use libration::quantity::{Angle, Dimension, parse};
 use libration::systems::Model;
 
 /// The option that says where a motion begins.
@@ -35,6 +35,22 @@ impl InitialOptions {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
         Initial::read(text, model)
     }
+
+    /// The state with further names and values, which have reasons of their own not to be one.
+    pub(crate) fn read_with(
+        &self,
+        values: &[(&str, &str)],
+        model: &Model,
+    ) -> Result<Result<Initial, String>, Failure> {
+        let own = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
+        say_bare_angles(&own, model);
+        // What is wrong with the option is not the fault of the others.
+        Initial::of_values(&own, model).map_err(usage)?;
+        match own.is_empty() && values.is_empty() {
+            true => Err(missing(model)),
+            false => Ok(Initial::of_values(&[&own, values].concat(), model)),
+        }
+    }
 }
 
 /// The option that says where several motions begin.
@@ -58,12 +74,16 @@ impl SeveralInitialOptions {
 
 impl Initial {
     fn read(text: &str, model: &Model) -> Result<Self, Failure> {
+        let items = items(text, model)?;
+        say_bare_angles(&items, model);
+        Self::of_values(&items, model).map_err(usage)
+    }
+
+    /// From names and values.
+    fn of_values(values: &[(&str, &str)], model: &Model) -> Result<Self, String> {
         let (names, units) = (model.state_names(), model.state_units());
         let mut given: Vec<Option<f64>> = vec![None; names.len()];
-        for item in text.split(',').filter(|item| !item.trim().is_empty()) {
-            let (name, value) = item.split_once('=').ok_or_else(|| {
-                usage(format!("`{}` has no value: give NAME=VALUE, such as {}=0.5", item.trim(), names[0]))
-            })?;
+        for (name, value) in values {
             let values = match Family::of(name) {
                 Some(family) => family.values(value, &names)?,
                 None => {
@@ -73,7 +93,7 @@ impl Initial {
             };
             for (place, value) in values {
                 if given[place].is_some() {
-                    return Err(usage(format!("{} is given twice: give it one value", names[place])));
+                    return Err(format!("{} is given twice: give it one value", names[place]));
                 }
                 given[place] = Some(value);
             }
@@ -83,6 +103,27 @@ impl Initial {
         let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
         let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();
         Ok(Self { state, assumed })
+    }
+}
+
+/// The names and values in a text.
+fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Failure> {
+    let item = |item: &'a str| {
+        item.split_once('=').ok_or_else(|| {
+            let example = &model.state_names()[0];
+            usage(format!("`{}` has no value: give NAME=VALUE, such as {example}=0.5", item.trim()))
+        })
+    };
+    text.split(',').filter(|item| !item.trim().is_empty()).map(item).collect()
+}
+
+/// Says how angles without a unit are understood where that may surprise.
+fn say_bare_angles(items: &[(&str, &str)], model: &Model) {
+    let (names, units) = (model.state_names(), model.state_units());
+    for (name, value) in items {
+        if place_of(name, &names).is_ok_and(|place| units[place] == "rad") {
+            super::bare::say(value);
+        }
     }
 }
 
@@ -103,10 +144,10 @@ fn missing(model: &Model) -> Failure {
     ))
 }
 
-fn place_of(name: &str, names: &[String]) -> Result<usize, Failure> {
+fn place_of(name: &str, names: &[String]) -> Result<usize, String> {
     let plain = plain_name(name);
     names.iter().position(|known| *known == plain).ok_or_else(|| {
-        usage(format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")))
+        format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", "))
     })
 }
 
@@ -127,7 +168,7 @@ impl<'a> Family<'a> {
     }
 
     /// The places of all members, and the values of a formula of the index.
-    fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, Failure> {
+    fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, String> {
         let index = |known: &str| {
             known.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
         };
@@ -135,20 +176,17 @@ impl<'a> Family<'a> {
         let places: Vec<(usize, i64)> = places.collect();
         let shown = format!("{}[{}]{}", self.name, self.letter, self.primes);
         if places.is_empty() {
-            return Err(usage(format!(
-                "the system has no state variables {shown}: it has {}",
-                names.join(", ")
-            )));
+            return Err(format!("the system has no state variables {shown}: it has {}", names.join(", ")));
         }
-        let formula: Expression = text.parse().map_err(|error| usage(format!("{shown}: {error}")))?;
+        let formula: Expression = text.parse().map_err(|error| format!("{shown}: {error}"))?;
         let letter = Symbol::plain(self.letter);
         let value = |(place, index): (usize, i64)| {
             let value = formula.substitute(&letter, &Expression::from(index)).to_f64();
             let value = value.filter(|value| value.is_finite()).ok_or_else(|| {
-                usage(format!(
+                format!(
                     "{shown}: `{text}` has no value at {} = {index}: give a formula of {}, such as sin(pi*{}/33)",
                     self.letter, self.letter, self.letter
-                ))
+                )
             });
             Ok((place, value?))
         };
@@ -157,12 +195,12 @@ impl<'a> Family<'a> {
 }
 
 /// A quantity in the unit of its number, or a formula of numbers.
-fn number(name: &str, text: &str, unit: &str) -> Result<f64, Failure> {
+fn number(name: &str, text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
     let quantity = |dimension| Ok(parse(text, dimension).map_err(|error| error.to_string())?.value);
     let value = match unit {
-        "rad" => super::text::angle(text).map(|angle| angle.radians()).map_err(|error| error.to_string()),
+        "rad" => text.parse::<Angle>().map(|angle| angle.radians()).map_err(|error| error.to_string()),
         "rad/s" => quantity(Dimension::AngularVelocity),
         "m" => quantity(Dimension::Length),
         "m/s" => quantity(Dimension::Velocity),
@@ -170,5 +208,5 @@ fn number(name: &str, text: &str, unit: &str) -> Result<f64, Failure> {
             "cannot read `{text}` as a number: write 0.5, 1e-3 or sqrt(2)/2; units are for angles and lengths"
         )),
     };
-    value.or_else(|reason| formula().ok_or(reason)).map_err(|reason| usage(format!("{name}: {reason}")))
+    value.or_else(|reason| formula().ok_or(reason)).map_err(|reason| format!("{name}: {reason}"))
 }

@@ -12,13 +12,9 @@ pub(crate) fn read<T, E: Display>(
 ) -> Result<Vec<T>, Failure> {
     let text = text(path)?;
     let mut values = vec![];
-    for (number, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let place = || format!("{}, line {}", path.display(), number + 1);
-        values.push(parse(line).map_err(|reason| Failure::no_answer(&place(), reason))?);
+    for (number, line) in numbered(&text) {
+        let place = || format!("{}, line {number}", path.display());
+        values.push(parse(line.trim()).map_err(|reason| Failure::no_answer(&place(), reason))?);
     }
     if values.is_empty() {
         return Err(Failure::no_answer(
@@ -29,10 +25,17 @@ pub(crate) fn read<T, E: Display>(
     Ok(values)
 }
 
-fn text(path: &Path) -> Result<String, Failure> {
+/// The lines that are neither empty nor a comment, with their numbers.
+pub(super) fn numbered(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let is_comment = |line: &str| line.trim().is_empty() || line.trim_start().starts_with('#');
+    (1..).zip(text.lines()).filter(move |(_, line)| !is_comment(line))
+}
+
+/// The text of a file or, for `-`, of the standard input.
+pub(super) fn text(path: &Path) -> Result<String, Failure> {
     let text = String::from_utf8(read_bytes(path)?).ok().filter(|text| !text.contains('\0'));
     let text = text.ok_or_else(|| {
-        Failure::no_answer(&path.display().to_string(), "not a text file: write one value per line, in UTF-8")
+        Failure::no_answer(&path.display().to_string(), "not a text file: write it in UTF-8")
     })?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }

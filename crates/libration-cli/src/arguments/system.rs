@@ -31,6 +31,15 @@ pub(crate) struct PendulumSystemOptions {
     gravity: Option<f64>,
 }
 
+/// A system as far as options say what it is.
+#[derive(Clone, Debug)]
+pub(crate) struct GivenSystem<'a> {
+    options: &'a SystemOptions,
+    values: Vec<(String, Expression)>,
+    /// With these values, and defaults.
+    model: Model,
+}
+
 impl SystemOptions {
     /// The model with a value for each parameter.
     pub(crate) fn model(&self) -> Result<Model, Failure> {
@@ -49,21 +58,25 @@ impl SystemOptions {
         open: &[&str],
         varied: Option<&str>,
     ) -> Result<Model, Failure> {
-        let (name, values) = (self.system.trim(), borrowed(values));
-        let model = match is_like_a_key(name) {
-            true => Model::by_key(name, &values, open),
-            false => {
-                reading::say(name);
-                Model::typed(name, &values, open)
-            }
-        };
-        let model = model.map_err(|error| failure(error, varied))?;
+        let model = self.incomplete_model(values, open).map_err(|error| failure(error, varied))?;
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
             Some(name) => Err(Failure::usage(
                 "--set",
                 format!("`{name}` has no value: give it one, such as --set {name}=0.1"),
             )),
             None => Ok(model),
+        }
+    }
+
+    /// The same, whatever else has no value.
+    fn incomplete_model(&self, values: &[(String, Expression)], open: &[&str]) -> Result<Model, ModelError> {
+        let (name, values) = (self.system.trim(), borrowed(values));
+        match is_like_a_key(name) {
+            true => Model::by_key(name, &values, open),
+            false => {
+                reading::say(name);
+                Model::typed(name, &values, open)
+            }
         }
     }
 }
@@ -76,6 +89,18 @@ impl PendulumSystemOptions {
 
     /// The same with one more parameter that has a value.
     pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, Failure> {
+        self.system.model_with(&self.values(parameter)?, &[], parameter.map(|it| it.0))
+    }
+
+    /// What the options say of a system that gets values from elsewhere, too.
+    pub(crate) fn given(&self) -> Result<GivenSystem<'_>, Failure> {
+        let model = self.system.incomplete_model(&self.values(None)?, &[]);
+        let model = model.map_err(|error| failure(error, None))?;
+        Ok(GivenSystem { options: &self.system, values: self.values(None)?, model })
+    }
+
+    /// The values that options give to parameters.
+    fn values(&self, parameter: Option<(&str, f64)>) -> Result<Vec<(String, Expression)>, Failure> {
         let mut values = values(&self.system.set)?;
         if let Some((name, value)) = parameter {
             let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
@@ -89,7 +114,7 @@ impl PendulumSystemOptions {
             return Err(Failure::usage(argument, reason));
         }
         values.extend(apparatus.into_iter().map(|(name, value)| (name.to_owned(), value)));
-        self.system.model_with(&values, &[], parameter.map(|it| it.0))
+        Ok(values)
     }
 
     /// What length and gravity, where they are given, say of the parameters; `argument` is the option to blame.
@@ -102,6 +127,47 @@ impl PendulumSystemOptions {
             Failure::usage(argument, reason)
         })?;
         named.values_of(self.length, self.gravity).map_err(|reason| Failure::usage(argument, reason))
+    }
+}
+
+impl GivenSystem<'_> {
+    /// The numbers of its state.
+    pub(crate) fn state_names(&self) -> Vec<String> {
+        self.model.state_names()
+    }
+
+    /// Those of them that are angles.
+    pub(crate) fn angles(&self) -> Vec<String> {
+        let names = self.model.state_names().into_iter().zip(self.model.state_units());
+        names.filter(|(_, unit)| unit == "rad").map(|(name, _)| name).collect()
+    }
+
+    /// Whether a parameter is the number of coordinates.
+    pub(crate) fn counts(&self, parameter: &str) -> bool {
+        let named = NamedSystem::by_key(self.options.system.trim());
+        named.is_ok_and(|named| named.count == Some(parameter))
+    }
+
+    /// The parameters that no option gives a value, those with default values before the others.
+    pub(crate) fn free_parameters(&self) -> Vec<String> {
+        let with_default = self.model.values().iter().map(|(name, _)| name.clone());
+        let free = with_default.filter(|name| !self.gives(name) && !self.counts(name));
+        free.chain(self.model.open_parameters()).collect()
+    }
+
+    /// Whether an option gives the parameter a value.
+    pub(crate) fn gives(&self, parameter: &str) -> bool {
+        self.values.iter().any(|(name, _)| name == parameter)
+    }
+
+    /// The model with further values.
+    pub(crate) fn model_with(&self, values: &[(String, Expression)]) -> Result<Model, ModelError> {
+        self.options.incomplete_model(&[&self.values, values].concat(), &[])
+    }
+
+    /// The model with these parameters open.
+    pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
+        self.options.model_with(&self.values, open, None)
     }
 }
 

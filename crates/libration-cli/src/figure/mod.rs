@@ -9,6 +9,7 @@ pub(crate) mod lengths;
 pub(crate) mod lyapunov;
 pub(crate) mod modes;
 pub(crate) mod motion;
+pub(crate) mod motions;
 pub(crate) mod periods;
 pub(crate) mod phase;
 pub(crate) mod section;

@@ -11,7 +11,7 @@ use libration::systems::{Model, Observables};
 use libration::taylor::{Moment, Step};
 
 /// Points of a curve, evenly spaced in time.
-const POINTS: u32 = 6000;
+pub(crate) const POINTS: u32 = 6000;
 /// More marks on one curve would hide it.
 const MOST_MARKS: usize = 1000;
 
@@ -19,15 +19,15 @@ const MOST_MARKS: usize = 1000;
 #[derive(Debug)]
 pub(crate) struct Trace<'a> {
     observables: Option<&'a Observables>,
-    end: f64,
+    pub(super) end: f64,
     next: u32,
-    times: Vec<f64>,
+    pub(super) times: Vec<f64>,
     /// One list for each number of the state, the coordinates first.
-    values: Vec<Vec<f64>>,
+    pub(super) values: Vec<Vec<f64>>,
     /// One list for each formula.
-    columns: Vec<Vec<f64>>,
+    pub(super) columns: Vec<Vec<f64>>,
     /// Events on the curve of each coordinate.
-    marks: Vec<Vec<(f64, f64)>>,
+    pub(super) marks: Vec<Vec<(f64, f64)>>,
 }
 
 impl<'a> Trace<'a> {
@@ -58,6 +58,18 @@ impl<'a> Trace<'a> {
             self.push(&Moment { time, state: step.state_at(time) });
             self.next += 1;
         }
+    }
+
+    /// Leaves out what lies behind a time.
+    pub(crate) fn cut(&mut self, end: f64) {
+        let kept = self.times.partition_point(|time| time.abs() <= end.abs());
+        self.times.truncate(kept);
+        self.values.iter_mut().chain(&mut self.columns).for_each(|values| values.truncate(kept));
+    }
+
+    /// What the formulas are called.
+    pub(super) fn column_names(&self) -> &'a [String] {
+        self.observables.map_or(&[], |observables| observables.names())
     }
 
     /// Marks an event on the curve of a coordinate.
@@ -93,8 +105,11 @@ impl<'a> Trace<'a> {
         let units = units(model);
         let time = Axis::linear("time t / s", self.end.min(0.0), self.end.max(0.0));
         let coordinates = units.iter().map(|unit| self.panel(model, unit, &time));
-        let names = self.observables.map_or(&[][..], |observables| observables.names());
-        let formulas = names.iter().zip(&self.columns).map(|(name, values)| self.column(name, values, &time));
+        let formulas = self
+            .column_names()
+            .iter()
+            .zip(&self.columns)
+            .map(|(name, values)| self.column(name, values, &time));
         let mut panels: Vec<Panel> = coordinates.chain(formulas).collect();
         let last = panels.len().saturating_sub(1);
         for panel in &mut panels[..last] {
@@ -166,11 +181,11 @@ fn units(model: &Model) -> Vec<&str> {
 }
 
 /// From a unit to that of its axis.
-fn scale(unit: &str) -> f64 {
+pub(super) fn scale(unit: &str) -> f64 {
     if unit == "rad" { 1_f64.to_degrees() } else { 1.0 }
 }
 
-fn label(names: &str, unit: &str) -> String {
+pub(super) fn label(names: &str, unit: &str) -> String {
     match unit {
         "rad" => format!("{names} / degrees"),
         "" => names.to_owned(),

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 35] = [
+const FURTHER: [&str; 37] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -230,6 +230,8 @@ const FURTHER: [&str; 35] = [
     "simulate|x''=-x*abs(x)|--initial|x=1|--times|0,1,5",
     "simulate|x''=-x|--initial|x=1|--times|0,5|--columns|e=x'^2+x^2|--until|x=0",
     "simulate|x''=-1/x^2|--initial|x=1|--times|0:10:1",
+    "simulate|pendulum|--each|examples/starts.csv|--times|0,1|--events|turning|--columns|e=theta'^2",
+    "simulate|pendulum|--each|examples/starts.csv|--times|0,9|--until|theta=0",
     "paper",
     "figure|spectrum|--amplitudes|60deg|--output|FILE",
     "inspect|examples/period_table_synthetic.csv",
@@ -248,6 +250,7 @@ const UNSEEN: &[(&str, &str, &str)] = &[
     ("expand", "parameters.NAME", "of a scaling law: pure_cubic has none"),
     ("backbone", "interrupted", "needs Ctrl-C: interrupts.rs"),
     ("simulate", "interrupted", "needs Ctrl-C: resume.rs"),
+    ("simulate", "motions[].interrupted", "needs Ctrl-C: interrupts.rs"),
     ("fit trace", "rms_residual_rad_per_s", "needs a file of angular velocities: fit_trace.rs"),
 ];
 

@@ -287,6 +287,37 @@ fn formulas_in_time_below_the_coordinates() {
     assert_eq!(animated.panels.len(), 4);
 }
 
+#[test]
+fn each_motion_of_a_table_has_its_curve() {
+    let file = directory("data-each-table").join("starts.csv");
+    fs::write(&file, "x,k\n1,1\n2,1\n1,4\n").unwrap();
+    let question =
+        format!("simulate|x''=-k*x|--each|{}|--times|0:5:5|--until|x=-1/2|--columns|v=x'", file.display());
+    let drawing = drawn(&question, "--figure");
+    assert_eq!(drawing.panels.len(), 2);
+    let motions = [
+        (FIRST, 1.0, 1.0, 2.0 * PI / 3.0),
+        (SECOND, 2.0, 1.0, 1.8234765819369753),
+        (THIRD, 1.0, 2.0, PI / 3.0),
+    ];
+    for (colour, start, frequency, end) in motions {
+        let curves = [0, 1].map(|panel| drawing.curves(panel, colour).concat());
+        for (t, x) in &curves[0] {
+            close(*x, start * (frequency * t).cos(), 0.02);
+        }
+        for (t, v) in &curves[1] {
+            close(*v, -start * frequency * (frequency * t).sin(), 0.03);
+        }
+        let last = curves[0].iter().map(|place| place.0).fold(0.0, f64::max);
+        close(last, end, 0.01);
+        same_points(&drawing, 0, drawing.markers(0, colour), vec![(end, -0.5)]);
+    }
+    let plane = drawn(&format!("{question}|--axes|x,x'"), "--figure");
+    for (x, v) in plane.curves(0, SECOND).concat() {
+        close(x.hypot(v), 2.0, 0.02);
+    }
+}
+
 /// What the picture was made with; its spaces hold lines together.
 fn parameters(drawing: &Drawing) -> String {
     drawing.of_class("parameters").join(" ").replace('\u{a0}', " ")

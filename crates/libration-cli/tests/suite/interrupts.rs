@@ -129,6 +129,28 @@ fn ctrl_c_does_not_wait_for_the_orbits_under_way() {
     );
 }
 
+/// Of motions side by side the one that begins in a singularity is done at once; the others never are.
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_keeps_what_of_many_motions_is_known() {
+    let table = directory("interrupted-each").join("starts.csv");
+    std::fs::write(&table, "x,k\n0,1\n1,0\n1,0\n").unwrap();
+    let table = table.display().to_string();
+    let question = ["simulate", "x''=-x-k/x^2", "--each", &table, "--times", "0:1e9:1e3", "--json"];
+    let output = interrupted(&question, BETWEEN);
+    assert!(message(&output).contains("interrupted: 1 of 3 motions are done"), "{}", message(&output));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_described("simulate --each", &answer);
+    let motions = answer["motions"].as_array().unwrap();
+    assert!(
+        motions[0]["stopped"].is_string() && motions[0]["interrupted"].is_null(),
+        "{:#}",
+        motions[0]["stopped"]
+    );
+    let long = motions.iter().filter(|motion| motion["interrupted"] == true);
+    assert!(long.clone().count() >= 1 && long.clone().all(|motion| motion["steps"].as_u64().unwrap() > 0));
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_keeps_what_of_a_picture_is_known() {

@@ -8,6 +8,7 @@ mod command;
 mod decay;
 mod derive;
 mod drawing;
+mod each;
 mod examples;
 mod expand;
 mod expansion_code;

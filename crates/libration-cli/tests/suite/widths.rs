@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 47] = [
+pub(crate) const QUESTIONS: [&str; 48] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -47,6 +47,7 @@ pub(crate) const QUESTIONS: [&str; 47] = [
     "simulate|pendulum|--initial|theta=60deg|--times|0:2:0.5|--events|turning",
     "simulate|double_pendulum|--initial|theta1=120deg,theta2=120deg|--times|0,1",
     "simulate|coupled_pendulums|--initial|theta1=20deg|--times|0,1|--events|crossing",
+    "simulate|pendulum|--each|examples/starts.csv|--times|0,1|--events|turning,crossing",
     "modes|double_pendulum",
     "modes|spring_pendulum",
     "modes|x''=y-2*x-x^3;y''=x-2*y",

@@ -1,14 +1,14 @@
 //! Times on both sides of the start: first backward, then forward, and written in their order.
 
 use super::motion::SimulatedMotion;
-use super::report::{AnswerWriter, Sample, Summary};
+use super::report::{AnswerWriter, Summary};
 use super::resume::State;
 use super::run::{Outcome, ended};
 use crate::failure::Failure;
 use crate::interrupt;
-use libration::systems::EnergyBalance;
-use libration::taylor::{Moment, Solution, Step, System, integrate_both_ways};
-use std::io::{self, Write};
+use libration::systems::{Energy, EnergyBalance};
+use libration::taylor::{IntegrationError, Moment, Solution, Step, System, integrate_both_ways};
+use std::io::Write;
 use std::ops::ControlFlow;
 
 impl SimulatedMotion<'_> {
@@ -47,58 +47,47 @@ impl SimulatedMotion<'_> {
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
         let energy = self.model.energy();
-        let start = self.beginning();
-        let mut balances: Vec<EnergyBalance<'_>> = vec![];
-        let follow = |step: &Step<'_>| {
-            let wanted = if step.end() < step.start() { 1 } else { 2 };
-            if let Ok(energy) = &energy {
-                while balances.len() < wanted {
-                    balances.push(energy.balance(&start));
-                }
-            }
-            if let Some(balance) = balances.last_mut() {
-                balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
-            }
+        let follow = |_: &Step<'_>| {
             if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let times: Vec<f64> = self.times.iter().collect();
-        let outcome = integrate_both_ways(system, &start, &times, &self.effort, follow);
+        let (outcome, drift) = self.integrate_both_ways(system, energy.as_ref().ok(), follow);
         let (ending, solution) = ended(outcome, self)?;
-        let drifts = balances.iter().map(|balance| [balance.drift(), balance.drift_uncertainty()]);
-        let drift = drifts.fold([0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])]);
         let drift = energy.as_ref().map(|_| drift).map_err(ToString::to_string);
         let state = State { question: self.question.clone(), mark: None };
-        let summary = Summary { steps: solution.steps, drift, ending: ending.clone(), state: state.clone() };
+        let (steps, kept) = (solution.steps, Some(state.clone()));
+        let summary = Summary { steps, drift, ending: ending.clone(), state: kept };
         report.begin(self, out)?;
-        self.rows(&solution, report, out)?;
+        for row in self.rows(&solution) {
+            row.write(report, out)?;
+        }
         report.end(&summary, out)?;
         out.flush()?;
         Ok(Outcome { ending, state, drawn: vec![] })
     }
 
-    /// Samples and events in the order of time.
-    fn rows(
+    /// The motion with the drift of its energy on either side and the uncertainty of that; `watch` sees each step.
+    pub(super) fn integrate_both_ways(
         &self,
-        solution: &Solution,
-        report: &mut dyn AnswerWriter,
-        out: &mut dyn Write,
-    ) -> io::Result<()> {
-        let mut samples = solution.samples.iter().peekable();
-        let mut upto = |end: f64, report: &mut dyn AnswerWriter, out: &mut dyn Write| {
-            while let Some(moment) = samples.next_if(|moment| moment.time <= end) {
-                let columns = self.columns_at(moment);
-                report.sample(&Sample { moment: moment.clone(), columns }, out)?;
+        system: &System,
+        energy: Option<&Energy>,
+        mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    ) -> (Result<Solution, IntegrationError>, [f64; 2]) {
+        let start = self.beginning();
+        let mut balances: Vec<EnergyBalance<'_>> = vec![];
+        let follow = |step: &Step<'_>| {
+            let wanted = if step.end() < step.start() { 1 } else { 2 };
+            while let Some(energy) = energy.filter(|_| balances.len() < wanted) {
+                balances.push(energy.balance(&start));
             }
-            Ok::<(), io::Error>(())
+            if let Some(balance) = balances.last_mut() {
+                balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+            }
+            watch(step)
         };
-        for event in &solution.events {
-            upto(event.time, report, out)?;
-            let happening = self.watched.happening(event);
-            let moment = Moment { time: event.time, state: event.state.clone() };
-            report
-                .event(&super::events::Happening { columns: self.columns_at(&moment), ..happening }, out)?;
-        }
-        upto(f64::INFINITY, report, out)
+        let times: Vec<f64> = self.times.iter().collect();
+        let outcome = integrate_both_ways(system, &start, &times, &self.effort, follow);
+        let drifts = balances.iter().map(|balance| [balance.drift(), balance.drift_uncertainty()]);
+        (outcome, drifts.fold([0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])]))
     }
 }
 

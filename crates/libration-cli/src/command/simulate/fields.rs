@@ -26,7 +26,7 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
-            it.observables.as_ref().map(|observables| json::list(observables.names().to_vec()))
+            it.observables.map(|observables| json::list(observables.names().to_vec()))
         }),
     ])
 }
@@ -76,6 +76,14 @@ pub(super) fn of_time() -> Fields<f64> {
 pub(super) const EVENT: Row = ("event", "", "kind of the event, empty in samples; only with --events");
 
 pub(super) fn of_summary() -> Fields<Summary> {
+    let state = Field::present_nested("resume.", &State::fields(), |it: &Summary| {
+        it.state.as_ref().map(|state| State::fields().record(state).into())
+    });
+    of_integration().and([state]).and(of_end())
+}
+
+/// How well a motion is known.
+pub(super) fn of_integration() -> Fields<Summary> {
     type Of = Field<Summary>;
     Fields::from([
         Of::known(
@@ -91,7 +99,13 @@ pub(super) fn of_summary() -> Fields<Summary> {
             |it| it.drift.as_ref().ok().map(|[_, uncertainty]| *uncertainty),
         ),
         Of::value("steps", "1", "steps of the integration", |it| it.steps.into()),
-        Of::nested("resume.", &State::fields(), |it| State::fields().record(&it.state).into()),
+    ])
+}
+
+/// Where it ends.
+pub(super) fn of_end() -> Fields<Summary> {
+    type Of = Field<Summary>;
+    Fields::from([
         Of::present_value("interrupted", "", "true where Ctrl-C ended the run early, else left out", |it| {
             matches!(it.ending, Ending::Interrupted(_)).then(|| true.into())
         }),
@@ -127,7 +141,7 @@ fn of_ending() -> Fields<EventEnding> {
     ])
 }
 
-pub(crate) fn answers() -> Vec<Answers> {
+pub(super) fn answers() -> Answers {
     const NUMBER: Row = ("NAME", "", "state variable of this name, then formula of --columns");
     let json = [
         of_motion().described(""),
@@ -136,5 +150,5 @@ pub(crate) fn answers() -> Vec<Answers> {
         of_summary().described(""),
     ];
     let csv = [of_time().described_in_csv(), descriptions("", &[NUMBER, EVENT])];
-    vec![Answers { command: "simulate", option: "", json: json.concat(), csv: csv.concat() }]
+    Answers { command: "simulate", option: "", json: json.concat(), csv: csv.concat() }
 }

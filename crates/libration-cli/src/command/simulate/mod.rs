@@ -2,6 +2,7 @@
 
 mod both_ways;
 mod csv;
+mod each;
 mod ending;
 mod events;
 mod fields;
@@ -9,6 +10,7 @@ mod json;
 mod motion;
 mod report;
 mod resume;
+mod rows;
 mod run;
 mod sheet;
 mod tally;
@@ -18,6 +20,7 @@ use crate::arguments::{self, InitialOptions, PendulumSystemOptions, Times};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
+use crate::output::description::Answers;
 use crate::output::file::NewFile;
 use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
@@ -31,7 +34,10 @@ use run::Outcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-pub(crate) use fields::answers;
+/// The fields of answers about one motion, and about many.
+pub(crate) fn answers() -> Vec<Answers> {
+    vec![fields::answers(), each::answers()]
+}
 
 /// The motion of any system in time: damped, driven, coupled, or given by its equations
 #[derive(Debug, clap::Args)]
@@ -66,6 +72,7 @@ pub(crate) use fields::answers;
     --initial theta=0.1 --times 0:100:0.1 --output long.csv
   libration simulate driven_pendulum --set A=1.2,c=1/2 \\
     --times 0:200:0.1 --resume long.csv --output long.csv
+  libration simulate pendulum --each examples/starts.csv --times 0:10:1
 
 An equation with an index and a range stands for many. What the index leads to
 outside of the range is zero, or what is said of it: x[0] = sin(t), x[33] = x[1].
@@ -81,6 +88,9 @@ pub(crate) struct Simulate {
     system: PendulumSystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
+    /// One motion for each line of a CSV file (- for standard input) whose first line names parameters and initial values, and may have a column `name`
+    #[arg(long, value_name = "FILE")]
+    each: Option<PathBuf>,
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward
     #[arg(long, value_parser = arguments::times)]
     times: Times,
@@ -119,6 +129,13 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        match &self.each {
+            Some(path) => self.answer_each(path, out),
+            None => self.answer_one(out),
+        }
+    }
+
+    fn answer_one(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let model = self.system.model()?;
         let watched = Watched::read(&self.events, &self.until, &model)?;
         let observables = self.columns.as_deref();
@@ -138,8 +155,8 @@ impl Simulate {
             initial,
             times: &self.times,
             effort: Effort::to_tolerance(self.tolerance),
-            watched,
-            observables,
+            watched: &watched,
+            observables: observables.as_ref(),
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());

@@ -13,9 +13,9 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) initial: Initial,
     pub(super) times: &'a Times,
     pub(super) effort: Effort,
-    pub(super) watched: Watched,
+    pub(super) watched: &'a Watched,
     /// Formulas whose values stand beside the state.
-    pub(super) observables: Option<Observables>,
+    pub(super) observables: Option<&'a Observables>,
     pub(super) earlier: Option<Earlier>,
 }
 
@@ -27,12 +27,12 @@ impl SimulatedMotion<'_> {
 
     /// The values of the columns that were asked for.
     pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
-        self.observables.as_ref().map(|observables| observables.values_at(moment))
+        self.observables.map(|observables| observables.values_at(moment))
     }
 
     /// What these are called.
     pub(super) fn column_names(&self) -> &[String] {
-        self.observables.as_ref().map_or(&[], |observables| observables.names())
+        self.observables.map_or(&[], |observables| observables.names())
     }
 
     /// The state at t = 0.

@@ -28,6 +28,6 @@ pub(super) struct Summary {
     /// The drift of the energy and its uncertainty, or why there is none.
     pub(super) drift: Result<[f64; 2], String>,
     pub(super) ending: Ending,
-    /// What it takes to go on.
-    pub(super) state: State,
+    /// What it takes to go on, where that is kept.
+    pub(super) state: Option<State>,
 }

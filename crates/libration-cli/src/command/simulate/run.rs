@@ -52,9 +52,7 @@ impl SimulatedMotion<'_> {
         keeper: Option<Keeper>,
     ) -> Result<Outcome, Failure> {
         interrupt::listen()?;
-        if self.goes_both_ways() {
-            self.check_both_ways(figure.is_some())?;
-        }
+        self.check_times(figure.is_some())?;
         let system = self.system()?;
         let mut report = report(form, figure.is_none());
         if self.goes_both_ways() {
@@ -62,14 +60,13 @@ impl SimulatedMotion<'_> {
         }
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
-        let trace =
-            figure.as_ref().map(|_| Trace::new(self.model, self.observables.as_ref(), self.times.last()));
+        let trace = figure.as_ref().map(|_| Trace::new(self.model, self.observables, self.times.last()));
         let mut watch = Watch::new(self, &mut *report, out, balance, trace, keeper);
         watch.begin()?;
         let (ending, steps) = self.follow(&system, &mut watch)?;
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
         let state = watch.state().clone();
-        watch.end(&Summary { steps, drift, ending: ending.clone(), state: state.clone() })?;
+        watch.end(&Summary { steps, drift, ending: ending.clone(), state: Some(state.clone()) })?;
         let drawn = match (figure, watch.trace) {
             (Some(figure), Some(trace)) => {
                 let start = &self.initial.state;
@@ -85,17 +82,19 @@ impl SimulatedMotion<'_> {
         Ok(Outcome { ending, state, drawn })
     }
 
-    /// The system with its events, when the times can be reached.
+    /// Refuses times that cannot be reached, or not with what else is asked.
+    pub(super) fn check_times(&self, is_drawn: bool) -> Result<(), Failure> {
+        if self.goes_both_ways() { self.check_both_ways(is_drawn) } else { check_order(self.times) }
+    }
+
+    /// The system with its events.
     fn system(&self) -> Result<System, Failure> {
-        if !self.goes_both_ways() {
-            check_order(self.times)?;
-        }
         let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
 
     /// Whether the event came that should end the motion, and where.
-    fn until(&self, system: &System, solution: &Solution) -> Result<Ending, Failure> {
+    pub(super) fn until(&self, system: &System, solution: &Solution) -> Result<Ending, Failure> {
         let Some(name) = self.watched.until() else { return Ok(Ending::Complete) };
         let last = self.times.last();
         if (solution.end.time - last).abs() <= 0.0 {

@@ -6,6 +6,7 @@ use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
+use libration::systems::Model;
 use std::io::{self, Write};
 
 /// What was asked, a table of samples, and what is to be said of the whole.
@@ -31,17 +32,14 @@ impl AnswerWriter for Sheet {
         if self.listed {
             writeln!(out)?;
         }
-        let numbers = model.state_names().into_iter().zip(model.state_units());
-        self.titles = vec!["t / s".to_owned()];
-        self.titles.extend(numbers.map(|(name, unit)| labelled(&name, &unit)));
-        self.titles.extend(motion.column_names().iter().cloned());
+        self.titles = titles(model, motion.column_names());
         let titles = || self.titles.iter().map(Column::numbers).collect();
         self.table = self.listed.then(|| Table::new(titles()));
         Ok(())
     }
 
     fn sample(&mut self, Sample { moment, columns }: &Sample, out: &mut dyn Write) -> io::Result<()> {
-        let cells = cells(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])]);
+        let cells = cells_of(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])]);
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
@@ -91,7 +89,7 @@ impl Sheet {
         let mut table = Table::new(columns.chain([Column::words("event")]).collect());
         for event in &self.happenings {
             let columns = event.columns.as_deref().unwrap_or(&[]);
-            let mut cells = cells(event.time, [&event.state, columns]);
+            let mut cells = cells_of(event.time, [&event.state, columns]);
             cells[0] = number::rounded(event.time, 12);
             cells.push(event.kind.clone());
             table.row(out, cells)?;
@@ -100,8 +98,15 @@ impl Sheet {
     }
 }
 
+/// What stands above the time, the numbers of a state and the columns.
+pub(super) fn titles(model: &Model, columns: &[String]) -> Vec<String> {
+    let numbers = model.state_names().into_iter().zip(model.state_units());
+    let numbers = numbers.map(|(name, unit)| labelled(&name, &unit));
+    ["t / s".to_owned()].into_iter().chain(numbers).chain(columns.iter().cloned()).collect()
+}
+
 /// The drift of the energy, with how well it is known where that is worse than roundings.
-fn drift(drift: &Result<[f64; 2], String>) -> String {
+pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
     match drift {
         Ok([drift, _]) if drift.is_nan() => "none: the energy is not defined throughout".to_owned(),
         Ok([drift, uncertainty]) => {
@@ -117,7 +122,8 @@ fn drift(drift: &Result<[f64; 2], String>) -> String {
     }
 }
 
-fn cells(time: f64, numbers: [&[f64]; 2]) -> Vec<String> {
+/// A time, and the numbers of a state and the columns then.
+pub(super) fn cells_of(time: f64, numbers: [&[f64]; 2]) -> Vec<String> {
     let state = numbers.concat().into_iter().map(|value| number::rounded(value, 12));
     [number::short(time, 12)].into_iter().chain(state).collect()
 }

@@ -1,0 +1,87 @@
+//! What is said of the motions of a table.
+
+use super::super::fields::{EVENT, of_end, of_event, of_integration, of_sample, of_time};
+use super::super::report::Summary;
+use super::Answer;
+use super::list::Listed;
+use crate::output::description::{Answers, Row, descriptions};
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+
+/// A motion and the table it is in.
+pub(super) struct Numbered<'a> {
+    pub(super) answer: &'a Answer<'a>,
+    pub(super) listed: &'a Listed<'a>,
+}
+
+pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        }),
+        Of::value(
+            "equations",
+            "",
+            "equations of motion with names in the place of what the file gives",
+            |it| it.model.equation().to_string().into(),
+        ),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
+            let columns = it.column_names();
+            (!columns.is_empty()).then(|| json::list(columns.to_vec()))
+        }),
+    ])
+}
+
+/// Which motion it is.
+pub(super) fn of_number<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value("motion", "1", "number of the motion, from 1 in the order of the file", |it| {
+            it.listed.number.into()
+        }),
+        Of::present_value(
+            "name",
+            "",
+            "its name, where the file has a column of names, else left out",
+            |it| it.listed.name(it.answer.table).map(Into::into),
+        ),
+    ])
+}
+
+/// What the file says of it.
+pub(super) fn of_values<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |it| {
+            let add = |record: Record, (name, value): (&str, f64)| record.number(name, value);
+            let values = it.listed.motion.model.values().iter();
+            let values = values.map(|(name, value)| (name.as_str(), value.to_f64().unwrap_or(f64::NAN)));
+            values.fold(Record::new(), add).into()
+        }),
+        Of::value("initial[]", "", "state at t = 0, in the order of the names", |it| {
+            json::numbers(&it.listed.motion.initial.state)
+        }),
+    ])
+}
+
+pub(super) fn of_summary() -> Fields<Summary> {
+    of_integration().and(of_end())
+}
+
+pub(crate) fn answers() -> Answers {
+    const NUMBER: Row = ("NAME", "", "state variable of this name, then formula of --columns");
+    const MOTION: &str = "motions[].";
+    let json = [
+        of_answer().described(""),
+        of_number().described(MOTION),
+        of_values().described(MOTION),
+        of_sample().described("motions[].samples[]."),
+        of_event().described("motions[].events[]."),
+        of_summary().described(MOTION),
+    ];
+    let csv =
+        [of_number().described_in_csv(), of_time().described_in_csv(), descriptions("", &[NUMBER, EVENT])];
+    Answers { command: "simulate", option: "--each", json: json.concat(), csv: csv.concat() }
+}

@@ -1,0 +1,192 @@
+//! Many motions of a system in one run, from a table of starts and parameters.
+
+mod fields;
+mod follow;
+mod list;
+mod setting;
+mod write;
+
+use super::Simulate;
+use super::ending::Ending;
+use crate::arguments::{GivenSystem, Meaning, MotionTable};
+use crate::failure::Failure;
+use crate::figure;
+use crate::figure::motions::{MOST_CURVES, Motions};
+use crate::figure::section::StateAxis;
+use crate::figure::simulation::POINTS;
+use crate::output::file::NewFile;
+use crate::output::{Form, announce};
+use crate::{arguments, interrupt};
+use follow::Followed;
+use libration::systems::Model;
+use list::Listed;
+use setting::Setting;
+use std::io::Write;
+use std::path::Path;
+
+pub(super) use fields::answers;
+
+/// The samples of all motions are kept until the last one is known: as many numbers as half a gigabyte holds.
+const MOST_NUMBERS: usize = 1 << 26;
+
+/// The motions of a table, with what is asked of all.
+pub(super) struct Answer<'a> {
+    path: &'a Path,
+    table: &'a MotionTable,
+    /// With the parameters of the table open.
+    model: &'a Model,
+    tolerance: f64,
+    with_events: bool,
+    motions: Vec<(&'a Listed<'a>, Followed<'a>)>,
+}
+
+impl Simulate {
+    /// The motions of a table, each as it would be alone.
+    pub(super) fn answer_each(&self, path: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+        self.refuse_for_each()?;
+        let system = self.system.given()?;
+        let table = MotionTable::read(path, &system)?;
+        let model = open_model(&system, &table)?;
+        let mut settings: Vec<Setting> = vec![];
+        let places = setting::places(self, path, &system, &table, &mut settings)?;
+        let motions = list::listed(self, path, &table, &places, &settings)?;
+        self.check_size(&motions)?;
+        let axes = self.axes.as_deref().map(|names| arguments::places_in_state(&model, "--axes", names));
+        let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
+        interrupt::listen()?;
+        let followed = follow::all(&motions, self.figure.is_some());
+        let known = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));
+        let answer = Answer {
+            path,
+            table: &table,
+            model: &model,
+            tolerance: self.tolerance,
+            with_events: !settings[0].watched.is_empty(),
+            motions: known.collect(),
+        };
+        let drawn = match &self.figure {
+            Some(path) => vec![figure::file::write(path, &answer.picture(axes.as_ref()), &self.sizes)?],
+            None => vec![],
+        };
+        self.write_each(&answer, drawn, out)?;
+        answer.into_result(motions.len())
+    }
+
+    /// Writes the answer where it is wanted.
+    fn write_each(
+        &self,
+        answer: &Answer<'_>,
+        drawn: Vec<String>,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        let form = self.form.form_of_file(self.output.as_deref());
+        let listed = drawn.is_empty();
+        let (on_screen, written) = match &self.output {
+            None => {
+                answer.write(form, listed, out)?;
+                (form, drawn)
+            }
+            Some(path) => {
+                let mut file = NewFile::create(path)?;
+                answer.write(form, listed, &mut file)?;
+                file.finish()?;
+                let subject = figure::names::subject(answer.model);
+                let text =
+                    format!("{} written: {} motions of {subject}", path.display(), answer.motions.len());
+                (Form::Table, [vec![text], drawn].concat())
+            }
+        };
+        announce(out, on_screen, &written)?;
+        Ok(out.flush()?)
+    }
+
+    /// Refuses what only one motion has.
+    fn refuse_for_each(&self) -> Result<(), Failure> {
+        let refused = |option, reason: &str| Err(Failure::usage(option, reason));
+        match () {
+            () if self.resume.is_some() => refused(
+                "--resume",
+                "it continues one motion, and --each asks for many: run them again from 0",
+            ),
+            () if self.animate => refused(
+                "--animate",
+                "it shows the bodies of one motion, and --each asks for many: give one of them",
+            ),
+            () => Ok(()),
+        }
+    }
+
+    /// Refuses more than is kept, or can be told apart.
+    fn check_size(&self, motions: &[Listed<'_>]) -> Result<(), Failure> {
+        let points = if self.figure.is_some() { POINTS as usize + 1 } else { 0 };
+        let of_one = |listed: &Listed<'_>| {
+            let width = listed.motion.initial.state.len() + listed.motion.column_names().len() + 1;
+            self.times.len().saturating_add(points).saturating_mul(width)
+        };
+        let numbers = motions.iter().map(of_one).fold(0, usize::saturating_add);
+        if self.figure.is_some() && motions.len() > MOST_CURVES {
+            let reason = format!(
+                "a picture keeps at most {MOST_CURVES} motions apart, and there are {}: give fewer, or list them",
+                motions.len()
+            );
+            return Err(Failure::usage("--figure", reason));
+        }
+        if numbers > MOST_NUMBERS {
+            let reason = format!(
+                "{} motions at {} times are {numbers} numbers, and at most {MOST_NUMBERS} are kept: give fewer --times or fewer motions",
+                motions.len(),
+                self.times.len()
+            );
+            return Err(Failure::usage("--each", reason));
+        }
+        Ok(())
+    }
+}
+
+/// The model with the parameters of a table open.
+fn open_model(system: &GivenSystem<'_>, table: &MotionTable) -> Result<Model, Failure> {
+    let parameters = table.columns.iter().filter(|column| column.meaning == Meaning::Parameter);
+    system.model_with_open(&parameters.map(|column| column.title.as_str()).collect::<Vec<_>>())
+}
+
+impl Answer<'_> {
+    fn picture(&self, axes: Option<&[StateAxis; 2]>) -> figure::chart::Picture {
+        let curves = self
+            .motions
+            .iter()
+            .filter_map(|(listed, followed)| Some((listed.label(self.table), followed.trace.as_ref()?)));
+        let motions = Motions { model: self.model, traces: curves.collect() };
+        match axes {
+            Some(axes) => motions.in_plane(axes),
+            None => motions.in_time(),
+        }
+    }
+
+    /// What is left to be said when the answer is written: which of so many motions did not come to their ends.
+    fn into_result(self, all: usize) -> Result<(), Failure> {
+        /// More are not listed.
+        const MOST: usize = 3;
+        let is_interrupted = |followed: &Followed<'_>| matches!(followed.ending, Ending::Interrupted(_));
+        let complete = self.motions.iter().filter(|(_, followed)| !is_interrupted(followed)).count();
+        if complete < all {
+            return Err(Failure::Interrupted(format!(
+                "interrupted: {complete} of {all} motions are done, and what was computed of the others is written"
+            )));
+        }
+        let reason = |(listed, followed): &(&Listed<'_>, Followed<'_>)| match &followed.ending {
+            Ending::NotReached(reason) | Ending::Stopped(reason) => {
+                Some(format!("motion {}: {reason}", listed.title(self.table)))
+            }
+            _ => None,
+        };
+        let reasons: Vec<String> = self.motions.iter().filter_map(reason).collect();
+        let others = match reasons.len().saturating_sub(MOST) {
+            0 => String::new(),
+            others => format!("; and {others} more of {all} motions"),
+        };
+        match reasons.as_slice() {
+            [] => Ok(()),
+            some => Err(Failure::NoAnswer(some[..some.len().min(MOST)].join("; ") + &others)),
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The values of the parameters that motions of a table have, each set of them once.
+
+use super::super::Simulate;
+use super::super::events::Watched;
+use crate::arguments::{self, GivenSystem, Meaning, MotionTable, at_line};
+use crate::failure::Failure;
+use libration::expression::Expression;
+use libration::systems::{Energy, Model, Observables};
+use libration::taylor::System;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// A system with values for all parameters, and what is looked at in its motions.
+pub(super) struct Setting {
+    pub(super) model: Model,
+    /// With its events.
+    pub(super) system: System,
+    pub(super) watched: Watched,
+    pub(super) observables: Option<Observables>,
+    /// That which is conserved, or why there is none.
+    pub(super) energy: Result<Energy, String>,
+}
+
+/// For each row of a table the place of its setting among the settings, which are added.
+pub(super) fn places(
+    question: &Simulate,
+    path: &Path,
+    system: &GivenSystem<'_>,
+    table: &MotionTable,
+    settings: &mut Vec<Setting>,
+) -> Result<Vec<usize>, Failure> {
+    let mut known: HashMap<Vec<&str>, usize> = HashMap::new();
+    let mut places = vec![];
+    for row in &table.rows {
+        let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Parameter).collect();
+        let texts = cells.iter().map(|(_, text)| *text).collect();
+        let place = match known.get(&texts) {
+            Some(place) => *place,
+            None => {
+                let model = model(system, &cells).map_err(|reason| at_line(path, row.line, &reason))?;
+                settings.push(Setting::new(question, model)?);
+                known.insert(texts, settings.len() - 1);
+                settings.len() - 1
+            }
+        };
+        places.push(place);
+    }
+    Ok(places)
+}
+
+fn model(system: &GivenSystem<'_>, cells: &[(&str, &str)]) -> Result<Model, String> {
+    let value = |(name, text): &(&str, &str)| {
+        let value: Expression = text.parse().map_err(|error| format!("{name}: {error}"))?;
+        Ok(((*name).to_owned(), value))
+    };
+    let values = cells.iter().map(value).collect::<Result<Vec<_>, String>>()?;
+    system.model_with(&values).map_err(|error| error.to_string())
+}
+
+impl Setting {
+    fn new(question: &Simulate, model: Model) -> Result<Self, Failure> {
+        let watched = Watched::read(&question.events, &question.until, &model)?;
+        let observables = question.columns.as_deref();
+        let observables =
+            observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
+        let system = model.system().map_err(|error| Failure::usage("--each", error))?;
+        let system =
+            system.with_events(&watched.events()).map_err(|error| Failure::usage("--events", error))?;
+        let energy = model.energy().map_err(|reason| reason.to_string());
+        Ok(Self { model, system, watched, observables, energy })
+    }
+}
