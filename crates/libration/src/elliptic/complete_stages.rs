@@ -3,7 +3,7 @@
 use super::complete::{second_far, second_near};
 use super::descent::Descent;
 use super::incomplete::{First, Second};
-use super::moduli::{LengthMismatch, Moduli};
+use super::moduli::{FEW, LengthMismatch, Moduli};
 use super::modulus_stages::ModulusStages;
 use super::nearer::Nearer;
 use super::nome;
@@ -71,6 +71,9 @@ impl<F: Rounded> Kernel for Each<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
+        if self.results.len() <= FEW {
+            return self.one_by_one();
+        }
         let mut stages = ModulusStages::ZERO;
         let mut block = [0.5; BLOCK];
         let mut results = [0.0; BLOCK];
@@ -87,6 +90,18 @@ impl<F: Rounded> Kernel for Each<'_, F> {
                 *result = stages.inside[i] * value;
             }
             written.copy_from_slice(&results[..written.len()]);
+        }
+    }
+}
+
+impl<F: Rounded> Each<'_, F> {
+    #[inline(always)]
+    fn one_by_one(self) {
+        for (value, result) in self.moduli.values().iter().zip(self.results) {
+            let nearer = self.moduli.nearer(*value);
+            let log = log_of_inverse(nearer.smaller, nearer.raised);
+            let found = F::value(nearer.above, nearer.plain_smaller(), log);
+            *result = if (0.0..=1.0).contains(value) { found } else { f64::NAN };
         }
     }
 }
@@ -156,6 +171,10 @@ pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), L
 /// ```
 pub fn nomes(moduli: Moduli<'_>, nomes: &mut [f64]) -> Result<(), LengthMismatch> {
     LengthMismatch::check(moduli.values(), nomes)?;
-    dispatch_slices(Nomes { moduli, nomes });
+    if nomes.len() <= FEW {
+        moduli.one_by_one([nomes], |_, modulus| [modulus.nome()]);
+    } else {
+        dispatch_slices(Nomes { moduli, nomes });
+    }
     Ok(())
 }

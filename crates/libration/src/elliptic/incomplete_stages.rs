@@ -1,9 +1,10 @@
 //! Incomplete integrals of many angles and moduli, stage by stage.
 
+use super::Modulus;
 use super::carlson::{Closeness, Duplication};
 use super::complete_stages::OfModulusWords;
 use super::incomplete::{First, OfAngle, Reduced, Second, duplication, is_extreme, of_extreme, whole};
-use super::moduli::{LengthMismatch, Moduli};
+use super::moduli::{FEW, LengthMismatch, Moduli};
 use super::modulus_stages::ModulusStages;
 use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::block::{BLOCK, Words};
@@ -32,7 +33,7 @@ pub fn incomplete_firsts(
     moduli: Moduli<'_>,
     firsts: &mut [f64],
 ) -> Result<(), LengthMismatch> {
-    each::<First>(angles, moduli, firsts)
+    each::<First>(angles, moduli, firsts, Modulus::incomplete_first)
 }
 
 /// Legendre's incomplete integral of the second kind E(φ, k) of each pair of angle (rad) and modulus (DLMF 19.2.5):
@@ -57,16 +58,21 @@ pub fn incomplete_seconds(
     moduli: Moduli<'_>,
     seconds: &mut [f64],
 ) -> Result<(), LengthMismatch> {
-    each::<Second>(angles, moduli, seconds)
+    each::<Second>(angles, moduli, seconds, Modulus::incomplete_second)
 }
 
 fn each<F: OfAngle + OfModulusWords>(
     angles: &[f64],
     moduli: Moduli<'_>,
     results: &mut [f64],
+    one: fn(&Modulus, f64) -> f64,
 ) -> Result<(), LengthMismatch> {
     LengthMismatch::check(angles, moduli.values())?;
     LengthMismatch::check(angles, results)?;
+    if angles.len() <= FEW {
+        moduli.one_by_one([results], |i, modulus| [one(modulus, angles[i])]);
+        return Ok(());
+    }
     dispatch_slices(Each { angles, moduli, results, function: PhantomData::<F> });
     Ok(())
 }

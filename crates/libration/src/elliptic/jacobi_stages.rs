@@ -1,7 +1,7 @@
 //! Jacobi's functions of many arguments and moduli, stage by stage.
 
 use super::jacobi::{Copolar, Factors, Quotients, amplitude, hyperbolic_limit};
-use super::moduli::{LengthMismatch, Moduli};
+use super::moduli::{FEW, LengthMismatch, Moduli};
 use super::modulus_stages::ModulusStages;
 use super::{CircularSide, HyperbolicSide, Jacobi, Phase, PhaseClock, Side, ThetaSeries, ThetaValues};
 use crate::dispatch::{Kernel, dispatch_slices};
@@ -48,7 +48,15 @@ pub fn jacobi_functions(
     for slice in [moduli.values(), results.sn, results.cn, results.dn, results.am] {
         LengthMismatch::check(arguments, slice)?;
     }
-    dispatch_slices(Each { arguments, moduli, results });
+    if arguments.len() <= FEW {
+        let JacobiSlices { sn, cn, dn, am } = results;
+        moduli.one_by_one([sn, cn, dn, am], |i, modulus| {
+            let Jacobi { sn, cn, dn, am } = modulus.jacobi(arguments[i]);
+            [sn, cn, dn, am]
+        });
+    } else {
+        dispatch_slices(Each { arguments, moduli, results });
+    }
     Ok(())
 }
 
@@ -79,6 +87,10 @@ impl Kernel for Each<'_> {
 
 /// What one stage leaves for the next.
 struct JacobiStages {
+    is_prepared: bool,
+    /// The moduli, as they were given.
+    prepared: [f64; BLOCK],
+    frequency: Words,
     modulus: ModulusStages,
     argument: [f64; BLOCK],
     turns: [f64; BLOCK],
@@ -96,6 +108,9 @@ struct JacobiStages {
 impl JacobiStages {
     fn new() -> Self {
         Self {
+            is_prepared: false,
+            prepared: [0.5; BLOCK],
+            frequency: Words::ZERO,
             modulus: ModulusStages::ZERO,
             argument: [0.0; BLOCK],
             turns: [0.0; BLOCK],
@@ -114,27 +129,29 @@ impl JacobiStages {
     /// Up to a block of elements; the rest of the block is computed too and dropped.
     #[inline(always)]
     fn block(&mut self, arguments: &[f64], values: &[f64], moduli: &Moduli<'_>) {
-        let mut block = [0.5; BLOCK];
-        block[..values.len()].copy_from_slice(values);
         self.argument[..arguments.len()].copy_from_slice(arguments);
-        self.modulus.load(moduli, &block);
-        self.modulus.descend();
-        self.modulus.logarithms();
+        // One modulus for many arguments is prepared once.
+        let same = |(value, known): (&f64, &f64)| value.to_bits() == known.to_bits();
+        if !self.is_prepared || !values.iter().zip(&self.prepared).all(same) {
+            self.is_prepared = true;
+            self.prepared[..values.len()].copy_from_slice(values);
+            self.modulus.load(moduli, &self.prepared);
+            self.modulus.descend();
+            self.modulus.logarithms();
+            self.prepare();
+        }
         self.places();
         self.values();
         self.quotients();
         self.limits();
     }
 
+    /// What belongs to the moduli alone.
     #[inline(always)]
-    fn places(&mut self) {
+    fn prepare(&mut self) {
         for i in 0..BLOCK {
             let (nearer, descent) = (self.modulus.nearer(i), self.modulus.descent(i));
-            let frequency = Quotients::frequency(&nearer, &descent, self.modulus.log.get(i));
-            let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
-            let phase = clock.phase(self.argument[i]);
-            (self.turns[i], self.quarter[i]) = (phase.turns, phase.quarter);
-            self.rest.set(i, phase.rest);
+            self.frequency.set(i, Quotients::frequency(&nearer, &descent, self.modulus.log.get(i)));
         }
         for i in 0..BLOCK {
             let (nearer, descent) = (self.modulus.nearer(i), self.modulus.descent(i));
@@ -149,18 +166,34 @@ impl JacobiStages {
     }
 
     #[inline(always)]
-    fn values(&mut self) {
+    fn places(&mut self) {
         for i in 0..BLOCK {
-            let scale = self.modulus.log.get(i).scaled(2.0);
-            let (sine, cosine) = HyperbolicSide::sine_cosine(self.rest.get(i), scale);
-            self.theta[0].set(i, sine);
-            self.theta[1].set(i, cosine);
+            let frequency = self.frequency.get(i);
+            let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
+            let phase = clock.phase(self.argument[i]);
+            (self.turns[i], self.quarter[i]) = (phase.turns, phase.quarter);
+            self.rest.set(i, phase.rest);
         }
-        for i in 0..BLOCK {
-            let above = self.modulus.above(i);
-            let (sine, cosine) = CircularSide::sine_cosine(self.rest.get(i), DoubleDouble::ZERO);
-            self.theta[0].set(i, pick(above, self.theta[0].get(i), sine));
-            self.theta[1].set(i, pick(above, self.theta[1].get(i), cosine));
+    }
+
+    #[inline(always)]
+    fn values(&mut self) {
+        let above: usize = (0..BLOCK).map(|i| usize::from(self.modulus.above(i))).sum();
+        if above > 0 {
+            for i in 0..BLOCK {
+                let scale = self.modulus.log.get(i).scaled(2.0);
+                let (sine, cosine) = HyperbolicSide::sine_cosine(self.rest.get(i), scale);
+                self.theta[0].set(i, sine);
+                self.theta[1].set(i, cosine);
+            }
+        }
+        if above < BLOCK {
+            for i in 0..BLOCK {
+                let above = self.modulus.above(i);
+                let (sine, cosine) = CircularSide::sine_cosine(self.rest.get(i), DoubleDouble::ZERO);
+                self.theta[0].set(i, pick(above, self.theta[0].get(i), sine));
+                self.theta[1].set(i, pick(above, self.theta[1].get(i), cosine));
+            }
         }
         for i in 0..BLOCK {
             let square = if self.modulus.above(i) { HyperbolicSide::SQUARE } else { CircularSide::SQUARE };

@@ -157,10 +157,11 @@ pub(super) fn velocity<S: ReleaseSide>(
     phase.sign() * 1f64.copysign(amplitude) * inside * (above / below)
 }
 
-struct One {
-    amplitude: f64,
-    angular_frequency: f64,
-    time: f64,
+/// One element.
+pub(super) struct One {
+    pub(super) amplitude: f64,
+    pub(super) angular_frequency: f64,
+    pub(super) time: f64,
 }
 
 impl Kernel for One {

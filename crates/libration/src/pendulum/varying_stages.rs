@@ -4,7 +4,7 @@ use super::LengthMismatch;
 use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
 use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
-use super::varying::{Factors, ReleaseSide, gauss, phase, tangent, velocity};
+use super::varying::{Factors, One, ReleaseSide, gauss, phase, tangent, velocity};
 use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, fast_two_sum};
@@ -57,10 +57,22 @@ impl Kernel for Each<'_> {
                 }
             }
         }
-        stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
-        stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
+        for queue in [&mut above, &mut below] {
+            if queue.count <= FEW {
+                queue.one_by_one(self.angular_frequency, self.angles, self.velocities);
+            }
+        }
+        if above.count > 0 {
+            stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
+        }
+        if below.count > 0 {
+            stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
+        }
     }
 }
+
+/// As many elements take longer one by one than a block does.
+const FEW: usize = 6;
 
 /// Elements of one side waiting for a block to fill.
 struct Queue {
@@ -84,6 +96,16 @@ impl Queue {
         self.amplitude[slot] = amplitude;
         self.time[slot] = time;
         self.count += taken;
+    }
+
+    /// Empties the queue.
+    #[inline(always)]
+    fn one_by_one(&mut self, angular_frequency: f64, angles: &mut [f64], velocities: &mut [f64]) {
+        for i in 0..self.count {
+            let state = One { amplitude: self.amplitude[i], angular_frequency, time: self.time[i] }.run();
+            (angles[self.place[i]], velocities[self.place[i]]) = (state.angle, state.velocity);
+        }
+        self.count = 0;
     }
 }
 

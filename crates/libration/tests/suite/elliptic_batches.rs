@@ -104,6 +104,60 @@ fn batch_of_jacobi_functions_equals_the_scalar_function_bit_for_bit() {
     }
 }
 
+#[test]
+fn one_modulus_for_many_arguments_then_another_equals_the_scalar_function() {
+    let arguments: Vec<f64> = (0..300).map(|i| 0.05 * f64::from(i) - 4.0).collect();
+    // The first is what the rest of a block is filled with.
+    for pair in [[0.5, 0.5], [0.5, 0.25], [0.3, f64::NAN], [f64::NAN, 0.9], [1.0, 0.0]] {
+        let values: Vec<f64> = (0..300).map(|i| pair[usize::from(i >= 200)]).collect();
+        let [mut sn, mut cn, mut dn, mut am] = [(); 4].map(|()| vec![7.0; 300]);
+        let results = JacobiSlices { sn: &mut sn, cn: &mut cn, dn: &mut dn, am: &mut am };
+        jacobi_functions(&arguments, Moduli::Parameters(&values), results).unwrap();
+        for i in 0..300 {
+            let expected = Modulus::from_parameter(values[i]).map(|it| it.jacobi(arguments[i]));
+            let expected = expected.map_or([f64::NAN; 4], |it| [it.sn, it.cn, it.dn, it.am]);
+            for (found, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
+                assert!(same(found, expected), "{pair:?} {i}: {found:?} {expected:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn short_batches_equal_parts_of_long_ones() {
+    let values: Vec<f64> = seams();
+    let angles: Vec<f64> =
+        (0..values.len()).map(|i| 0.4 * f64::from(u8::try_from(i).unwrap()) - 3.0).collect();
+    type OfModuli = fn(Moduli<'_>, &mut [f64]) -> Result<(), LengthMismatch>;
+    type OfAngles = fn(&[f64], Moduli<'_>, &mut [f64]) -> Result<(), LengthMismatch>;
+    let (of_moduli, of_angles) = (
+        [complete_firsts as OfModuli, complete_seconds, nomes],
+        [incomplete_firsts as OfAngles, incomplete_seconds],
+    );
+    for index in 0..4 {
+        for count in 1..=9 {
+            let all = |batch: &dyn Fn(std::ops::Range<usize>, &mut [f64])| {
+                let [mut long, mut short] = [(); 2].map(|()| vec![0.0; values.len()]);
+                batch(0..values.len(), &mut long);
+                for start in (0..values.len()).step_by(count) {
+                    let range = start..values.len().min(start + count);
+                    batch(range.clone(), &mut short[range]);
+                }
+                assert!(long.iter().zip(&short).all(|(long, short)| same(*long, *short)), "{index} {count}");
+            };
+            for batch in of_moduli {
+                all(&|range, found| batch(kinds(&values[range])[index].0, found).unwrap());
+            }
+            for batch in of_angles {
+                let of = |range: std::ops::Range<usize>, found: &mut [f64]| {
+                    batch(&angles[range.clone()], kinds(&values[range])[index].0, found).unwrap();
+                };
+                all(&of);
+            }
+        }
+    }
+}
+
 type BatchOfAngles = fn(&[f64], Moduli<'_>, &mut [f64]) -> Result<(), LengthMismatch>;
 
 /// Angles at and beside quarter turns, where they are no longer reduced, zero and huge ones.
