@@ -28,6 +28,7 @@ mod table;
 mod table_columns;
 mod text;
 mod times;
+mod tolerances;
 mod values;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes};
@@ -58,3 +59,4 @@ pub(crate) use text::{
     positive,
 };
 pub(crate) use times::{TimeOptions, Times, times};
+pub(crate) use tolerances::{Tolerances, tolerances};

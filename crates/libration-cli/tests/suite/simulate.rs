@@ -379,3 +379,51 @@ fn times_may_lie_on_both_sides_of_the_start() {
     assert_eq!(turned.status.code(), Some(2));
     assert!(message(&turned).contains("in ascending order"), "{}", message(&turned));
 }
+
+#[test]
+fn each_coordinate_may_have_its_own_tolerance() {
+    let question = |tolerance: &str, form: &str| {
+        let words = ["simulate", "x''=-x; φ''=-900*φ", "--initial", "x=1,phi=1", "--times", "0,30"];
+        run(&[&words[..], &["--tolerance", tolerance, form]].concat())
+    };
+    let answer = |tolerance| serde_json::from_slice::<Value>(&question(tolerance, "--json").stdout).unwrap();
+    let (all, one) = (answer("1e-13"), answer("phi=1e-5, 1e-13"));
+    let steps = |answer: &Value| answer["steps"].as_u64().unwrap();
+    assert!(4 * steps(&one) < 3 * steps(&all), "{} of {}", steps(&one), steps(&all));
+    close(&one["samples"][1]["state"][0], 30_f64.cos(), 1e-13);
+    let missed = one["samples"][1]["state"][1].as_f64().unwrap() - 900_f64.cos();
+    assert!((1e-10..1e-3).contains(&missed.abs()), "{missed}");
+    assert_eq!(answer("phi=1e-13, x=1e-13")["samples"], all["samples"]);
+    let sheet = unfolded(&String::from_utf8(question("φ=1e-5,1e-13", "--events=turning").stdout).unwrap());
+    assert!(sheet.contains("tolerance 1e-13 per step, 1e-5 in phi"), "{sheet}");
+    for (tolerance, reason) in [
+        ("q=1e-3", "--tolerance: the system has no coordinate `q`: it has x, phi"),
+        ("x'=1e-3", "the system has no coordinate `x'`"),
+        ("x=1e-3,x=1e-4", "x has two tolerances"),
+        ("1e-3,1e-4", "two tolerances without a name"),
+        ("x=1", "give a number from 1e-18 to 0.1"),
+        ("x=", "give a number from 1e-18 to 0.1"),
+    ] {
+        let output = question(tolerance, "--csv");
+        assert!(output.status.code() == Some(2) && message(&output).contains(reason), "{}", message(&output));
+    }
+}
+
+#[test]
+fn runs_are_gone_on_with_to_the_same_tolerances() {
+    let file = directory("own_tolerances").join("long.csv").display().to_string();
+    let asked = |times: &str, tolerance: &str, resume: &[&str]| {
+        let words =
+            ["simulate", "x''=-x; y''=-9*y", "--times", times, "--tolerance", tolerance, "--output", &file];
+        run(&[&words[..], resume].concat())
+    };
+    let whole = asked("0:20:1", "x=1e-8,y=1e-5", &["--initial", "x=1,y=1"]);
+    assert!(whole.status.success(), "{}", message(&whole));
+    let expected = fs::read(&file).unwrap();
+    assert!(asked("0:9:1", "x=1e-8,y=1e-5", &["--initial", "x=1,y=1"]).status.success());
+    let refused = asked("0:20:1", "x=1e-8", &["--resume", &file]);
+    assert!(message(&refused).contains("give the --tolerance of that run"), "{}", message(&refused));
+    let resumed = asked("0:20:1", "y=1e-5,x=1e-8", &["--resume", &file]);
+    assert!(resumed.status.success(), "{}", message(&resumed));
+    assert_eq!(fs::read(&file).unwrap(), expected);
+}

@@ -150,7 +150,7 @@ impl<const N: usize> Lane<'_, N> {
             return Err(End::Stopped(if too_large { Cause::Overflow } else { cause }, moment));
         }
         let step = stepper.step(lane);
-        let end = solution.take(&step, |event| stepper.event(event, lane), effort.relative);
+        let end = solution.take(&step, |event| stepper.event(event, lane), stepper.effort.relative);
         let stop = watch(solution.number, &LaneStep { step, stepper, solution, lane }).is_break();
         if let Some(end) = end {
             return Err(End::Reached(end));

@@ -33,7 +33,7 @@ pub fn ending_error(
     const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
     let relative = (effort.relative / 1000.0).max(Effort::TOLERANCES[0]);
     let finer = Effort { relative, absolute: effort.absolute / 1000.0, ..*effort };
-    let other = integrate(system, start, &[last], &finer)?.end;
+    let other = integrate(&system.with_part_of_tolerances(0.001), start, &[last], &finer)?.end;
     let size = start.state.iter().chain(&end.state).map(|value| value.abs()).fold(0.0, f64::max);
     let error = |a: f64, b: f64, size: f64| MARGIN * (a - b).abs() + ROUNDINGS * size;
     let pairs = end.state.iter().zip(&other.state);

@@ -77,7 +77,8 @@ impl<const N: usize> Stepper<'_, N> {
         const FITS: f64 = 10.0;
         let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
-        let scales = if fresh.contains(&true) { log2_time_scale(&self.block) } else { [0.0; N] };
+        let scales =
+            if fresh.contains(&true) { log2_time_scale(&self.block, &self.allowances) } else { [0.0; N] };
         let mut fits = true;
         for lane in
             (0..N).filter(|&lane| fresh[lane] && scales[lane].is_finite() && scales[lane].abs() > FITS)
@@ -162,11 +163,11 @@ impl<const N: usize> Stepper<'_, N> {
     }
 
     /// What the velocities would err by in a time, as a part of their size, if accelerations were those of the series; not less
-    /// than the part of themselves that the accelerations err by, which a short time does not excuse.
+    /// than the part of themselves that the accelerations err by, which a short time does not excuse. Where more is allowed errors count less.
     fn misfit(&mut self, lane: usize, time: f64, length: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
-        let Self { expander, scratch, surroundings, .. } = self;
+        let Self { expander, scratch, surroundings, allowances, .. } = self;
         let layout = expander.system.layout();
         let exact = expander.accelerations(scratch, time, &state, surroundings);
         let parts = exact.enumerate().map(|(i, exact)| {
@@ -176,7 +177,7 @@ impl<const N: usize> Stepper<'_, N> {
             let speed = held.max((own * length).abs());
             let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
             let error = (exact[lane] - own).abs();
-            if error == 0.0 { 0.0 } else { error * rate }
+            if error == 0.0 { 0.0 } else { error * rate * allowances[i].weight }
         });
         parts.fold(0.0, larger_or_nan)
     }
@@ -209,11 +210,12 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
 
     #[inline(always)]
     fn run(self) -> [f64; N] {
-        let Stepper { expander, surroundings, block, effort, log2_part_of_radius, .. } = self.stepper;
+        let Stepper { expander, surroundings, block, effort, allowances, log2_part_of_radius, .. } =
+            self.stepper;
         let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
         let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
         let events = (0..expander.system.events().len()).map(|event| expander.event(event));
         let others: Vec<Row> = signs.chain(events).collect();
-        step_lengths(block, &others, effort.absolute / effort.relative, *log2_part_of_radius)
+        step_lengths(block, &others, allowances, effort.absolute, *log2_part_of_radius)
     }
 }

@@ -19,12 +19,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod allowance;
 mod error;
 mod event;
 mod larger;
 mod layout;
 mod system;
 mod tangent;
+mod tolerances;
 
 mod moduli;
 mod passage;
@@ -88,6 +90,7 @@ pub use step::Step;
 pub use step_length::Effort;
 pub use system::System;
 pub use tangent::{with_sensitivities, with_tangents};
+pub use tolerances::ToleranceError;
 pub use trajectory::Trajectory;
 
 pub(crate) use state_names::named_state;

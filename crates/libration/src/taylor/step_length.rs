@@ -2,6 +2,7 @@
 //!
 //! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
 
+use super::allowance::Allowance;
 use super::block::{Block, Row};
 use super::larger::larger;
 use crate::algebra::lanes;
@@ -15,6 +16,7 @@ use crate::elementary::rough::{exp2, log2};
 pub struct Effort {
     /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
     /// a part of how far it moves, of whatever order its equation is. So it depends neither on units nor on where zero is.
+    /// Coordinates may have tolerances of their own, by [`System::with_tolerances`](super::System::with_tolerances).
     pub relative: f64,
     /// The error of each number of the state, in its own units, below which no step need come; zero if there is none.
     pub absolute: f64,
@@ -54,6 +56,11 @@ impl Effort {
     pub(super) fn log2_part_of_radius(&self) -> f64 {
         (log2(self.relative) - 14.0) / (count(self.order()) + 1.0)
     }
+
+    /// How much longer a step of the same order may be for another tolerance, as a power of two.
+    pub(super) fn log2_longer(&self, relative: f64) -> f64 {
+        libm::log2(relative / self.relative) / (count(self.order()) + 1.0)
+    }
 }
 
 /// The highest order of a series.
@@ -71,10 +78,11 @@ const FIRST: usize = 3;
 pub(super) fn step_lengths<const N: usize>(
     block: &Block<N>,
     others: &[Row],
-    floor: f64,
+    allowances: &[Allowance],
+    absolute: f64,
     log2_part: f64,
 ) -> [f64; N] {
-    let mut radius = radius_of_state(block, usize::MAX, floor);
+    let mut radius = radius_of_state(block, usize::MAX, allowances, absolute);
     for &row in others {
         radius = radius.smaller(&log2_radius(&block[row], &block[row][0]));
     }
@@ -90,9 +98,9 @@ pub(super) fn step_lengths<const N: usize>(
 
 /// The logarithm of the radius of convergence, in units of the block, as the first coefficients guess it; infinite where
 /// they do not tell.
-pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>) -> [f64; N] {
+pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, allowances: &[Allowance]) -> [f64; N] {
     const FEW: usize = 8;
-    radius_of_state(block, FEW, 0.0).of_sizes
+    radius_of_state(block, FEW, allowances, 0.0).of_sizes
 }
 
 /// The logarithm of a radius of convergence in each lane.
@@ -114,6 +122,14 @@ impl<const N: usize> Log2Radius<N> {
     }
 
     #[inline(always)]
+    fn longer(&self, by: f64) -> Self {
+        Self {
+            of_sizes: lanes(|lane| self.of_sizes[lane] + by),
+            of_nothing: lanes(|lane| self.of_nothing[lane] + by),
+        }
+    }
+
+    #[inline(always)]
     fn known(&self) -> [f64; N] {
         lanes(
             |lane| {
@@ -123,17 +139,24 @@ impl<const N: usize> Log2Radius<N> {
     }
 }
 
-/// The least radius of convergence of so many terms of the series of a state.
+/// The least radius of convergence of so many terms of the series of a state, longer where more is allowed.
 #[inline(always)]
-fn radius_of_state<const N: usize>(block: &Block<N>, terms: usize, floor: f64) -> Log2Radius<N> {
+fn radius_of_state<const N: usize>(
+    block: &Block<N>,
+    terms: usize,
+    allowances: &[Allowance],
+    absolute: f64,
+) -> Log2Radius<N> {
     let mut radius = Log2Radius { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
-    for number in 0..block.numbers() {
+    for (number, allowance) in allowances.iter().enumerate() {
         let series = block.series(number);
+        let floor = absolute / allowance.relative;
         // Of a coordinate the zeroth coefficient only says where it is; one of the first order may be a phase or a temperature, which
         // moves by as little of itself as any other.
         let velocity = block.layout().is_velocity(number);
         let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
-        radius = radius.smaller(&log2_radius(&series[..terms.min(series.len())], &size));
+        let own = log2_radius(&series[..terms.min(series.len())], &size);
+        radius = radius.smaller(&own.longer(allowance.log2_longer));
     }
     radius
 }

@@ -1,5 +1,6 @@
 //! Several motions side by side, each with steps of its own.
 
+use super::allowance::Allowance;
 use super::block::Block;
 use super::branches::Branches;
 use super::checkpoint::{Checkpoint, ModulusCheckpoint};
@@ -31,7 +32,10 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) fresh: [bool; N],
     /// Motions with a step that would have ended elsewhere on the way to another goal.
     pub(super) goal_bound: [bool; N],
+    /// To the least of the tolerances of all coordinates.
     pub(super) effort: Effort,
+    /// One for each number of the state.
+    pub(super) allowances: Vec<Allowance>,
     pub(super) log2_part_of_radius: f64,
 }
 
@@ -40,6 +44,7 @@ pub(super) const SHORTEST: f64 = 8.0 * f64::EPSILON;
 
 impl<'a, const N: usize> Stepper<'a, N> {
     pub(super) fn new(system: &'a System, effort: Effort) -> Self {
+        let (effort, allowances) = system.allowances(&effort);
         let (order, numbers) = (effort.order(), system.layout().numbers());
         let expander = Expander::new(system, order, N);
         Self {
@@ -60,6 +65,7 @@ impl<'a, const N: usize> Stepper<'a, N> {
             fresh: [false; N],
             goal_bound: [false; N],
             effort,
+            allowances,
             log2_part_of_radius: effort.log2_part_of_radius(),
         }
     }

@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use super::allowance::Allowance;
 use super::machine_code::{MachineCode, MachineCodes};
 use super::moduli::Moduli;
 use super::passage::Passage;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
-use super::{Event, Moment, StateLayout, StateNameError};
+use super::tolerances::{ToleranceError, allowances, own_tolerances};
+use super::{Effort, Event, Moment, StateLayout, StateNameError};
 use crate::expression::{Equation, Expression, Symbol, Tape, WithoutValue};
 
 /// Equations of motion whose state is all coordinates, then the velocities, in the order of the equations. A coordinate whose equation
@@ -40,6 +42,8 @@ pub struct System {
     /// How what has no series is passed, if there is something.
     passage: Option<Arc<Passage>>,
     machine_codes: Arc<MachineCodes>,
+    /// Those of coordinates that have one of their own, else zero.
+    tolerances: Vec<f64>,
 }
 
 impl System {
@@ -65,7 +69,44 @@ impl System {
     /// # Errors
     /// A symbol in a formula that is neither coordinate nor velocity, time or open parameter.
     pub fn with_events(self, events: &[Event]) -> Result<Self, WithoutValue> {
-        Self::build(self.equation, self.parameters, events.to_vec())
+        let tolerances = self.tolerances;
+        Ok(Self { tolerances, ..Self::build(self.equation, self.parameters, events.to_vec())? })
+    }
+
+    /// The same system, some coordinates of which have tolerances of their own instead of [`Effort::relative`]: what a step may err by in
+    /// the coordinate as a part of how far it moves, and in its velocity as a part of its size. Errors go from one coordinate to the
+    /// others as the equations couple them, so that it is a coordinate on which little depends that may have a larger one. The least of all
+    /// decides the order of the series.
+    ///
+    /// # Errors
+    /// A name that is no coordinate, or is there twice; a tolerance outside of [`Effort::TOLERANCES`].
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::taylor::{Effort, System, integrate};
+    /// // What y is matters to nothing else.
+    /// let system = System::new(&"x'' = -x; y' = x*cos(20*x)".parse()?)?;
+    /// let start = system.start(&[("x", 1.0)])?;
+    /// let steps = |system: &System| integrate(system, &start, &[20.0], &Effort::to_tolerance(1e-15)).map(|it| it.steps);
+    /// let looser = system.clone().with_tolerances(&[("y", 1e-6)])?;
+    /// assert!(steps(&looser)? < steps(&system)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_tolerances(self, tolerances: &[(&str, f64)]) -> Result<Self, ToleranceError> {
+        let tolerances = own_tolerances(self.equation.variables(), tolerances)?;
+        Ok(Self { tolerances, ..self })
+    }
+
+    /// The same system with a part of these.
+    pub(super) fn with_part_of_tolerances(&self, part: f64) -> Self {
+        let least = Effort::TOLERANCES[0];
+        let parts = self.tolerances.iter().map(|&own| if own > 0.0 { (part * own).max(least) } else { own });
+        Self { tolerances: parts.collect(), ..self.clone() }
+    }
+
+    /// The effort to the least of all tolerances, and what each number of a state may err by.
+    pub(super) fn allowances(&self, effort: &Effort) -> (Effort, Vec<Allowance>) {
+        allowances(&self.tolerances, &self.layout, effort)
     }
 
     fn build(equation: Equation, parameters: Vec<Symbol>, events: Vec<Event>) -> Result<Self, WithoutValue> {
@@ -93,6 +134,7 @@ impl System {
             number.filter(|&number| layout.driving(number).is_some())
         };
         let driven_in_moduli = arguments.iter().map(|modulus| driven(&modulus.argument)).collect();
+        let tolerances = vec![0.0; layout.coordinates()];
         let (layout, machine_codes, passage) = (Arc::new(layout), Arc::default(), passage.map(Arc::new));
         Ok(Self {
             equation,
@@ -104,6 +146,7 @@ impl System {
             sharp,
             passage,
             machine_codes,
+            tolerances,
         })
     }
 

@@ -5,6 +5,7 @@
 //! before a step is taken the accelerations at its end are compared with those of its polynomials.
 
 use super::Cause;
+use super::allowance::ROUNDING;
 use super::larger::{larger, larger_or_nan};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::algebra::lanes;
@@ -12,8 +13,6 @@ use crate::dispatch::{Kernel, dispatch_lanes};
 
 /// The errors that are left for: terms that are missing, 1.25³⁹·39·2⁻¹⁴ = 14 tolerances where series have the most, seven times.
 const TOLERANCES: f64 = 100.0;
-/// Below so many roundings of an acceleration its errors say nothing.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// What the accelerations at a time err by, one number a coordinate.
 struct Trial {
@@ -120,19 +119,22 @@ impl<const N: usize> Stepper<'_, N> {
         let layout = self.block.layout();
         let own: Vec<f64> =
             (0..layout.coordinates()).map(|i| step.slope_at(layout.driven(i), time)).collect();
-        let floor = self.effort.absolute / self.effort.relative;
+        let absolute = self.effort.absolute;
         let sizes: Vec<f64> = (0..layout.coordinates())
             .map(|i| {
                 let driven = layout.driven(i);
                 let [zeroth, first, second] = [0, 1, 2].map(|n| step.coefficient(driven, n).abs());
                 let held = if layout.is_velocity(driven) { zeroth } else { 0.0 };
+                let floor = absolute / self.allowances[i].relative;
                 size_of([held, first, second], (own[i] * length).abs(), units, floor)
             })
             .collect();
         let exact = self.accelerations(lane, time, &state);
         let mut errors: Vec<f64> = exact.iter().zip(&own).map(|(exact, own)| (exact - own).abs()).collect();
+        let weights: Vec<f64> = self.allowances.iter().map(|allowance| allowance.weight).collect();
         let misfit = |errors: &[f64]| {
-            let parts = errors.iter().zip(&sizes).map(|(error, size)| part_of(error * length, *size));
+            let parts = errors.iter().zip(&sizes).zip(&weights);
+            let parts = parts.map(|((error, size), weight)| part_of(error * length, *size) * weight);
             parts.fold(0.0, larger_or_nan)
         };
         if misfit(&errors).is_finite() && misfit(&errors) > self.bound() {
@@ -222,14 +224,13 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
     #[inline(always)]
     fn run(self) -> [f64; N] {
         StepEnds { stepper: &mut *self.stepper }.run();
-        let Stepper { expander, block, scratch, surroundings, next, effort, .. } = self.stepper;
+        let Stepper { expander, block, scratch, surroundings, next, effort, allowances, .. } = self.stepper;
         scratch.start = block.end;
         for (number, ends) in next.iter().enumerate() {
             let row = scratch.row(number);
             scratch[row][0] = ends.high;
         }
         expander.begin(scratch, surroundings);
-        let floor = effort.absolute / effort.relative;
         let mut misfits = [0.0; N];
         let layout = expander.system.layout();
         let length: [f64; N] = lanes(|lane| (block.end[lane] - block.start[lane]).abs());
@@ -240,13 +241,14 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
             let series = block.series(driven);
             let slope = slopes(series, &units);
             let exact = &scratch[expander.acceleration(i)][0];
+            let floor = effort.absolute / allowances[i].relative;
             misfits = lanes(|lane| {
                 let held = if is_velocity { series[0][lane].abs() } else { 0.0 };
                 let first = [held, series[1][lane].abs(), series[2][lane].abs()];
                 let own = slope[lane] / block.unit[lane];
                 let size = size_of(first, (own * length[lane]).abs(), units[lane].abs(), floor);
                 let error = (exact[lane] - own).abs();
-                larger_or_nan(misfits[lane], part_of(error * length[lane], size))
+                larger_or_nan(misfits[lane], part_of(error * length[lane], size) * allowances[i].weight)
             });
         }
         misfits

@@ -48,5 +48,6 @@ mod slow_flow;
 mod symbolic_expansions;
 mod systems;
 mod taylor;
+mod tolerances;
 mod truncated_system;
 mod watch;

@@ -85,7 +85,7 @@ impl SimulatedMotion<'_> {
             watch(step)
         };
         let times: Vec<f64> = self.times.iter().collect();
-        let outcome = integrate_both_ways(system, &start, &times, &self.effort, follow);
+        let outcome = integrate_both_ways(system, &start, &times, &self.effort(), follow);
         let drifts = balances.iter().map(|balance| [balance.drift(), balance.drift_uncertainty()]);
         (outcome, drifts.fold([0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])]))
     }

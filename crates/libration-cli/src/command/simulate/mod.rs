@@ -16,7 +16,7 @@ mod sheet;
 mod tally;
 mod watch;
 
-use crate::arguments::{self, InitialOptions, PendulumSystemOptions, Times};
+use crate::arguments::{self, InitialOptions, PendulumSystemOptions, Times, Tolerances};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
@@ -27,7 +27,6 @@ use crate::output::{Form, FormOptions, announce};
 use ending::Ending;
 use events::{UntilOptions, Watched};
 use libration::systems::Model;
-use libration::taylor::Effort;
 use motion::SimulatedMotion;
 use resume::{Earlier, Keeper, Question};
 use run::Outcome;
@@ -94,9 +93,9 @@ pub(crate) struct Simulate {
     /// Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward
     #[arg(long, value_parser = arguments::times)]
     times: Times,
-    /// The relative error allowed in each step
-    #[arg(long, default_value = "1e-12", value_parser = tolerance)]
-    tolerance: f64,
+    /// The relative error allowed in each step, for all coordinates or each by its name: 1e-12, "phi=1e-6", "1e-12, phi=1e-6"
+    #[arg(long, default_value = "1e-12", value_parser = arguments::tolerances)]
+    tolerance: Tolerances,
     /// Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5
     #[arg(long, value_name = "turning|crossing|EXPR", value_delimiter = ',')]
     events: Vec<String>,
@@ -154,7 +153,7 @@ impl Simulate {
             question: self.question(&model, &watched, initial.state.clone()),
             initial,
             times: &self.times,
-            effort: Effort::to_tolerance(self.tolerance),
+            tolerances: &self.tolerance,
             watched: &watched,
             observables: observables.as_ref(),
             earlier,
@@ -193,7 +192,8 @@ impl Simulate {
             equations: model.equation().to_string(),
             state: model.state_names(),
             initial,
-            tolerance: self.tolerance,
+            tolerance: self.tolerance.usual,
+            own_tolerances: self.tolerance.own.clone(),
             events: watched.names(),
             columns: self.columns.iter().map(|columns| columns.trim().to_owned()).collect(),
         }
@@ -218,10 +218,4 @@ fn write_file(
         state.write(&state_of(&place))?;
     }
     Ok((ending, drawn))
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    let [least, greatest] = Effort::TOLERANCES;
-    let number = text.trim().parse().ok().filter(|number| (least..=greatest).contains(number));
-    number.ok_or_else(|| format!("give a number from {least:e} to {greatest}, such as 1e-12"))
 }

@@ -2,7 +2,7 @@
 
 use super::events::Watched;
 use super::resume::{Earlier, Mark, Question};
-use crate::arguments::{Initial, Times};
+use crate::arguments::{Initial, Times, Tolerances};
 use libration::systems::{Model, Observables};
 use libration::taylor::{Effort, Moment};
 
@@ -12,7 +12,7 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) question: Question,
     pub(super) initial: Initial,
     pub(super) times: &'a Times,
-    pub(super) effort: Effort,
+    pub(super) tolerances: &'a Tolerances,
     pub(super) watched: &'a Watched,
     /// Formulas whose values stand beside the state.
     pub(super) observables: Option<&'a Observables>,
@@ -33,6 +33,10 @@ impl SimulatedMotion<'_> {
     /// What these are called.
     pub(super) fn column_names(&self) -> &[String] {
         self.observables.map_or(&[], |observables| observables.names())
+    }
+
+    pub(super) fn effort(&self) -> Effort {
+        self.tolerances.effort()
     }
 
     /// The state at t = 0.

@@ -90,6 +90,7 @@ impl SimulatedMotion<'_> {
     /// The system with its events.
     fn system(&self) -> Result<System, Failure> {
         let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
+        let system = self.tolerances.put_on(system)?;
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
 
@@ -103,7 +104,7 @@ impl SimulatedMotion<'_> {
             )));
         }
         let end = solution.end.clone();
-        let error = ending_error(system, &self.beginning(), last, &self.effort, &end);
+        let error = ending_error(system, &self.beginning(), last, &self.effort(), &end);
         let error = error.map_err(|error| Failure::NoAnswer(error.to_string()))?;
         Ok(Ending::Event(EventEnding { name, end, error }))
     }
@@ -127,7 +128,7 @@ impl SimulatedMotion<'_> {
             }
         };
         let last = [self.times.last()];
-        let outcome = integrate_from(system, &start, &last, &self.effort, |step| watch.follow(step));
+        let outcome = integrate_from(system, &start, &last, &self.effort(), |step| watch.follow(step));
         if let Some(failure) = watch.failure.take() {
             return Err(failure);
         }

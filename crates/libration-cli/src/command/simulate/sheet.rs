@@ -28,7 +28,7 @@ impl AnswerWriter for Sheet {
             writeln!(out, "{}", paragraph("  parameters ", &parameters, 120))?;
         }
         writeln!(out, "{}", paragraph("  begins at  ", &start(motion), 120))?;
-        writeln!(out, "  tolerance  {:e} per step", motion.effort.relative)?;
+        writeln!(out, "{}", paragraph("  tolerance  ", &motion.tolerances.to_string(), 120))?;
         if self.listed {
             writeln!(out)?;
         }

@@ -89,7 +89,7 @@ impl<'a> Piece<'_, 'a> {
         let mut accounts: Vec<Account<'a>> =
             self.motions.iter().map(|(_, listed)| Account::new(listed, drawn)).collect();
         let watch = |number: usize, step: &Step<'_>| accounts[number].follow(step, progress);
-        let outcomes = integrate_many_watched(&self.setting.system, &trajectories, &first.effort, watch);
+        let outcomes = integrate_many_watched(&self.setting.system, &trajectories, &first.effort(), watch);
         let motions = self.motions.iter().zip(accounts).zip(outcomes);
         motions.map(|(((_, listed), account), outcome)| account.close(listed, outcome, progress)).collect()
     }

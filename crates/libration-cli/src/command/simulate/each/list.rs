@@ -5,7 +5,6 @@ use super::super::motion::SimulatedMotion;
 use super::setting::Setting;
 use crate::arguments::{Meaning, MotionRow, MotionTable, at_line};
 use crate::failure::Failure;
-use libration::taylor::Effort;
 use std::path::Path;
 
 /// A row of a table and its motion.
@@ -35,7 +34,7 @@ pub(super) fn listed<'a>(
             question: question.question(&setting.model, &setting.watched, initial.state.clone()),
             initial,
             times: &question.times,
-            effort: Effort::to_tolerance(question.tolerance),
+            tolerances: &question.tolerance,
             watched: &setting.watched,
             observables: setting.observables.as_ref(),
             earlier: None,

@@ -8,7 +8,7 @@ mod write;
 
 use super::Simulate;
 use super::ending::Ending;
-use crate::arguments::{GivenSystem, Meaning, MotionTable};
+use crate::arguments::{GivenSystem, Meaning, MotionTable, Tolerances};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::motions::{MOST_CURVES, Motions};
@@ -35,7 +35,7 @@ pub(super) struct Answer<'a> {
     table: &'a MotionTable,
     /// With the parameters of the table open.
     model: &'a Model,
-    tolerance: f64,
+    tolerances: &'a Tolerances,
     with_events: bool,
     motions: Vec<(&'a Listed<'a>, Followed<'a>)>,
 }
@@ -60,7 +60,7 @@ impl Simulate {
             path,
             table: &table,
             model: &model,
-            tolerance: self.tolerance,
+            tolerances: &self.tolerance,
             with_events: !settings[0].watched.is_empty(),
             motions: known.collect(),
         };

@@ -64,6 +64,7 @@ impl Setting {
         let observables =
             observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
         let system = model.system().map_err(|error| Failure::usage("--each", error))?;
+        let system = question.tolerance.put_on(system)?;
         let system =
             system.with_events(&watched.events()).map_err(|error| Failure::usage("--events", error))?;
         let energy = model.energy().map_err(|reason| reason.to_string());

@@ -75,7 +75,7 @@ impl Answer<'_> {
         writeln!(out, "{}", paragraph("  equations  ", &self.model.equation().to_string(), 120))?;
         let motions = format!("{}, of {}", self.motions.len(), self.path.display());
         writeln!(out, "{}", paragraph("  motions    ", &motions, 120))?;
-        writeln!(out, "  tolerance  {:e} per step\n", self.tolerance)?;
+        writeln!(out, "{}\n", paragraph("  tolerance  ", &self.tolerances.to_string(), 120))?;
         self.write_motions(out)?;
         if listed {
             self.write_rows(out)?;

@@ -16,6 +16,8 @@ pub(crate) struct Question {
     /// The state at t = 0.
     pub(crate) initial: Vec<f64>,
     pub(crate) tolerance: f64,
+    /// Those that coordinates have of their own.
+    pub(crate) own_tolerances: Vec<(String, f64)>,
     /// What is looked for.
     pub(crate) events: Vec<String>,
     /// Formulas that stand beside the state.
@@ -31,6 +33,8 @@ pub(crate) enum Difference {
     Equations { earlier: String, asked: String },
     #[error("it was computed to the tolerance {earlier:e}, not {asked:e}: give --tolerance {earlier:e}")]
     Tolerance { earlier: f64, asked: f64 },
+    #[error("coordinates had other tolerances of their own: give the --tolerance of that run")]
+    OwnTolerances,
     #[error("{}: give the same --events", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
     #[error("its columns are {}, not {}: give the same --columns", listed(.earlier), listed(.asked))]
@@ -54,6 +58,9 @@ impl Question {
         }
         if earlier.tolerance.to_bits() != self.tolerance.to_bits() {
             return Err(Difference::Tolerance { earlier: earlier.tolerance, asked: self.tolerance });
+        }
+        if earlier.own_tolerances != self.own_tolerances {
+            return Err(Difference::OwnTolerances);
         }
         if earlier.events != self.events {
             return Err(Difference::Events { earlier: earlier.events.clone(), asked: self.events.clone() });
@@ -81,6 +88,15 @@ impl Question {
             Of::value("tolerance", "1", "relative error allowed in each step", |it| {
                 json::number(it.tolerance)
             }),
+            Of::present_value(
+                "own_tolerances.NAME",
+                "1",
+                "that in the coordinate of this name; left out where none has its own",
+                |it| {
+                    let own = it.own_tolerances.iter().map(|(name, own)| (name.clone(), json::number(*own)));
+                    (!it.own_tolerances.is_empty()).then(|| json::object(own))
+                },
+            ),
             Of::value("events[]", "", "events that are looked for", |it| json::list(it.events.clone())),
             Of::value("columns[]", "", "formulas beside the state", |it| json::list(it.columns.clone())),
         ])
@@ -90,12 +106,18 @@ impl Question {
         let texts = |name: &str| -> Option<Vec<String>> {
             value[name].as_array()?.iter().map(|text| text.as_str().map(str::to_owned)).collect()
         };
+        let own = |(name, own): (&String, &Value)| Some((name.clone(), own.as_f64()?));
+        let own_tolerances = match value["own_tolerances"].as_object() {
+            Some(all) => all.iter().map(own).collect::<Option<_>>()?,
+            None => vec![],
+        };
         Some(Self {
             system: value["system"].as_str().map(str::to_owned),
             equations: value["equations"].as_str()?.to_owned(),
             state: texts("state")?,
             initial: value["initial"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?,
             tolerance: value["tolerance"].as_f64()?,
+            own_tolerances,
             events: texts("events")?,
             columns: texts("columns").unwrap_or_default(),
         })

@@ -1,0 +1,58 @@
+//! How exact an integration shall be: one tolerance for all coordinates, or some of their own.
+
+use super::values::plain_name;
+use crate::failure::Failure;
+use libration::taylor::{Effort, System};
+use std::fmt;
+
+/// A tolerance for each coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tolerances {
+    /// Of those that are not named.
+    pub(crate) usual: f64,
+    pub(crate) own: Vec<(String, f64)>,
+}
+
+/// Reads `1e-12`, `phi=1e-6`, or both.
+pub(crate) fn tolerances(text: &str) -> Result<Tolerances, String> {
+    let mut usual = None;
+    let mut own = vec![];
+    for item in text.split(',') {
+        match item.split_once('=') {
+            Some((name, number)) => own.push((plain_name(name), tolerance(number)?)),
+            None if usual.is_none() => usual = Some(tolerance(item)?),
+            None => return Err("two tolerances without a name: give one, and others as x=1e-6".to_owned()),
+        }
+    }
+    own.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
+    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), own })
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let [least, greatest] = Effort::TOLERANCES;
+    let number = text.trim().parse().ok().filter(|number| (least..=greatest).contains(number));
+    number.ok_or_else(|| format!("give a number from {least:e} to {greatest}, such as 1e-12"))
+}
+
+impl Tolerances {
+    /// Without another wish.
+    const USUAL: f64 = 1e-12;
+
+    pub(crate) fn effort(&self) -> Effort {
+        Effort::to_tolerance(self.usual)
+    }
+
+    /// The system with those that coordinates have of their own.
+    pub(crate) fn put_on(&self, system: System) -> Result<System, Failure> {
+        let own: Vec<(&str, f64)> = self.own.iter().map(|(name, own)| (name.as_str(), *own)).collect();
+        system.with_tolerances(&own).map_err(|error| Failure::usage("--tolerance", error))
+    }
+}
+
+/// `1e-12 per step, 1e-6 in phi`.
+impl fmt::Display for Tolerances {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{:e} per step", self.usual)?;
+        self.own.iter().try_for_each(|(name, own)| write!(formatter, ", {own:e} in {name}"))
+    }
+}
