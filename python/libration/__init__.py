@@ -8,8 +8,9 @@ Angles are radians from the downward vertical, times seconds, lengths metres. Pe
 [1.017409, 1.073182, 1.180341]
 """
 
-from . import special
+from . import errors, special
 from ._native import (
+    STANDARD_GRAVITY,
     __version__,
     motion,
     nome,
@@ -19,9 +20,24 @@ from ._native import (
     period_ratio_near_top,
     state,
 )
+from .errors import LibrationError
+from .pendulum import Harmonics, Motion, Pendulum, State
+from .period_formulas import PeriodFormula, PeriodFormulas
+
+formulas = PeriodFormulas()
 
 __all__ = [
+    "Harmonics",
+    "LibrationError",
+    "Motion",
+    "Pendulum",
+    "PeriodFormula",
+    "PeriodFormulas",
+    "STANDARD_GRAVITY",
+    "State",
     "__version__",
+    "errors",
+    "formulas",
     "motion",
     "nome",
     "period",

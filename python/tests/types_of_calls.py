@@ -21,5 +21,10 @@ assert_type(lb.special.ellipj(array, 0.5), tuple[Floats, Floats, Floats, Floats]
 assert_type(lb.special.ellipkinc(0.5, 0.5), np.float64)
 assert_type(lb.special.ellipk.nin, int)
 
+motion = lb.Pendulum("99.4cm", 9.81).release("60deg")
+assert_type(motion.period, float)
+assert_type(motion.harmonics().angle, NDArray[np.float64])
+assert_type(lb.formulas["bernoulli"].error("60deg"), float)
+
 lb.period(1.0, 1.0)  # type: ignore[call-overload]  # pyright: ignore
 lb.state(array, 1.0, 3.0, out=array)  # type: ignore[call-overload]  # pyright: ignore

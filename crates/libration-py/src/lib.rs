@@ -1,6 +1,10 @@
 //! The library for Python: the module `libration._native`, on which the package in `python/libration` stands.
 
 mod batches;
+mod errors;
+mod formulas;
+mod motion;
+mod quantity;
 mod ufunc;
 
 use pyo3::prelude::*;
@@ -8,5 +12,11 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("STANDARD_GRAVITY", libration::quantity::STANDARD_GRAVITY)?;
+    module.add_class::<motion::NativeMotion>()?;
+    module.add_class::<formulas::NativeFormula>()?;
+    module.add_function(wrap_pyfunction!(motion::pendulum, module)?)?;
+    module.add_function(wrap_pyfunction!(formulas::formula_keys, module)?)?;
+    module.add_function(wrap_pyfunction!(formulas::simplest_formulas, module)?)?;
     batches::add_all(module)
 }

@@ -1,0 +1,33 @@
+//! The exceptions of the package, which `python/libration/errors.py` has, with the library's messages.
+
+use std::fmt::Display;
+
+use pyo3::import_exception;
+use pyo3::prelude::*;
+
+import_exception!(libration.errors, FormulaError);
+import_exception!(libration.errors, PendulumError);
+import_exception!(libration.errors, QuantityError);
+import_exception!(libration.errors, UnknownKeyError);
+
+/// An exception of the package.
+pub(crate) trait Exception {
+    fn with(message: String) -> PyErr;
+}
+
+macro_rules! exceptions {
+    ($($name:ident),*) => {
+        $(impl Exception for $name {
+            fn with(message: String) -> PyErr {
+                Self::new_err(message)
+            }
+        })*
+    };
+}
+
+exceptions!(FormulaError, PendulumError, QuantityError, UnknownKeyError);
+
+/// The library's message as an exception of this kind.
+pub(crate) fn refusal<E: Exception>(error: impl Display) -> PyErr {
+    E::with(error.to_string())
+}

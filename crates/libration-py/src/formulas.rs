@@ -1,0 +1,75 @@
+//! The period formulas of the literature.
+
+use std::sync::OnceLock;
+
+use libration::period_formulas::{ErrorTable, PeriodFormula, catalogue};
+use libration::quantity::Angle;
+use pyo3::prelude::*;
+
+use crate::errors::{FormulaError, QuantityError, UnknownKeyError, refusal};
+use crate::quantity::GivenAngle;
+
+/// A formula, with what is known about it.
+#[pyclass(frozen, name = "PeriodFormula", module = "libration._native")]
+pub(crate) struct NativeFormula(PeriodFormula);
+
+#[pymethods]
+impl NativeFormula {
+    #[new]
+    fn new(key: &str) -> PyResult<Self> {
+        Ok(Self(PeriodFormula::by_key(key).map_err(refusal::<UnknownKeyError>)?))
+    }
+
+    /// Key, name, authors, year, source, LaTeX, domain, rank of the effort, and where it ends.
+    fn words(&self) -> (&str, &str, &str, Option<u16>, &str, &str, &str, u32, f64) {
+        let it = &self.0;
+        let rank = it.complexity().rank();
+        let (authors, source) = (it.authors(), it.source());
+        (it.key(), it.name(), authors, it.year(), source, it.latex(), it.domain(), rank, it.defined_below())
+    }
+
+    fn ratio(&self, amplitude: GivenAngle) -> f64 {
+        self.0.period_ratio(&amplitude.0)
+    }
+
+    fn error(&self, amplitude: GivenAngle) -> f64 {
+        self.0.fractional_error(&amplitude.0)
+    }
+
+    fn ratios(&self, py: Python<'_>, amplitudes: Vec<f64>) -> Vec<f64> {
+        py.detach(|| amplitudes.into_iter().map(|it| self.0.period_ratio_at(it)).collect())
+    }
+
+    fn errors(&self, py: Python<'_>, amplitudes: Vec<f64>) -> Vec<f64> {
+        py.detach(|| amplitudes.into_iter().map(|it| self.0.fractional_error_at(it)).collect())
+    }
+
+    /// The largest error up to an amplitude, and where it is.
+    fn worst_error(&self, py: Python<'_>, up_to: GivenAngle) -> PyResult<(f64, f64)> {
+        let bottom = Angle::from_radians(0.0).map_err(refusal::<QuantityError>)?;
+        let worst = py.detach(|| self.0.worst_error(&bottom, &up_to.0));
+        let worst = worst
+            .ok_or_else(|| refusal::<FormulaError>("an amplitude has no whole turns: give one below pi"))?;
+        Ok((worst.error, worst.amplitude.radians()))
+    }
+
+    fn holds_to(&self, py: Python<'_>, tolerance: f64) -> f64 {
+        py.detach(|| self.0.holds_to(tolerance))
+    }
+}
+
+/// The keys of the catalogue.
+#[pyfunction]
+pub(crate) fn formula_keys() -> Vec<&'static str> {
+    catalogue().iter().map(PeriodFormula::key).collect()
+}
+
+/// The keys of the formulas that keep the tolerance up to the amplitude, the simplest first.
+#[pyfunction]
+pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: GivenAngle, tolerance: f64) -> Vec<String> {
+    static TABLE: OnceLock<ErrorTable> = OnceLock::new();
+    py.detach(|| {
+        let table = TABLE.get_or_init(|| ErrorTable::new(catalogue()));
+        table.simplest(&amplitude.0, tolerance).iter().map(|it| it.key().to_owned()).collect()
+    })
+}

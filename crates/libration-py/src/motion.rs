@@ -1,0 +1,90 @@
+//! The pendulum's motion as the objects of Python hold it.
+
+use libration::pendulum::{FourierSeries, Motion, Pendulum};
+use libration::quantity::Dimension;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::errors::{PendulumError, refusal};
+use crate::quantity::{GivenAngle, quantity};
+
+/// Length and gravity in SI units, if there is such a pendulum, with its angular frequency and period of small swings.
+#[pyfunction]
+pub(crate) fn pendulum(
+    length: &Bound<'_, PyAny>,
+    gravity: &Bound<'_, PyAny>,
+) -> PyResult<(f64, f64, f64, f64)> {
+    let (length, gravity) =
+        (quantity(length, Dimension::Length)?, quantity(gravity, Dimension::Acceleration)?);
+    let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
+    Ok((length, gravity, pendulum.angular_frequency(), pendulum.small_angle_period()))
+}
+
+/// A motion, prepared.
+#[pyclass(frozen, name = "Motion", module = "libration._native")]
+pub(crate) struct NativeMotion(Motion);
+
+/// n, and the coefficients of angle and velocity.
+type Terms<'py> = (Bound<'py, PyArray1<i64>>, Numbers<'py>, Numbers<'py>);
+type Numbers<'py> = Bound<'py, PyArray1<f64>>;
+
+#[pymethods]
+impl NativeMotion {
+    #[new]
+    fn new(length: f64, gravity: f64, angle: GivenAngle, velocity: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let velocity = quantity(velocity, Dimension::AngularVelocity)?;
+        let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
+        Ok(Self(pendulum.launched(angle.0, velocity).map_err(refusal::<PendulumError>)?))
+    }
+
+    #[getter]
+    fn regime(&self) -> String {
+        self.0.regime().to_string()
+    }
+
+    #[getter]
+    fn period(&self) -> f64 {
+        self.0.period()
+    }
+
+    /// The amplitude and its complement.
+    #[getter]
+    fn amplitude(&self) -> Option<(f64, f64)> {
+        self.0.amplitude().map(|it| (it.radians(), it.complement()))
+    }
+
+    /// e and e − 1.
+    #[getter]
+    fn energy_ratio(&self) -> (f64, f64) {
+        (self.0.energy_ratio(), self.0.energy_excess())
+    }
+
+    #[getter]
+    fn action(&self) -> f64 {
+        self.0.action()
+    }
+
+    /// Angles and velocities.
+    fn states_at<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
+        let times = times.as_slice()?;
+        let (mut angles, mut velocities) = (vec![0.0; times.len()], vec![0.0; times.len()]);
+        py.detach(|| self.0.states_at(times, &mut angles, &mut velocities))
+            .map_err(refusal::<PendulumError>)?;
+        Ok((angles.into_pyarray(py), velocities.into_pyarray(py)))
+    }
+
+    /// Fundamental, mean velocity, epoch, and the terms.
+    fn harmonics<'py>(&self, py: Python<'py>, tolerance: f64, limit: usize) -> ((f64, f64, f64), Terms<'py>) {
+        let FourierSeries { fundamental, mean_velocity, epoch, terms } =
+            py.detach(|| self.0.harmonics(tolerance, limit));
+        let number: Vec<i64> = terms.iter().map(|it| i64::try_from(it.n).unwrap_or(i64::MAX)).collect();
+        let angle: Vec<f64> = terms.iter().map(|it| it.angle).collect();
+        let velocity: Vec<f64> = terms.iter().map(|it| it.velocity).collect();
+        let terms = (number.into_pyarray(py), angle.into_pyarray(py), velocity.into_pyarray(py));
+        ((fundamental, mean_velocity, epoch), terms)
+    }
+}

@@ -1,0 +1,31 @@
+"""Pictures with matplotlib, which is there with `pip install libration[plot]`."""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+# Okabe and Ito's, which colour-blind readers can tell apart.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9"]
+
+
+def axes(ax: "Axes | None", labels: tuple[str, str]) -> "Axes":
+    """The axes to draw into, with labels: those given, or new ones."""
+    if ax is None:
+        try:
+            from matplotlib import pyplot
+        except ImportError as error:
+            raise ImportError("pictures need matplotlib: pip install 'libration[plot]'") from error
+        ax = pyplot.figure(layout="constrained").add_subplot()
+    ax.set_prop_cycle(color=COLOURS)
+    ax.set_xlabel(labels[0])
+    ax.set_ylabel(labels[1])
+    ax.grid(color="#DDDDDD", linewidth=0.6)
+    ax.set_axisbelow(True)
+    return ax
+
+
+def legend(ax: "Axes", **options: Any) -> None:
+    """A legend above the axes, where it hides no data."""
+    count = len(ax.get_legend_handles_labels()[0])
+    ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=min(count, 4), frameon=False, **options)

@@ -1,0 +1,127 @@
+"""The formulas of the literature for the period, each with its exact error.
+
+>>> import libration as lb
+>>> bernoulli = lb.formulas["bernoulli"]
+>>> round(bernoulli.error("60deg"), 6)
+-0.004326
+>>> lb.formulas.best(amplitude="90deg", tolerance=1e-3).key
+'black_vel_2'
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from .errors import FormulaError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+__all__ = ["PeriodFormula", "PeriodFormulas"]
+
+
+@dataclass(frozen=True)
+class PeriodFormula:
+    """A formula for T/T0, with what is known about it; ``lb.formulas[key]`` makes it.
+
+    Amplitudes are radians, texts such as ``"60deg"``, or arrays of radians.
+    """
+
+    key: str
+    name: str = field(init=False, compare=False)
+    authors: str = field(init=False, repr=False, compare=False)
+    year: int | None = field(init=False, repr=False, compare=False)
+    source: str = field(init=False, repr=False, compare=False)
+    """Where it was published; what rests on memory alone begins with "attributed to"."""
+    latex: str = field(init=False, repr=False, compare=False)
+    domain: str = field(init=False, repr=False, compare=False)
+    """Where it is good and how it ends, in words."""
+    complexity: int = field(init=False, repr=False, compare=False)
+    """The effort: an operation counts 1, a root 2, a function 3."""
+    defined_below: float = field(init=False, repr=False, compare=False)
+    """The amplitude in radians from which on it has no value."""
+    _formula: "_native.PeriodFormula" = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        formula = _native.PeriodFormula(self.key)
+        object.__setattr__(self, "_formula", formula)
+        names = ("key", "name", "authors", "year", "source", "latex", "domain", "complexity", "defined_below")
+        for name, value in zip(names, formula.words(), strict=True):
+            object.__setattr__(self, name, value)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PeriodFormula, (self.key,)
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex}$"
+
+    @overload
+    def ratio(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def ratio(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def ratio(self, amplitude: Any) -> Any:
+        """The formula's T/T0, to a few ulp; NaN where formula or period are not defined."""
+        return _each(amplitude, self._formula.ratio, self._formula.ratios)
+
+    @overload
+    def error(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def error(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def error(self, amplitude: Any) -> Any:
+        """Formula/exact - 1, with all digits however small; infinite where the formula is not defined, NaN where the period is not."""
+        return _each(amplitude, self._formula.error, self._formula.errors)
+
+    def worst_error(self, up_to: float | str) -> tuple[float, float]:
+        """The error of largest magnitude up to an amplitude, and the amplitude in radians that has it."""
+        return self._formula.worst_error(up_to)
+
+    def holds_to(self, tolerance: float) -> float:
+        """The amplitude in radians up to which the magnitude of the error is at most a tolerance; 0 if nowhere, π if everywhere."""
+        return self._formula.holds_to(tolerance)
+
+
+class PeriodFormulas(Mapping[str, PeriodFormula]):
+    """The catalogue, ``lb.formulas``, by key: a mapping.
+
+    ``power_series_N``, ``black_vel_N`` and ``sin2_series_N`` are found for N up to 1000, of which it lists the first few.
+    """
+
+    def __getitem__(self, key: str) -> PeriodFormula:
+        return PeriodFormula(key)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_native.formula_keys())
+
+    def __len__(self) -> int:
+        return len(_native.formula_keys())
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} period formulas: {', '.join(self)}>"
+
+    def simplest(self, amplitude: float | str, tolerance: float) -> list[PeriodFormula]:
+        """The formulas that are right to a tolerance up to an amplitude (radians or text), the simplest first."""
+        return [PeriodFormula(key) for key in _native.simplest_formulas(amplitude, tolerance)]
+
+    def best(self, amplitude: float | str, tolerance: float) -> PeriodFormula:
+        """The simplest formula that is right to a tolerance up to an amplitude (radians or text).
+
+        Raises
+        ------
+        FormulaError
+            None is.
+        """
+        for formula in self.simplest(amplitude, tolerance):
+            return formula
+        raise FormulaError(f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: give a larger tolerance, or take the exact libration.period_ratio")
+
+
+def _each(amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]") -> Any:
+    """Numbers and texts one by one, arrays of numbers together."""
+    if isinstance(amplitude, str) or np.ndim(amplitude) == 0:
+        return one(amplitude)
+    array = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+    return np.array(many(array.ravel().tolist())).reshape(array.shape)
