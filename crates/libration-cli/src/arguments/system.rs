@@ -165,9 +165,10 @@ impl GivenSystem<'_> {
         self.options.incomplete_model(&[&self.values, values].concat(), &[])
     }
 
-    /// The model with these parameters open.
+    /// The model with these parameters open, whatever options say of them.
     pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
-        self.options.model_with(&self.values, open, None)
+        let others = self.values.iter().filter(|(name, _)| !open.contains(&name.as_str()));
+        self.options.model_with(&others.cloned().collect::<Vec<_>>(), open, None)
     }
 }
 

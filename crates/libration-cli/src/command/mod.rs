@@ -70,7 +70,7 @@ enum Question {
     Expand(expand::Expand),
     Oscillators(oscillators::Oscillators),
     Backbone(backbone::Backbone),
-    Simulate(simulate::Simulate),
+    Simulate(Box<simulate::Simulate>),
     Systems(systems::Systems),
     Modes(modes::Modes),
     Section(section::PoincareQuestion),

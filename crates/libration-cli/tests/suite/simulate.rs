@@ -427,3 +427,58 @@ fn runs_are_gone_on_with_to_the_same_tolerances() {
     assert!(resumed.status.success(), "{}", message(&resumed));
     assert_eq!(fs::read(&file).unwrap(), expected);
 }
+
+#[test]
+fn derivatives_by_parameters_and_starts_are_columns() {
+    let question = ["simulate", "x''=-k*x", "--set", "k=4", "--initial", "x=1"];
+    let asked = |more: &[&str]| run(&[&question[..], &["--sensitivity", "k, x'"], more].concat());
+    let names = ["e", "dx/dk", "dx'/dk", "dx/dx'(0)", "dx'/dx'(0)"];
+    let exact = |t: f64| {
+        let (sin, cos) = (2.0 * t).sin_cos();
+        [2.0, -t * sin / 4.0, -sin / 4.0 - t * cos / 2.0, sin / 2.0, cos]
+    };
+    for times in ["--times=0:5:1", "--times=0:-5:-1", "--times=-3:3:1"] {
+        let more = [times, "--columns", "e=x'^2/2+k*x^2/2", "--events", "turning", "--json"];
+        let answer: Value = serde_json::from_slice(&asked(&more).stdout).unwrap();
+        assert_eq!(answer["columns"], serde_json::json!(names));
+        assert!(answer["energy_drift"].as_f64().unwrap() < 1e-13);
+        let rows = answer["samples"].as_array().unwrap().iter().chain(answer["events"].as_array().unwrap());
+        for row in rows {
+            assert_eq!(row["state"].as_array().unwrap().len(), 2);
+            let exact = exact(row["time"].as_f64().unwrap());
+            for (found, exact) in row["columns"].as_array().unwrap().iter().zip(exact) {
+                assert!((found.as_f64().unwrap() - exact).abs() < 1e-12, "{row}");
+            }
+        }
+    }
+    let csv = String::from_utf8(asked(&["--times", "0,1", "--csv"]).stdout).unwrap();
+    let begin = "time,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0)\n0.0,1.0,0.0,0.0,0.0,0.0,1.0\n";
+    assert!(csv.starts_with(begin), "{csv}");
+    let until = asked(&["--times", "0,9", "--until", "x = 0", "--json"]);
+    let until: Value = serde_json::from_slice(&until.stdout).unwrap();
+    assert_eq!(until["until"]["state"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn what_does_not_go_with_derivatives_of_the_motion_is_refused() {
+    let asked = |options: &[&str]| {
+        let question = ["simulate", "x''=-k/x^2", "--set", "k=1", "--initial", "x=1", "--times", "0,9"];
+        message(&run(&[&question[..], options].concat()))
+    };
+    for (options, reason) in [
+        (&["k", "--figure", "a.svg"][..], "--figure: it does not draw the derivatives of --sensitivity"),
+        (&["k", "--resume", "a.json"], "--resume: states are kept without the derivatives"),
+        (&["k", "--each", "a.csv"], "--sensitivity: it goes with one motion"),
+        (&["q"], "--sensitivity: the system has no parameter or state variable `q`: it has k, x, x'"),
+        (&["k,x,k"], "--sensitivity: k is given twice"),
+        (&["k", "--tolerance", "q=1e-9"], "the system has no coordinate `q`: it has x"),
+    ] {
+        let told = asked(&[&["--sensitivity"], options].concat());
+        assert!(told.contains(reason) && !told.contains("delta"), "{options:?}: {told}");
+    }
+    let stopped = asked(&["--sensitivity", "k"]);
+    assert!(stopped.contains("t = 1.11") && !stopped.contains("delta"), "{stopped}");
+    let friction =
+        ["simulate", "x''=-x-sign(x')/9", "--initial", "x=1", "--times", "0,1", "--sensitivity", "x"];
+    assert!(message(&run(&friction)).contains("a force jumps where x' is zero"));
+}

@@ -30,6 +30,7 @@ mod tolerances;
 
 mod moduli;
 mod passage;
+mod sensitivities;
 mod sign_change;
 
 mod block;
@@ -84,6 +85,7 @@ pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
 pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
+pub use sensitivities::{Sensitivities, SensitivityError};
 pub use solution::{Moment, Solution};
 pub use state_names::StateNameError;
 pub use step::Step;

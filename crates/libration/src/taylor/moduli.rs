@@ -87,6 +87,17 @@ impl Moduli {
         (0..self.arguments.len()).map(sign)
     }
 
+    /// What is zero where a formula jumps that these were taken out of.
+    pub(super) fn jump_in(&self, formula: &Expression) -> Option<String> {
+        let jumps = |(place, modulus): (usize, &Modulus)| {
+            let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
+            let both = Expression::Subtract(Box::new(side(1)), Box::new(side(-1)));
+            let there = roots_of_zero(&with_zero(&both, &modulus.argument));
+            (!there.vanishes()).then(|| modulus.written.to_string())
+        };
+        self.arguments.iter().enumerate().find_map(jumps)
+    }
+
     pub(super) fn into_arguments(self) -> Vec<Modulus> {
         self.arguments
     }
@@ -103,6 +114,17 @@ fn broken(exponent: &Expression) -> Option<Rational> {
 /// The formula with zero in the place of a part.
 fn with_zero(formula: &Expression, part: &Expression) -> Expression {
     if formula == part { Expression::from(0) } else { formula.with_parts(|inner| with_zero(inner, part)) }
+}
+
+/// The formula with zero in the place of roots and powers of it.
+fn roots_of_zero(formula: &Expression) -> Expression {
+    match formula {
+        Expression::Call(Function::Sqrt, base) if roots_of_zero(base).vanishes() => Expression::from(0),
+        Expression::Power(base, exponent) if broken(exponent).is_some() && roots_of_zero(base).vanishes() => {
+            Expression::from(0)
+        }
+        _ => formula.with_parts(roots_of_zero),
+    }
 }
 
 /// A name that no text can have.

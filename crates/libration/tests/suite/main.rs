@@ -39,6 +39,7 @@ mod passages;
 mod period;
 mod period_formulas;
 mod quantity;
+mod sensitivities;
 #[cfg(feature = "serde")]
 mod serialize;
 mod series;

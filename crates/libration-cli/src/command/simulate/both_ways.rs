@@ -77,10 +77,10 @@ impl SimulatedMotion<'_> {
         let follow = |step: &Step<'_>| {
             let wanted = if step.end() < step.start() { 1 } else { 2 };
             while let Some(energy) = energy.filter(|_| balances.len() < wanted) {
-                balances.push(energy.balance(&start));
+                balances.push(energy.balance(&self.own(&start)));
             }
             if let Some(balance) = balances.last_mut() {
-                balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+                balance.record(&self.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
             }
             watch(step)
         };

@@ -32,7 +32,7 @@ impl AnswerWriter for Csv {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         self.with_events = !motion.watched.is_empty();
         let mut names =
-            [self.of_time.csv_names(), motion.model.state_names(), motion.column_names().to_vec()].concat();
+            [self.of_time.csv_names(), motion.model.state_names(), motion.column_names()].concat();
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)
     }

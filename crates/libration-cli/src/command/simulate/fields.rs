@@ -25,9 +25,15 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
             values.fold(Record::new(), add).into()
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
-            it.observables.map(|observables| json::list(observables.names().to_vec()))
-        }),
+        Of::present_value(
+            "columns[]",
+            "",
+            "names of the formulas of --columns and of the derivatives of --sensitivity, else left out",
+            |it| {
+                let names = it.column_names();
+                (!names.is_empty()).then(|| json::list(names))
+            },
+        ),
     ])
 }
 
@@ -41,7 +47,7 @@ pub(super) fn of_sample() -> Fields<Sample> {
         Of::present_value(
             "columns[]",
             "",
-            "values of the formulas then, in the order of their names",
+            "values of the formulas and derivatives then, in the order of their names",
             |it| it.columns.as_ref().map(|values| json::numbers(values)),
         ),
     ])
@@ -61,7 +67,7 @@ pub(super) fn of_event() -> Fields<Happening> {
         Of::present_value(
             "columns[]",
             "",
-            "values of the formulas then, in the order of their names",
+            "values of the formulas and derivatives then, in the order of their names",
             |it| it.columns.as_ref().map(|values| json::numbers(values)),
         ),
     ])
@@ -142,7 +148,8 @@ fn of_ending() -> Fields<EventEnding> {
 }
 
 pub(super) fn answers() -> Answers {
-    const NUMBER: Row = ("NAME", "", "state variable of this name, then formula of --columns");
+    const NUMBER: Row =
+        ("NAME", "", "state variable of this name, formula of --columns, then derivative of --sensitivity");
     let json = [
         of_motion().described(""),
         of_sample().described("samples[]."),

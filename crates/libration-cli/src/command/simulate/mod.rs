@@ -104,6 +104,9 @@ pub(crate) struct Simulate {
     /// Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'"
     #[arg(long, value_name = "NAME=FORMULA,…")]
     columns: Option<String>,
+    /// How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0)
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    sensitivity: Vec<String>,
     /// Draw the coordinates and the formulas of --columns against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -140,6 +143,8 @@ impl Simulate {
         let observables = self.columns.as_deref();
         let observables =
             observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
+        self.refuse_beside_sensitivities()?;
+        let sensitivities = arguments::sensitivities(&self.sensitivity, &self.system.given()?, &model)?;
         let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
         let (initial, earlier) = match &self.resume {
             Some(path) => {
@@ -156,6 +161,7 @@ impl Simulate {
             tolerances: &self.tolerance,
             watched: &watched,
             observables: observables.as_ref(),
+            sensitivities: sensitivities.as_ref(),
             earlier,
         };
         let form = self.form.form_of_file(self.output.as_deref());
@@ -185,6 +191,22 @@ impl Simulate {
         ending.into_result(self.output.as_deref().filter(|_| form != Form::Table))
     }
 
+    /// Refuses what does not go with derivatives of the motion.
+    fn refuse_beside_sensitivities(&self) -> Result<(), Failure> {
+        let refused = |option, reason: &str| Err(Failure::usage(option, reason));
+        match () {
+            () if self.sensitivity.is_empty() => Ok(()),
+            () if self.resume.is_some() => refused(
+                "--resume",
+                "states are kept without the derivatives of --sensitivity: give one of them",
+            ),
+            () if self.figure.is_some() => {
+                refused("--figure", "it does not draw the derivatives of --sensitivity: give one of them")
+            }
+            () => Ok(()),
+        }
+    }
+
     /// What is asked of a motion that begins in this state.
     fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
         Question {
@@ -195,7 +217,7 @@ impl Simulate {
             tolerance: self.tolerance.usual,
             own_tolerances: self.tolerance.own.clone(),
             events: watched.names(),
-            columns: self.columns.iter().map(|columns| columns.trim().to_owned()).collect(),
+            columns: self.columns.iter().chain(&self.sensitivity).map(|it| it.trim().to_owned()).collect(),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::events::Watched;
 use super::resume::{Earlier, Mark, Question};
 use crate::arguments::{Initial, Times, Tolerances};
 use libration::systems::{Model, Observables};
-use libration::taylor::{Effort, Moment};
+use libration::taylor::{Effort, Moment, Sensitivities};
 
 /// A motion to be integrated, with what is asked about it.
 pub(super) struct SimulatedMotion<'a> {
@@ -16,6 +16,8 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) watched: &'a Watched,
     /// Formulas whose values stand beside the state.
     pub(super) observables: Option<&'a Observables>,
+    /// How it changes with parameters and initial values.
+    pub(super) sensitivities: Option<&'a Sensitivities>,
     pub(super) earlier: Option<Earlier>,
 }
 
@@ -25,23 +27,38 @@ impl SimulatedMotion<'_> {
         self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)
     }
 
-    /// The values of the columns that were asked for.
+    /// The values of the columns that were asked for, in a state of the integration.
     pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
-        self.observables.map(|observables| observables.values_at(moment))
+        let formulas = self.observables.map(|observables| observables.values_at(&self.own(moment)));
+        let derivatives = self.sensitivities.map(|it| it.derivatives_in(&moment.state));
+        match (formulas, derivatives) {
+            (None, None) => None,
+            (formulas, derivatives) => {
+                Some([formulas.unwrap_or_default(), derivatives.unwrap_or_default()].concat())
+            }
+        }
     }
 
     /// What these are called.
-    pub(super) fn column_names(&self) -> &[String] {
-        self.observables.map_or(&[], |observables| observables.names())
+    pub(super) fn column_names(&self) -> Vec<String> {
+        let formulas = self.observables.map_or(&[][..], |observables| observables.names());
+        [formulas, &self.sensitivities.map_or(vec![], Sensitivities::names)].concat()
+    }
+
+    /// The state of the motion alone, in a state of the integration.
+    pub(super) fn own(&self, moment: &Moment) -> Moment {
+        let state = self.sensitivities.map_or_else(|| moment.state.clone(), |it| it.state_in(&moment.state));
+        Moment { time: moment.time, state }
     }
 
     pub(super) fn effort(&self) -> Effort {
         self.tolerances.effort()
     }
 
-    /// The state at t = 0.
+    /// The state of the integration at t = 0.
     pub(super) fn beginning(&self) -> Moment {
-        Moment { time: 0.0, state: self.initial.state.clone() }
+        let state = &self.initial.state;
+        self.sensitivities.map_or_else(|| Moment { time: 0.0, state: state.clone() }, |it| it.start(state))
     }
 
     /// Where it is gone on from.

@@ -45,12 +45,12 @@ impl SimulatedMotion<'_> {
             let sample = samples.next_if(|moment| upto.is_none_or(|time| is_before(moment.time, time)));
             if let Some(moment) = sample {
                 let columns = self.columns_at(moment);
-                return Some(Row::Sample(Sample { moment: moment.clone(), columns }));
+                return Some(Row::Sample(Sample { moment: self.own(moment), columns }));
             }
             let event = events.next()?;
             let moment = Moment { time: event.time, state: event.state.clone() };
-            let columns = self.columns_at(&moment);
-            Some(Row::Event(Happening { columns, ..self.watched.happening(event) }))
+            let (columns, state) = (self.columns_at(&moment), self.own(&moment).state);
+            Some(Row::Event(Happening { columns, state, ..self.watched.happening(event) }))
         })
     }
 }

@@ -90,7 +90,15 @@ impl SimulatedMotion<'_> {
     /// The system with its events.
     fn system(&self) -> Result<System, Failure> {
         let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
-        let system = self.tolerances.put_on(system)?;
+        // Names of coordinates are those of the motion alone.
+        let plain = self.tolerances.put_on(system)?;
+        let system = match self.sensitivities {
+            Some(it) => {
+                let system = System::new(it.equation()).map_err(|error| Failure::usage("--set", error))?;
+                self.tolerances.put_on(system)?
+            }
+            None => plain,
+        };
         system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
     }
 
@@ -106,13 +114,17 @@ impl SimulatedMotion<'_> {
         let end = solution.end.clone();
         let error = ending_error(system, &self.beginning(), last, &self.effort(), &end);
         let error = error.map_err(|error| Failure::NoAnswer(error.to_string()))?;
+        let (end, error) = (self.own(&end), self.own(&error));
         Ok(Ending::Event(EventEnding { name, end, error }))
     }
 
     /// The account of the energy, gone on with or begun.
     fn balance<'e>(&self, energy: &'e Energy) -> EnergyBalance<'e> {
         let account = self.mark().and_then(|mark| mark.energy.as_ref());
-        account.map_or_else(|| energy.balance(&self.beginning()), |account| energy.balance_from(account))
+        account.map_or_else(
+            || energy.balance(&self.own(&self.beginning())),
+            |account| energy.balance_from(account),
+        )
     }
 
     /// Takes what was computed earlier and integrates the rest; how it ended, after how many steps.
@@ -179,7 +191,7 @@ pub(super) fn ended(
             Ok((Ending::Interrupted(solution.end.time), *solution))
         }
         Err(IntegrationError::Stopped { cause, solution }) => {
-            let Moment { time, state } = &solution.end;
+            let Moment { time, state } = &motion.own(&solution.end);
             let place = motion.model.state_names().into_iter().zip(state);
             let place: Vec<String> =
                 place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();

@@ -32,7 +32,7 @@ impl AnswerWriter for Sheet {
         if self.listed {
             writeln!(out)?;
         }
-        self.titles = titles(model, motion.column_names());
+        self.titles = titles(model, &motion.column_names());
         let titles = || self.titles.iter().map(Column::numbers).collect();
         self.table = self.listed.then(|| Table::new(titles()));
         Ok(())

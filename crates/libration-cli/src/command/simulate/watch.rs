@@ -90,7 +90,7 @@ impl<'a> Watch<'a> {
     pub(super) fn follow(&mut self, taken: &AcceptedStep<'_>) -> ControlFlow<()> {
         let step = taken.step();
         if let Some(balance) = &mut self.balance {
-            balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+            balance.record(&self.motion.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step, taken.ended_at().unwrap_or(step.end()));
@@ -124,7 +124,7 @@ impl<'a> Watch<'a> {
     fn sample(&mut self, moment: &Moment) -> io::Result<()> {
         self.rows[0] += 1;
         let columns = self.motion.columns_at(moment);
-        self.report.sample(&Sample { moment: moment.clone(), columns }, &mut self.out)
+        self.report.sample(&Sample { moment: self.motion.own(moment), columns }, &mut self.out)
     }
 
     fn happening(&mut self, happening: &Happening) -> io::Result<()> {
@@ -133,8 +133,8 @@ impl<'a> Watch<'a> {
             trace.mark(self.motion.watched.coordinate(happening), happening.time, &happening.state);
         }
         let moment = Moment { time: happening.time, state: happening.state.clone() };
-        let columns = self.motion.columns_at(&moment);
-        self.report.event(&Happening { columns, ..happening.clone() }, &mut self.out)
+        let (columns, state) = (self.motion.columns_at(&moment), self.motion.own(&moment).state);
+        self.report.event(&Happening { columns, state, ..happening.clone() }, &mut self.out)
     }
 
     /// Samples and events of a step in the order of time.
@@ -156,8 +156,11 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Remembers the end of a step that may be gone on from.
+    /// Remembers the end of a step that may be gone on from, as motions without derivatives may.
     fn mark(&mut self, taken: &AcceptedStep<'_>) -> Result<(), Failure> {
+        if self.motion.sensitivities.is_some() {
+            return Ok(());
+        }
         let Some(checkpoint) = taken.checkpoint() else { return Ok(()) };
         let [samples, events] = self.rows;
         let energy = self.balance.as_ref().map(|balance| balance.account().clone());

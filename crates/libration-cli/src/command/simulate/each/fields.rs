@@ -29,7 +29,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
             let columns = it.column_names();
-            (!columns.is_empty()).then(|| json::list(columns.to_vec()))
+            (!columns.is_empty()).then(|| json::list(columns))
         }),
     ])
 }

@@ -37,6 +37,7 @@ pub(super) fn listed<'a>(
             tolerances: &question.tolerance,
             watched: &setting.watched,
             observables: setting.observables.as_ref(),
+            sensitivities: None,
             earlier: None,
         };
         if number == 1 {

@@ -23,8 +23,8 @@ impl Answer<'_> {
         }
     }
 
-    pub(super) fn column_names(&self) -> &[String] {
-        self.motions.first().map_or(&[], |(listed, _)| listed.motion.column_names())
+    pub(super) fn column_names(&self) -> Vec<String> {
+        self.motions.first().map_or(vec![], |(listed, _)| listed.motion.column_names())
     }
 
     fn has_names(&self) -> bool {
@@ -52,7 +52,7 @@ impl Answer<'_> {
         let (of_number, of_time) = (of_number(), of_time());
         let places = if self.has_names() { 2 } else { 1 };
         let names = of_number.csv_names().into_iter().take(places).chain(of_time.csv_names());
-        let names = names.chain(self.model.state_names()).chain(self.column_names().iter().cloned());
+        let names = names.chain(self.model.state_names()).chain(self.column_names());
         let event = self.with_events.then(|| EVENT.0.to_owned());
         csv::line(out, &names.chain(event).collect::<Vec<_>>())?;
         for (listed, followed) in &self.motions {
@@ -121,7 +121,7 @@ impl Answer<'_> {
         writeln!(out)?;
         let own =
             [Column::numbers("motion")].into_iter().chain(self.has_names().then(|| Column::words("name")));
-        let numbers = titles(self.model, self.column_names()).into_iter().map(Column::numbers);
+        let numbers = titles(self.model, &self.column_names()).into_iter().map(Column::numbers);
         let event = self.with_events.then(|| Column::words("event"));
         let mut table = Table::new(own.chain(numbers).chain(event).collect());
         for (listed, followed) in &self.motions {
