@@ -20,23 +20,32 @@ from ._native import (
     period_ratio_near_top,
     state,
 )
-from .errors import LibrationError
+from .errors import Interrupted, LibrationError
+from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
 from .pendulum import Harmonics, Motion, Pendulum, State
 from .period_formulas import PeriodFormula, PeriodFormulas
+from .polynomial import Polynomial
 
 formulas = PeriodFormulas()
 
 __all__ = [
+    "Evaluation",
+    "Expansion",
+    "GaugeSeries",
     "Harmonics",
+    "Interrupted",
     "LibrationError",
     "Motion",
     "Pendulum",
     "PeriodFormula",
     "PeriodFormulas",
+    "Polynomial",
     "STANDARD_GRAVITY",
+    "Series",
     "State",
     "__version__",
     "errors",
+    "expand",
     "formulas",
     "motion",
     "nome",

@@ -1,10 +1,16 @@
 """Exceptions, with the library's messages: what was got, why it cannot be, and what would do."""
 
-__all__ = ["FormulaError", "LibrationError", "PendulumError", "QuantityError", "UnknownKeyError"]
+from typing import Any
+
+__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "PendulumError", "QuantityError", "UnknownKeyError"]
 
 
 class LibrationError(ValueError):
     """Any refusal of this package."""
+
+
+class ExpansionError(LibrationError):
+    """An equation that is no oscillator, or an expansion that it does not have."""
 
 
 class FormulaError(LibrationError):
@@ -23,3 +29,11 @@ class UnknownKeyError(LibrationError, KeyError):
     """A key that no entry of a catalogue has; the message names the nearest."""
 
     __str__ = ValueError.__str__
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in a long call; what was done until then is its ``partial``, None where nothing is certain yet."""
+
+    def __init__(self, partial: Any = None) -> None:
+        super().__init__("interrupted; what was done is the attribute `partial` of this exception")
+        self.partial = partial

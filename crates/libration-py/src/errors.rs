@@ -5,6 +5,7 @@ use std::fmt::Display;
 use pyo3::import_exception;
 use pyo3::prelude::*;
 
+import_exception!(libration.errors, ExpansionError);
 import_exception!(libration.errors, FormulaError);
 import_exception!(libration.errors, PendulumError);
 import_exception!(libration.errors, QuantityError);
@@ -25,7 +26,7 @@ macro_rules! exceptions {
     };
 }
 
-exceptions!(FormulaError, PendulumError, QuantityError, UnknownKeyError);
+exceptions!(ExpansionError, FormulaError, PendulumError, QuantityError, UnknownKeyError);
 
 /// The library's message as an exception of this kind.
 pub(crate) fn refusal<E: Exception>(error: impl Display) -> PyErr {

@@ -2,8 +2,10 @@
 
 mod batches;
 mod errors;
+mod expansion;
 mod formulas;
 mod motion;
+mod patience;
 mod quantity;
 mod ufunc;
 
@@ -18,5 +20,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(motion::pendulum, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::formula_keys, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::simplest_formulas, module)?)?;
+    module.add_class::<expansion::NativeExpansion>()?;
+    module.add_function(wrap_pyfunction!(expansion::expand, module)?)?;
+    module.add_function(wrap_pyfunction!(expansion::latex, module)?)?;
     batches::add_all(module)
 }

@@ -25,6 +25,18 @@ pub(crate) trait Named {
     fn keys(&self) -> impl Iterator<Item = &str>;
 }
 
+/// Whether a text can only be a key: one word, and so no equation.
+///
+/// # Examples
+/// ```
+/// use libration::catalogue::is_like_a_key;
+/// assert!(is_like_a_key("van_der_pol") && !is_like_a_key("x'' + x = 0"));
+/// ```
+#[must_use]
+pub fn is_like_a_key(text: &str) -> bool {
+    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
+}
+
 /// A parameter of a named equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -47,7 +47,7 @@ pub(crate) use keys::KeyOptions;
 pub(crate) use motion_table::{Meaning, MotionRow, MotionTable, at_line};
 pub(crate) use negative::protect_negative_values;
 pub(crate) use one_amplitude::one_amplitude;
-pub(crate) use oscillator::{Asked, Chosen, NumbersOrLetters, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, ChosenWithLetters, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, parameter_range};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_decide};

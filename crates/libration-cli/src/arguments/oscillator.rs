@@ -1,11 +1,12 @@
 //! Which oscillator is meant: a key of the catalogue or an equation, with values for its parameters.
 
 use super::reading;
-use super::values::{borrowed, is_like_a_key, values};
+use super::values::{borrowed, values};
 use crate::failure::{Failure, excerpt};
+use libration::catalogue::is_like_a_key;
 use libration::expression::{Equation, Expression, Symbol};
 use libration::oscillator::{
-    NamedOscillator, Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError,
+    NamedOscillator, NumbersOrLetters, Oscillator, OscillatorError, SymbolicOscillator,
 };
 use libration::quantity::{Angle, Displacement, is_angle_name};
 use libration::systems::NamedSystem;
@@ -40,7 +41,7 @@ pub(crate) struct Chosen<O = Oscillator> {
 
 /// An oscillator whose parameters have values, or one with letters.
 #[derive(Clone, Debug)]
-pub(crate) enum NumbersOrLetters {
+pub(crate) enum ChosenWithLetters {
     Numbers(Chosen),
     Letters(Chosen<SymbolicOscillator>),
 }
@@ -110,18 +111,16 @@ impl OscillatorOptions {
     }
 
     /// The oscillator, with letters where parameters have no value; these keep none.
-    pub(crate) fn chosen_with_letters(&self, letters: &[String]) -> Result<NumbersOrLetters, Failure> {
+    pub(crate) fn chosen_with_letters(&self, letters: &[String]) -> Result<ChosenWithLetters, Failure> {
         let asked = self.asked_with_letters(letters)?;
-        let numbers = match asked.oscillator() {
-            Ok(oscillator) => return Ok(NumbersOrLetters::Numbers(asked.with(oscillator))),
-            Err(error) => error,
-        };
-        let refusal = |error| Failure::no_answer("oscillator", error);
-        match (asked.symbolic_oscillator(), &numbers) {
-            _ if asked.equation.parameters().is_empty() => Err(refusal(numbers.to_string())),
-            (Ok(oscillator), _) => Ok(NumbersOrLetters::Letters(asked.with(oscillator))),
-            (Err(error), OscillatorError::WithoutValue { .. }) => Err(refusal(error.to_string())),
-            (Err(_), _) => Err(refusal(numbers.to_string())),
+        match NumbersOrLetters::new(&asked.equation, asked.about.as_ref()) {
+            Ok(NumbersOrLetters::Numbers(oscillator)) => {
+                Ok(ChosenWithLetters::Numbers(asked.with(oscillator)))
+            }
+            Ok(NumbersOrLetters::Letters(oscillator)) => {
+                Ok(ChosenWithLetters::Letters(asked.with(oscillator)))
+            }
+            Err(error) => Err(Failure::no_answer("oscillator", error)),
         }
     }
 
@@ -206,13 +205,6 @@ impl Asked {
         match &self.about {
             None => Oscillator::new(&self.equation),
             Some(place) => Oscillator::about(&self.equation, place),
-        }
-    }
-
-    fn symbolic_oscillator(&self) -> Result<SymbolicOscillator, SymbolicOscillatorError> {
-        match &self.about {
-            None => SymbolicOscillator::new(&self.equation),
-            Some(place) => SymbolicOscillator::about(&self.equation, place),
         }
     }
 

@@ -2,8 +2,9 @@
 
 use super::reading;
 use super::text::{gravity, length};
-use super::values::{borrowed, is_like_a_key, values};
+use super::values::{borrowed, values};
 use crate::failure::Failure;
+use libration::catalogue::is_like_a_key;
 use libration::expression::{EquationError, Expression};
 use libration::systems::{Model, ModelError, NamedSystem};
 

@@ -1,4 +1,4 @@
-//! Values of parameters, `--set c=0.1`, and whether a text is a key or an equation.
+//! Values of parameters, `--set c=0.1`.
 
 use crate::failure::Failure;
 use libration::expression::Expression;
@@ -11,11 +11,6 @@ pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, Fail
 /// The same as the library takes them.
 pub(super) fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
     values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect()
-}
-
-/// Whether it is one word, and so no equation.
-pub(super) fn is_like_a_key(text: &str) -> bool {
-    text.trim().chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '-')
 }
 
 /// The name as equations have it: ω0 is omega0, θ̇ is theta'.

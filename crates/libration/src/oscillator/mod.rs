@@ -26,6 +26,7 @@ mod sides;
 mod error;
 mod model;
 mod named_constants;
+mod numbers_or_letters;
 mod pure_power;
 mod symbolic;
 
@@ -36,6 +37,7 @@ pub use error::{FrequencySource, OscillatorError, RejectedEquilibrium, Rejection
 pub use model::{Kind, Oscillator};
 pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
+pub use numbers_or_letters::{NumbersOrLetters, NumbersOrLettersError};
 pub use pure_power::PurePower;
 pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};
 

@@ -11,7 +11,7 @@ mod slow_flow;
 mod subject;
 mod write;
 
-use crate::arguments::{self, Asked, Chosen, NumbersOrLetters, OscillatorOptions};
+use crate::arguments::{self, Asked, Chosen, ChosenWithLetters, OscillatorOptions};
 use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::number::short;
@@ -196,11 +196,11 @@ impl Expand {
         let chosen = match self.evaluate {
             None => self.oscillator.chosen_with_letters(&self.letters)?,
             // A value takes the values of all parameters.
-            Some(_) => NumbersOrLetters::Numbers(self.oscillator.chosen_without(&self.letters)?),
+            Some(_) => ChosenWithLetters::Numbers(self.oscillator.chosen_without(&self.letters)?),
         };
         let missing = match chosen {
-            NumbersOrLetters::Numbers(chosen) => self.answer_in_numbers(out, chosen)?,
-            NumbersOrLetters::Letters(chosen) => {
+            ChosenWithLetters::Numbers(chosen) => self.answer_in_numbers(out, chosen)?,
+            ChosenWithLetters::Letters(chosen) => {
                 let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge())?;
                 self.write(out, &answer, || {
                     "with letters nothing is known of how far the series converge".to_owned()

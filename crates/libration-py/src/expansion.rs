@@ -1,0 +1,231 @@
+//! Exact perturbation series, for `expansion.py`.
+
+use libration::algebra::{LaurentPolynomial, Rational};
+use libration::catalogue::is_like_a_key;
+use libration::comparison::{SeriesComparison, SeriesQuantity};
+use libration::expression::{Equation, Expression};
+use libration::oscillator::{NamedOscillator, NumbersOrLetters, Oscillator};
+use libration::perturbation::{
+    AmplitudeSeries, Certainty, Expansion, ExpansionError, ExpansionVariable, Gauge, PhaseOrigin, Precision,
+    SymbolicExpansion, SymbolicExpansionError, expand_symbolically_watched, expand_watched,
+};
+use libration::watch::Watch;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{ExpansionError as Refused, UnknownKeyError, refusal};
+use crate::patience::Patience;
+
+/// An expansion, with what it takes to evaluate it.
+#[pyclass(frozen, name = "Expansion", module = "libration._native")]
+pub(crate) struct NativeExpansion(Found);
+
+enum Found {
+    Numbers { oscillator: Box<Oscillator>, expansion: Box<Expansion> },
+    Letters { equation: Equation, expansion: Box<SymbolicExpansion> },
+}
+
+/// What is asked: an equation or a key, values of parameters, those that stay letters, the equilibrium.
+#[derive(FromPyObject)]
+pub(crate) struct Question(String, Vec<(String, String)>, Vec<String>, Option<String>);
+
+/// The expansion, or as much as there is of it and what has stopped it.
+#[pyfunction]
+pub(crate) fn expand(
+    py: Python<'_>,
+    question: Question,
+    order: usize,
+    gauge: &str,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(Option<NativeExpansion>, Option<PyErr>)> {
+    let gauge: Gauge = gauge.parse().map_err(refusal::<Refused>)?;
+    let oscillator = question.oscillator()?;
+    let patience = Patience::new(progress);
+    let found = py.detach(|| {
+        let ask = |progress| patience.go_on(progress);
+        expanded(oscillator, order, &gauge, &Watch::new(&ask))
+    })?;
+    Ok((found.map(NativeExpansion), patience.stopped_by()))
+}
+
+impl Question {
+    fn oscillator(&self) -> PyResult<NumbersOrLetters> {
+        let equation = self.equation()?;
+        let about = self.3.as_deref().map(str::parse::<Expression>).transpose();
+        let about = about.map_err(refusal::<Refused>)?;
+        NumbersOrLetters::new(&equation, about.as_ref()).map_err(refusal::<Refused>)
+    }
+
+    fn equation(&self) -> PyResult<Equation> {
+        let values = self.1.iter().map(|(name, value)| {
+            let value = value.parse().map_err(|error| refusal::<Refused>(format!("{name}: {error}")))?;
+            Ok((name.as_str(), value))
+        });
+        let values = values.collect::<PyResult<Vec<(&str, Expression)>>>()?;
+        let letters: Vec<&str> = self.2.iter().map(String::as_str).collect();
+        if is_like_a_key(&self.0) {
+            let named = NamedOscillator::by_key(self.0.trim()).map_err(refusal::<UnknownKeyError>)?;
+            return named.equation_with_letters(&values, &letters).map_err(refusal::<Refused>);
+        }
+        let equation: Equation = self.0.parse().map_err(refusal::<Refused>)?;
+        let equation = equation.with(&values).map_err(refusal::<Refused>)?;
+        equation.parameters_called(&letters).map_err(refusal::<Refused>)?;
+        Ok(equation)
+    }
+}
+
+/// `None` where it was stopped before any order was certain.
+fn expanded(
+    oscillator: NumbersOrLetters,
+    order: usize,
+    gauge: &Gauge,
+    watch: &Watch<'_>,
+) -> PyResult<Option<Found>> {
+    match oscillator {
+        NumbersOrLetters::Numbers(oscillator) => {
+            let expansion = match expand_watched(&oscillator, order, gauge, watch) {
+                Ok(expansion) => Some(Box::new(expansion)),
+                Err(ExpansionError::Interrupted { known }) => known,
+                Err(error) => return Err(refusal::<Refused>(error)),
+            };
+            let oscillator = Box::new(oscillator);
+            Ok(expansion.map(|expansion| Found::Numbers { oscillator, expansion }))
+        }
+        NumbersOrLetters::Letters(oscillator) => {
+            let expansion = match expand_symbolically_watched(&oscillator, order, gauge, watch) {
+                Ok(expansion) => Some(Box::new(expansion)),
+                Err(SymbolicExpansionError::Interrupted { known }) => known,
+                Err(error) => return Err(refusal::<Refused>(error)),
+            };
+            let equation = oscillator.equation().clone();
+            Ok(expansion.map(|expansion| Found::Letters { equation, expansion }))
+        }
+    }
+}
+
+/// Value, remainder, whether that is proven; powers, terms and sums.
+type Evaluation = (f64, f64, bool, Vec<(usize, f64, f64)>);
+
+/// A coefficient for Python: terms, each a fraction as text and powers of letters.
+trait Coefficient {
+    fn terms(&self) -> Terms;
+}
+
+type Terms = Vec<(String, Vec<(String, String)>)>;
+
+impl Coefficient for Rational {
+    fn terms(&self) -> Terms {
+        vec![(self.to_string(), vec![])]
+    }
+}
+
+impl Coefficient for LaurentPolynomial {
+    fn terms(&self) -> Terms {
+        let power = |it: libration::algebra::LetterPower<'_>| (it.letter.to_owned(), it.exponent.to_string());
+        self.terms()
+            .map(|(factor, powers)| (factor.to_string(), powers.into_iter().map(power).collect()))
+            .collect()
+    }
+}
+
+fn terms<C: Coefficient>(series: &[C]) -> Vec<Terms> {
+    series.iter().map(Coefficient::terms).collect()
+}
+
+#[pymethods]
+impl NativeExpansion {
+    /// Everything it says, by the names of `Expansion` in Python; series as lists of coefficients.
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let fields = PyDict::new(py);
+        match &self.0 {
+            Found::Numbers { oscillator, expansion } => {
+                of_equation(&fields, oscillator.equation())?;
+                of_expansion(&fields, expansion)?;
+            }
+            Found::Letters { equation, expansion } => {
+                of_equation(&fields, equation)?;
+                of_expansion(&fields, &expansion.series)?;
+                let constants = expansion.constants.iter().map(|(name, value)| (name, value.to_string()));
+                fields.set_item("constants", constants.collect::<Vec<_>>())?;
+                fields.set_item("omega0_name", &expansion.omega0_name)?;
+            }
+        }
+        Ok(fields)
+    }
+
+    /// At an amplitude, or a strength: value, remainder, whether that is proven, and powers, terms, sums.
+    fn evaluate(&self, at: f64, quantity: &str) -> PyResult<Evaluation> {
+        let Found::Numbers { oscillator, expansion } = &self.0 else {
+            return Err(refusal::<Refused>("the coefficients have letters: give these values with set"));
+        };
+        let quantity: SeriesQuantity = quantity.parse().map_err(refusal::<Refused>)?;
+        let relation = SeriesComparison::new(oscillator, expansion, quantity);
+        let evaluation = relation.evaluation_at(at);
+        let rest = evaluation.steps().last().map(|it| it.remainder);
+        let (size, certainty) = rest.map_or((f64::NAN, Certainty::Estimated), |it| (it.size, it.certainty));
+        let steps = evaluation.steps().iter().map(|it| (it.power, it.term, it.sum)).collect();
+        Ok((evaluation.value(), size, certainty == Certainty::Proven, steps))
+    }
+}
+
+fn of_equation(fields: &Bound<'_, PyDict>, equation: &Equation) -> PyResult<()> {
+    fields.set_item("equation", equation.to_string())?;
+    fields.set_item("displacement", equation.variables().first())
+}
+
+fn of_expansion<C: Coefficient>(fields: &Bound<'_, PyDict>, expansion: &Expansion<C>) -> PyResult<()> {
+    fields.set_item("order", expansion.order)?;
+    fields.set_item("variable", expansion.variable.name())?;
+    let gauge = match &expansion.variable {
+        ExpansionVariable::Epsilon(gauge) => Some(gauge.to_string()),
+        ExpansionVariable::Parameter(_) => None,
+    };
+    fields.set_item("gauge", gauge)?;
+    fields.set_item("phase_origin", origin(expansion.phase_origin))?;
+    let digits = match expansion.precision {
+        Precision::Exact => None,
+        Precision::Digits(digits) => Some(digits),
+    };
+    fields.set_item("digits", digits)?;
+    fields.set_item("is_proven", expansion.certificate.is_proof())?;
+    for (name, number) in [
+        ("equilibrium", &expansion.equilibrium),
+        ("omega0_squared", &expansion.omega0_squared),
+        ("unit_squared", &expansion.unit_squared),
+    ] {
+        fields.set_item(name, number.terms())?;
+    }
+    for (name, series) in [
+        ("frequency_ratio", &expansion.frequency_ratio),
+        ("x_max", &expansion.x_max),
+        ("x_min", &expansion.x_min),
+    ] {
+        fields.set_item(name, terms(series))?;
+    }
+    let harmonics = expansion.harmonics.iter().map(|it| (it.k, (terms(&it.cos), terms(&it.sin))));
+    fields.set_item("harmonics", harmonics.collect::<Vec<_>>())?;
+    fields.set_item("of_amplitude", expansion.of_amplitude.as_ref().map(of_amplitude))?;
+    fields.set_item("of_half_swing", expansion.of_half_swing.as_ref().map(of_amplitude))
+}
+
+/// Frequency, period, ε and harmonics.
+type OfAmplitude = (Vec<Terms>, Vec<Terms>, Vec<Terms>, Vec<(usize, Vec<Terms>)>);
+
+fn of_amplitude<C: Coefficient>(of: &AmplitudeSeries<C>) -> OfAmplitude {
+    let harmonics = of.harmonics.iter().map(|(k, series)| (*k, terms(series)));
+    (terms(&of.frequency_ratio), terms(&of.period_ratio), terms(&of.epsilon), harmonics.collect())
+}
+
+fn origin(origin: PhaseOrigin) -> &'static str {
+    match origin {
+        PhaseOrigin::TurningPoint => "turning_point",
+        PhaseOrigin::Passage => "passage",
+        PhaseOrigin::FirstHarmonic => "first_harmonic",
+    }
+}
+
+/// A formula in LaTeX.
+#[pyfunction]
+pub(crate) fn latex(formula: &str) -> PyResult<String> {
+    Ok(formula.parse::<Expression>().map_err(refusal::<Refused>)?.to_latex())
+}

@@ -1,0 +1,348 @@
+"""Periodic motions of any oscillator as exact power series.
+
+>>> import libration as lb
+>>> s = lb.expand("x'' + sin(x) = 0", order=5)
+>>> s.frequency.coefficients
+(Fraction(1, 1), Fraction(0, 1), Fraction(-1, 16), Fraction(0, 1), Fraction(1, 3072))
+>>> s.period.coefficients[4]
+Fraction(11, 3072)
+>>> print(s.evaluate(0.5))
+1.0158487955729167 ± 3.9e-06 (proven)
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._progress import Tell, go_on, told
+from ._record import Record
+from .polynomial import Polynomial
+
+if TYPE_CHECKING:
+    import sympy
+
+__all__ = ["Evaluation", "Expansion", "GaugeSeries", "Series", "expand"]
+
+
+@dataclass(frozen=True)
+class Series:
+    """A power series: ``coefficients[n]`` stands before the n-th power of a variable."""
+
+    coefficients: tuple[Fraction | Polynomial, ...]
+    variable: str
+
+    def __len__(self) -> int:
+        return len(self.coefficients)
+
+    def __getitem__(self, power: int) -> Fraction | Polynomial:
+        return self.coefficients[power]
+
+    def __call__(self, x: float, **letters: float) -> float:
+        """The sum of the terms, with values for letters; `Expansion.evaluate` says what is missing."""
+        total = 0.0
+        for c in reversed(self.coefficients):
+            total = total * x + (c(**letters) if isinstance(c, Polynomial) else float(c))
+        return total
+
+    def __str__(self) -> str:
+        terms = [_term(c, self.variable, n) for n, c in enumerate(self.coefficients) if not _is_zero(c)]
+        return " + ".join(terms).replace("+ -", "- ") or "0"
+
+    def to_sympy(self) -> "sympy.Expr":
+        """The polynomial with SymPy's exact numbers and symbols."""
+        import sympy
+
+        x = sympy.Symbol(self.variable)
+        total: Any = sympy.Integer(0)
+        for n, c in enumerate(self.coefficients):
+            number = c.to_sympy() if isinstance(c, Polynomial) else sympy.Rational(c.numerator, c.denominator)
+            total += number * x**n
+        return total
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {_native.latex(str(self))}$"
+
+
+@dataclass(frozen=True)
+class GaugeSeries:
+    """The series by powers of the parameter ε that a gauge defines, or of the strength of a self-excitation."""
+
+    frequency: Series
+    """Ω/ω0."""
+    cos: dict[int, Series]
+    """Of cos kΩt, by k."""
+    sin: dict[int, Series]
+    """Of sin kΩt, by k."""
+    x_max: Series
+    """The largest displacement."""
+    x_min: Series
+    """The smallest displacement."""
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation(Record):
+    """A series in numbers, term by term."""
+
+    value: float
+    """The sum of all terms."""
+    remainder: float
+    """At most so much is missing, or about so much where it is not proven; infinite where the series is not known to converge."""
+    is_proven: bool
+    """Whether the remainder is a theorem, or an estimate from the decay of the terms."""
+    powers: NDArray[np.int64]
+    """The powers of the terms that are not zero."""
+    terms: NDArray[np.float64]
+    sums: NDArray[np.float64]
+    """Up to and with each term."""
+
+    def __str__(self) -> str:
+        return f"{self.value!r} ± {self.remainder:.2g} ({'proven' if self.is_proven else 'estimated'})"
+
+
+@dataclass(frozen=True, eq=False)
+class Expansion(Record):
+    """Periodic motions x = xₑ + Σₖ aₖ·cos kΩt + bₖ·sin kΩt of an oscillator as power series; `expand` makes it.
+
+    `frequency`, `period` and `harmonics` are by powers of the amplitude, the largest displacement from the equilibrium; of a limit cycle, whose
+    amplitude is not free, by powers of the strength of its excitation.
+    """
+
+    equation: str
+    """The equation, as it was read."""
+    displacement: str
+    """The name of the displacement."""
+    order: int
+    """The displacement is given up to this power, the frequency up to one less; of a limit cycle both up to this power."""
+    frequency: Series
+    """Ω/ω0."""
+    period: Series | None
+    """T/T0; None of a limit cycle."""
+    harmonics: dict[int, Series]
+    """aₖ by k; bₖ where `phase_origin` is "passage", of limit cycles both are in `gauge_series`."""
+    half_swing: "tuple[Series, Series] | None"
+    """Ω/ω0 and T/T0 by powers of half the distance between the turning points, for asymmetric wells."""
+    epsilon: Series | None
+    """The parameter of the gauge by powers of the amplitude."""
+    gauge: str | None
+    """What ε means; None of a limit cycle."""
+    gauge_series: GaugeSeries
+    """The same by powers of ε, or of the strength."""
+    phase_origin: str
+    """What the motion does at t = 0: "turning_point", "passage" or "first_harmonic"."""
+    equilibrium: Fraction | Polynomial
+    omega0_squared: Fraction | Polynomial
+    """ω0², the squared frequency of small oscillations."""
+    unit_squared: Fraction | Polynomial
+    """Harmonics and turning points of limit cycles are in units of the root of this."""
+    constants: dict[str, str]
+    """Names in the coefficients that stand for other constants."""
+    digits: int | None
+    """None where coefficients are exact; else so many digits of each are right."""
+    is_proven: bool
+    """Whether a second, exact computation proves at least how the frequency depends on the amplitude."""
+    _question: Any = field(repr=False, compare=False)
+    _expansion: Any = field(repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_expansion": None}
+
+    def evaluate(self, amplitude: float, quantity: str = "period") -> Evaluation:
+        """A series at an amplitude, or at a strength of self-excitation, with a bound of what is missing; the sum itself is rounded once.
+
+        Parameters
+        ----------
+        amplitude : float
+            The largest displacement from the equilibrium; where that is an angle, in radians.
+        quantity : str
+            ``"period"`` (T/T0), ``"frequency"`` (Ω/ω0), or a harmonic, such as ``"a3"``.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> s = lb.expand("pendulum", order=31)
+        >>> print(s.evaluate(1.0471975511965976))
+        1.0731820071493643 ± 2.6e-17 (proven)
+        """
+        expansion = self._expansion
+        if expansion is None:  # after a pickle
+            question, order, gauge = self._question
+            expansion, _ = _native.expand(question, order, gauge, None)
+            object.__setattr__(self, "_expansion", expansion)
+        value, remainder, is_proven, steps = expansion.evaluate(amplitude, quantity)
+        powers, terms, sums = (np.array(column) for column in zip(*steps))
+        return Evaluation(value, remainder, is_proven, powers.astype(np.int64), terms, sums)
+
+    def __str__(self) -> str:
+        return f"{self.equation}: Ω/ω0 = {self.frequency} + …"
+
+    def _repr_latex_(self) -> str:
+        series = _native.latex(str(self.frequency))
+        return f"$\\displaystyle \\frac{{\\Omega}}{{\\omega_0}} = {series} + \\dots$"
+
+
+def expand(
+    oscillator: "str | sympy.Eq | sympy.Expr",
+    order: int = 7,
+    *,
+    set: Mapping[str, float | str | Fraction] | None = None,
+    letters: Sequence[str] = (),
+    about: float | str | None = None,
+    gauge: str = "fundamental",
+    progress: bool | Tell = False,
+) -> Expansion:
+    """The exact perturbation series of an oscillator, to any order.
+
+    Parameters
+    ----------
+    oscillator : str or sympy.Eq or sympy.Expr
+        An equation of motion, such as ``"x'' + x + a*x^3 = 0"``, a key of the catalogue, such as ``"pendulum"`` or ``"van_der_pol"``, or an equation
+        of SymPy for a function of one variable (an expression is one that is zero). Parameters without a value stay letters.
+    order : int
+        Up to this power of the amplitude, from 1 to 1000.
+    set : dict
+        Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as the decimals that they print as.
+    letters : sequence of str
+        Parameters of a named oscillator that stay letters.
+    about : float or str
+        Near which equilibrium; that nearest to zero if it is not given.
+    gauge : str
+        What the parameter ε means: ``"fundamental"``, ``"x_max"``, ``"half_swing"``, ``"energy"``, ``"nome"``, or ``"A1=1,A3=-1/192"``.
+    progress : bool or callable
+        True for a bar, where tqdm is installed; or a function of how much is done and of how much (or None).
+
+    Returns
+    -------
+    Expansion
+
+    Raises
+    ------
+    ExpansionError
+        Text that is no equation, an equation without a stable equilibrium, an order or a gauge that cannot be.
+    Interrupted
+        Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.
+
+    References
+    ----------
+    A. H. Nayfeh, D. T. Mook, Nonlinear Oscillations, Wiley 1979, section 2.3.1.
+
+    Examples
+    --------
+    >>> import libration as lb
+    >>> print(lb.expand("x'' + x + a*x^3 = 0", order=5).frequency)
+    1 + 3/8*a*A^2 - 21/256*a^2*A^4
+    >>> cycle = lb.expand("van_der_pol", order=4)
+    >>> print(cycle.frequency)
+    1 - 1/16*mu^2 + 17/3072*mu^4
+    """
+    text = oscillator if isinstance(oscillator, str) else _of_sympy(oscillator)
+    values = [(name, _value(value)) for name, value in (set or {}).items()]
+    question = (text, values, list(letters), None if about is None else _value(about))
+    with told(progress, "expand") as tell:
+        found, stopped_by = _native.expand(question, order, gauge, tell)
+    expansion = None if found is None else _expansion(found, (question, order, gauge))
+    go_on(stopped_by, expansion)
+    assert expansion is not None
+    return expansion
+
+
+def _value(value: float | str | Fraction) -> str:
+    return value if isinstance(value, str) else str(value)
+
+
+def _of_sympy(given: Any) -> str:
+    """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''."""
+    import sympy
+
+    equation = given if isinstance(given, sympy.Equality) else sympy.Eq(given, 0, evaluate=False)
+    functions = equation.atoms(sympy.core.function.AppliedUndef)
+    derivatives = sorted(equation.atoms(sympy.Derivative), key=lambda it: -it.derivative_count)
+    for it in derivatives:
+        equation = equation.xreplace({it: sympy.Symbol(f"{it.expr.func.__name__}" + "'" * it.derivative_count)})
+    for it in functions:
+        equation = equation.xreplace({it: sympy.Symbol(it.func.__name__)})
+    return f"{sympy.sstr(equation.lhs)} = {sympy.sstr(equation.rhs)}"
+
+
+def _expansion(found: Any, question: Any) -> Expansion:
+    it = found.fields()
+    own = it["variable"]
+    of_amplitude, half_swing = it["of_amplitude"], it["of_half_swing"]
+    harmonics = it["harmonics"]
+    of_gauge = GaugeSeries(
+        frequency=_series(it["frequency_ratio"], own),
+        cos={k: _series(cos, own) for k, (cos, _) in harmonics},
+        sin={k: _series(sin, own) for k, (_, sin) in harmonics},
+        x_max=_series(it["x_max"], own),
+        x_min=_series(it["x_min"], own),
+    )
+    frequency, period, epsilon, waves = of_amplitude or (None, None, None, [])
+    return Expansion(
+        equation=it["equation"],
+        displacement=it["displacement"],
+        order=it["order"],
+        frequency=_series(frequency, "A") if of_amplitude else of_gauge.frequency,
+        period=_series(period, "A") if of_amplitude else None,
+        harmonics={k: _series(wave, "A") for k, wave in waves} if of_amplitude else of_gauge.cos,
+        half_swing=(_series(half_swing[0], "A"), _series(half_swing[1], "A")) if half_swing else None,
+        epsilon=_series(epsilon, "A") if of_amplitude else None,
+        gauge=it["gauge"],
+        gauge_series=of_gauge,
+        phase_origin=it["phase_origin"],
+        equilibrium=_coefficient(it["equilibrium"]),
+        omega0_squared=_coefficient(it["omega0_squared"]),
+        unit_squared=_coefficient(it["unit_squared"]),
+        constants=dict(it.get("constants", [])),
+        digits=it["digits"],
+        is_proven=it["is_proven"],
+        _question=question,
+        _expansion=found,
+    )
+
+
+def _series(coefficients: Any, variable: str) -> Series:
+    return Series(tuple(_coefficient(terms) for terms in coefficients), variable)
+
+
+def _coefficient(terms: Any) -> Fraction | Polynomial:
+    if all(not powers for _, powers in terms):
+        return sum((_fraction(factor) for factor, _ in terms), Fraction(0))
+    return Polynomial(tuple((_fraction(factor), _powers(powers)) for factor, powers in terms))
+
+
+def _powers(powers: list[tuple[str, str]]) -> tuple[tuple[str, Fraction], ...]:
+    return tuple((letter, Fraction(exponent)) for letter, exponent in powers)
+
+
+def _fraction(text: str) -> Fraction:
+    numerator, _, denominator = text.partition("/")
+    return Fraction(_integer(numerator), _integer(denominator or "1"))
+
+
+def _integer(text: str) -> int:
+    """As `int` reads it, which refuses more than 4300 digits."""
+    digits = text.lstrip("-")
+    value = 0
+    for start in range(0, len(digits), 4000):
+        part = digits[start : start + 4000]
+        value = value * 10 ** len(part) + int(part)
+    return -value if text.startswith("-") else value
+
+
+def _is_zero(c: Fraction | Polynomial) -> bool:
+    return not c.terms if isinstance(c, Polynomial) else c == 0
+
+
+def _term(c: Fraction | Polynomial, variable: str, power: int) -> str:
+    x = variable if power == 1 else f"{variable}^{power}"
+    if power == 0:
+        return str(c)
+    if isinstance(c, Polynomial):
+        return f"{c}*{x}" if len(c.terms) == 1 else f"({c})*{x}"
+    if abs(c) == 1:
+        return x if c > 0 else f"-{x}"
+    return f"{c}*{x}"
