@@ -30,7 +30,19 @@ impl Counted {
         let refusal = || ModelError::NotACount { name, value: value.to_string(), most: MOST };
         let whole = value.to_f64().filter(|n| n.fract() == 0.0 && (1.0..=f64::from(MOST)).contains(n));
         let number = whole.ok_or_else(refusal)?;
-        let equations = named.equations.replace(&format!("..{name}"), &format!("..{number}"));
+        let equations = written_out(named.equations, name, number);
         Ok(Self { equations, values: others, count: Some((name.to_owned(), value)) })
     }
+}
+
+/// Equations with a number in the place of the count, where it ends a range or counts to an end.
+fn written_out(equations: &str, name: &str, number: f64) -> String {
+    let next = number + 1.0;
+    let ends = [
+        (format!("..{name}"), format!("..{number}")),
+        (format!("[{name}]"), format!("[{number}]")),
+        (format!("[{name}+1]"), format!("[{next}]")),
+    ];
+    ends.iter()
+        .fold(equations.to_owned(), |equations, (by_name, by_number)| equations.replace(by_name, by_number))
 }

@@ -106,6 +106,18 @@ const MECHANISMS: &[Mechanism] = &[
         defined: &[],
     },
     Mechanism {
+        // Of three pendulums.
+        key: "pendulum_chain",
+        masses: &[
+            ["1", "omega0^2", "sin(theta1)", "0", "-cos(theta1)"],
+            ["1", "omega0^2", "sin(theta2)", "0", "-cos(theta2)"],
+            ["1", "omega0^2", "sin(theta3)", "0", "-cos(theta3)"],
+        ],
+        springs: "kappa*((theta1 - theta2)^2 + (theta2 - theta3)^2)/2",
+        forces: &["0", "0", "0"],
+        defined: &[],
+    },
+    Mechanism {
         key: "kepler",
         masses: &[["1", "0", "x", "y", "0"]],
         springs: "-mu/sqrt(x^2 + y^2)",

@@ -36,6 +36,7 @@ mod normal_modes;
 mod open_gauge;
 mod orbit;
 mod passages;
+mod pendulum_chain;
 mod period;
 mod period_formulas;
 mod quantity;

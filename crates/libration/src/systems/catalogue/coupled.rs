@@ -123,4 +123,27 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20",
         ..NOTHING_SAID
     },
+    NamedSystem {
+        key: "pendulum_chain",
+        also: &["frenkel_kontorova", "sine_gordon_chain"],
+        title: "chain of pendulums coupled by springs",
+        equations: "theta[i]'' = -omega0^2*sin(theta[i]) + kappa*(theta[i+1] - 2*theta[i] + theta[i-1]), i = 1..n; \
+                    theta[0] = theta[1]; theta[n+1] = theta[n]",
+        coordinates: &[angle("theta[i]")],
+        parameters: &[
+            OMEGA0,
+            parameter(
+                "kappa",
+                "1/10",
+                "1/s^2",
+                "coupling: torque of a spring per angle over the moment of inertia",
+            ),
+            parameter("n", "8", "1", "number of pendulums, from 1 to 1000"),
+        ],
+        count: Some("n"),
+        description: "n equal pendulums on one axis, each with a torsion spring to the next, as coupled_pendulums has two; the ends are free; small swings have the angular frequencies sqrt(omega0^2 + 4*kappa*sin(pi*k/(2*n))^2), k = 0..n-1; the energy is the sum of theta[i]'^2/2 + 2*omega0^2*sin(theta[i]/2)^2 over pendulums and of kappa*(theta[i+1] - theta[i])^2/2 over springs",
+        domain: "all motions; for waves much longer than the distance a of two pendulums the sine-Gordon equation with the speed a*sqrt(kappa)",
+        source: "derived from the torques; attributed to A. C. Scott, Am. J. Phys. 37, 52 (1969)",
+        ..NOTHING_SAID
+    },
 ];
