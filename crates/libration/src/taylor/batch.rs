@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::partial_solution::PartialSolution;
+use super::rest::{Rest, rest};
 use super::stepper::Stepper;
 use super::{Cause, Checkpoint, Effort, IntegrationError, Moment, Solution, Step, System, Trajectory};
 
@@ -68,7 +69,8 @@ impl<'a, const N: usize> Batch<'a, N> {
                 };
                 if let Some(solution) = self.solutions[lane].take() {
                     let number = solution.number;
-                    outcomes[number] = Some(end.outcome(solution));
+                    outcomes[number] =
+                        Some(conclude(end, solution, self.system, &self.effort, &mut interrupted, watch));
                 }
                 self.stepper.idle(lane);
             }
@@ -108,6 +110,38 @@ impl<'a, const N: usize> Batch<'a, N> {
                 Ok(())
             }
         }
+    }
+}
+
+/// The outcome of a motion that goes no further, unless it has come to rest in a number of its state: then it goes on by itself.
+fn conclude<const N: usize>(
+    end: End,
+    mut solution: PartialSolution<'_>,
+    system: &System,
+    effort: &Effort,
+    interrupted: &mut bool,
+    watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+) -> Outcome {
+    let (cause, moment) = match end {
+        End::Stopped(cause, moment) if Rest::may_explain(cause) => (cause, moment),
+        end => return end.outcome(solution),
+    };
+    let Some(goal) = solution.goal() else { return End::Reached(moment).outcome(solution) };
+    let parameters = solution.parameters().to_vec();
+    let (system, start) = match rest(system, &moment, &parameters, goal < moment.time) {
+        Some(Rest::In(system, start)) => (system, start),
+        Some(Rest::Undecided) => return End::Stopped(Cause::Undecided, moment).outcome(solution),
+        None => return End::Stopped(cause, moment).outcome(solution),
+    };
+    let mut stepper = Stepper::<N>::new(&system, *effort);
+    stepper.start(0, &start, &parameters, goal);
+    loop {
+        let ahead = stepper.look_ahead()[0];
+        let lane = Lane { stepper: &stepper, lane: 0 };
+        if let Err(end) = lane.advance(&mut solution, ahead, effort, interrupted, watch) {
+            return conclude(end, solution, &system, effort, interrupted, watch);
+        }
+        stepper.advance();
     }
 }
 

@@ -85,6 +85,9 @@ pub enum Cause {
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
     #[error("an absolute value is zero and the motion can leave it to neither side")]
     NoWayOn,
+    /// A number of the state at zero, where a root of it lets the motion stay or leave at any time, as x′ = √|x| does.
+    #[error("the motion can stay where it is or leave at any time, which the equations do not decide,")]
+    Undecided,
     /// The watch said so.
     #[error("the integration was interrupted")]
     Interrupted,

@@ -60,6 +60,7 @@ mod sticking;
 mod look_ahead;
 mod passing;
 mod picard;
+mod rest;
 mod stepper;
 mod trial;
 

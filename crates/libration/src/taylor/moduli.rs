@@ -116,6 +116,11 @@ fn with_zero(formula: &Expression, part: &Expression) -> Expression {
     if formula == part { Expression::from(0) } else { formula.with_parts(|inner| with_zero(inner, part)) }
 }
 
+/// What a formula is where a symbol is zero, roots of it included.
+pub(super) fn where_zero(formula: &Expression, symbol: &Symbol) -> Expression {
+    roots_of_zero(&formula.substitute(symbol, &Expression::from(0)).simplified()).simplified()
+}
+
 /// The formula with zero in the place of roots and powers of it.
 fn roots_of_zero(formula: &Expression) -> Expression {
     match formula {

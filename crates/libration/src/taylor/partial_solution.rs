@@ -57,6 +57,11 @@ impl<'a> PartialSolution<'a> {
         self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
     }
 
+    /// The values of the open parameters.
+    pub(super) fn parameters(&self) -> &[f64] {
+        &self.trajectory.parameters
+    }
+
     pub(super) fn steps(&self) -> usize {
         self.steps
     }

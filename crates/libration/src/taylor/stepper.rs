@@ -98,14 +98,16 @@ impl<'a, const N: usize> Stepper<'a, N> {
         }
     }
 
-    /// Where the step leads, to be gone on from; `None` if on the way to another goal a step would have ended elsewhere.
+    /// Where the step leads, to be gone on from; `None` if on the way to another goal a step would have ended elsewhere, and by the
+    /// equations of a rest.
     pub(super) fn checkpoint(&self, lane: usize) -> Option<Checkpoint> {
         let moduli = (0..self.surroundings.signs.len()).map(|modulus| ModulusCheckpoint {
             sign: self.surroundings.signs[modulus][lane],
             sticks: self.surroundings.sticks[modulus][lane],
             zeros: self.branches.zeros(modulus, lane),
         });
-        (!self.goal_bound[lane]).then(|| Checkpoint {
+        let is_resumable = !self.goal_bound[lane] && !self.expander.system.rests();
+        is_resumable.then(|| Checkpoint {
             time: self.block.end[lane],
             state: self.next.iter().map(|ends| [ends.high[lane], ends.low[lane]]).collect(),
             unit: self.unit[lane],

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::allowance::Allowance;
 use super::machine_code::{MachineCode, MachineCodes};
-use super::moduli::Moduli;
+use super::moduli::{Moduli, where_zero};
 use super::passage::Passage;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
@@ -44,6 +44,8 @@ pub struct System {
     machine_codes: Arc<MachineCodes>,
     /// Those of coordinates that have one of their own, else zero.
     tolerances: Vec<f64>,
+    /// Whether a number of the state has been put to rest, by which these are other equations.
+    rests: bool,
 }
 
 impl System {
@@ -147,6 +149,7 @@ impl System {
             passage,
             machine_codes,
             tolerances,
+            rests: false,
         })
     }
 
@@ -211,6 +214,28 @@ impl System {
     /// How the motion goes on where a force has no series, if there is such a place.
     pub(super) fn passage(&self) -> Option<&Passage> {
         self.passage.as_deref()
+    }
+
+    /// The equations of motion.
+    pub(super) fn equation(&self) -> &Equation {
+        &self.equation
+    }
+
+    /// The same system where a number of the state stays zero, by these equations; `None` where something has no value then.
+    pub(super) fn at_rest(&self, equation: Equation, number: usize) -> Option<Self> {
+        let symbol = &self.state_symbols()[number];
+        let event = |event: &Event| Event {
+            formula: where_zero(&self.equation.with_rates(&event.formula), symbol),
+            ..event.clone()
+        };
+        let events: Vec<Event> = self.events.iter().map(event).collect();
+        let system = Self::build(equation, self.parameters.clone(), events).ok()?;
+        Some(Self { tolerances: self.tolerances.clone(), rests: true, ..system })
+    }
+
+    /// Whether a number of the state has been put to rest.
+    pub(super) fn rests(&self) -> bool {
+        self.rests
     }
 
     /// How many different |…| there are.

@@ -17,6 +17,7 @@ mod accuracy;
 mod boundaries;
 mod chaos;
 mod checkpoints;
+mod coming_to_rest;
 mod conservative;
 mod decay;
 mod elliptic;

@@ -1,0 +1,146 @@
+//! What comes to zero in a finite time, and stays there.
+
+use libm::{pow, sqrt};
+use libration::taylor::{
+    Cause, Effort, Event, IntegrationError, Moment, Solution, Start, System, Trajectory, integrate,
+    integrate_from, integrate_many,
+};
+use std::ops::ControlFlow;
+
+/// The height of water over a hole, by Evangelista Torricelli's law.
+const WATER: &str = "x' = -sqrt(abs(x))*sign(x)";
+
+fn system(equations: &str) -> System {
+    System::new(&equations.parse().unwrap()).unwrap()
+}
+
+fn from(state: &[f64]) -> Moment {
+    Moment { time: 0.0, state: state.to_vec() }
+}
+
+fn solve(equations: &str, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
+    integrate(&system(equations), &from(state), times, &Effort::to_tolerance(tolerance)).unwrap()
+}
+
+/// √x = √x₀ − t/2 until it is zero, from either side.
+#[test]
+fn water_runs_out_as_its_closed_form_does() {
+    let times: Vec<f64> = (0..=40).map(|n| f64::from(n) / 8.0).collect();
+    for tolerance in [1e-15, 1e-12, 1e-6] {
+        for start in [1.0, 2.0, -0.3, 1e-12, 5.0] {
+            let solution = solve(WATER, &[start], &times, tolerance);
+            assert_eq!(solution.samples.len(), times.len());
+            for Moment { time, state } in &solution.samples {
+                let root = (sqrt(start.abs()) - time / 2.0).max(0.0);
+                let exact = (root * root).copysign(start);
+                assert!(
+                    (state[0] - exact).abs() <= 10.0 * tolerance.max(1e-15),
+                    "{start} {time}: {}",
+                    state[0]
+                );
+                assert!(root > 0.0 || state[0].abs() < 1e-28, "{start} {time}: {}", state[0]);
+            }
+            assert!(solution.end.state[0] == 0.0 && solution.steps < 2000, "{} {}", start, solution.steps);
+        }
+    }
+}
+
+/// x^(1−p) = 1 − (1 − p)t.
+#[test]
+fn other_powers_come_to_zero_when_they_should() {
+    for (text, p) in [("1/4", 0.25), ("1/3", 1.0 / 3.0), ("0.7", 0.7)] {
+        let equation = format!("x' = -abs(x)^({text})*sign(x)");
+        let stops = 1.0 / (1.0 - p);
+        let times = [0.5 * stops, 0.99 * stops, 1.000001 * stops, 2.0 * stops];
+        let samples = solve(&equation, &[1.0], &times, 1e-15).samples;
+        for (sample, part) in samples.iter().zip([0.5, 0.99]) {
+            let exact = pow(1.0 - part, stops);
+            assert!((sample.state[0] - exact).abs() < 1e-14, "{equation}: {}", sample.state[0]);
+        }
+        assert_eq!([samples[2].state[0], samples[3].state[0]], [0.0; 2], "{equation}");
+    }
+}
+
+/// v = (1 − t/2)²: after 2/3 it stands still, and another coordinate does not notice.
+#[test]
+fn a_velocity_comes_to_rest_while_others_move_on() {
+    let equations = "x'' = -sqrt(abs(x'))*sign(x'); y'' = -y";
+    let solution = solve(equations, &[0.0, 1.0, 1.0, 0.0], &[1.0, 2.5, 60.0], 1e-15);
+    let [before, after, late] = &solution.samples[..] else { panic!() };
+    assert!((before.state[0] - 7.0 / 12.0).abs() < 1e-15 && (before.state[2] - 0.25).abs() < 1e-15);
+    for Moment { time, state } in [after, late] {
+        assert!((state[0] - 2.0 / 3.0).abs() < 1e-15 && state[2] == 0.0, "{state:?}");
+        assert!((state[1] - libm::cos(*time)).abs() < 1e-13, "{state:?}");
+    }
+}
+
+/// From one tank into the next and out: each runs empty, and nothing is lost.
+#[test]
+fn tanks_run_empty_one_after_the_other() {
+    let equations = "x' = -sqrt(abs(x))*sign(x); y' = sqrt(abs(x)) - sqrt(abs(y))*sign(y); z' = sqrt(abs(y))";
+    let solution = solve(equations, &[1.0, 0.0, 0.0], &[1.0, 2.25, 9.0], 1e-15);
+    for Moment { state, .. } in &solution.samples {
+        assert!((state.iter().sum::<f64>() - 1.0).abs() < 1e-14, "{state:?}");
+    }
+    let [_, second, last] = &solution.samples[..] else { panic!() };
+    assert!(second.state[0] == 0.0 && second.state[1] > 0.01, "{second:?}");
+    assert!(last.state[..2] == [0.0, 0.0] && (last.state[2] - 1.0).abs() < 1e-14, "{last:?}");
+}
+
+#[test]
+fn events_are_found_before_and_at_the_rest() {
+    let zero = |formula: &str| Event::zero_of(formula.parse().unwrap());
+    let water = system(WATER).with_events(&[zero("x - 1/4"), zero("x"), zero("t - 4")]).unwrap();
+    let found = integrate(&water, &from(&[1.0]), &[9.0], &Effort::to_tolerance(1e-12)).unwrap().events;
+    let times: Vec<(usize, f64)> = found.iter().map(|event| (event.event, event.time)).collect();
+    assert_eq!(times.len(), 3, "{times:?}");
+    for ((event, time), (wanted, exact)) in times.iter().zip([(0, 1.0), (1, 2.0), (2, 4.0)]) {
+        assert!(*event == wanted && (time - exact).abs() < 1e-11, "{times:?}");
+    }
+}
+
+/// Side by side with motions that never rest each is what it is alone.
+#[test]
+fn motions_side_by_side_rest_by_themselves() {
+    let equations = "x' = -sqrt(abs(x))*sign(x) + k*cos(t)";
+    let system = System::with_parameters(&equations.parse().unwrap(), &["k"]).unwrap();
+    let times = [1.0, 3.0, 10.0];
+    let motion = |n: u32| {
+        let k = if n.is_multiple_of(3) { 0.0 } else { 0.1 * f64::from(n) };
+        Trajectory { start: from(&[0.2 * f64::from(n)]), parameters: vec![k], times: &times }
+    };
+    let all: Vec<Trajectory<'_>> = (0..11).map(motion).collect();
+    let effort = Effort::to_tolerance(1e-12);
+    let alone: Vec<_> = all.iter().map(|motion| motion.integrate(&system, &effort)).collect();
+    assert_eq!(integrate_many(&system, &all, &effort), alone);
+}
+
+#[test]
+fn a_motion_with_a_rest_is_gone_on_with_from_its_last_checkpoint() {
+    // Of water itself the height is a polynomial in the time, and each step goes to the goal.
+    let (water, effort) = (system("x' = -abs(x)^0.3*sign(x)"), Effort::to_tolerance(1e-12));
+    let mut last = None;
+    let begin = Start::State(from(&[1.0]));
+    let whole = integrate_from(&water, &begin, &[5.0], &effort, |step| {
+        last = step.checkpoint().or(last.take());
+        ControlFlow::Continue(())
+    });
+    let last = last.unwrap();
+    assert!(last.time < 2.0, "{}", last.time);
+    let resumed =
+        integrate_from(&water, &Start::Checkpoint(last), &[5.0], &effort, |_| ControlFlow::Continue(()));
+    assert_eq!(resumed.unwrap().end, whole.unwrap().end);
+}
+
+/// Below zero −√|x| leads on: at zero the motion may wait, as long as it likes.
+#[test]
+fn where_zero_may_be_left_at_any_time_the_motion_ends() {
+    let motion =
+        integrate(&system("x' = -sqrt(abs(x))"), &from(&[1.0]), &[9.0], &Effort::to_tolerance(1e-12));
+    let Err(IntegrationError::Stopped { cause, solution }) = motion else { panic!("{motion:?}") };
+    assert_eq!(cause, Cause::Undecided);
+    assert!((solution.end.time - 2.0).abs() < 1e-12 && cause.to_string().contains("do not decide"));
+    // Where a root is not all of the force zero is passed.
+    let passed = solve("x' = -sqrt(abs(x)) - 1/8", &[1.0], &[9.0], 1e-12).end.state[0];
+    assert!(passed < -1.0, "{passed}");
+}
