@@ -25,11 +25,13 @@ from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
 from .pendulum import Harmonics, Motion, Pendulum, State
 from .period_formulas import PeriodFormula, PeriodFormulas
 from .polynomial import Polynomial
+from .simulation import Events, Simulation, States, simulate
 
 formulas = PeriodFormulas()
 
 __all__ = [
     "Evaluation",
+    "Events",
     "Expansion",
     "GaugeSeries",
     "Harmonics",
@@ -42,7 +44,9 @@ __all__ = [
     "Polynomial",
     "STANDARD_GRAVITY",
     "Series",
+    "Simulation",
     "State",
+    "States",
     "__version__",
     "errors",
     "expand",
@@ -53,6 +57,7 @@ __all__ = [
     "period_excess",
     "period_ratio",
     "period_ratio_near_top",
+    "simulate",
     "special",
     "state",
 ]

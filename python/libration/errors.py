@@ -2,7 +2,7 @@
 
 from typing import Any
 
-__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "PendulumError", "QuantityError", "UnknownKeyError"]
+__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError"]
 
 
 class LibrationError(ValueError):
@@ -23,6 +23,12 @@ class PendulumError(LibrationError):
 
 class QuantityError(LibrationError):
     """A text or a number that is no such angle, length or acceleration."""
+
+
+class SimulationError(LibrationError):
+    """A motion that cannot begin, or did not come to its end; then what was found is its ``partial``."""
+
+    partial: Any = None
 
 
 class UnknownKeyError(LibrationError, KeyError):

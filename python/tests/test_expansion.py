@@ -2,7 +2,6 @@
 
 import copy
 import pickle
-import signal
 import time
 from fractions import Fraction
 
@@ -11,6 +10,7 @@ import pytest
 import sympy
 
 import libration as lb
+from interruption import interrupted_after
 from libration import errors
 from truth import ratio
 
@@ -133,23 +133,6 @@ def test_large_numbers_come_through_whole():
 def test_what_cannot_be_is_refused_with_the_reason(call, error, message):
     with pytest.raises(error, match=message):
         call()
-
-
-def interrupted_after(seconds, call):
-    """What a call raises that is interrupted so soon."""
-
-    def interrupt(*_):
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGALRM, interrupt)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
-    try:
-        with pytest.raises(lb.Interrupted) as caught:
-            call()
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-    return caught.value
 
 
 def test_ctrl_c_ends_a_long_expansion_and_keeps_what_is_done():

@@ -9,6 +9,7 @@ import_exception!(libration.errors, ExpansionError);
 import_exception!(libration.errors, FormulaError);
 import_exception!(libration.errors, PendulumError);
 import_exception!(libration.errors, QuantityError);
+import_exception!(libration.errors, SimulationError);
 import_exception!(libration.errors, UnknownKeyError);
 
 /// An exception of the package.
@@ -26,7 +27,7 @@ macro_rules! exceptions {
     };
 }
 
-exceptions!(ExpansionError, FormulaError, PendulumError, QuantityError, UnknownKeyError);
+exceptions!(ExpansionError, FormulaError, PendulumError, QuantityError, SimulationError, UnknownKeyError);
 
 /// The library's message as an exception of this kind.
 pub(crate) fn refusal<E: Exception>(error: impl Display) -> PyErr {

@@ -7,6 +7,7 @@ mod formulas;
 mod motion;
 mod patience;
 mod quantity;
+mod simulation;
 mod ufunc;
 
 use pyo3::prelude::*;
@@ -23,5 +24,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<expansion::NativeExpansion>()?;
     module.add_function(wrap_pyfunction!(expansion::expand, module)?)?;
     module.add_function(wrap_pyfunction!(expansion::latex, module)?)?;
+    module.add_class::<simulation::NativeSimulation>()?;
+    module.add_function(wrap_pyfunction!(simulation::simulate, module)?)?;
     batches::add_all(module)
 }

@@ -1,10 +1,7 @@
 //! The state a motion begins in, by names: `theta=60deg,theta'=0`.
 
-use super::values::plain_name;
 use crate::failure::Failure;
-use libration::expression::{Expression, Symbol};
-use libration::quantity::{Angle, Dimension, parse};
-use libration::systems::Model;
+use libration::systems::{InitialState, Model};
 
 /// The option that says where a motion begins.
 #[derive(Clone, Debug, clap::Args)]
@@ -81,27 +78,7 @@ impl Initial {
 
     /// From names and values.
     fn of_values(values: &[(&str, &str)], model: &Model) -> Result<Self, String> {
-        let (names, units) = (model.state_names(), model.state_units());
-        let mut given: Vec<Option<f64>> = vec![None; names.len()];
-        for (name, value) in values {
-            let values = match Family::of(name) {
-                Some(family) => family.values(value, &names)?,
-                None => {
-                    let place = place_of(name, &names)?;
-                    vec![(place, number(&names[place], value, &units[place])?)]
-                }
-            };
-            for (place, value) in values {
-                if given[place].is_some() {
-                    return Err(format!("{} is given twice: give it one value", names[place]));
-                }
-                given[place] = Some(value);
-            }
-        }
-        let rest = model.state_at_rest();
-        let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
-        let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
-        let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();
+        let InitialState { state, assumed } = model.initial(values).map_err(|error| error.to_string())?;
         Ok(Self { state, assumed })
     }
 }
@@ -119,11 +96,8 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Fa
 
 /// Says how angles without a unit are understood where that may surprise.
 fn say_bare_angles(items: &[(&str, &str)], model: &Model) {
-    let (names, units) = (model.state_names(), model.state_units());
-    for (name, value) in items {
-        if place_of(name, &names).is_ok_and(|place| units[place] == "rad") {
-            super::bare::say(value);
-        }
+    for (_, value) in items.iter().filter(|(name, _)| model.is_angle(name)) {
+        super::bare::say(value);
     }
 }
 
@@ -142,71 +116,4 @@ fn missing(model: &Model) -> Failure {
         examples.join(","),
         model.state_names().join(", ")
     ))
-}
-
-fn place_of(name: &str, names: &[String]) -> Result<usize, String> {
-    let plain = plain_name(name);
-    names.iter().position(|known| *known == plain).ok_or_else(|| {
-        format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", "))
-    })
-}
-
-/// Many numbers of a state at once: `x[i]`, or `x[i]'`.
-struct Family<'a> {
-    name: &'a str,
-    letter: &'a str,
-    primes: &'a str,
-}
-
-impl<'a> Family<'a> {
-    /// `None` for one number, as `x[3]` is.
-    fn of(name: &'a str) -> Option<Self> {
-        let (name, rest) = name.trim().split_once('[')?;
-        let (letter, primes) = rest.split_once(']')?;
-        let is_letter = letter.chars().all(|c| c.is_ascii_alphabetic()) && !letter.is_empty();
-        is_letter.then_some(Self { name, letter, primes })
-    }
-
-    /// The places of all members, and the values of a formula of the index.
-    fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, String> {
-        let index = |known: &str| {
-            known.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
-        };
-        let places = names.iter().enumerate().filter_map(|(place, known)| Some((place, index(known)?)));
-        let places: Vec<(usize, i64)> = places.collect();
-        let shown = format!("{}[{}]{}", self.name, self.letter, self.primes);
-        if places.is_empty() {
-            return Err(format!("the system has no state variables {shown}: it has {}", names.join(", ")));
-        }
-        let formula: Expression = text.parse().map_err(|error| format!("{shown}: {error}"))?;
-        let letter = Symbol::plain(self.letter);
-        let value = |(place, index): (usize, i64)| {
-            let value = formula.substitute(&letter, &Expression::from(index)).to_f64();
-            let value = value.filter(|value| value.is_finite()).ok_or_else(|| {
-                format!(
-                    "{shown}: `{text}` has no value at {} = {index}: give a formula of {}, such as sin(pi*{}/33)",
-                    self.letter, self.letter, self.letter
-                )
-            });
-            Ok((place, value?))
-        };
-        places.into_iter().map(value).collect()
-    }
-}
-
-/// A quantity in the unit of its number, or a formula of numbers.
-fn number(name: &str, text: &str, unit: &str) -> Result<f64, String> {
-    let text = text.trim();
-    let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
-    let quantity = |dimension| Ok(parse(text, dimension).map_err(|error| error.to_string())?.value);
-    let value = match unit {
-        "rad" => text.parse::<Angle>().map(|angle| angle.radians()).map_err(|error| error.to_string()),
-        "rad/s" => quantity(Dimension::AngularVelocity),
-        "m" => quantity(Dimension::Length),
-        "m/s" => quantity(Dimension::Velocity),
-        _ => Err(format!(
-            "cannot read `{text}` as a number: write 0.5, 1e-3 or sqrt(2)/2; units are for angles and lengths"
-        )),
-    };
-    value.or_else(|reason| formula().ok_or(reason)).map_err(|reason| format!("{name}: {reason}"))
 }

@@ -20,21 +20,25 @@ mod named;
 mod coordinate;
 mod count;
 mod error;
+mod initial;
 mod model;
 
 mod bodies;
 mod energy;
 mod line_integral;
 mod observables;
+mod zero;
 
 pub use bodies::{Bodies, Body};
 pub use catalogue::catalogue;
 pub use coordinate::Coordinate;
 pub use energy::{Energy, EnergyAccount, EnergyBalance};
 pub use error::{ModelError, NoEnergy};
+pub use initial::{InitialState, InitialStateError};
 pub use model::Model;
 pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, VelocityPower};
 pub use observables::{NoObservable, Observables};
+pub use zero::NoZero;
 
 #[cfg(test)]
 mod tests;

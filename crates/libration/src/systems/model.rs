@@ -295,7 +295,7 @@ fn filled<'a>(
 }
 
 /// The name as equations have it: ω0 is omega0.
-fn plain(name: &str) -> String {
+pub(super) fn plain(name: &str) -> String {
     name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use libration::expression::{Expression, Function, Symbol};
-use libration::systems::{Coordinate, Model};
+use libration::systems::{Coordinate, Model, NoZero};
 use libration::taylor::{Contact, Direction, Event, Occurrence};
 
 /// The events of a question, each with its name.
@@ -127,19 +127,15 @@ impl Kind {
 }
 
 impl UntilOptions {
-    /// The difference of both sides, or a formula.
+    /// An equation, or a formula.
     fn kind(&self, text: &str, model: &Model) -> Result<Kind, Failure> {
-        let difference = match text.split_once('=') {
-            Some((left, right)) => format!("({left}) - ({right})"),
-            None => text.to_owned(),
-        };
         let direction = match self.direction {
             Way::Any => Direction::Any,
             Way::Rising => Direction::Rising,
             Way::Falling => Direction::Falling,
         };
         let (name, ends_at) = (text.trim().to_owned(), Some(self.count));
-        Ok(Kind { name, direction, ends_at, ..zero_of("--until", &difference, model)? })
+        Ok(Kind { name, direction, ends_at, ..zero_of("--until", text, model)? })
     }
 }
 
@@ -172,23 +168,13 @@ fn crossing(coordinate: &Coordinate) -> Expression {
 }
 
 fn zero_of(argument: &'static str, text: &str, model: &Model) -> Result<Kind, Failure> {
-    let written: Expression = text.parse().map_err(|error| {
-        Failure::usage(
+    let formula = model.zero_of(text).map_err(|error| match error {
+        NoZero::Formula(error) => Failure::usage(
             argument,
             format!("{error}; write turning, crossing, or a formula such as theta - 0.5"),
-        )
+        ),
+        other => Failure::usage(argument, other),
     })?;
-    let values = model.values().iter();
-    let formula = values
-        .fold(written.clone(), |formula, (name, value)| formula.substitute(&Symbol::plain(name), value));
-    let known = model.state_names();
-    let in_state = model.equation().with_rates(&formula);
-    let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
-    if let Some(name) = unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
-        let reason =
-            format!("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "));
-        return Err(Failure::usage(argument, reason));
-    }
-    let (name, direction) = (written.to_string(), Direction::Any);
-    Ok(Kind { name, formula, coordinate: 0, direction, ends_at: None })
+    let name = text.parse().map_or_else(|_| text.to_owned(), |written: Expression| written.to_string());
+    Ok(Kind { name, formula, coordinate: 0, direction: Direction::Any, ends_at: None })
 }

@@ -1,0 +1,239 @@
+//! Motions of any system in time, for `simulation.py`.
+
+use std::ops::ControlFlow;
+
+use libration::catalogue::is_like_a_key;
+use libration::expression::Expression;
+use libration::systems::Model;
+use libration::taylor::{
+    Cause, Contact, DenseSolution, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution,
+    Step, System, integrate_both_ways, integrate_watched,
+};
+use libration::watch::{Progress, Stage};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::errors::{SimulationError, refusal};
+use crate::patience::Patience;
+
+/// What is asked: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends
+/// the motion, the tolerance.
+#[derive(FromPyObject)]
+pub(crate) struct Question(
+    String,
+    Vec<(String, String)>,
+    Vec<(String, String)>,
+    Vec<(String, String)>,
+    Option<(String, String)>,
+    f64,
+);
+
+/// A motion as far as it was found.
+#[pyclass(frozen, name = "Simulation", module = "libration._native")]
+pub(crate) struct NativeSimulation {
+    model: Model,
+    start: Vec<f64>,
+    solution: Solution,
+    /// Before the start, and after it.
+    dense: [DenseSolution; 2],
+}
+
+/// The motion, and what has stopped it before its end: an exception, or the reason.
+#[pyfunction]
+pub(crate) fn simulate(
+    py: Python<'_>,
+    question: Question,
+    times: PyReadonlyArray1<'_, f64>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(NativeSimulation, Option<PyErr>)> {
+    let asked = Asked::new(&question)?;
+    let times = times.as_slice()?;
+    let patience = Patience::new(progress);
+    let (outcome, dense) = py.detach(|| asked.followed(times, &patience));
+    let (solution, cause) = match outcome {
+        Ok(solution) => (solution, None),
+        Err(IntegrationError::Stopped { cause, solution }) => (*solution, Some(cause)),
+        Err(error) => return Err(refusal::<SimulationError>(error)),
+    };
+    let reason = cause.filter(|cause| *cause != Cause::Interrupted).map(|cause| {
+        refusal::<SimulationError>(format!(
+            "{cause} at t = {:?}: the motion is known up to there",
+            solution.end.time
+        ))
+    });
+    Ok((
+        NativeSimulation { model: asked.model, start: asked.start.state, solution, dense },
+        patience.stopped_by().or(reason),
+    ))
+}
+
+struct Asked {
+    model: Model,
+    system: System,
+    start: Moment,
+    effort: Effort,
+}
+
+impl Asked {
+    fn new(Question(system, values, initial, events, until, tolerance): &Question) -> PyResult<Self> {
+        let model = model(system, values)?;
+        let borrowed: Vec<(&str, &str)> = initial.iter().map(|(name, value)| (&**name, &**value)).collect();
+        let start = model.initial(&borrowed).map_err(refusal::<SimulationError>)?;
+        let all = events.iter().map(|it| (it, None)).chain(until.iter().map(|it| (it, Some(1))));
+        let events = all.map(|((text, way), ends_at)| {
+            let formula = model.zero_of(text).map_err(refusal::<SimulationError>)?;
+            Ok(Event { formula, direction: direction(way)?, ends_at })
+        });
+        let events = events.collect::<PyResult<Vec<_>>>()?;
+        let system = model.system().map_err(refusal::<SimulationError>)?;
+        let system = system.with_events(&events).map_err(refusal::<SimulationError>)?;
+        let start = Moment { time: 0.0, state: start.state };
+        Ok(Self { model, system, start, effort: Effort::to_tolerance(*tolerance) })
+    }
+
+    fn followed(
+        &self,
+        times: &[f64],
+        patience: &Patience,
+    ) -> (Result<Solution, IntegrationError>, [DenseSolution; 2]) {
+        let mut dense = [DenseSolution::default(), DenseSolution::default()];
+        let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
+        let span = first.abs().max(last.abs());
+        let watch = |step: &Step<'_>| -> ControlFlow<()> {
+            dense[usize::from(step.end() > step.start())].push(step);
+            patience.go_on(progress(step.end().abs(), span))
+        };
+        let Self { system, start, effort, .. } = self;
+        let outcome = match first < 0.0 && last > 0.0 {
+            true => integrate_both_ways(system, start, times, effort, watch),
+            false => integrate_watched(system, start, times, effort, watch),
+        };
+        (outcome, dense)
+    }
+}
+
+/// Of a thousand parts of the time.
+fn progress(time: f64, span: f64) -> Progress {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a thousand")]
+    let done = (1000.0 * (time / span).clamp(0.0, 1.0)) as usize;
+    Progress { stage: Stage::Whole, done, of: Some(1000) }
+}
+
+fn model(system: &str, values: &[(String, String)]) -> PyResult<Model> {
+    let values = values.iter().map(|(name, value)| {
+        let value: Result<Expression, _> = value.parse();
+        Ok((name.as_str(), value.map_err(|error| refusal::<SimulationError>(format!("{name}: {error}")))?))
+    });
+    let values = values.collect::<PyResult<Vec<_>>>()?;
+    let model = match is_like_a_key(system) {
+        true => Model::by_key(system.trim(), &values, &[]),
+        false => Model::typed(system, &values, &[]),
+    };
+    let model = model.map_err(refusal::<SimulationError>)?;
+    match model.open_parameters().first() {
+        Some(name) => {
+            let reason = format!("`{name}` has no value: give it one, such as set={{\"{name}\": 0.1}}");
+            Err(refusal::<SimulationError>(reason))
+        }
+        None => Ok(model),
+    }
+}
+
+fn direction(way: &str) -> PyResult<Direction> {
+    match way {
+        "any" => Ok(Direction::Any),
+        "rising" => Ok(Direction::Rising),
+        "falling" => Ok(Direction::Falling),
+        other => Err(refusal::<SimulationError>(format!(
+            "unknown direction `{other}`: give any, rising or falling"
+        ))),
+    }
+}
+
+/// Number of the event, time, state, contact.
+type Happening<'py> = (usize, f64, Bound<'py, PyArray1<f64>>, &'static str);
+
+/// Times, and a state for each.
+type Samples<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+
+#[pymethods]
+impl NativeSimulation {
+    /// Title, equations, names, units, how many steps it took, and the last time.
+    fn words(&self) -> (&'static str, String, Vec<String>, Vec<String>, usize, f64) {
+        let (model, solution) = (&self.model, &self.solution);
+        let equations = model.equation().to_string();
+        (
+            model.title(),
+            equations,
+            model.state_names(),
+            model.state_units(),
+            solution.steps,
+            solution.end.time,
+        )
+    }
+
+    /// Times and states, a row for each time.
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<Samples<'py>> {
+        let samples = &self.solution.samples;
+        let times: Vec<f64> = samples.iter().map(|it| it.time).collect();
+        let numbers: Vec<f64> = samples.iter().flat_map(|it| it.state.iter().copied()).collect();
+        Ok((times.into_pyarray(py), self.rows(py, numbers, samples.len())?))
+    }
+
+    fn events<'py>(&self, py: Python<'py>) -> Vec<Happening<'py>> {
+        let happening =
+            |it: &Occurrence| (it.event, it.time, it.state.clone().into_pyarray(py), contact(it.contact));
+        self.solution.events.iter().map(happening).collect()
+    }
+
+    /// The states at any times between the ends, a row for each.
+    fn states_at<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let times = times.as_slice()?;
+        let found = py.detach(|| {
+            times.iter().map(|time| self.state_at(*time).ok_or(*time)).collect::<Result<Vec<_>, _>>()
+        });
+        let states = found.map_err(|time| {
+            let [from, to] = self.ends();
+            refusal::<SimulationError>(format!(
+                "t = {time:?} is beyond the motion, which is known from {from:?} to {to:?}"
+            ))
+        })?;
+        self.rows(py, states.concat(), times.len())
+    }
+}
+
+impl NativeSimulation {
+    fn rows<'py>(
+        &self,
+        py: Python<'py>,
+        numbers: Vec<f64>,
+        rows: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        numbers.into_pyarray(py).reshape([rows, self.model.state_names().len()])
+    }
+
+    fn state_at(&self, time: f64) -> Option<Vec<f64>> {
+        if time.abs() <= 0.0 {
+            return Some(self.start.clone());
+        }
+        self.dense[usize::from(time > 0.0)].state_at(time)
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        let end = |side: &DenseSolution| side.span().map_or(0.0, |[_, end]| end);
+        [end(&self.dense[0]), end(&self.dense[1])]
+    }
+}
+
+fn contact(contact: Contact) -> &'static str {
+    match contact {
+        Contact::Rising => "rising",
+        Contact::Falling => "falling",
+        Contact::Grazing => "grazing",
+        Contact::Start => "start",
+    }
+}

@@ -1,0 +1,212 @@
+"""Motions of any system in time: damped, driven, coupled, or given by its equations.
+
+>>> import numpy as np
+>>> import libration as lb
+>>> sol = lb.simulate("double_pendulum", initial={"theta1": "120deg"}, times=np.linspace(0, 10, 101))
+>>> sol.t.shape, sol["theta1"].shape, sol.names
+((101,), (101,), ('theta1', 'theta2', "theta1'", "theta2'"))
+>>> round(float(sol(5.0)["theta1"]), 9) == round(float(sol["theta1"][50]), 9)
+True
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native, _plot
+from ._progress import Tell, go_on, told
+from ._record import Record
+from .errors import SimulationError
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["Events", "Simulation", "States", "simulate"]
+
+
+@dataclass(frozen=True, eq=False)
+class States(Record):
+    """States at some times; ``states["theta"]`` is a number of each state by its name."""
+
+    t: NDArray[np.float64]
+    """In seconds, or in the unit of time of the equations."""
+    y: NDArray[np.float64]
+    """The last axis counts the numbers of a state."""
+    names: tuple[str, ...]
+    """Coordinates, then velocities: ``theta``, ``theta'``."""
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        try:
+            return self.y[..., self.names.index(name)]
+        except ValueError:
+            raise KeyError(f"the state has no variable `{name}`: it has {', '.join(self.names)}") from None
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+
+@dataclass(frozen=True, eq=False)
+class Events(States):
+    """What happened on the way."""
+
+    contact: tuple[str, ...]
+    """How the formula became zero: "rising", "falling", "grazing" or "start"."""
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation(States):
+    """A motion; `simulate` makes it.
+
+    Calling it with times between its ends, a number or an array of any shape, gives `States` there, as accurate as those at the times asked for.
+    """
+
+    title: str
+    equation: str
+    """The equations of motion, with the values of their parameters."""
+    units: tuple[str, ...]
+    """Of the numbers of a state; empty where they are not known."""
+    events: dict[str, Events]
+    """By the formulas that were looked for."""
+    steps: int
+    """How many steps it took."""
+    end: float
+    """The last time that was reached: that of the event that ended the motion, if one did."""
+    _question: Any = field(repr=False, compare=False)
+    _motion: Any = field(repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_motion": None}
+
+    def __call__(self, t: ArrayLike) -> States:
+        times = np.asarray(t).astype(np.float64, casting="same_kind")
+        motion = self._motion
+        if motion is None:  # after a pickle
+            question, given = self._question
+            motion, _ = _native.simulate(question, given, None)
+            object.__setattr__(self, "_motion", motion)
+        states = motion.states_at(np.ravel(times))
+        return States(times, states.reshape(*times.shape, len(self.names)), self.names)
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The states at the times asked for, with their units."""
+        import xarray
+
+        columns = {
+            name: ("t", self[name], {"units": unit} if unit else {}) for name, unit in zip(self.names, self.units)
+        }
+        return xarray.Dataset(columns, coords={"t": self.t}, attrs={"title": self.title, "equation": self.equation})
+
+    def plot(self, *names: str, ax: "Axes | None" = None) -> "Axes":
+        """Draws numbers of the state against the time: the coordinates, if no names are given."""
+        chosen = names or tuple(name for name in self.names if not name.endswith("'"))
+        units = {self.units[self.names.index(name)] for name in chosen if name in self.names}
+        unit = f" / {units.pop()}" if len(units) == 1 and "" not in units else ""
+        ax = _plot.axes(ax, ("t", ", ".join(chosen) + unit))
+        for name in chosen:
+            ax.plot(self.t, self[name], label=name)
+        if len(chosen) > 1:
+            _plot.legend(ax)
+        return ax
+
+
+def simulate(
+    system: str,
+    initial: Mapping[str, float | str],
+    times: ArrayLike,
+    *,
+    set: Mapping[str, float | str | Fraction] | None = None,
+    events: Iterable[str] | Mapping[str, str] = (),
+    until: str | tuple[str, str] | None = None,
+    tolerance: float = 1e-12,
+    progress: bool | Tell = False,
+) -> Simulation:
+    """The motion of a system of ordinary differential equations, by Taylor series of high order.
+
+    Parameters
+    ----------
+    system : str
+        A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or ``"duffing"``, or equations, such as
+        ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with ``;`` between them.
+    initial : dict
+        Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas, angles or quantities as text; ``{"x[i]":
+        "sin(pi*i/33)"}`` for all of a chain. What is not given is at rest.
+    times : array_like
+        Where the states are wanted: away from 0 in one direction, or ascending on both sides of it. A number is one time.
+    set : dict
+        Values of parameters: numbers, fractions, or formulas such as ``"1/2"``.
+    events : list of str or dict
+        Formulas whose zeros are looked for, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with what counts, "rising", "falling" or "any".
+    until : str or tuple
+        The formula whose first zero ends the motion, and what counts.
+    tolerance : float
+        Relative error of a step, from 1e-18 to 0.1.
+    progress : bool or callable
+        True for a bar, where tqdm is installed; or a function of how much is done and of how much, in thousandths of the time.
+
+    Returns
+    -------
+    Simulation
+
+    Raises
+    ------
+    SimulationError
+        Equations, names or times that cannot be; a motion that stops at a singularity, whose part until there is the exception's ``partial``.
+    Interrupted
+        Ctrl-C; its ``partial`` is the motion until then.
+
+    Examples
+    --------
+    >>> import libration as lb
+    >>> sol = lb.simulate("theta'' + sin(theta) = 0", {"theta": "90deg"}, [10.0], events=["theta"])
+    >>> sol.events["theta"].t.round(9).tolist()
+    [1.854074677, 5.562224032, 9.270373387]
+    """
+    wanted = np.atleast_1d(np.asarray(times)).astype(np.float64, casting="same_kind")
+    if wanted.ndim != 1:
+        raise SimulationError(f"the times have {wanted.ndim} dimensions: give a number or a list of them")
+    values = [(name, _text(value)) for name, value in (set or {}).items()]
+    start = [(name, _text(value)) for name, value in initial.items()]
+    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys(events, "any")
+    ending = (until, "any") if isinstance(until, str) else until
+    question = (system, values, start, list(looked_for.items()), ending, tolerance)
+    with told(progress, "simulate") as tell:
+        motion, stopped_by = _native.simulate(question, np.ascontiguousarray(wanted), tell)
+    names = list(looked_for) + ([ending[0]] if ending else [])
+    simulation = _simulation(motion, names, (question, wanted))
+    if isinstance(stopped_by, SimulationError):
+        stopped_by.partial = simulation
+    go_on(stopped_by, simulation)
+    return simulation
+
+
+def _text(value: float | str | Fraction) -> str:
+    return value if isinstance(value, str) else str(value)
+
+
+def _simulation(motion: Any, looked_for: list[str], question: Any) -> Simulation:
+    title, equation, names, units, steps, end = motion.words()
+    t, y = motion.samples()
+    happened = motion.events()
+    events = {}
+    for number, text in enumerate(looked_for):
+        own = [it for it in happened if it[0] == number]
+        states = np.array([it[2] for it in own]).reshape(len(own), len(names))
+        events[text] = Events(np.array([it[1] for it in own]), states, tuple(names), tuple(it[3] for it in own))
+    return Simulation(
+        t=t,
+        y=y,
+        names=tuple(names),
+        title=title,
+        equation=equation,
+        units=tuple(units),
+        events=events,
+        steps=steps,
+        end=end,
+        _question=question,
+        _motion=motion,
+    )
