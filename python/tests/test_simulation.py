@@ -90,6 +90,7 @@ def test_values_are_numbers_fractions_or_formulas():
 def test_results_pickle_copy_compare_and_go_elsewhere():
     for other in (pickle.loads(pickle.dumps(PENDULUM)), copy.deepcopy(PENDULUM)):
         assert other == PENDULUM and other(3.3) == PENDULUM(3.3)
+    pytest.importorskip("xarray")
     table = PENDULUM.to_xarray()
     assert table["theta"].attrs == {"units": "rad"} and np.array_equal(table["theta'"], PENDULUM["theta'"])
     ax = PENDULUM.plot()
