@@ -10,8 +10,8 @@ use std::collections::HashMap;
 use iced_x86::{Code, Encoder, IcedError, Instruction, MemoryOperand, Register};
 
 use self::packing::Packs;
-use crate::groups::groups;
-use crate::instruction_set::InstructionSet;
+use crate::groups::{WIDEST, groups};
+use crate::instruction_set::{InstructionSet, PackedSet};
 use crate::registers::Registers;
 use crate::uses::Uses;
 use crate::windows::Windows;
@@ -37,7 +37,7 @@ pub(crate) fn assembled(
     for instruction in assembler.windows.openings() {
         assembler.encode(instruction).ok()?;
     }
-    let groups = groups(line);
+    let groups = groups(line, set.packed.as_ref().map_or(WIDEST, PackedSet::widest));
     for (number, step) in line.steps().iter().enumerate() {
         if let Some(group) = groups.get(&number) {
             assembler.inner_products(group).ok()?;

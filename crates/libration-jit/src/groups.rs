@@ -11,11 +11,11 @@ pub(crate) struct Group {
     pub(crate) count: usize,
 }
 
-/// How many numbers the registers hold in which inner products stand side by side.
-pub(crate) const WIDEST: usize = 4;
+/// How many numbers the widest registers hold in which inner products stand side by side.
+pub(crate) const WIDEST: usize = 8;
 
-/// All inner products of a line in groups, by the first step of each: there everything is known that the group reads.
-pub(crate) fn groups(line: &StraightLine) -> HashMap<usize, Group> {
+/// All inner products of a line in groups of so many at most, by the first step of each: there everything is known that the group reads.
+pub(crate) fn groups(line: &StraightLine, most: usize) -> HashMap<usize, Group> {
     let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {
         if let Arithmetic::Keep { place, .. } = *step {
@@ -29,7 +29,7 @@ pub(crate) fn groups(line: &StraightLine) -> HashMap<usize, Group> {
         let known = step.read().filter_map(|place| kept[place]).max();
         let joined =
             open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| known < Some(*first)));
-        match joined.filter(|group| group.members.len() < WIDEST) {
+        match joined.filter(|group| group.members.len() < most) {
             Some(group) => group.members.push(number),
             None => {
                 open.insert(count, number);

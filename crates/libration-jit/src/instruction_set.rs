@@ -24,7 +24,7 @@ pub(crate) struct InstructionSet {
     pub(crate) packed: Option<PackedSet>,
 }
 
-/// How two numbers are put beside each other, and two such pairs, and what is done with both widths.
+/// How two numbers are put beside each other, and two such pairs, and two of these, and what is done with each width.
 #[derive(Debug)]
 pub(crate) struct PackedSet {
     /// The lower number of one and the lower one of another.
@@ -38,9 +38,25 @@ pub(crate) struct PackedSet {
     pub(crate) one: Packed,
     pub(crate) two: Packed,
     pub(crate) four: Packed,
+    pub(crate) eight: Option<Eight>,
 }
 
-/// What is done with a register of one, two or four numbers.
+/// What is done with eight numbers, where registers hold so many.
+#[derive(Debug)]
+pub(crate) struct Eight {
+    /// Four numbers above four others.
+    pub(crate) insert: Code,
+    pub(crate) packed: Packed,
+}
+
+impl PackedSet {
+    /// How many numbers the registers hold in which inner products stand side by side.
+    pub(crate) fn widest(&self) -> usize {
+        if self.eight.is_some() { 8 } else { 4 }
+    }
+}
+
+/// What is done with a register of one, two, four or eight numbers.
 #[derive(Debug)]
 pub(crate) struct Packed {
     first: Register,
@@ -139,6 +155,7 @@ static ONE: InstructionSet = InstructionSet {
             multiply_add: Code::VEX_Vfmadd231pd_ymm_ymm_ymmm256,
             exclusive_or: Code::VEX_Vxorpd_ymm_ymm_ymmm256,
         },
+        eight: None,
     }),
 };
 
@@ -188,6 +205,18 @@ static ONE_OF_32: InstructionSet = InstructionSet {
             multiply_add: Code::EVEX_Vfmadd231pd_ymm_k1z_ymm_ymmm256b64,
             exclusive_or: Code::EVEX_Vxorpd_ymm_k1z_ymm_ymmm256b64,
         },
+        eight: Some(Eight {
+            insert: Code::EVEX_Vinsertf64x4_zmm_k1z_zmm_ymmm256_imm8,
+            packed: Packed {
+                first: Register::ZMM0,
+                load: Code::EVEX_Vmovupd_zmm_k1z_zmmm512,
+                store: Code::EVEX_Vmovupd_zmmm512_k1z_zmm,
+                broadcast: Code::EVEX_Vbroadcastsd_zmm_k1z_xmmm64,
+                add: Code::EVEX_Vaddpd_zmm_k1z_zmm_zmmm512b64_er,
+                multiply_add: Code::EVEX_Vfmadd231pd_zmm_k1z_zmm_zmmm512b64_er,
+                exclusive_or: Code::EVEX_Vxorpd_zmm_k1z_zmm_zmmm512b64,
+            },
+        }),
     }),
 };
 

@@ -29,7 +29,7 @@ impl Windows {
 
     /// How far behind the first byte of the scratch its register points.
     fn middle_of_scratch(&self) -> usize {
-        const LONGEST_PACK: usize = 32;
+        const LONGEST_PACK: usize = 64;
         if self.half == 0 { 0 } else { LEAST * LONGEST_PACK }
     }
 

@@ -10,11 +10,15 @@ pub(crate) fn columns(argument: &'static str, text: &str, model: &Model) -> Resu
     let mut formulas: Vec<(&str, Expression)> = vec![];
     for item in at_commas(text) {
         let (name, formula) = item.split_once('=').unwrap_or((item, item));
-        let formula = formula.trim().parse().map_err(|error| usage(format!("{}: {error}", name.trim())))?;
-        formulas.push((name.trim(), formula));
-    }
-    if let Some((name, _)) = formulas.iter().find(|(name, _)| name.is_empty()) {
-        return Err(usage(format!("`{name}` is no name: give NAME = FORMULA, such as energy = x'^2/2")));
+        let (name, formula) = (name.trim(), formula.trim());
+        if name.is_empty() || formula.is_empty() {
+            let given = item.trim();
+            return Err(usage(format!(
+                "`{given}` is no formula: give NAME = FORMULA, such as energy = x'^2/2"
+            )));
+        }
+        let formula = formula.parse().map_err(|error| usage(format!("{name}: {error}")))?;
+        formulas.push((name, formula));
     }
     Observables::new(model, &formulas).map_err(|error| usage(error.to_string()))
 }

@@ -1,4 +1,4 @@
-//! Inner products of plain numbers, up to four side by side in a register.
+//! Inner products of plain numbers, up to eight side by side in a register.
 //!
 //! What they read stands row by row in memory. So that a register can be loaded at once, numbers of several rows are put beside each
 //! other in the scratch when an inner product reads them first; most inner products read, of each row, one more than those before.
@@ -30,10 +30,11 @@ impl Packs {
         self.numbers
     }
 
-    /// Room for one more register.
-    fn room(&mut self) -> usize {
-        self.numbers += WIDEST;
-        self.numbers - WIDEST
+    /// Room for one more register of so many numbers, at a multiple of its size.
+    fn room(&mut self, lanes: usize) -> usize {
+        let first = self.numbers.next_multiple_of(lanes);
+        self.numbers = first + lanes;
+        first
     }
 }
 
@@ -56,10 +57,11 @@ impl Rows {
                 _ => [0; 2],
             });
         let first = [rows.map(|[a, _]| a), rows.map(|[_, b]| b)];
-        let (lanes, packed) = match group.members.len() {
-            1 => (1, &set.one),
-            2 => (2, &set.two),
-            _ => (WIDEST, &set.four),
+        let (lanes, packed) = match (group.members.len(), &set.eight) {
+            (1, _) => (1, &set.one),
+            (2, _) => (2, &set.two),
+            (5.., Some(eight)) => (8, &eight.packed),
+            _ => (4, &set.four),
         };
         Self { first, count: group.count, lanes, packed, set }
     }
@@ -70,8 +72,8 @@ impl Rows {
     }
 }
 
-/// The number of a register's upper half before it is put there.
-const UPPER: usize = usize::MAX / 2;
+/// The numbers of the upper quarter or half of a register before they are put there.
+const UPPER: [usize; 2] = [usize::MAX / 2, usize::MAX / 2 - 1];
 
 /// A sum or a factor while a group is written, as a value that no step has.
 fn temporary(line: &StraightLine, number: usize) -> usize {
@@ -167,20 +169,36 @@ impl Assembler<'_> {
     /// Puts the numbers of a factor beside each other, in a register and in the scratch.
     fn pack(&mut self, rows: &Rows, factor: usize, to: Register) -> Result<(), NoCode> {
         let places = rows.places(factor);
-        let low = self.packed_register(&rows.set.two, temporary(self.line, factor))?;
-        self.pair(rows.set, [places[0], places[1]], low)?;
-        if rows.lanes > 2 {
-            let upper = temporary(self.line, UPPER);
-            self.take(upper, &[])?;
-            let high = self.packed_register(&rows.set.two, upper)?;
-            self.pair(rows.set, [places[2], places[3]], high)?;
-            self.encode(Instruction::with4(rows.set.insert, to, to, high, 1))?;
-            self.registers.free(upper);
+        let (low, upper) = places.split_at(4);
+        self.beside(rows.set, &low[..rows.lanes.min(4)], temporary(self.line, factor))?;
+        if let Some(eight) = rows.set.eight.as_ref().filter(|_| rows.lanes > 4) {
+            let half = temporary(self.line, UPPER[1]);
+            self.take(half, &[])?;
+            self.beside(rows.set, upper, half)?;
+            let high = self.packed_register(&rows.set.four, half)?;
+            self.encode(Instruction::with4(eight.insert, to, to, high, 1))?;
+            self.registers.free(half);
         }
-        let first = self.packs.room();
+        let first = self.packs.room(rows.lanes);
         self.packs.at.insert((rows.lanes, places), first);
         let address = self.address(Home::Scratch(first))?;
         self.encode(Instruction::with2(rows.packed.store, address, to))
+    }
+
+    /// Two or four numbers beside each other in the register of a value.
+    fn beside(&mut self, set: &PackedSet, places: &[usize], value: usize) -> Result<(), NoCode> {
+        let low = self.packed_register(&set.two, value)?;
+        self.pair(set, [places[0], places[1]], low)?;
+        if let [_, _, third, fourth] = *places {
+            let upper = temporary(self.line, UPPER[0]);
+            self.take(upper, &[])?;
+            let (to, high) =
+                (self.packed_register(&set.four, value)?, self.packed_register(&set.two, upper)?);
+            self.pair(set, [third, fourth], high)?;
+            self.encode(Instruction::with4(set.insert, to, to, high, 1))?;
+            self.registers.free(upper);
+        }
+        Ok(())
     }
 
     fn pair(&mut self, set: &PackedSet, [a, b]: [usize; 2], to: Register) -> Result<(), NoCode> {
@@ -212,7 +230,7 @@ impl Assembler<'_> {
             self.registers.rename(result, only);
             return Ok(());
         }
-        let first = self.packs.room();
+        let first = self.packs.room(rows.lanes);
         let (address, from) =
             (self.address(Home::Scratch(first))?, self.packed_register(rows.packed, result)?);
         self.encode(Instruction::with2(rows.packed.store, address, from))?;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use libration_jit::{MultiplyAdd, inner_product};
 
-use super::lanewise::{convolution, lanes};
+use super::lanewise::{Rounded, any, convolution, lanes};
 use super::{Doubles, Function, Rational, Ring};
 use crate::elementary::{LARGEST_ANGLE, sin_cos};
 
@@ -112,7 +112,7 @@ impl<const N: usize> Ring for Lanes<N> {
 
     #[inline(always)]
     fn convolution(&self, a: &[[f64; N]], b: &[[f64; N]]) -> [f64; N] {
-        convolution(self, a, b, |a, b| inner_product(self, a, b))
+        convolution(self, a, b)
     }
 }
 
@@ -124,12 +124,19 @@ pub(crate) fn sin_cos_in_lanes<const N: usize>(at: &[f64; N]) -> [[f64; N]; 2] {
         (both[0][lane], both[1][lane]) = sin_cos(at[lane]);
     }
     let is_large = |x: f64| !matches!(x.abs().partial_cmp(&LARGEST_ANGLE), Some(Ordering::Less));
-    if at.iter().any(|x| is_large(*x)) {
+    if any(at, is_large) {
         for lane in (0..N).filter(|lane| is_large(at[*lane])) {
             (both[0][lane], both[1][lane]) = (libm::sin(at[lane]), libm::cos(at[lane]));
         }
     }
     both
+}
+
+impl<const N: usize> Rounded<[f64; N]> for Lanes<N> {
+    #[inline(always)]
+    fn inner_product(&self, a: &[[f64; N]], b: &[[f64; N]]) -> [f64; N] {
+        inner_product(self, a, b)
+    }
 }
 
 impl<const N: usize> MultiplyAdd for Lanes<N> {

@@ -52,7 +52,7 @@ pub(crate) use function::{Divisor, Domain, Growth, Pair, Parity, Rule, Slope};
 pub(crate) use harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing};
 pub(crate) use integer_polynomial::product;
 pub(crate) use lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes};
-pub(crate) use lanewise::{convolution, lanes};
+pub(crate) use lanewise::{Rounded, any, convolution, integral, lanes, quotient, square};
 pub use laurent::{LaurentPolynomial, LaurentPolynomials, LetterPower};
 pub(crate) use pi_powers::{PiPolynomial, PiPowers};
 pub use pi_sum::PiSum;

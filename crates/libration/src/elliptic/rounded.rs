@@ -313,17 +313,6 @@ mod tests {
         let complementary = if nearer.above { p } else { word(1.0) - p }.sqrt();
         let [k, e] = exact(&complementary);
         let (a, b) = (error(first(nearer), &k), error(second(nearer), &e));
-        if a > 0.555 || b > 0.555 {
-            eprintln!(
-                "{:e} {} {a} {b} {} {} {} {}",
-                nearer.plain_smaller().hi,
-                nearer.above,
-                first(nearer),
-                k.to_f64(),
-                second(nearer),
-                e.to_f64()
-            );
-        }
         a.max(b)
     }
 

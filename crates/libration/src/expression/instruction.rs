@@ -7,6 +7,10 @@ use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };
 
+/// From this order on quotients are made products with a reciprocal, where there is one. Its rounding is the same at all orders; below,
+/// it would be felt.
+const RECIPROCAL_FROM: usize = 8;
+
 /// How a zeroth coefficient comes about from those in the rows P, with exponents X.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value<P, X> {
@@ -51,15 +55,19 @@ pub(crate) enum Instruction<P, X> {
         b: P,
         out: P,
     },
+    Square {
+        a: P,
+        out: P,
+    },
     /// A divisor that does not depend on the variable.
     Unscale {
         a: P,
-        divisor: P,
+        divisor: Divisor<P>,
         out: P,
     },
     Divide {
         a: P,
-        b: P,
+        b: Divisor<P>,
         out: P,
     },
     Power {
@@ -68,12 +76,12 @@ pub(crate) enum Instruction<P, X> {
         out: Weighted<P>,
     },
     Exp {
-        a: P,
+        a: Weighted<P>,
         out: P,
     },
     /// The derivative is `other`, with a sign, times that of a series of this degree.
     Paired {
-        a: P,
+        a: Weighted<P>,
         degree: usize,
         other: P,
         slope: Slope,
@@ -108,6 +116,13 @@ pub(crate) struct Weighted<P> {
     pub(crate) weighted: P,
 }
 
+/// A row, and one whose first coefficient is the reciprocal of its first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Divisor<P> {
+    pub(crate) plain: P,
+    pub(crate) reciprocal: Option<P>,
+}
+
 /// Where series are kept, and what is special to it.
 pub(crate) trait Evaluator<P, X> {
     type Ring: Ring;
@@ -122,6 +137,32 @@ pub(crate) trait Evaluator<P, X> {
     ) -> Option<<Self::Ring as Ring>::Element>;
     /// Whether a power of what begins with zero has no coefficient n yet.
     fn begins_beyond(&self, exponent: &X, n: usize) -> bool;
+    /// The last coefficient of the square of a₀ … aₙ.
+    #[inline(always)]
+    fn square(&self, a: &[<Self::Ring as Ring>::Element]) -> <Self::Ring as Ring>::Element {
+        self.ring().convolution(a, a)
+    }
+    /// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁, b₀ … bₙ and, where it is at hand, the reciprocal of b₀.
+    #[inline(always)]
+    fn quotient(
+        &self,
+        a_n: &<Self::Ring as Ring>::Element,
+        c: &[<Self::Ring as Ring>::Element],
+        b: &[<Self::Ring as Ring>::Element],
+        _: Option<&<Self::Ring as Ring>::Element>,
+    ) -> Option<<Self::Ring as Ring>::Element> {
+        quotient(self.ring(), a_n, c, b)
+    }
+    /// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁.
+    #[inline(always)]
+    fn integral(
+        &self,
+        _: &<Self::Ring as Ring>::Element,
+        weighted_a: &[<Self::Ring as Ring>::Element],
+        b: &[<Self::Ring as Ring>::Element],
+    ) -> Option<<Self::Ring as Ring>::Element> {
+        over_integer(self.ring(), &weighted_integral(self.ring(), weighted_a, b), b.len())
+    }
     /// A quotient by the base of a power; where that is zero, zero if the power begins later.
     fn over_base(
         &self,
@@ -129,6 +170,11 @@ pub(crate) trait Evaluator<P, X> {
         base: &<Self::Ring as Ring>::Element,
         begins_later: bool,
     ) -> Option<<Self::Ring as Ring>::Element>;
+}
+
+#[inline(always)]
+fn over_integer<R: Ring>(ring: &R, a: &R::Element, n: usize) -> Option<R::Element> {
+    ring.over_integer(a, u64::try_from(n).unwrap_or(u64::MAX))
 }
 
 impl<P: Copy, X> Value<P, X> {
@@ -178,6 +224,7 @@ impl<P: Copy, X> Instruction<P, X> {
         operation: &'a Operation,
         place: usize,
         rows: impl Fn(usize) -> Weighted<P>,
+        divisor: impl Fn(usize) -> Divisor<P>,
         degree: impl Fn(usize) -> usize,
         exponent: impl Fn(&'a Rational) -> X,
     ) -> Option<Self> {
@@ -191,15 +238,16 @@ impl<P: Copy, X> Instruction<P, X> {
             Operation::Subtract(a, b) => Self::Subtract { a: at(a), b: at(b), out },
             Operation::Multiply(a, b) if constant(a) => Self::Scale { factor: at(a), a: at(b), out },
             Operation::Multiply(a, b) if constant(b) => Self::Scale { factor: at(b), a: at(a), out },
+            Operation::Multiply(a, b) if a == b => Self::Square { a: at(a), out },
             Operation::Multiply(a, b) => Self::Multiply { a: at(a), b: at(b), out },
-            Operation::Divide(a, b) if constant(b) => Self::Unscale { a: at(a), divisor: at(b), out },
-            Operation::Divide(a, b) => Self::Divide { a: at(a), b: at(b), out },
+            Operation::Divide(a, b) if constant(b) => Self::Unscale { a: at(a), divisor: divisor(b), out },
+            Operation::Divide(a, b) => Self::Divide { a: at(a), b: divisor(b), out },
             Operation::Power(a, ref power) => {
                 Self::Power { exponent: exponent(power), a: rows(a), out: rows(place) }
             }
-            Operation::Exp(a) => Self::Exp { a: weighted(a), out },
+            Operation::Exp(a) => Self::Exp { a: rows(a), out },
             Operation::Paired { of, other, slope, .. } => {
-                Self::Paired { a: weighted(of), degree: degree(of), other: at(other), slope, out }
+                Self::Paired { a: rows(of), degree: degree(of), other: at(other), slope, out }
             }
             Operation::Tangent { function, of } => {
                 let circular = matches!(function.rule(), Rule::Quotient(Pair { slope: Slope::Minus, .. }));
@@ -228,7 +276,8 @@ impl<P: Copy, X> Instruction<P, X> {
         let before = |row: P| &on.row(row)[..n];
         let through = |row: P| &on.row(row)[..=n];
         let behind = |row: P| &on.row(row)[1..=n];
-        let over_n = |weighted| ring.over_integer(&weighted, u64::try_from(n).unwrap_or(u64::MAX));
+        let over_n = |weighted| over_integer(ring, &weighted, n);
+        let reciprocal = |of: Divisor<P>| of.reciprocal.filter(|_| n >= RECIPROCAL_FROM).map(first);
         let signed = |slope: Slope, value| if slope == Slope::Plus { value } else { ring.negate(&value) };
         Some(match *self {
             Self::Weight { a, out } => (out, ring.times_integer(at(a), i64::try_from(n).unwrap_or(i64::MAX))),
@@ -237,8 +286,14 @@ impl<P: Copy, X> Instruction<P, X> {
             Self::Subtract { a, b, out } => (out, ring.subtract(at(a), at(b))),
             Self::Scale { factor, a, out } => (out, ring.multiply(first(factor), at(a))),
             Self::Multiply { a, b, out } => (out, ring.convolution(through(a), through(b))),
-            Self::Unscale { a, divisor, out } => (out, ring.divide(at(a), first(divisor))?),
-            Self::Divide { a, b, out } => (out, quotient(ring, at(a), before(out), through(b))?),
+            Self::Square { a, out } => (out, on.square(through(a))),
+            Self::Unscale { a, divisor, out } => match reciprocal(divisor) {
+                Some(reciprocal) => (out, ring.multiply(at(a), reciprocal)),
+                None => (out, ring.divide(at(a), first(divisor.plain))?),
+            },
+            Self::Divide { a, b, out } => {
+                (out, on.quotient(at(a), before(out), through(b.plain), reciprocal(b))?)
+            }
             Self::Power { ref exponent, a, out } => {
                 let own = Both { plain: before(out.plain), weighted: before(out.weighted) };
                 let of = Both { plain: through(a.plain), weighted: through(a.weighted) };
@@ -246,11 +301,13 @@ impl<P: Copy, X> Instruction<P, X> {
                 let later = on.begins_beyond(exponent, n);
                 (out.plain, over_n(on.over_base(&value, first(a.plain), later)?)?)
             }
-            Self::Exp { a, out } => (out, over_n(weighted_integral(ring, behind(a), before(out)))?),
-            Self::Paired { a, degree, other, slope, out } => {
-                let terms = degree.min(n);
-                let value = weighted_integral(ring, &on.row(a)[1..=terms], &on.row(other)[n - terms..n]);
-                (out, over_n(signed(slope, value))?)
+            Self::Exp { a, out } => (out, on.integral(at(a.plain), behind(a.weighted), before(out))?),
+            Self::Paired { a, degree, other, slope, out } if degree < n => {
+                let (weighted, other) = (&on.row(a.weighted)[1..=degree], &on.row(other)[n - degree..n]);
+                (out, over_n(signed(slope, weighted_integral(ring, weighted, other)))?)
+            }
+            Self::Paired { a, other, slope, out, .. } => {
+                (out, signed(slope, on.integral(at(a.plain), behind(a.weighted), before(other))?))
             }
             Self::Tangent { slope, a, square, out } => {
                 let driven = weighted_integral(ring, behind(a), before(square));

@@ -81,7 +81,7 @@ impl Tape {
 
     /// The places that an operation reads.
     pub(crate) fn operands(&self, place: usize) -> Vec<usize> {
-        operands(&self.operations[place])
+        self.operations[place].operands().collect()
     }
 
     pub(crate) fn inputs(&self) -> usize {
@@ -97,22 +97,25 @@ impl Tape {
     }
 }
 
-/// The places an operation reads.
-fn operands(operation: &Operation) -> Vec<usize> {
-    match *operation {
-        Operation::Input(_) | Operation::Number(_) | Operation::Pi => vec![],
-        Operation::Negate(a)
-        | Operation::Power(a, _)
-        | Operation::Exp(a)
-        | Operation::Abs(a)
-        | Operation::Sign(a)
-        | Operation::Tangent { of: a, .. }
-        | Operation::Paired { of: a, .. } => vec![a],
-        Operation::Add(a, b)
-        | Operation::Subtract(a, b)
-        | Operation::Multiply(a, b)
-        | Operation::Divide(a, b)
-        | Operation::Inverse { of: a, divisor: b, .. } => vec![a, b],
+impl Operation {
+    /// The places that it reads.
+    pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
+        let operands = match *self {
+            Self::Input(_) | Self::Number(_) | Self::Pi => [None; 2],
+            Self::Negate(a)
+            | Self::Power(a, _)
+            | Self::Exp(a)
+            | Self::Abs(a)
+            | Self::Sign(a)
+            | Self::Tangent { of: a, .. }
+            | Self::Paired { of: a, .. } => [Some(a), None],
+            Self::Add(a, b)
+            | Self::Subtract(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Inverse { of: a, divisor: b, .. } => [Some(a), Some(b)],
+        };
+        operands.into_iter().flatten()
     }
 }
 
@@ -120,7 +123,7 @@ fn constant_places(operations: &[Operation]) -> Vec<bool> {
     let mut constant: Vec<bool> = vec![];
     for operation in operations {
         let input = matches!(operation, Operation::Input(_));
-        constant.push(!input && operands(operation).iter().all(|&place| constant[place]));
+        constant.push(!input && operation.operands().all(|place| constant[place]));
     }
     constant
 }

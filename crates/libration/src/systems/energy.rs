@@ -5,7 +5,7 @@ use super::line_integral::work;
 use crate::algebra::Doubles;
 use crate::double_double::DoubleDouble;
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
-use crate::taylor::{Moment, StateLayout};
+use crate::taylor::{Moment, StateLayout, larger_or_nan};
 
 /// The conserved energy of a system.
 ///
@@ -153,8 +153,14 @@ impl EnergyBalance<'_> {
         };
         let account = &mut self.account;
         account.last.clone_from(&moment.state);
-        account.largest_change = larger(account.largest_change, change.abs());
-        account.largest_kinetic = larger(account.largest_kinetic, kinetic);
+        account.largest_change = larger_or_nan(account.largest_change, change.abs());
+        account.largest_kinetic = larger_or_nan(account.largest_kinetic, kinetic);
+    }
+
+    /// Takes down what follows from the start again, as in a motion that goes both ways.
+    pub fn return_to_start(&mut self) {
+        self.account.last.clone_from(&self.account.start);
+        self.account.potential = [0.0; 2];
     }
 
     /// What is known so far.
@@ -240,9 +246,4 @@ fn masses(equation: &Equation) -> Option<Vec<Expression>> {
     let inertias = equation.inertias();
     let positive = |mass: &Expression| mass.to_f64().is_some_and(|mass| mass > 0.0 && mass.is_finite());
     inertias.iter().all(positive).then_some(inertias)
-}
-
-/// The larger number; NaN if one is.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b <= a { a } else { b }
 }

@@ -8,7 +8,7 @@ use libration_jit::Scratch;
 use super::ends::Ends;
 use super::step::{elapsed, grown, higher};
 use super::{StateLayout, Step};
-use crate::algebra::lanes;
+use crate::algebra::any;
 use crate::double_double::DoubleDouble;
 
 /// One series of a block, by its first coefficient in memory.
@@ -45,6 +45,13 @@ pub(super) struct Block<const N: usize> {
     layout: Arc<StateLayout>,
     /// How many coefficients each row has.
     terms: usize,
+}
+
+/// The lengths of steps in units of their time, and what these lack in the unit of the equations.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lengths<const N: usize> {
+    pub(super) units: [f64; N],
+    remainders: [f64; N],
 }
 
 impl<const N: usize> Index<Row> for Block<N> {
@@ -118,27 +125,35 @@ impl<const N: usize> Block<N> {
         self.place(number, lane, 0.0, 0.0);
     }
 
-    /// One number of the state at the ends of the steps.
+    /// How long the steps are.
     #[inline(always)]
-    pub(super) fn ends(&self, number: usize) -> Ends<N> {
+    pub(super) fn lengths(&self) -> Lengths<N> {
+        let [mut units, mut remainders] = [[0.0; N]; 2];
+        for lane in 0..N {
+            (units[lane], remainders[lane]) = elapsed(self.start[lane], self.end[lane]);
+            units[lane] /= self.unit[lane];
+        }
+        Lengths { units, remainders }
+    }
+
+    /// One number of the state at the ends of the steps, the lengths of which these are.
+    #[inline(always)]
+    pub(super) fn ends(&self, number: usize, Lengths { units, remainders }: &Lengths<N>) -> Ends<N> {
         let series = self.series(number);
         let slope_low = self.layout.velocity(number).map_or([0.0; N], |velocity| self.low[velocity]);
-        let mut times = [(0.0, 0.0); N];
-        for (lane, (units, remainder)) in times.iter_mut().enumerate() {
-            (*units, *remainder) = elapsed(self.start[lane], self.end[lane]);
-            *units /= self.unit[lane];
-        }
-        let higher = higher(self.terms, |n| series[n], &lanes(|lane| times[lane].0));
+        let higher = higher(self.terms, |n| series[n], units);
         let mut ends = Ends { high: [0.0; N], low: [0.0; N] };
         for lane in 0..N {
             let base = DoubleDouble::new(series[0][lane], self.low[number][lane]);
             let end =
-                grown(base, series[1][lane], slope_low[lane] * self.unit[lane], higher[lane], times[lane].0);
+                grown(base, series[1][lane], slope_low[lane] * self.unit[lane], higher[lane], units[lane]);
             (ends.high[lane], ends.low[lane]) = (end.hi, end.lo);
         }
-        for lane in (0..N).filter(|&lane| times[lane].1 != 0.0) {
-            let end = self.step(lane).component_at(number, self.end[lane]);
-            (ends.high[lane], ends.low[lane]) = (end.hi, end.lo);
+        if any(remainders, |remainder| remainder != 0.0) {
+            for lane in (0..N).filter(|&lane| remainders[lane] != 0.0) {
+                let end = self.step(lane).component_at(number, self.end[lane]);
+                (ends.high[lane], ends.low[lane]) = (end.hi, end.lo);
+            }
         }
         ends
     }

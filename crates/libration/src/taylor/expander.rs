@@ -10,7 +10,7 @@ use super::boundary::{Boundary, Forbidden, boundaries};
 use super::machine_code::MachineCode;
 use super::program::Program;
 use super::steep::{Steep, steep_places};
-use crate::algebra::Ring;
+use crate::algebra::{Ring, prepared_reciprocal};
 use crate::dispatch::{Kernel, dispatch_lanes};
 use crate::expression::Evaluator;
 
@@ -48,7 +48,9 @@ impl<'a> Expander<'a> {
             None => 0,
         });
         let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
-        let program = Program::new(system.tape(), &degrees, order + 1);
+        let last: Vec<bool> =
+            (0..system.layout().numbers()).map(|number| system.layout().driving(number).is_some()).collect();
+        let program = Program::new(system.tape(), &degrees, &last, order + 1);
         let formulas = system.coordinates() + system.moduli();
         let first_sign = degrees.len() - system.moduli();
         let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
@@ -154,11 +156,16 @@ impl<'a> Expander<'a> {
         let time = block.row(block.numbers());
         block[time][0] = block.start;
         block[time][1] = block.unit;
-        let rest = surroundings.parameters.iter().chain(&surroundings.signs);
-        for (number, values) in (block.numbers() + 1..).zip(rest) {
+        let first = block.numbers() + 1;
+        for (number, value) in (first..).zip(&surroundings.parameters) {
+            let row = block.row(number);
+            block[row][0] = *value;
+        }
+        // The series of signs are something else while a velocity sticks.
+        for (number, sign) in (first + surroundings.parameters.len()..).zip(&surroundings.signs) {
             let row = block.row(number);
             block[row].fill([0.0; N]);
-            block[row][0] = *values;
+            block[row][0] = *sign;
         }
     }
 }
@@ -213,8 +220,12 @@ pub(super) fn rate<X, E: Evaluator<Row, X>>(
     unit: &<E::Ring as Ring>::Element,
     n: usize,
 ) -> Option<<E::Ring as Ring>::Element> {
-    let change = on.ring().multiply(&on.row(of)[n - 1], unit);
-    on.ring().over_integer(&change, u64::try_from(n).unwrap_or(u64::MAX))
+    let (ring, order, before) = (on.ring(), u64::try_from(n).unwrap_or(u64::MAX), &on.row(of)[n - 1]);
+    match prepared_reciprocal(order) {
+        // The unit is a power of two, so that this is the same product, but one that waits for nothing else.
+        Some(_) => Some(ring.multiply(before, &ring.over_integer(unit, order)?)),
+        None => ring.over_integer(&ring.multiply(before, unit), order),
+    }
 }
 
 impl Expander<'_> {

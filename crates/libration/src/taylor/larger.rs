@@ -8,6 +8,6 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
 
 /// NaN where one of them is.
 #[inline(always)]
-pub(super) fn larger_or_nan(largest: f64, part: f64) -> f64 {
+pub(crate) fn larger_or_nan(largest: f64, part: f64) -> f64 {
     if part <= largest || largest.is_nan() { largest } else { part }
 }

@@ -1,11 +1,11 @@
 //! How far the next steps may go: as far as the series converge, the formulas last and the equations of motion confirm them.
 
 use super::Cause;
-use super::block::Row;
+use super::ends::Ends;
 use super::larger::larger_or_nan;
 use super::step_length::{log2_time_scale, step_lengths};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
-use crate::algebra::lanes;
+use crate::algebra::{any, lanes};
 use crate::dispatch::{Kernel, dispatch_lanes};
 use crate::elementary::rough::exp2;
 
@@ -25,6 +25,13 @@ impl<const N: usize> Stepper<'_, N> {
             dispatch_lanes::<N, _>(StepEnds { stepper: self });
         }
         self.pass(&mut outcomes, &goal_bound);
+        let is_finite = |ends: &Ends<N>| {
+            let ends: [f64; N] = lanes(|lane| ends.high[lane] + ends.low[lane]);
+            !any(&ends, |end| !end.is_finite())
+        };
+        if self.next.iter().all(is_finite) && outcomes.iter().all(Result::is_ok) {
+            return outcomes;
+        }
         let finite =
             |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
         let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
@@ -215,7 +222,6 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
         let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
         let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
         let events = (0..expander.system.events().len()).map(|event| expander.event(event));
-        let others: Vec<Row> = signs.chain(events).collect();
-        step_lengths(block, &others, allowances, effort.absolute, *log2_part_of_radius)
+        step_lengths(block, signs.chain(events), allowances, effort.absolute, *log2_part_of_radius)
     }
 }

@@ -96,4 +96,5 @@ pub use tangent::{with_sensitivities, with_tangents};
 pub use tolerances::ToleranceError;
 pub use trajectory::Trajectory;
 
+pub(crate) use larger::larger_or_nan;
 pub(crate) use state_names::named_state;

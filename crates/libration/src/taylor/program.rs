@@ -3,10 +3,12 @@
 //! A `Jet` asks at every order what is constant, weighted or linear in the time. Integrations go through the tape millions
 //! of times, so here that is asked once.
 
+use std::collections::HashMap;
+
 use super::block::{Block, Row};
-use crate::algebra::{Function, Lanes, Rational, lanes, sin_cos_in_lanes};
+use crate::algebra::{Function, Lanes, Rational, integral, lanes, quotient, sin_cos_in_lanes, square};
 use crate::elementary::count;
-use crate::expression::{Evaluator, Instruction, Operation, Tape, Value, Weighted};
+use crate::expression::{Divisor, Evaluator, Instruction, Operation, Tape, Value, Weighted};
 
 /// Instructions for the coefficients of the formulas on a tape.
 #[derive(Clone, Debug)]
@@ -32,6 +34,7 @@ pub(super) struct Program {
 enum Zeroth {
     One { out: Row, value: Value<Row, f64> },
     SineAndCosine { of: Row, sine: Row, cosine: Row },
+    Reciprocal { of: Row, out: Row },
 }
 
 /// The degree in the time of what is not known to be a polynomial.
@@ -39,8 +42,8 @@ const ENDLESS: usize = usize::MAX;
 
 impl Program {
     /// The program of a tape, the inputs of which have these degrees in the time, for so many coefficients. Inputs come first
-    /// in the block.
-    pub(super) fn new(tape: &Tape, degrees: &[usize], terms: usize) -> Self {
+    /// in the block; some of them are known last.
+    pub(super) fn new(tape: &Tape, degrees: &[usize], last: &[bool], terms: usize) -> Self {
         let program = Self {
             constants: vec![],
             values: vec![],
@@ -51,7 +54,17 @@ impl Program {
             rows: tape.inputs(),
         };
         let (places, input_degrees) = (vec![], degrees);
-        let mut writer = Writer { tape, terms, program, places, degrees: vec![], input_degrees };
+        let mut writer = Writer {
+            tape,
+            terms,
+            program,
+            places,
+            degrees: vec![],
+            delays: vec![],
+            last,
+            reciprocals: HashMap::new(),
+            input_degrees,
+        };
         for place in 0..tape.operations().len() {
             writer.write(place);
         }
@@ -69,6 +82,9 @@ impl Program {
                 Zeroth::SineAndCosine { of, sine, cosine } => {
                     [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
                 }
+                Zeroth::Reciprocal { of, out } => {
+                    block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
+                }
             }
         }
     }
@@ -77,7 +93,7 @@ impl Program {
     pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
         for zeroth in &self.values {
             match *zeroth {
-                Zeroth::One { out, .. } => block[out][0] = other[out][0],
+                Zeroth::One { out, .. } | Zeroth::Reciprocal { out, .. } => block[out][0] = other[out][0],
                 Zeroth::SineAndCosine { sine, cosine, .. } => {
                     [block[sine][0], block[cosine][0]] = [other[sine][0], other[cosine][0]];
                 }
@@ -133,6 +149,27 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
     }
 
     #[inline(always)]
+    fn square(&self, a: &[[f64; N]]) -> [f64; N] {
+        square(&Lanes, a)
+    }
+
+    #[inline(always)]
+    fn quotient(
+        &self,
+        a_n: &[f64; N],
+        c: &[[f64; N]],
+        b: &[[f64; N]],
+        reciprocal: Option<&[f64; N]>,
+    ) -> Option<[f64; N]> {
+        quotient(&Lanes, *a_n, c, b, reciprocal)
+    }
+
+    #[inline(always)]
+    fn integral(&self, a_n: &[f64; N], weighted_a: &[[f64; N]], b: &[[f64; N]]) -> Option<[f64; N]> {
+        integral(&Lanes, *a_n, weighted_a, b)
+    }
+
+    #[inline(always)]
     fn begins_beyond(&self, exponent: &f64, n: usize) -> bool {
         begins_beyond(*exponent, n)
     }
@@ -165,7 +202,13 @@ struct Writer<'a> {
     places: Vec<Weighted<Row>>,
     /// Their degrees in the time.
     degrees: Vec<usize>,
+    /// How many operations lie between what is known first at an order and the results.
+    delays: Vec<usize>,
+    /// Of the first coefficients of divisors.
+    reciprocals: HashMap<usize, Row>,
     input_degrees: &'a [usize],
+    /// Which inputs are known an order later than others.
+    last: &'a [bool],
 }
 
 impl Writer<'_> {
@@ -185,14 +228,37 @@ impl Writer<'_> {
         let plain =
             if let Operation::Input(number) = *operation { Row::new(number, self.terms) } else { self.row() };
         let weighted = if self.tape.is_weighted(place) { self.row() } else { plain };
+        self.prepare_divisor(operation, degree);
         self.places.push(Weighted { plain, weighted });
         self.degrees.push(degree);
+        self.delays.push(self.delay(operation));
         self.write_value(operation, plain);
         if degree > 0 {
             let instruction = self.instruction(operation, place);
             let weight = (weighted != plain).then_some(Instruction::Weight { a: plain, out: weighted });
             let list = if degree == 1 { &mut self.program.linear } else { &mut self.program.nonlinear };
             list.extend(instruction.into_iter().chain(weight));
+        }
+    }
+
+    fn delay(&self, operation: &Operation) -> usize {
+        /// More than there are operations between two orders.
+        const ORDER: usize = 1000;
+        match *operation {
+            Operation::Input(number) if self.last.get(number) == Some(&true) => ORDER,
+            _ => operation.operands().map(|place| self.delays[place] + 1).max().unwrap_or(0),
+        }
+    }
+
+    /// Further coefficients of a quotient are products with the reciprocal of the divisor's first.
+    fn prepare_divisor(&mut self, operation: &Operation, degree: usize) {
+        if let Operation::Divide(_, divisor) = *operation
+            && degree > 0
+            && !self.reciprocals.contains_key(&divisor)
+        {
+            let (of, out) = (self.places[divisor].plain, self.row());
+            self.program.values.push(Zeroth::Reciprocal { of, out });
+            self.reciprocals.insert(divisor, out);
         }
     }
 
@@ -256,6 +322,16 @@ impl Writer<'_> {
         // What comes behind a place is asked for before it is written.
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
         let rows = |place: usize| self.places.get(place).copied().unwrap_or(next);
-        Instruction::new(operation, place, rows, |place| self.degrees[place], Rational::to_f64)
+        let swapped = match *operation {
+            // The newest coefficient of the first factor enters last.
+            Operation::Multiply(a, b) if self.delays[a] < self.delays[b] => Some(Operation::Multiply(b, a)),
+            _ => None,
+        };
+        let operation = swapped.as_ref().unwrap_or(operation);
+        let divisor = |place: usize| Divisor {
+            plain: self.places[place].plain,
+            reciprocal: self.reciprocals.get(&place).copied(),
+        };
+        Instruction::new(operation, place, rows, divisor, |place| self.degrees[place], Rational::to_f64)
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::StateLayout;
-use crate::algebra::lanes;
+use crate::algebra::{any, lanes};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
 
@@ -118,8 +118,8 @@ pub(super) fn higher<const N: usize>(
     /// Its square does not overflow: where terms vanish, steps may be as long as there are times.
     const LARGE: f64 = 1e150;
     let mut sum = even_and_odd(terms, &coefficient, h);
-    for lane in 0..N {
-        if h[lane].abs() > LARGE {
+    if any(h, |h| h.abs() > LARGE) {
+        for lane in (0..N).filter(|&lane| h[lane].abs() > LARGE) {
             sum[lane] = (2..terms).rev().fold(0.0, |sum, n| (sum + coefficient(n)[lane]) * h[lane]);
         }
     }

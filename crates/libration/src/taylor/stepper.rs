@@ -169,8 +169,9 @@ impl<const N: usize> Kernel for StepEnds<'_, '_, N> {
     #[inline(always)]
     fn run(self) {
         let Stepper { block, next, .. } = self.stepper;
+        let lengths = block.lengths();
         for (number, next) in next.iter_mut().enumerate() {
-            *next = block.ends(number);
+            *next = block.ends(number, &lengths);
         }
     }
 }

@@ -8,7 +8,9 @@ use libration_jit::{Arithmetic, MultiplyAdd, StraightLine, inner_product};
 use super::block::Row;
 use super::expander::{Expander, rate};
 use super::program::begins_beyond;
-use crate::algebra::{Function, Rational, Ring, convolution, prepared_reciprocal};
+use crate::algebra::{
+    Function, Rational, Ring, Rounded, convolution, integral, prepared_reciprocal, quotient, square,
+};
 use crate::expression::Evaluator;
 
 impl Expander<'_> {
@@ -46,6 +48,8 @@ struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
     /// Where values are.
     places: RefCell<HashMap<Recorded, usize>>,
+    /// Quotients by integers, each of which is formed once.
+    quotients: RefCell<HashMap<(Recorded, u64), Recorded>>,
 }
 
 /// The number of a step.
@@ -139,10 +143,11 @@ impl Ring for Recorder {
 
     #[expect(clippy::cast_precision_loss, reason = "as in lanes")]
     fn over_integer(&self, a: &Recorded, divisor: u64) -> Option<Recorded> {
-        Some(match prepared_reciprocal(divisor) {
+        let form = || match prepared_reciprocal(divisor) {
             Some(reciprocal) => self.multiply(a, &self.push(Arithmetic::Number(reciprocal))),
             None => self.push(Arithmetic::Divide(*a, self.push(Arithmetic::Number(divisor as f64)))),
-        })
+        };
+        Some(*self.quotients.borrow_mut().entry((*a, divisor)).or_insert_with(form))
     }
 
     fn value(&self, _: Function, _: &Recorded) -> Option<Recorded> {
@@ -158,13 +163,19 @@ impl Ring for Recorder {
     }
 
     fn convolution(&self, a: &[Recorded], b: &[Recorded]) -> Recorded {
-        convolution(self, a, b, |a, b| match (self.first_place(a), self.first_place(b)) {
+        convolution(self, a, b)
+    }
+}
+
+impl Rounded<Recorded> for Recorder {
+    fn inner_product(&self, a: &[Recorded], b: &[Recorded]) -> Recorded {
+        match (self.first_place(a), self.first_place(b)) {
             (Some(first), Some(other)) => {
                 self.push(Arithmetic::InnerProduct { a: first, b: other, count: a.len() })
             }
             _ if a.is_empty() => self.nothing(),
             _ => inner_product(self, a, b),
-        })
+        }
     }
 }
 
@@ -208,6 +219,24 @@ impl Evaluator<Row, f64> for Recording {
 
     fn power(&self, _: &Recorded, _: &f64) -> Option<Recorded> {
         None
+    }
+
+    fn square(&self, a: &[Recorded]) -> Recorded {
+        square(&self.recorder, a)
+    }
+
+    fn quotient(
+        &self,
+        a_n: &Recorded,
+        c: &[Recorded],
+        b: &[Recorded],
+        reciprocal: Option<&Recorded>,
+    ) -> Option<Recorded> {
+        quotient(&self.recorder, *a_n, c, b, reciprocal)
+    }
+
+    fn integral(&self, a_n: &Recorded, weighted_a: &[Recorded], b: &[Recorded]) -> Option<Recorded> {
+        integral(&self.recorder, *a_n, weighted_a, b)
     }
 
     fn begins_beyond(&self, exponent: &f64, n: usize) -> bool {

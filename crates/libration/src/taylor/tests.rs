@@ -18,7 +18,7 @@ fn error_of(steps: u32, order: usize) -> f64 {
     for n in 1..=steps {
         expander.expand(&mut block, &surroundings);
         block.end = [3.0 * f64::from(n) / f64::from(steps)];
-        let ends: Vec<_> = (0..2).map(|number| block.ends(number)).collect();
+        let ends: Vec<_> = (0..2).map(|number| block.ends(number, &block.lengths())).collect();
         block.begin_at_end(&ends, &[1.0]);
     }
     let state = block.step(0).state_at(3.0);

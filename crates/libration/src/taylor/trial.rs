@@ -8,7 +8,7 @@ use super::Cause;
 use super::allowance::ROUNDING;
 use super::larger::{larger, larger_or_nan};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
-use crate::algebra::lanes;
+use crate::algebra::{any, lanes};
 use crate::dispatch::{Kernel, dispatch_lanes};
 
 /// The errors that are left for: terms that are missing, 1.25³⁹·39·2⁻¹⁴ = 14 tolerances where series have the most, seven times.
@@ -28,11 +28,14 @@ impl<const N: usize> Stepper<'_, N> {
         let misfits = dispatch_lanes::<N, _>(Misfits { stepper: self });
         // The next steps begin with what was found here, unless another state is tried in the same room.
         self.ends_known = self.expander.system.moduli() == 0;
+        if self.expander.steep.is_empty() && !any(&misfits, |misfit| !self.is_confirmed(misfit)) {
+            return;
+        }
         let mut shortened = false;
         for lane in 0..N {
             let (start, end) = (self.block.start[lane], self.block.end[lane]);
             let moves = (end - start).abs() > 0.0 && outcomes[lane].is_ok() && !self.sticks(lane);
-            if !moves || (misfits[lane] <= self.bound() && !self.hides(lane, end)) {
+            if !moves || (self.is_confirmed(misfits[lane]) && !self.hides(lane, end)) {
                 continue;
             }
             self.ends_known = false;
@@ -48,6 +51,10 @@ impl<const N: usize> Stepper<'_, N> {
         if shortened {
             dispatch_lanes::<N, _>(StepEnds { stepper: self });
         }
+    }
+
+    fn is_confirmed(&self, misfit: f64) -> bool {
+        misfit <= self.bound()
     }
 
     fn bound(&self) -> f64 {
@@ -73,7 +80,7 @@ impl<const N: usize> Stepper<'_, N> {
             let hides = self.hides(lane, end);
             end = self.turn_before(lane, end);
             let trial = if hides { self.trial_inside(lane, end) } else { self.trial_at(lane, end, end) };
-            if trial.misfit <= self.bound() {
+            if self.is_confirmed(trial.misfit) {
                 return Ok(end);
             }
             trials.push(trial);

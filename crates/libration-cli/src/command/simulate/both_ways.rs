@@ -6,7 +6,7 @@ use super::resume::State;
 use super::run::{Outcome, ended};
 use crate::failure::Failure;
 use crate::interrupt;
-use libration::systems::{Energy, EnergyBalance};
+use libration::systems::Energy;
 use libration::taylor::{IntegrationError, Moment, Solution, Step, System, integrate_both_ways};
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -73,25 +73,18 @@ impl SimulatedMotion<'_> {
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> (Result<Solution, IntegrationError>, [f64; 2]) {
         let start = self.beginning();
-        let mut balances: Vec<EnergyBalance<'_>> = vec![];
+        let mut balance = energy.map(|energy| energy.balance(&self.own(&start)));
         let follow = |step: &Step<'_>| {
-            let wanted = if step.end() < step.start() { 1 } else { 2 };
-            while let Some(energy) = energy.filter(|_| balances.len() < wanted) {
-                balances.push(energy.balance(&self.own(&start)));
-            }
-            if let Some(balance) = balances.last_mut() {
+            if let Some(balance) = &mut balance {
+                if step.start() == start.time {
+                    balance.return_to_start();
+                }
                 balance.record(&self.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
             }
             watch(step)
         };
         let times: Vec<f64> = self.times.iter().collect();
         let outcome = integrate_both_ways(system, &start, &times, &self.effort(), follow);
-        let drifts = balances.iter().map(|balance| [balance.drift(), balance.drift_uncertainty()]);
-        (outcome, drifts.fold([0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])]))
+        (outcome, balance.map_or([0.0; 2], |balance| [balance.drift(), balance.drift_uncertainty()]))
     }
-}
-
-/// NaN if one is.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b <= a { a } else { b }
 }

@@ -44,9 +44,9 @@ pub enum LyapunovError {
     /// A start, or a transient, that cannot be integrated.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// Accelerations that jump.
+    /// Accelerations that jump, or have sign(…) beside something that vanishes with it.
     #[error(
-        "at the jumps of sign(…) the linearised equations fail: write x'*abs(x') for sign(x')*x'^2, and make dry friction smooth, such as tanh(100*x')"
+        "where sign(…) jumps the linearised equations do not hold: write x'*abs(x') for sign(x')*x'^2, make dry friction smooth, such as tanh(100*x'), and for abs(x')^1.5*sign(x') write x'*(x'^2 + 1e-12)^0.25"
     )]
     Jumps,
     /// Times that measure nothing.
