@@ -13,7 +13,8 @@ use crate::elementary::{LARGEST_ANGLE, sin_cos};
 pub(crate) struct Lanes<const N: usize>;
 
 /// Divisions by the orders from the first of these on and below the second are made products, which take a fifth of the
-/// time. Their second rounding is the same in every step, so that it does not average out; below, it would be felt.
+/// time. Their second rounding is the same in every step, so that it does not average out; below, it would be felt, but by powers of
+/// two, of which there is none.
 const PREPARED: std::ops::Range<usize> = 8..64;
 
 static RECIPROCALS: [f64; PREPARED.end] = reciprocals();
@@ -32,7 +33,8 @@ const fn reciprocals() -> [f64; PREPARED.end] {
 /// What a quotient by an integer is made a product with, if it is.
 #[inline(always)]
 pub(crate) fn prepared_reciprocal(divisor: u64) -> Option<f64> {
-    usize::try_from(divisor).ok().filter(|n| PREPARED.contains(n)).map(|n| RECIPROCALS[n])
+    let is_prepared = |n: &usize| PREPARED.contains(n) || n.is_power_of_two() && *n < PREPARED.end;
+    usize::try_from(divisor).ok().filter(is_prepared).map(|n| RECIPROCALS[n])
 }
 
 impl<const N: usize> Ring for Lanes<N> {

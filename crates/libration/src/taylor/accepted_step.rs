@@ -104,7 +104,9 @@ fn resumed(
     }
     let trajectory = Trajectory { start, parameters: vec![], times };
     let mut batch = Batch::<1>::new(system, effort).resumed_from(checkpoint);
-    let outcomes = batch
-        .integrate(std::slice::from_ref(&trajectory), &mut |_, taken| watch(&AcceptedStep { taken: *taken }));
+    let outcomes = batch.integrate(
+        std::slice::from_ref(&trajectory),
+        Some(&mut |_, taken| watch(&AcceptedStep { taken: *taken })),
+    );
     outcomes.into_iter().next().expect("one motion has one outcome")
 }

@@ -20,6 +20,10 @@ pub(super) struct Batch<'a, const N: usize> {
     checkpoint: Option<&'a Checkpoint>,
 }
 
+/// Who sees the steps of the motions, with their numbers, and may stop them all.
+pub(super) type Watch<'w, const N: usize> =
+    Option<&'w mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>>;
+
 /// A step that one motion has taken, in its lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneStep<'s, const N: usize> {
@@ -45,7 +49,7 @@ impl<'a, const N: usize> Batch<'a, N> {
     pub(super) fn integrate(
         &mut self,
         trajectories: &'a [Trajectory<'_>],
-        watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+        mut watch: Watch<'_, N>,
     ) -> Vec<Outcome> {
         let mut outcomes: Vec<Option<Outcome>> = trajectories.iter().map(|_| None).collect();
         let mut waiting = trajectories.iter().enumerate();
@@ -64,7 +68,8 @@ impl<'a, const N: usize> Batch<'a, N> {
             for (lane, ahead) in ahead.into_iter().enumerate() {
                 let Some(solution) = &mut self.solutions[lane] else { continue };
                 let lane_of = Lane { stepper: &self.stepper, lane };
-                let Err(end) = lane_of.advance(solution, ahead, &self.effort, &mut interrupted, watch) else {
+                let Err(end) = lane_of.advance(solution, ahead, &self.effort, &mut interrupted, &mut watch)
+                else {
                     continue;
                 };
                 if let Some(solution) = self.solutions[lane].take() {
@@ -174,7 +179,7 @@ impl<const N: usize> Lane<'_, N> {
         ahead: Result<(), Cause>,
         effort: &Effort,
         interrupted: &mut bool,
-        watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+        watch: &mut Watch<'_, N>,
     ) -> Result<(), End> {
         let Self { stepper, lane } = *self;
         let allowed = if *interrupted { Err(Cause::Interrupted) } else { solution.has_steps_left(effort) };
@@ -183,9 +188,13 @@ impl<const N: usize> Lane<'_, N> {
             let too_large = cause == Cause::Singularity && solution.overflows(&moment);
             return Err(End::Stopped(if too_large { Cause::Overflow } else { cause }, moment));
         }
+        if watch.is_none() && solution.pass(stepper.block.start[lane], stepper.block.end[lane]) {
+            return Ok(());
+        }
         let step = stepper.step(lane);
         let end = solution.take(&step, |event| stepper.event(event, lane), stepper.effort.relative);
-        let stop = watch(solution.number, &LaneStep { step, stepper, solution, lane }).is_break();
+        let taken = LaneStep { step, stepper, solution, lane };
+        let stop = watch.as_mut().is_some_and(|watch| watch(solution.number, &taken).is_break());
         if let Some(end) = end {
             return Err(End::Reached(end));
         }

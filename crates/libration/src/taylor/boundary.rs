@@ -9,6 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::block::{Block, Row};
 use super::contacts::Stretch;
 use super::sign_change::scaled;
+use super::steep::largest_change;
 use crate::algebra::Function;
 use crate::expression::{Operation, Tape};
 
@@ -86,6 +87,15 @@ fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
 }
 
 impl Boundary<Row> {
+    /// Whether in a step of this length, in units of the block, its value is known to come nowhere near what is forbidden: a zero that is
+    /// farther than it changes, and than the widest blur, a hundredth of all that it is made of.
+    pub(super) fn is_far<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
+        const WITH_BLUR: f64 = 1.05;
+        let series = &block[self.of];
+        let change = largest_change(series, lane, length);
+        self.forbidden == Forbidden::Zero && WITH_BLUR * change < series[0][lane].abs()
+    }
+
     /// The part of a step of this length, in units of the block, after which its value comes first to what is forbidden.
     pub(super) fn first_contact<const N: usize>(
         &self,

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::batch::Batch;
+use super::batch::{Batch, Watch};
 use super::solution::{Moment, Solution};
 use super::trajectory::Trajectory;
 use super::{Effort, IntegrationError, Step, System};
@@ -42,7 +42,7 @@ pub fn integrate(
     times: &[f64],
     effort: &Effort,
 ) -> Result<Solution, IntegrationError> {
-    integrate_watched(system, start, times, effort, |_| ControlFlow::Continue(()))
+    Trajectory { start: start.clone(), parameters: vec![], times }.integrate(system, effort)
 }
 
 /// Integrates as [`integrate`] does; `watch` sees each step and may stop the integration.
@@ -80,7 +80,7 @@ impl Trajectory<'_> {
     /// # Errors
     /// As [`integrate`], or parameters that do not fit the system.
     pub fn integrate(&self, system: &System, effort: &Effort) -> Result<Solution, IntegrationError> {
-        self.integrate_watched(system, effort, |_| ControlFlow::Continue(()))
+        one(system, self, effort, None)
     }
 
     /// The motion from here, as [`integrate_watched`] gives it.
@@ -93,7 +93,7 @@ impl Trajectory<'_> {
         effort: &Effort,
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> Result<Solution, IntegrationError> {
-        one(system, self, effort, &mut watch)
+        one(system, self, effort, Some(&mut |_, taken| watch(&taken.step)))
     }
 }
 
@@ -107,7 +107,7 @@ pub fn integrate_many(
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    integrate_many_watched(system, trajectories, effort, |_, _| ControlFlow::Continue(()))
+    many(system, trajectories, effort, None)
 }
 
 /// Integrates as [`integrate_many`] does; `watch` sees the steps of all motions, with their numbers, and may stop them all.
@@ -120,7 +120,7 @@ pub fn integrate_many_watched(
     effort: &Effort,
     mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    many(system, trajectories, effort, &mut watch)
+    many(system, trajectories, effort, Some(&mut |number, taken| watch(number, &taken.step)))
 }
 
 // Loops over steps that do not depend on the type of their watch, so that they are compiled once and in this crate.
@@ -129,10 +129,10 @@ fn one(
     system: &System,
     trajectory: &Trajectory<'_>,
     effort: &Effort,
-    watch: &mut dyn FnMut(&Step<'_>) -> ControlFlow<()>,
+    watch: Watch<'_, 1>,
 ) -> Result<Solution, IntegrationError> {
     let mut batch = Batch::<1>::new(system, effort);
-    let outcomes = batch.integrate(std::slice::from_ref(trajectory), &mut |_, taken| watch(&taken.step));
+    let outcomes = batch.integrate(std::slice::from_ref(trajectory), watch);
     outcomes.into_iter().next().expect("one motion has one outcome")
 }
 
@@ -140,11 +140,12 @@ fn many(
     system: &System,
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
-    watch: &mut dyn FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+    watch: Watch<'_, LANES>,
 ) -> Vec<Result<Solution, IntegrationError>> {
     let mut batch = Batch::<LANES>::new(system, effort);
-    batch.integrate(trajectories, &mut |number, taken| watch(number, &taken.step))
+    batch.integrate(trajectories, watch)
 }
 
-/// How many motions go side by side: two vector registers of AVX2.
-const LANES: usize = 8;
+/// How many motions go side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take
+/// 173 µs each with 8, 138 µs with 16 and 168 µs with 24.
+const LANES: usize = 16;

@@ -40,7 +40,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
     fn ends_on_open_ways(&self, lengths: &[f64; N]) -> Option<[f64; N]> {
-        if !self.expander.boundaries.is_empty() || self.expander.system.moduli() > 0 {
+        if self.expander.system.moduli() > 0 {
             return None;
         }
         let (start, goal) = (&self.block.start, &self.goal);
@@ -50,7 +50,12 @@ impl<const N: usize> Stepper<'_, N> {
             open &= lengths[lane] < (goal[lane] - start[lane]).abs();
             open &= (ends[lane] - start[lane]).abs() > SHORTEST * start[lane].abs();
         }
-        (open && (0..N).all(|lane| self.is_regular(lane))).then_some(ends)
+        let is_open = |lane: usize| {
+            let units = (ends[lane] - start[lane]) / self.block.unit[lane];
+            let mut boundaries = self.expander.boundaries.iter();
+            self.is_regular(lane) && boundaries.all(|boundary| boundary.is_far(&self.block, lane, units))
+        };
+        (open && (0..N).all(is_open)).then_some(ends)
     }
 
     /// The ends of the steps, lane by lane.

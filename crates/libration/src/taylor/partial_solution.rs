@@ -83,6 +83,15 @@ impl<'a> PartialSolution<'a> {
         if self.steps < effort.most_steps { Ok(()) } else { Err(Cause::StepLimit) }
     }
 
+    /// Takes a step in which nothing is asked for, if there is something to come.
+    pub(super) fn pass(&mut self, start: f64, end: f64) -> bool {
+        let next = self.trajectory.times.get(self.samples.len());
+        let is_behind = next.is_some_and(|&next| if end < start { next < end } else { next > end });
+        let passes = is_behind && self.contacts.is_empty();
+        self.steps += usize::from(passes);
+        passes
+    }
+
     /// Samples and events of a step, given the series of the formulas of events; where the motion ends if an event ends it.
     pub(super) fn take(
         &mut self,

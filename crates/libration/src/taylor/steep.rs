@@ -101,11 +101,25 @@ impl Enters {
 /// A divisor that comes within this part of its size to zero may touch it, which a boundary looks after.
 const BLUR: f64 = 1e-12;
 
+/// By how much a series changes at most in a step of this length: Σ|cₙhⁿ| without c₀, in two sums, neither of which waits for the other.
+pub(super) fn largest_change<const N: usize>(series: &[[f64; N]], lane: usize, length: f64) -> f64 {
+    let (length, square) = (length.abs(), length * length);
+    let pairs = series[1..].rchunks_exact(2);
+    let left_over = pairs.remainder();
+    let [mut lower, mut higher] = [0.0_f64; 2];
+    for pair in pairs {
+        lower = lower.mul_add(square, pair[0][lane].abs());
+        higher = higher.mul_add(square, pair[1][lane].abs());
+    }
+    let sum = higher.mul_add(length, lower) * length;
+    left_over.first().map_or(sum, |c| (sum + c[lane].abs()) * length)
+}
+
 impl Steep<Row> {
     /// Whether it changes by more than the series follow in a step of this length, in units of the block.
     pub(super) fn is_unseen<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
         let series = &block[self.of];
-        let change = series[1..].iter().rev().fold(0.0, |sum, c| (sum + c[lane].abs()) * length.abs());
+        let change = largest_change(series, lane, length);
         let is_below = |bound: f64| matches!(change.partial_cmp(&bound), Some(std::cmp::Ordering::Less));
         match self.enters {
             Enters::Exponent | Enters::Hyperbolic => !is_below(FOLLOWED),
