@@ -98,6 +98,7 @@ impl<F: OfAngle + OfModulusWords> Kernel for Each<'_, F> {
 }
 
 /// What one stage leaves for the next.
+#[repr(align(64))]
 struct IncompleteStages {
     modulus: ModulusStages,
     angle: [f64; BLOCK],

@@ -86,6 +86,7 @@ impl Kernel for Each<'_> {
 }
 
 /// What one stage leaves for the next.
+#[repr(align(64))]
 struct JacobiStages {
     is_prepared: bool,
     /// The moduli, as they were given.

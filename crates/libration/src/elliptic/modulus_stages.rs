@@ -6,6 +6,7 @@ use super::nearer::Nearer;
 use crate::double_double::block::{BLOCK, Words};
 
 /// What one stage leaves for the next.
+#[repr(align(64))]
 pub(super) struct ModulusStages {
     /// One, or NaN where there is no such modulus.
     pub(super) inside: [f64; BLOCK],

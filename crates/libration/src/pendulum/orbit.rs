@@ -106,28 +106,35 @@ impl<Q: Quotients, S: Side> Kernel for Each<'_, Q, S> {
     }
 }
 
+/// The phases of a block.
+#[repr(align(64))]
+struct Phases {
+    turns: [f64; BLOCK],
+    quarter: [f64; BLOCK],
+    rest: Words,
+}
+
 impl<Q: Quotients> Orbit<Q> {
     #[inline(always)]
     fn block<S: Side>(&self, times: &[f64; BLOCK], angles: &mut [f64; BLOCK], velocities: &mut [f64; BLOCK]) {
-        let (mut turns, mut quarter) = ([0.0; BLOCK], [0.0; BLOCK]);
-        let (mut rest_hi, mut rest_lo) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let mut phases = Phases { turns: [0.0; BLOCK], quarter: [0.0; BLOCK], rest: Words::ZERO };
         for i in 0..BLOCK {
             let phase = self.clock.phase(times[i]);
-            (turns[i], quarter[i]) = (phase.turns, phase.quarter);
-            (rest_hi[i], rest_lo[i]) = (phase.rest.hi, phase.rest.lo);
+            (phases.turns[i], phases.quarter[i]) = (phase.turns, phase.quarter);
+            phases.rest.set(i, phase.rest);
         }
         let (mut first, mut second) = (Words::ZERO, Words::ZERO);
         let (mut third, mut fourth) = (Words::ZERO, Words::ZERO);
         for i in 0..BLOCK {
-            let values = S::values(&self.series, DoubleDouble::new(rest_hi[i], rest_lo[i]), self.scale);
+            let values = S::values(&self.series, phases.rest.get(i), self.scale);
             first.set(i, values.first);
             second.set(i, values.second);
             third.set(i, values.third);
             fourth.set(i, values.fourth);
         }
         for i in 0..BLOCK {
-            let rest = DoubleDouble::new(rest_hi[i], rest_lo[i]);
-            let phase = Phase { turns: turns[i], quarter: quarter[i], rest };
+            let phase =
+                Phase { turns: phases.turns[i], quarter: phases.quarter[i], rest: phases.rest.get(i) };
             let values = ThetaValues {
                 first: first.get(i),
                 second: second.get(i),

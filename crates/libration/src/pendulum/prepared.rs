@@ -84,12 +84,25 @@ impl PreparedMotion {
 }
 
 /// A polynomial and its derivative at a place in a segment.
-struct Evaluated<'a> {
-    segment: &'a Segment,
+#[derive(Clone, Copy)]
+struct Evaluated {
+    base: DoubleDouble,
     /// Segments gone to the start of the cycle.
     start: f64,
     away: f64,
     velocity: f64,
+}
+
+impl Evaluated {
+    #[inline(always)]
+    fn new(place: Place, index: usize, base: DoubleDouble, sums: &[f64; 4]) -> Self {
+        let [even, odd, even_slope, odd_slope] = *sums;
+        let y = place.rest;
+        #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
+        let start = place.gone - index as f64;
+        let (away, velocity) = (y.mul_add(odd, even), y.mul_add(odd_slope, even_slope));
+        Self { base, start, away, velocity }
+    }
 }
 
 /// A place on the orbit: segments gone, and the rest in segments.
@@ -123,30 +136,16 @@ impl Table {
     }
 
     #[inline(always)]
-    fn evaluate(&self, place: Place, index: usize, sums: &[f64; 4]) -> Evaluated<'_> {
-        let [even, odd, even_slope, odd_slope] = *sums;
-        let y = place.rest;
-        #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
-        let start = place.gone - index as f64;
-        Evaluated {
-            segment: &self.segments[index],
-            start,
-            away: y.mul_add(odd, even),
-            velocity: y.mul_add(odd_slope, even_slope),
-        }
-    }
-
-    #[inline(always)]
-    fn state(&self, at: &Evaluated<'_>, angle: f64) -> State {
+    fn state(&self, segment: &Segment, at: &Evaluated, angle: f64) -> State {
         let size = at.away.abs();
         let far = (DoubleDouble::PI - DoubleDouble::from(size)).to_f64();
-        let top = at.segment.top;
+        let top = segment.top;
         let upper = top != 0.0;
         // Past the upright position the turn is the next.
         let passed = if at.away * top > 0.0 { top } else { 0.0 };
         let cycles = self.cycle.map_or(0.0, |cycle| cycle.direction * (cycle.inverse * at.start));
         State {
-            turns: self.turns.saturating_add(whole_turns(cycles + at.segment.turns + passed)),
+            turns: self.turns.saturating_add(whole_turns(cycles + segment.turns + passed)),
             angle_in_turn: if upper { -far.copysign(at.away) } else { at.away },
             complement: if upper { size } else { far },
             angle,
@@ -173,7 +172,7 @@ impl Segment {
 /// How the angle is put together from the base of its segment.
 trait Unwrap: Copy {
     /// The unwrapped angle; `#[inline(always)]`.
-    fn angle(self, at: &Evaluated<'_>) -> f64;
+    fn angle(self, at: &Evaluated) -> f64;
 }
 
 /// Libration: what is gone does not count.
@@ -182,8 +181,8 @@ struct Swinging;
 
 impl Unwrap for Swinging {
     #[inline(always)]
-    fn angle(self, at: &Evaluated<'_>) -> f64 {
-        let base = at.segment.base;
+    fn angle(self, at: &Evaluated) -> f64 {
+        let base = at.base;
         let sum = fast_two_sum(base.hi, at.away);
         sum.hi + (sum.lo + base.lo)
     }
@@ -191,8 +190,8 @@ impl Unwrap for Swinging {
 
 impl Unwrap for Cycle {
     #[inline(always)]
-    fn angle(self, at: &Evaluated<'_>) -> f64 {
-        let base = at.segment.base;
+    fn angle(self, at: &Evaluated) -> f64 {
+        let base = at.base;
         let gone = self.advance * (self.inverse * at.start);
         let start = two_sum(gone.hi, base.hi);
         let sum = two_sum(start.hi, at.away);
@@ -216,10 +215,11 @@ impl<U: Unwrap> Kernel for One<'_, U> {
             return self.motion.state_at(self.time);
         }
         let index = self.table.index(place.gone);
+        let segment = &self.table.segments[index];
         let mut sums = [0.0; 4];
-        self.table.segments[index].sums(place.rest, &mut sums);
-        let at = self.table.evaluate(place, index, &sums);
-        self.table.state(&at, self.unwrap.angle(&at))
+        segment.sums(place.rest, &mut sums);
+        let at = Evaluated::new(place, index, segment.base, &sums);
+        self.table.state(segment, &at, self.unwrap.angle(&at))
     }
 }
 
@@ -237,28 +237,83 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
     #[inline(always)]
     fn run(self) {
         let Self { table, unwrap, motion, times, angles, velocities } = self;
-        let (mut gone, mut rest) = ([0.0; BLOCK], [0.0; BLOCK]);
-        // The lanes go through memory, for which the compiler makes vector operations of them.
-        let mut sums = [[0.0; 4]; BLOCK];
+        let mut stages = Stages::ZERO;
         let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
         for ((times, angles), velocities) in blocks {
-            for ((gone, rest), time) in gone.iter_mut().zip(&mut rest).zip(times) {
-                let place = Place::new(table, *time);
-                (*gone, *rest) = (place.gone, place.rest);
-            }
-            if !gone[..times.len()].iter().all(|gone| Place { gone: *gone, rest: 0.0 }.is_counted()) {
+            let done = match (times.as_array(), angles.as_mut_array(), velocities.as_mut_array()) {
+                (Some(times), Some(angles), Some(velocities)) => {
+                    stages.block(table, unwrap, times, angles, velocities)
+                }
+                _ => stages.part(table, unwrap, times, angles, velocities),
+            };
+            if !done {
                 one_by_one(table, unwrap, motion, times, angles, velocities);
-                continue;
-            }
-            for ((gone, rest), sums) in gone.iter().zip(&rest).zip(&mut sums) {
-                table.segments[table.index(*gone)].sums(*rest, sums);
-            }
-            for (i, (angle, velocity)) in angles.iter_mut().zip(velocities).enumerate() {
-                let place = Place { gone: gone[i], rest: rest[i] };
-                let at = table.evaluate(place, table.index(gone[i]), &sums[i]);
-                (*angle, *velocity) = (unwrap.angle(&at), at.velocity);
             }
         }
+    }
+}
+
+/// What one stage of a block leaves for the next, in memory, for which the compiler makes vector operations of it.
+#[repr(align(64))]
+struct Stages {
+    gone: [f64; BLOCK],
+    rest: [f64; BLOCK],
+    sums: [[f64; 4]; BLOCK],
+    bases: [[f64; 2]; BLOCK],
+}
+
+impl Stages {
+    const ZERO: Self =
+        Self { gone: [0.0; BLOCK], rest: [0.0; BLOCK], sums: [[0.0; 4]; BLOCK], bases: [[0.0; 2]; BLOCK] };
+
+    /// A whole block; false if some time is beyond the table's count.
+    #[inline(always)]
+    fn block<U: Unwrap>(
+        &mut self,
+        table: &Table,
+        unwrap: U,
+        times: &[f64; BLOCK],
+        angles: &mut [f64; BLOCK],
+        velocities: &mut [f64; BLOCK],
+    ) -> bool {
+        let mut is_counted = true;
+        for i in 0..BLOCK {
+            let place = Place::new(table, times[i]);
+            (self.gone[i], self.rest[i]) = (place.gone, place.rest);
+            is_counted &= place.is_counted();
+        }
+        if !is_counted {
+            return false;
+        }
+        for i in 0..BLOCK {
+            let segment = &table.segments[table.index(self.gone[i])];
+            segment.sums(self.rest[i], &mut self.sums[i]);
+            self.bases[i] = [segment.base.hi, segment.base.lo];
+        }
+        for i in 0..BLOCK {
+            let place = Place { gone: self.gone[i], rest: self.rest[i] };
+            let base = DoubleDouble::new(self.bases[i][0], self.bases[i][1]);
+            let at = Evaluated::new(place, table.index(place.gone), base, &self.sums[i]);
+            (angles[i], velocities[i]) = (unwrap.angle(&at), at.velocity);
+        }
+        true
+    }
+
+    /// Fewer times than a block has.
+    fn part<U: Unwrap>(
+        &mut self,
+        table: &Table,
+        unwrap: U,
+        times: &[f64],
+        angles: &mut [f64],
+        velocities: &mut [f64],
+    ) -> bool {
+        let [mut whole, mut all_angles, mut all_velocities] = [[0.0; BLOCK]; 3];
+        whole[..times.len()].copy_from_slice(times);
+        let done = self.block(table, unwrap, &whole, &mut all_angles, &mut all_velocities);
+        angles.copy_from_slice(&all_angles[..angles.len()]);
+        velocities.copy_from_slice(&all_velocities[..velocities.len()]);
+        done
     }
 }
 

@@ -73,6 +73,7 @@ impl Kernel for Each<'_> {
 }
 
 /// What one stage leaves for the next.
+#[repr(align(64))]
 struct Block {
     amplitude: Words,
     complement: Words,

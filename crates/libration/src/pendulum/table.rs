@@ -50,6 +50,7 @@ pub(super) struct Cycle {
 
 /// A polynomial for the angle from `base`, the lowest point or the upright position.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub(super) struct Segment {
     /// Coefficients of powers of y² of the four polynomials that make angle = a + y·b and velocity = c + y·d.
     pub(super) rows: [[f64; 4]; DEGREE / 2 + 1],

@@ -75,6 +75,7 @@ impl Kernel for Each<'_> {
 const FEW: usize = 6;
 
 /// Elements of one side waiting for a block to fill.
+#[repr(align(64))]
 struct Queue {
     count: usize,
     place: [usize; BLOCK],
@@ -110,6 +111,7 @@ impl Queue {
 }
 
 /// What one stage leaves for the next.
+#[repr(align(64))]
 struct ReleaseStages {
     angular_frequency: f64,
     period: Stages,

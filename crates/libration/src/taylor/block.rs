@@ -3,8 +3,9 @@
 use std::ops::{Index, IndexMut};
 use std::sync::Arc;
 
-use libration_jit::Scratch;
+use libration_jit::{Compiled, Scratch};
 
+use super::aligned::Aligned;
 use super::ends::Ends;
 use super::step::{elapsed, grown, higher};
 use super::{StateLayout, Step};
@@ -36,8 +37,8 @@ pub(super) struct Block<const N: usize> {
     /// The unit of time in which the series are powers, a power of two: whatever the units of the equations, coefficients
     /// neither overflow nor underflow.
     pub(super) unit: [f64; N],
-    /// Coefficients in powers of the time since the start, those of one row behind each other.
-    pub(super) coefficients: Vec<[f64; N]>,
+    /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
+    coefficients: Aligned,
     /// For machine code.
     pub(super) scratch: Scratch,
     /// What the first coefficients lack of the state.
@@ -59,14 +60,14 @@ impl<const N: usize> Index<Row> for Block<N> {
 
     #[inline(always)]
     fn index(&self, Row(row): Row) -> &[[f64; N]] {
-        &self.coefficients[row..row + self.terms]
+        &self.coefficients.numbers().as_chunks().0[row..row + self.terms]
     }
 }
 
 impl<const N: usize> IndexMut<Row> for Block<N> {
     #[inline(always)]
     fn index_mut(&mut self, Row(row): Row) -> &mut [[f64; N]] {
-        &mut self.coefficients[row..row + self.terms]
+        &mut self.coefficients.numbers_mut().as_chunks_mut().0[row..row + self.terms]
     }
 }
 
@@ -74,11 +75,16 @@ impl<const N: usize> Block<N> {
     /// A block of so many rows, the first of which are the numbers of a state.
     pub(super) fn new(rows: usize, layout: &Arc<StateLayout>, order: usize) -> Self {
         let terms = order + 1;
-        let coefficients = vec![[0.0; N]; rows * terms];
+        let coefficients = Aligned::zeros(rows * terms * N);
         let low = vec![[0.0; N]; layout.numbers()];
         let layout = Arc::clone(layout);
         let scratch = Scratch::default();
         Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, scratch, low, layout, terms }
+    }
+
+    /// Runs machine code on all coefficients.
+    pub(super) fn run(&mut self, compiled: &Compiled) {
+        compiled.run(self.coefficients.numbers_mut(), &self.unit, &mut self.scratch);
     }
 
     /// How many numbers a state has.
@@ -179,7 +185,7 @@ impl<const N: usize> Block<N> {
             start: self.start[lane],
             end: self.end[lane],
             unit: self.unit[lane],
-            coefficients: self.coefficients.as_flattened(),
+            coefficients: self.coefficients.numbers(),
             low: self.low.as_flattened(),
             layout: &self.layout,
             terms: self.terms,

@@ -105,7 +105,7 @@ impl<'a> Expander<'a> {
     fn go_on<const N: usize>(&self, block: &mut Block<N>, compiled: Option<&Compiled>) {
         match compiled {
             Some(compiled) => {
-                compiled.run(block.coefficients.as_flattened_mut(), &block.unit, &mut block.scratch);
+                block.run(compiled);
             }
             None => dispatch_lanes::<N, _>(Expansion { expander: self, block }),
         }
