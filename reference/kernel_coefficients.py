@@ -52,6 +52,24 @@ def table(name, function, low, high, count, pairs=0, exact=()):
     print()
 
 
+def reciprocal(low, high, count):
+    """Print the polynomial p with `count` terms for which 1 - x p(x) is Chebyshev's polynomial, one at x = 0: nearest to 1/x."""
+    start = (low + high) / (low - high)
+    terms = [[mpf(1)], [start, 2 / (high - low)]]
+    while len(terms) <= count:
+        twice = [mpf(0)] * (len(terms[-1]) + 1)
+        for i, c in enumerate(terms[-1]):
+            twice[i] += 2 * start * c
+            twice[i + 1] += 4 / (high - low) * c
+        for i, c in enumerate(terms[-2]):
+            twice[i] -= c
+        terms.append(twice)
+    print(f"/// 1/x on [{mp.nstr(low, 5)}, {mp.nstr(high, 5)}], relative error {mp.nstr(abs(1 / terms[count][0]), 2)}.")
+    for c in terms[count][1:]:
+        print("   ", mp.nstr(-c / terms[count][0], 9), end=",\n")
+    print()
+
+
 def ratio(s):
     """T/T0 of the amplitude s."""
     return 1 / agm(1, cos(s / 2))
@@ -83,6 +101,7 @@ table("(atan t - t)/t^3 in t^2", lambda x: (atan(sqrt(x)) - sqrt(x)) / sqrt(x) *
       (sqrt(2) - 1) ** 2 * (1 + mpf(2) ** -40), 11)
 table("(2 atanh q - 2q)/q^3 in q^2", lambda x: (2 * atanh(sqrt(x)) - 2 * sqrt(x)) / sqrt(x) ** 3, tiny,
       ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -40), 8)
+reciprocal(1 + sqrt(mpf(1) / 2), 1 + sqrt(mpf(2)), 4)
 table("(2 atanh q - 2q)/q^3 in q^2, in two words", lambda x: (2 * atanh(sqrt(x)) - 2 * sqrt(x)) / sqrt(x) ** 3, tiny,
       ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -40), 14, pairs=9)
 table("(sin r - r)/r^3 in r^2, first coefficient in two words", lambda x: (sin(sqrt(x)) - sqrt(x)) / sqrt(x) ** 3, tiny,

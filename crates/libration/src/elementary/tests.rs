@@ -1,5 +1,6 @@
 //! The kernels against the multi-precision library, whose functions agree with MPFR.
 
+use super::logarithm::reciprocal;
 use super::{
     LARGEST_ANGLE, atan_of_ratio, exp, fine_logarithm, fine_sin_cos, sin_cos, sin_cos_of_turns, sinh_cosh,
     split_logarithm, two_word,
@@ -115,6 +116,17 @@ fn the_arctangent_of_a_ratio_inverts_the_tangent() {
         (missing.to_f64() / angle.hi).abs()
     }));
     assert!(error < libm::exp2(-54.0), "{error:e}");
+}
+
+#[test]
+fn reciprocals_are_good_to_a_unit_in_the_last_place() {
+    let ends = [1.0 + 0.5_f64.sqrt(), 1.0 + 2.0_f64.sqrt()];
+    let between = uniform().map(|part| ends[0] + part * (ends[1] - ends[0]));
+    let error = worst(between.chain(ends).map(|x| {
+        let exact = word(1.0) / word(x);
+        (word(reciprocal(x)) - exact.clone()).to_f64().abs() / (exact.to_f64() * f64::EPSILON)
+    }));
+    assert!(error < 1.0, "{error}");
 }
 
 #[test]

@@ -74,11 +74,23 @@ fn no_integrable_motion_is_called_chaotic_in_the_long_run_or_at_any_tolerance() 
     }
 }
 
+/// The first of neighbouring motions that shows what it is: where chaos is weak one in four has a tenth of its time without growth.
+fn decided(equation: &str, start: &[f64]) -> LyapunovExponent {
+    const NEIGHBOURS: u32 = 8;
+    let mut motions = (0..NEIGHBOURS).map(|neighbour| {
+        let mut start = start.to_vec();
+        start[1] += 1e-13 * f64::from(neighbour);
+        measure(equation, &start, 2000)
+    });
+    let undecided = |found: &LyapunovExponent| found.verdict == LyapunovVerdict::Undecided(Doubt::Unsteady);
+    motions.find(|found| !undecided(found)).expect("eight in a row are one in 65 000")
+}
+
 #[test]
 fn chaotic_motions_have_the_exponents_of_the_table() {
     for row in Table::read("lyapunov.csv").rows() {
         let start: Vec<f64> = row.text("start").split(' ').map(|number| number.parse().unwrap()).collect();
-        let found = measure(row.text("equation"), &start, 2000);
+        let found = decided(row.text("equation"), &start);
         assert_eq!(found.verdict, LyapunovVerdict::Chaotic, "{}", row.text("equation"));
         let bound = 4.0 * (found.uncertainty + row.input("error"));
         let error = found.exponent - row.input("exponent");
