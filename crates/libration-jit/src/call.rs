@@ -3,7 +3,7 @@
 use memmap2::{Mmap, MmapMut};
 
 use crate::assembly::Assembled;
-use crate::{Scratch, StraightLine};
+use crate::{Aligned, StraightLine};
 
 /// What the code is given: the first of the places, of the arguments, of the numbers in the line and of the scratch.
 type Function = unsafe extern "sysv64" fn(
@@ -18,7 +18,7 @@ type Function = unsafe extern "sysv64" fn(
 pub(crate) struct Code {
     memory: Mmap,
     /// The numbers in the line, each as often as a register has lanes.
-    numbers: Vec<f64>,
+    numbers: Aligned,
     places: usize,
     arguments: usize,
     scratch: usize,
@@ -34,16 +34,22 @@ impl Code {
         let mut memory = MmapMut::map_anon(code.len()).ok()?;
         memory.copy_from_slice(&code);
         let memory = memory.make_exec().ok()?;
-        let numbers = numbers.iter().flat_map(|number| std::iter::repeat_n(*number, width)).collect();
+        let mut in_lanes = Aligned::zeros(numbers.len() * width);
+        for (lanes, number) in in_lanes.numbers_mut().chunks_mut(width).zip(numbers) {
+            lanes.fill(number);
+        }
         let (places, arguments) = (line.places(), line.arguments());
-        Some(Self { memory, numbers, places, arguments, scratch, lanes, width })
+        Some(Self { memory, numbers: in_lanes, places, arguments, scratch, lanes, width })
     }
 
-    pub(crate) fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Scratch) {
+    pub(crate) fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Aligned) {
         let Self { memory, numbers, width, lanes, .. } = self;
         let places = &mut places[..self.places * lanes];
         let arguments = &arguments[..self.arguments * lanes];
-        let scratch = scratch.numbers(self.scratch);
+        if scratch.numbers().len() < self.scratch {
+            *scratch = Aligned::zeros(self.scratch);
+        }
+        let scratch = scratch.numbers_mut();
         for first in (0..*lanes).step_by(*width) {
             // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the
             // `places`, and reads as many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the
@@ -56,7 +62,7 @@ impl Code {
                 function(
                     places.as_mut_ptr().add(first),
                     arguments.as_ptr().add(first),
-                    numbers.as_ptr(),
+                    numbers.numbers().as_ptr(),
                     scratch.as_mut_ptr(),
                 );
             }

@@ -1,6 +1,6 @@
 //! Machine code of a line.
 
-use crate::{Scratch, StraightLine};
+use crate::{Aligned, StraightLine};
 #[cfg(all(target_arch = "x86_64", unix))]
 use crate::{assembly::assembled, call::Code, instruction_set::InstructionSet, written_out::written_out};
 
@@ -34,7 +34,7 @@ impl Compiled {
     ///
     /// # Panics
     /// If there are fewer numbers than places or arguments times lanes.
-    pub fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Scratch) {
+    pub fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Aligned) {
         self.code.run(places, arguments, scratch);
     }
 }
@@ -48,7 +48,7 @@ impl Compiled {
     }
 
     /// Never called.
-    pub fn run(&self, _: &mut [f64], _: &[f64], _: &mut Scratch) {
+    pub fn run(&self, _: &mut [f64], _: &[f64], _: &mut Aligned) {
         match self.none {}
     }
 }
@@ -79,7 +79,7 @@ mod tests {
             for set in InstructionSet::for_lanes(lanes) {
                 let mut found = start.clone();
                 let code = Compiled::in_set(&line(), lanes, set).expect("registers for this line");
-                code.run(&mut found, &[], &mut Scratch::default());
+                code.run(&mut found, &[], &mut Aligned::default());
                 assert_eq!(found, expected, "{set:?}");
             }
         }

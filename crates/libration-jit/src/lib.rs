@@ -22,11 +22,11 @@
 //! ```
 //!
 //! Compiled are lines for x86-64 with fused multiply-add on Unix, with 4 or 8 lanes in a vector register, or one lane at a time; then up to
-//! four inner products stand side by side instead.
+//! four inner products stand side by side instead, with AVX-512 up to eight.
 
+mod aligned;
 mod inner_product;
 mod interpreter;
-mod scratch;
 mod straight_line;
 
 #[cfg(all(target_arch = "x86_64", unix))]
@@ -48,7 +48,7 @@ mod written_out;
 
 mod compiled;
 
+pub use aligned::Aligned;
 pub use compiled::Compiled;
 pub use inner_product::{MultiplyAdd, inner_product};
-pub use scratch::Scratch;
 pub use straight_line::{Arithmetic, OutOfOrder, StraightLine};

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use libration_jit::{Arithmetic, Compiled, OutOfOrder, Scratch, StraightLine};
+use libration_jit::{Arithmetic, Compiled, OutOfOrder, Aligned, StraightLine};
 
 /// Numbers that look random, by a linear congruence.
 struct Numbers(u64);
@@ -92,7 +92,7 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
             let Some(compiled) = Compiled::new(&line, lanes) else { continue };
             let start: Vec<f64> = (0..places * lanes).map(|_| numbers.number()).collect();
             let given: Vec<f64> = (0..arguments * lanes).map(|_| numbers.number()).collect();
-            let (mut one, mut other, mut scratch) = (start.clone(), start, Scratch::default());
+            let (mut one, mut other, mut scratch) = (start.clone(), start, Aligned::default());
             line.interpret(&mut one, &given, lanes);
             compiled.run(&mut other, &given, &mut scratch);
             assert!(one.iter().zip(&other).all(|(a, b)| same(*a, *b)), "{seed} {lanes} {line:?}");
@@ -149,7 +149,7 @@ fn assert_same_bits(line: &StraightLine) {
     let [mut interpreted, mut compiled] = [start.clone(), start.clone()];
     line.interpret(&mut interpreted, &[], 1);
     match Compiled::new(line, 1) {
-        Some(code) => code.run(&mut compiled, &[], &mut Scratch::default()),
+        Some(code) => code.run(&mut compiled, &[], &mut Aligned::default()),
         None if is_supported() => panic!("no code for {line:?}"),
         None => return,
     }
@@ -197,5 +197,5 @@ fn steps_that_cannot_be_done_are_refused() {
 fn too_few_places_are_not_written_behind() {
     let steps = vec![Arithmetic::Number(1.0), Arithmetic::Keep { value: 0, place: 5 }];
     let compiled = Compiled::new(&StraightLine::new(steps, 6, 0).unwrap(), 1);
-    compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[], &mut Scratch::default());
+    compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[], &mut Aligned::default());
 }

@@ -3,9 +3,8 @@
 use std::ops::{Index, IndexMut};
 use std::sync::Arc;
 
-use libration_jit::{Compiled, Scratch};
+use libration_jit::{Aligned, Compiled};
 
-use super::aligned::Aligned;
 use super::ends::Ends;
 use super::step::{elapsed, grown, higher};
 use super::{StateLayout, Step};
@@ -38,9 +37,9 @@ pub(super) struct Block<const N: usize> {
     /// neither overflow nor underflow.
     pub(super) unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
-    coefficients: Aligned,
+    pub(super) coefficients: Aligned,
     /// For machine code.
-    pub(super) scratch: Scratch,
+    scratch: Aligned,
     /// What the first coefficients lack of the state.
     low: Vec<[f64; N]>,
     layout: Arc<StateLayout>,
@@ -78,7 +77,7 @@ impl<const N: usize> Block<N> {
         let coefficients = Aligned::zeros(rows * terms * N);
         let low = vec![[0.0; N]; layout.numbers()];
         let layout = Arc::clone(layout);
-        let scratch = Scratch::default();
+        let scratch = Aligned::default();
         Self { start: [0.0; N], end: [0.0; N], unit: [1.0; N], coefficients, scratch, low, layout, terms }
     }
 

@@ -68,7 +68,6 @@ mod batch;
 mod partial_solution;
 
 mod accepted_step;
-mod aligned;
 mod both_ways;
 mod dense_solution;
 mod ending;

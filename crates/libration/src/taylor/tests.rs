@@ -51,7 +51,7 @@ fn both_ways<const N: usize>(system: &System, order: usize, state: &[f64]) -> Op
             block.unit[lane] = 0.5;
         }
         expander.expand_by(&mut block, &surroundings, compiled);
-        block.coefficients.as_flattened().to_vec()
+        block.coefficients.numbers().to_vec()
     };
     Some([coefficients(None), coefficients(Some(&compiled))])
 }
