@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use libration_jit::{Arithmetic, Compiled, OutOfOrder, Aligned, StraightLine};
+use libration_jit::{Aligned, Arithmetic, Compiled, OutOfOrder, StraightLine};
 
 /// Numbers that look random, by a linear congruence.
 struct Numbers(u64);

@@ -11,6 +11,7 @@ use crate::output::{Form, FormOptions};
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use std::io::Write;
+use table::Swings;
 
 pub(crate) use fields::answers;
 
@@ -50,12 +51,13 @@ impl Period {
         let amplitudes = self.amplitudes.read()?;
         let pendulum = self.pendulum.pendulum()?;
         interrupt::listen()?;
+        let swings = Swings { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
         match self.form.form() {
-            Form::Json => table::write_json(out, self, &amplitudes, &pendulum)?,
-            Form::Csv => table::write_csv(out, self, &amplitudes, &pendulum)?,
+            Form::Json => swings.write_json(out)?,
+            Form::Csv => swings.write_csv(out)?,
             Form::Table => match amplitudes.single() {
                 Some(amplitude) => sheet::write(out, self, &Swing::new(amplitude, &pendulum))?,
-                None => table::write(out, self, &amplitudes, &pendulum)?,
+                None => swings.write(out)?,
             },
         }
         out.flush()?;

@@ -12,99 +12,95 @@ use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::fractional_errors;
 use std::io::{self, Write};
 
-pub(super) fn write(
-    out: &mut dyn Write,
-    question: &Period,
-    amplitudes: &Amplitudes,
-    pendulum: &Pendulum,
-) -> io::Result<()> {
-    let period = (SMALL_ANGLE_PERIOD, number::seconds(pendulum.small_angle_period(), DIGITS));
-    table::sheet(out, &[question.pendulum.lines(), vec![period]].concat())?;
-    writeln!(out)?;
-    let formulas = question.formulas.chosen();
-    let exact = fields::of_swing();
-    let errors = formulas.iter().map(|formula| Column::numbers(format!("error of {}", formula.key())));
-    let mut table = Table::new(exact.columns().into_iter().chain(errors).collect());
-    for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
-        let errors = fractional_errors(formulas, &amplitude.angle());
-        let errors = errors.into_iter().map(|error| number::rounded(error, 3));
-        let swing = Swing::new(amplitude, pendulum);
-        table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
-    }
-    table.finish(out)
-}
-
-pub(super) fn write_csv(
-    out: &mut dyn Write,
-    question: &Period,
-    amplitudes: &Amplitudes,
-    pendulum: &Pendulum,
-) -> io::Result<()> {
-    let formulas = question.formulas.chosen_or_all();
-    let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
-    let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
-    csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
-    let row = |text: &mut Vec<u8>, swing: &Swing| {
-        exact.write_csv_cells(text, swing);
-        for estimate in estimates(swing, formulas) {
-            text.push(b',');
-            of_formula.write_csv_cells(text, &estimate);
-        }
-    };
-    in_pieces(amplitudes, pendulum, b"\n", row, |text| {
-        out.write_all(text)?;
-        out.write_all(b"\n")
-    })
-}
-
-pub(super) fn write_json(
-    out: &mut dyn Write,
-    question: &Period,
-    amplitudes: &Amplitudes,
-    pendulum: &Pendulum,
-) -> io::Result<()> {
-    let formulas = question.formulas.chosen_or_all();
-    let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
-    let item = |text: &mut Vec<u8>, swing: &Swing| {
-        let estimates = question.sorted(estimates(swing, formulas));
-        let record = of_swing.record(swing).with("formulas", of_formula.records(&estimates));
-        json::write_item(text, record);
-    };
-    json::begin_document(out, question.pendulum.record())?;
-    let mut list = json::List::default();
-    list.begin(out, "results")?;
-    in_pieces(amplitudes, pendulum, json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
-    list.end(out)?;
-    json::end_document(out, Record::new())
-}
-
-/// Hands the texts of many amplitudes on, each of several with something between them, in their order.
-fn in_pieces(
-    amplitudes: &Amplitudes,
-    pendulum: &Pendulum,
-    between: &[u8],
-    write: impl Fn(&mut Vec<u8>, &Swing) + Sync,
-    mut hand_on: impl FnMut(&[u8]) -> io::Result<()>,
-) -> io::Result<()> {
-    let all = amplitudes.len();
-    let texts = |piece: usize| {
-        let places = piece * PIECE..all.min((piece + 1) * PIECE);
-        let found: Vec<Amplitude> = places.filter_map(|place| amplitudes.get(place)).collect();
-        Swing::all(&found, pendulum).iter().fold(vec![], |mut text, swing| {
-            text.extend_from_slice(if text.is_empty() { b"" } else { between });
-            write(&mut text, swing);
-            text
-        })
-    };
-    let mut progress = ProgressLine::beside_the_answer();
-    parallel::in_order(all.div_ceil(PIECE), texts, |piece, text| {
-        if let Some(progress) = &mut progress {
-            progress.show(|| format!("{} of {all} amplitudes", piece * PIECE));
-        }
-        hand_on(&text)
-    })
+/// The answer for many amplitudes.
+pub(super) struct Swings<'a> {
+    pub(super) question: &'a Period,
+    pub(super) amplitudes: &'a Amplitudes,
+    pub(super) pendulum: &'a Pendulum,
 }
 
 /// How many amplitudes one core answers at a time: with every formula in half a second at worst, next to zero. With 128 a fifth of the time
 /// went into handing over.
 const PIECE: usize = 512;
+
+impl Swings<'_> {
+    pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Self { question, amplitudes, pendulum } = *self;
+        let period = (SMALL_ANGLE_PERIOD, number::seconds(pendulum.small_angle_period(), DIGITS));
+        table::sheet(out, &[question.pendulum.lines(), vec![period]].concat())?;
+        writeln!(out)?;
+        let formulas = question.formulas.chosen();
+        let exact = fields::of_swing();
+        let errors = formulas.iter().map(|formula| Column::numbers(format!("error of {}", formula.key())));
+        let mut table = Table::new(exact.columns().into_iter().chain(errors).collect());
+        for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
+            let errors = fractional_errors(formulas, &amplitude.angle());
+            let errors = errors.into_iter().map(|error| number::rounded(error, 3));
+            let swing = Swing::new(amplitude, pendulum);
+            table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
+        }
+        table.finish(out)
+    }
+
+    pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        let formulas = self.question.formulas.chosen_or_all();
+        let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
+        let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
+        csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
+        let row = |text: &mut Vec<u8>, swing: &Swing| {
+            exact.write_csv_cells(text, swing);
+            for estimate in estimates(swing, formulas) {
+                text.push(b',');
+                of_formula.write_csv_cells(text, &estimate);
+            }
+        };
+        self.in_pieces(b"\n", row, |text| {
+            out.write_all(text)?;
+            out.write_all(b"\n")
+        })
+    }
+
+    pub(super) fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
+        let question = self.question;
+        let formulas = question.formulas.chosen_or_all();
+        let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
+        let item = |text: &mut Vec<u8>, swing: &Swing| {
+            let estimates = question.sorted(estimates(swing, formulas));
+            let record = of_swing.record(swing).with("formulas", of_formula.records(&estimates));
+            json::write_item(text, record);
+        };
+        json::begin_document(out, question.pendulum.record())?;
+        let mut list = json::List::default();
+        list.begin(out, "results")?;
+        self.in_pieces(json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
+        list.end(out)?;
+        json::end_document(out, Record::new())
+    }
+
+    /// Hands the texts of the amplitudes on, each of several with something between them, in their order.
+    fn in_pieces(
+        &self,
+        between: &[u8],
+        write: impl Fn(&mut Vec<u8>, &Swing) + Sync,
+        mut hand_on: impl FnMut(&[u8]) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let Self { amplitudes, pendulum, .. } = *self;
+        let all = amplitudes.len();
+        let texts = |piece: usize| {
+            let places = piece * PIECE..all.min((piece + 1) * PIECE);
+            let found: Vec<Amplitude> = places.filter_map(|place| amplitudes.get(place)).collect();
+            Swing::all(&found, pendulum).iter().fold(vec![], |mut text, swing| {
+                text.extend_from_slice(if text.is_empty() { b"" } else { between });
+                write(&mut text, swing);
+                text
+            })
+        };
+        let mut progress = ProgressLine::beside_the_answer();
+        parallel::in_order(all.div_ceil(PIECE), texts, |piece, text| {
+            if let Some(progress) = &mut progress {
+                progress.show(|| format!("{} of {all} amplitudes", piece * PIECE));
+            }
+            hand_on(&text)
+        })
+    }
+}
