@@ -44,17 +44,27 @@ impl Kernel for Each<'_> {
         let mut below = Queue::new();
         let mut above = Queue::new();
         let mut stages = ReleaseStages::new(self.angular_frequency);
-        for (i, (amplitude, time)) in self.amplitudes.iter().zip(self.times).enumerate() {
-            // Without a branch, which random amplitudes would make unpredictable.
-            let is_above = usize::from(amplitude_above(*amplitude));
-            above.offer(i, *amplitude, *time, is_above);
-            below.offer(i, *amplitude, *time, 1 - is_above);
-            if above.count.max(below.count) == BLOCK {
-                if above.count == BLOCK {
-                    stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
-                } else {
-                    stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
-                }
+        let mut place = 0;
+        while place < self.amplitudes.len() {
+            // So many that neither queue overflows, and counted outside of memory.
+            let room = BLOCK - above.count.max(below.count);
+            let (mut above_count, mut below_count) = (above.count, below.count);
+            let elements = self.amplitudes[place..].iter().zip(&self.times[place..]).take(room);
+            for (amplitude, time) in elements {
+                // Without a branch, which random amplitudes would make unpredictable.
+                let is_above = usize::from(amplitude_above(*amplitude));
+                above.put(above_count, place, *amplitude, *time);
+                below.put(below_count, place, *amplitude, *time);
+                above_count += is_above;
+                below_count += 1 - is_above;
+                place += 1;
+            }
+            (above.count, below.count) = (above_count, below_count);
+            if above.count == BLOCK {
+                stages.run::<HyperbolicSide>(&mut above, self.angles, self.velocities);
+            }
+            if below.count == BLOCK {
+                stages.run::<CircularSide>(&mut below, self.angles, self.velocities);
             }
         }
         for queue in [&mut above, &mut below] {
@@ -88,15 +98,14 @@ impl Queue {
         Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
     }
 
-    /// Appends `taken` = 1 or 0 of the element; the count is below `BLOCK`.
+    /// Puts an element into a slot below `BLOCK`, where the next one overwrites it unless it is counted.
     #[inline(always)]
-    fn offer(&mut self, place: usize, amplitude: f64, time: f64, taken: usize) {
+    fn put(&mut self, slot: usize, place: usize, amplitude: f64, time: f64) {
         // The remainder spares the check of the index.
-        let slot = self.count % BLOCK;
+        let slot = slot % BLOCK;
         self.place[slot] = place;
         self.amplitude[slot] = amplitude;
         self.time[slot] = time;
-        self.count += taken;
     }
 
     /// Empties the queue.

@@ -178,3 +178,19 @@ impl<P> Steep<P> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_change_is_the_sum_of_the_sizes_of_its_terms() {
+        for terms in 3..10_i32 {
+            let series: Vec<[f64; 1]> = (0..terms).map(|n| [1.0 - f64::from(n * n)]).collect();
+            let sum: f64 = (1..terms).map(|n| (1.0 - f64::from(n * n)).abs() * libm::ldexp(1.0, -n)).sum();
+            for length in [0.5, -0.5] {
+                assert_eq!(largest_change(&series, 0, length).to_bits(), sum.to_bits(), "{terms} terms");
+            }
+        }
+    }
+}
