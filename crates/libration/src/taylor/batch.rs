@@ -74,8 +74,14 @@ impl<'a, const N: usize> Batch<'a, N> {
                 };
                 if let Some(solution) = self.solutions[lane].take() {
                     let number = solution.number;
-                    outcomes[number] =
-                        Some(conclude(end, solution, self.system, &self.effort, &mut interrupted, watch));
+                    outcomes[number] = Some(conclude(
+                        end,
+                        solution,
+                        self.system,
+                        &self.effort,
+                        &mut interrupted,
+                        &mut watch,
+                    ));
                 }
                 self.stepper.idle(lane);
             }
@@ -125,7 +131,7 @@ fn conclude<const N: usize>(
     system: &System,
     effort: &Effort,
     interrupted: &mut bool,
-    watch: &mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>,
+    watch: &mut Watch<'_, N>,
 ) -> Outcome {
     let (cause, moment) = match end {
         End::Stopped(cause, moment) if Rest::may_explain(cause) => (cause, moment),
