@@ -8,8 +8,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::block::{Block, Row};
 use super::contacts::Stretch;
+use super::largest_change::largest_change;
 use super::sign_change::scaled;
-use super::steep::largest_change;
 use crate::algebra::Function;
 use crate::expression::{Operation, Tape};
 

@@ -23,6 +23,7 @@ mod allowance;
 mod error;
 mod event;
 mod larger;
+mod largest_change;
 mod layout;
 mod system;
 mod tangent;

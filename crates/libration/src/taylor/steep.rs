@@ -5,6 +5,7 @@
 
 use super::block::{Block, Row};
 use super::boundary::reached;
+use super::largest_change::largest_change;
 use super::sign_change::{scaled, sign_changes};
 use crate::algebra::Growth;
 use crate::elementary::count;
@@ -101,20 +102,6 @@ impl Enters {
 /// A divisor that comes within this part of its size to zero may touch it, which a boundary looks after.
 const BLUR: f64 = 1e-12;
 
-/// By how much a series changes at most in a step of this length: Σ|cₙhⁿ| without c₀, in two sums, neither of which waits for the other.
-pub(super) fn largest_change<const N: usize>(series: &[[f64; N]], lane: usize, length: f64) -> f64 {
-    let (length, square) = (length.abs(), length * length);
-    let pairs = series[1..].rchunks_exact(2);
-    let left_over = pairs.remainder();
-    let [mut lower, mut higher] = [0.0_f64; 2];
-    for pair in pairs {
-        lower = lower.mul_add(square, pair[0][lane].abs());
-        higher = higher.mul_add(square, pair[1][lane].abs());
-    }
-    let sum = higher.mul_add(length, lower) * length;
-    left_over.first().map_or(sum, |c| (sum + c[lane].abs()) * length)
-}
-
 impl Steep<Row> {
     /// Whether it changes by more than the series follow in a step of this length, in units of the block.
     pub(super) fn is_unseen<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
@@ -175,22 +162,6 @@ impl<P> Steep<P> {
             Enters::Hyperbolic => (to.abs() - from.abs()).abs(),
             Enters::Divisor => libm::log((to / from).abs()).abs(),
             Enters::Power(exponent) => exponent * libm::log((to / from).abs()),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_largest_change_is_the_sum_of_the_sizes_of_its_terms() {
-        for terms in 3..10_i32 {
-            let series: Vec<[f64; 1]> = (0..terms).map(|n| [1.0 - f64::from(n * n)]).collect();
-            let sum: f64 = (1..terms).map(|n| (1.0 - f64::from(n * n)).abs() * libm::ldexp(1.0, -n)).sum();
-            for length in [0.5, -0.5] {
-                assert_eq!(largest_change(&series, 0, length).to_bits(), sum.to_bits(), "{terms} terms");
-            }
         }
     }
 }
