@@ -118,8 +118,8 @@ impl<Q: Quotients> Orbit<Q> {
     #[inline(always)]
     fn block<S: Side>(&self, times: &[f64; BLOCK], angles: &mut [f64; BLOCK], velocities: &mut [f64; BLOCK]) {
         let mut phases = Phases { turns: [0.0; BLOCK], quarter: [0.0; BLOCK], rest: Words::ZERO };
-        for i in 0..BLOCK {
-            let phase = self.clock.phase(times[i]);
+        for (i, time) in times.iter().enumerate() {
+            let phase = self.clock.phase(*time);
             (phases.turns[i], phases.quarter[i]) = (phase.turns, phase.quarter);
             phases.rest.set(i, phase.rest);
         }

@@ -277,8 +277,8 @@ impl Stages {
         velocities: &mut [f64; BLOCK],
     ) -> bool {
         let mut is_counted = true;
-        for i in 0..BLOCK {
-            let place = Place::new(table, times[i]);
+        for (i, time) in times.iter().enumerate() {
+            let place = Place::new(table, *time);
             (self.gone[i], self.rest[i]) = (place.gone, place.rest);
             is_counted &= place.is_counted();
         }

@@ -76,7 +76,7 @@ impl SimulatedMotion<'_> {
         let mut balance = energy.map(|energy| energy.balance(&self.own(&start)));
         let follow = |step: &Step<'_>| {
             if let Some(balance) = &mut balance {
-                if step.start() == start.time {
+                if step.start().total_cmp(&start.time).is_eq() {
                     balance.return_to_start();
                 }
                 balance.record(&self.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
