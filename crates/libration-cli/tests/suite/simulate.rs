@@ -294,7 +294,9 @@ fn columns_that_cannot_be_are_refused() {
         ("x = 2", "x is the name of something else"),
         ("a = 1, a = 2", "a is the name of something else"),
         ("e = (x", "e: at character 1: this bracket"),
-        (" = x", "is no name"),
+        (" = x", "`= x` is no formula"),
+        ("e = ", "`e =` is no formula"),
+        ("x, ", "`` is no formula"),
     ] {
         let question = ["simulate", "x'' = -k*x", "--set", "k=4", "--initial", "x=1", "--times", "1"];
         let output = run(&[&question[..], &["--columns", columns]].concat());
